@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace raygauge::cli {
+
+/// Exit statuses of the program.
+enum ExitStatus : int {
+  kAnswered = 0,      ///< also for contains_origin and unreachable
+  kRegression = 1,    ///< `compare` found one
+  kBadInput = 2,      ///< bad usage or bad input: one line on standard error says file, place and cause
+  kLimitReached = 3,  ///< an iteration, time or precision limit; bounds were printed
+};
+
+/// Each subcommand is one file, command_NAME.cc, that adds itself to the program and, when chosen, leaves its
+/// exit status in `status`. Errors are thrown as raygauge::Error; main prints them as one line and exits with
+/// kBadInput.
+void add_run_command(CLI::App& app, int& status);
+void add_distance_command(CLI::App& app, int& status);
+void add_table_command(CLI::App& app, int& status);
+void add_plot_command(CLI::App& app, int& status);
+void add_export_command(CLI::App& app, int& status);
+void add_info_command(CLI::App& app, int& status);
+
+}  // namespace raygauge::cli

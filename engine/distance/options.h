@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace raygauge {
+
+/// How d_Q(A) is computed. Both methods end in the same certificate.
+enum class DistanceMethod : std::uint8_t {
+  direct,  ///< the linear program of Example 2 by column generation over the support mappings: no outer loop
+  zheng_yamane,  ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
+};
+
+std::string_view to_string(DistanceMethod method) noexcept;
+
+/// When a solve ends.
+enum class StopRule : std::uint8_t {
+  certified_gap,    ///< upper - lower <= tolerance * upper
+  published_sigma,  ///< |σ_k - 1| < tolerance, the paper's own test (`zheng_yamane` only); the true gap is
+                    ///< reported
+};
+
+/// Instruction set of the vector kernels.
+enum class InstructionSet : std::uint8_t { automatic, baseline, avx2, avx512 };
+
+std::string_view to_string(InstructionSet isa) noexcept;
+
+/// What to compute besides the distance and its bounds. What is not asked for costs nothing.
+enum class Effects : std::uint8_t {
+  none = 0,
+  witness = 1,  ///< the contact point v of (15)
+};
+
+constexpr bool has_effect(Effects asked, Effects effect) noexcept {
+  return (static_cast<unsigned>(asked) & static_cast<unsigned>(effect)) != 0;
+}
+
+/// Tunables of a DistanceSolver; the defaults below are the only ones.
+struct DistanceOptions {
+  DistanceMethod method = DistanceMethod::direct;
+
+  /// The solve stops when upper - lower <= tolerance * upper. In (0, 1).
+  double tolerance = 1e-6;
+
+  StopRule stop_rule = StopRule::certified_gap;
+
+  /// Largest number of basis changes; 0 lets the solver choose from n (it is then a guard against stalling
+  /// only).
+  std::int64_t max_iterations = 0;
+
+  /// Seconds of wall time; checked between basis changes.
+  double time_limit = std::numeric_limits<double>::infinity();
+
+  /// Kernels to run; anything but `automatic` throws InvalidParameterError where the machine lacks the
+  /// instructions.
+  InstructionSet instruction_set = InstructionSet::automatic;
+};
+
+}  // namespace raygauge

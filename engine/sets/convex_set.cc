@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/convex_set.h"
+
+#include <string>
+
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+void check_direction(const ConstVectorRef& u, int dimension) {
+  if (u.size() != dimension) {
+    throw DimensionMismatchError("direction has " + std::to_string(u.size()) +
+                                 " coordinates, the set lives in R^" + std::to_string(dimension));
+  }
+  if (!u.allFinite()) throw NonFiniteError("direction has a NaN or infinite coordinate");
+}
+
+}  // namespace
+
+ConvexSet::ConvexSet(int dimension) : dimension_(dimension) {
+  if (dimension < 1) {
+    throw InvalidParameterError("dimension must be at least 1, got " + std::to_string(dimension));
+  }
+}
+
+double ConvexSet::support_function(const ConstVectorRef& u) const {
+  check_direction(u, dimension_);
+  Vector point(dimension_);
+  return do_support(u.data(), point.data());
+}
+
+Vector ConvexSet::support_mapping(const ConstVectorRef& u) const {
+  check_direction(u, dimension_);
+  Vector point(dimension_);
+  do_support(u.data(), point.data());
+  return point;
+}
+
+Vector ConvexSet::center() const {
+  Vector point(dimension_);
+  do_center(point.data());
+  return point;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/point_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <string>
+
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+constexpr std::align_val_t kAlignment{64};
+
+void check_points(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  if (points.cols() == 0) throw EmptySetError("a point set needs at least one point");
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+      if (!std::isfinite(points(k, i))) {
+        throw NonFiniteError("coordinate " + std::to_string(k) + " of point " + std::to_string(i) +
+                             " is not a finite number");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void PointSet::AlignedDelete::operator()(double* p) const noexcept { ::operator delete[](p, kAlignment); }
+
+PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
+    : ConvexSet(static_cast<int>(points.rows())),
+      size_(points.cols()),
+      block_count_((size_ + kLanes - 1) / kLanes) {
+  check_points(points);
+  const std::ptrdiff_t n = dimension();
+  const std::ptrdiff_t count = block_count_ * n * kLanes;
+  data_.reset(
+      static_cast<double*>(::operator new[](static_cast<std::size_t>(count) * sizeof(double), kAlignment)));
+  for (std::ptrdiff_t slot = 0; slot < block_count_ * kLanes; ++slot) {
+    const std::ptrdiff_t i = std::min(slot, size_ - 1);
+    double* block = data_.get() + (slot / kLanes) * n * kLanes + slot % kLanes;
+    for (std::ptrdiff_t k = 0; k < n; ++k) block[k * kLanes] = points(k, i);
+  }
+  magnitude_ = points.cwiseAbs().rowwise().maxCoeff();
+  // The mean of points divided by N beforehand, so that no partial sum overflows.
+  center_ = (points / static_cast<double>(size_)).rowwise().sum();
+}
+
+PointSet::~PointSet() = default;
+
+Vector PointSet::point(std::ptrdiff_t i) const {
+  if (i < 0 || i >= size_) {
+    throw InvalidParameterError("point index must lie in [0, " + std::to_string(size_ - 1) + "], got " +
+                                std::to_string(i));
+  }
+  Vector out(dimension());
+  copy_point(i, out.data());
+  return out;
+}
+
+Eigen::MatrixXd PointSet::points() const {
+  Eigen::MatrixXd all(dimension(), size_);
+  for (std::ptrdiff_t i = 0; i < size_; ++i) copy_point(i, all.col(i).data());
+  return all;
+}
+
+double PointSet::do_support(const double* u, double* point) const {
+  double best = -std::numeric_limits<double>::infinity();
+  std::ptrdiff_t best_index = 0;
+  for (std::ptrdiff_t b = 0; b < block_count_; ++b) {
+    const double* block = data_.get() + b * dimension() * kLanes;
+    double sum[kLanes] = {};
+    for (int k = 0; k < dimension(); ++k) {
+      for (int lane = 0; lane < kLanes; ++lane) sum[lane] += u[k] * block[k * kLanes + lane];
+    }
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (sum[lane] > best) {
+        best = sum[lane];
+        best_index = b * kLanes + lane;
+      }
+    }
+  }
+  copy_point(std::min(best_index, size_ - 1), point);
+  return best;
+}
+
+void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
+
+}  // namespace raygauge

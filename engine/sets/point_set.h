@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// conv{p_1, …, p_N}, the convex hull of N points of R^n (a V-polytope).
+///
+///     h(u) = max_i u·p_i,      s(u) = p_{i*}, i* the smallest maximising index.
+///
+/// Any N >= 1 and any rank are valid: one point, a segment, N < n+1, duplicated and interior points.
+///
+/// Storage: the points stand in blocks of kLanes = 8; within a block coordinate k of the 8 points is
+/// contiguous,
+///
+///     data()[(block * n + k) * 8 + lane]   is coordinate k of point 8 * block + lane,
+///
+/// so that a support query is one sequential stream of whole 64-byte cache lines for any n, at any vector
+/// width. The last block is filled up with copies of the last point, which changes no maximum.
+class PointSet final : public ConvexSet {
+ public:
+  static constexpr int kLanes = 8;
+
+  /// `points` is n × N, one point a column. Throws EmptySetError, InvalidParameterError (n < 1) or
+  /// NonFiniteError (the message names the point and the coordinate, both counted from 0).
+  explicit PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points);
+  ~PointSet() override;
+
+  /// N, the number of points.
+  std::ptrdiff_t size() const noexcept { return size_; }
+
+  /// Point i, 0 <= i < size(). Throws InvalidParameterError outside that range.
+  Vector point(std::ptrdiff_t i) const;
+
+  /// All points, n × N, one a column.
+  Eigen::MatrixXd points() const;
+
+  /// Number of 8-point blocks, ceil(N / 8), and the blocked coordinates (64-byte aligned).
+  std::ptrdiff_t block_count() const noexcept { return block_count_; }
+  const double* data() const noexcept { return data_.get(); }
+
+  /// max_i |coordinate k of p_i|, dimension() doubles: the scale of rounding errors in u·p_i.
+  const double* coordinate_magnitude() const noexcept { return magnitude_.data(); }
+
+  /// Copies point i to `out` (dimension() doubles); unchecked.
+  void copy_point(std::ptrdiff_t i, double* out) const noexcept {
+    const double* block = data_.get() + (i / kLanes) * dimension() * kLanes + i % kLanes;
+    for (int k = 0; k < dimension(); ++k) out[k] = block[static_cast<std::ptrdiff_t>(k) * kLanes];
+  }
+
+ private:
+  struct AlignedDelete {
+    void operator()(double* p) const noexcept;
+  };
+
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+
+  std::ptrdiff_t size_;
+  std::ptrdiff_t block_count_;
+  std::unique_ptr<double[], AlignedDelete> data_;
+  Eigen::VectorXd magnitude_;
+  Eigen::VectorXd center_;
+};
+
+}  // namespace raygauge

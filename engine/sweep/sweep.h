@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/instance.h"
+#include "engine/sweep/method.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// By how much solving on all threads at once inflates the time of one solve: per method, the median over the
+/// calibration cell's instances of (time with all threads busy) / (time alone).
+struct Calibration {
+  struct Entry {
+    std::string method;
+    double serial_seconds = 0;    ///< median
+    double parallel_seconds = 0;  ///< median
+    double inflation = 1;         ///< median ratio
+  };
+  int threads = 1;
+  std::vector<Entry> entries;
+};
+
+/// Progress, told after every finished cell, from whichever thread finished it, one call at a time.
+struct SweepProgress {
+  std::uint64_t cells_done = 0;  ///< of this call, resumed ones not counted
+  std::uint64_t cells_total = 0;
+  double elapsed_seconds = 0;
+  double remaining_seconds = 0;  ///< estimate from the work done so far
+};
+
+struct SweepHooks {
+  std::function<void(const SweepProgress&)> progress;
+};
+
+/// Result of a sweep.
+struct SweepSummary {
+  int threads = 1;
+  double wall_seconds = 0;
+  Calibration calibration;  ///< empty for TimingMode::serial or one thread
+};
+
+/// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes.
+/// The records are the same (but for times and threads) for any thread count and any order.
+/// An exception of a generator, a method or the sink ends the sweep after the cells in flight and is
+/// rethrown.
+SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
+                       const MethodRegistry& methods, RecordSink& sink,
+                       const std::set<std::uint64_t>& done = {}, const SweepHooks& hooks = {});
+
+}  // namespace raygauge
