@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "generators/registry.h"
+
+#include "generators/clustered.h"
+#include "generators/example2.h"
+#include "generators/needle.h"
+
+namespace raygauge {
+
+void register_generators(GeneratorRegistry& registry) {
+  registry.add(clustered_generator());
+  registry.add(example2_generator());
+  registry.add(needle_generator());
+}
+
+}  // namespace raygauge

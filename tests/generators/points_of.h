@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/point_set.h"
+#include "engine/sweep/instance.h"
+#include "generators/registry.h"
+
+namespace raygauge {
+
+/// The points of a set that a generator made, one a column. Throws std::bad_cast if it is no point set.
+inline Eigen::MatrixXd points_of(const std::shared_ptr<const ConvexSet>& set) {
+  return dynamic_cast<const PointSet&>(*set).points();
+}
+
+/// The instance that the registered generator `name` makes for `key`.
+inline Instance generate(const std::string& name, const InstanceKey& key, const Parameters& parameters = {}) {
+  GeneratorRegistry registry("generator");
+  register_generators(registry);
+  return registry.make(name, parameters)->generate(key);
+}
+
+}  // namespace raygauge

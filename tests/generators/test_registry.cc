@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// What holds for every generator of the room, whichever it is.
+#include "generators/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "tests/generators/points_of.h"
+
+namespace raygauge {
+namespace {
+
+const GeneratorRegistry& all_generators() {
+  static const GeneratorRegistry registry = [] {
+    GeneratorRegistry made("generator");
+    register_generators(made);
+    return made;
+  }();
+  return registry;
+}
+
+bool same(const Instance& one, const Instance& other) {
+  return points_of(one.A) == points_of(other.A) && points_of(one.Q) == points_of(other.Q) &&
+         one.exact_distance == other.exact_distance;
+}
+
+class EveryGenerator : public testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<Generator> generator() const { return all_generators().make(GetParam(), {}); }
+};
+
+TEST_P(EveryGenerator, MakesTheSameInstanceAgainInAnyOrderAndThread) {
+  const InstanceKey key{11, 3, 12, 4};
+  const Instance first = generator()->generate(key);
+  const auto shared = generator();
+  shared->generate({11, 3, 12, 5});
+  std::optional<Instance> elsewhere;
+  std::thread([&] { elsewhere = shared->generate(key); }).join();
+  EXPECT_TRUE(same(first, *elsewhere));
+}
+
+TEST_P(EveryGenerator, LivesInTheDimensionAskedFor) {
+  for (const int n : {2, 3, 5}) {
+    const Instance instance = generator()->generate({1, n, 20, 0});
+    EXPECT_EQ(instance.A->dimension(), n);
+    EXPECT_EQ(instance.Q->dimension(), n);
+  }
+}
+
+TEST_P(EveryGenerator, SaysWhatItIs) {
+  const auto& component = all_generators().find(GetParam());
+  EXPECT_FALSE(component.description.empty());
+  for (const auto& parameter : component.parameters) EXPECT_FALSE(parameter.description.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Room, EveryGenerator, testing::ValuesIn(all_generators().names()),
+                         [](const auto& test) { return test.param; });
+
+class RandomGenerator : public testing::TestWithParam<std::string> {};
+
+TEST_P(RandomGenerator, DependsOnSeedAndRepetition) {
+  const auto generator = all_generators().make(GetParam(), {});
+  const Instance base = generator->generate({1, 3, 12, 0});
+  EXPECT_FALSE(same(base, generator->generate({2, 3, 12, 0})));
+  EXPECT_FALSE(same(base, generator->generate({1, 3, 12, 1})));
+}
+
+TEST_P(RandomGenerator, HasNPointsInEachSet) {
+  const auto instance = all_generators().make(GetParam(), {})->generate({1, 3, 12, 0});
+  EXPECT_EQ(points_of(instance.A).cols(), 12);
+  EXPECT_EQ(points_of(instance.Q).cols(), 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Room, RandomGenerator, testing::Values("example2", "clustered", "needle"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace raygauge
