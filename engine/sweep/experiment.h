@@ -64,8 +64,15 @@ struct Cell {
   double tolerance = 0;
 };
 
+/// Throws InvalidParameterError for a value outside its documented range, an experiment without generators or
+/// methods, or two methods of one label. Names are looked up by the registries, not here.
+void validate(const Experiment& experiment);
+
 /// The grid in its natural order: generator slowest, then n, N, tolerance. Throws InvalidParameterError for
-/// an experiment without cells, or paired lists of different lengths.
+/// an experiment without cells, a cell that appears twice, or paired lists of different lengths.
 std::vector<Cell> grid_of(const Experiment& experiment);
+
+/// The label of a component in results: `label`, or else `name`.
+const std::string& label_of(const ComponentSpec& component);
 
 }  // namespace raygauge

@@ -36,18 +36,23 @@ struct SweepProgress {
 
 struct SweepHooks {
   std::function<void(const SweepProgress&)> progress;
+
+  /// Asked before each cell, from any thread: true ends the sweep after the cells in flight.
+  std::function<bool()> stop;
 };
 
 /// Result of a sweep.
 struct SweepSummary {
   int threads = 1;
-  double wall_seconds = 0;
-  Calibration calibration;  ///< empty for TimingMode::serial or one thread
+  std::uint64_t cells_done = 0;  ///< of this call, resumed ones not counted
+  bool stopped = false;          ///< by SweepHooks::stop, with cells left to do
+  double wall_seconds = 0;       ///< calibration included
+  Calibration calibration;       ///< empty for TimingMode::serial, one thread or nothing to do
 };
 
 /// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes.
-/// The records are the same (but for times and threads) for any thread count and any order.
-/// An exception of a generator, a method or the sink ends the sweep after the cells in flight and is
+/// The records are the same (but for times, inner repetitions and threads) for any thread count and any
+/// order. An exception of a generator, a method or the sink ends the sweep after the cells in flight and is
 /// rethrown.
 SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
                        const MethodRegistry& methods, RecordSink& sink,

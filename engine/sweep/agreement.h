@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// Relative slack when certified bounds meet each other or an exact distance. Bounds are rounded outwards;
+/// the slack covers the rounding of a generator's exact distance and of bounds certified from a competitor's
+/// basis.
+inline constexpr double kAgreementRounding = 1e-12;
+
+/// Sets `agrees` of `records`: the records of all methods on one instance at one tolerance ε.
+///
+/// Let I_i = [lower_i, upper_i] be what method i proved (an unset lower is 0, an unset upper +∞), and I* the
+/// narrowest of them. Record i agrees when
+///   1. I_i meets every I_j:            max(lower_i, lower_j) <= min(upper_i, upper_j),
+///   2. I_i contains exact_distance, where that is known,
+///   3. if its status is final (optimal, contains_origin, unreachable): its distance lies within ε·|distance|
+///      of I*, and every other final status is the same.
+/// 1 and 2 hold up to kAgreementRounding. A record that stopped at a limit claims nothing but its bounds: 3
+/// does not apply to it, and its status counts it as unsolved. Where two proofs contradict each other, nobody
+/// knows which is wrong: both records disagree.
+void mark_agreement(std::span<Record> records);
+
+}  // namespace raygauge

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/sweep/sweep.h"
+#include "engine/sweep/sweep_plan.h"
+
+namespace raygauge {
+
+/// Measures by how much `threads` threads that solve at once slow each other down: the first repetitions of a
+/// cell of median cost among `cells` are solved by one thread alone, then by all threads together. With
+/// t_serial(r) and t_j(r) the times of instance r alone and on thread j, a method's inflation is
+///
+///     median over r and j of  t_j(r) / t_serial(r).
+///
+/// Thread j runs on cpus[j] if `cpus` is not empty. Throws what a generator or a method throws.
+Calibration calibrate(const SweepPlan& plan, const std::vector<Cell>& cells, int threads,
+                      const std::vector<int>& cpus);
+
+}  // namespace raygauge

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "engine/sweep/record.h"
+#include "engine/sweep/sweep_plan.h"
+#include "engine/sweep/timed_solve.h"
+
+namespace raygauge {
+
+/// Runs cells on one thread, with method objects of its own.
+///
+/// Within a cell all methods meet all repetitions in a seeded random order, so that a slow drift of the
+/// machine falls on every method alike. Cells too large to be held in memory at once are taken in batches of
+/// repetitions, interleaved within each.
+class CellRunner {
+ public:
+  /// Where and when the records come about; copied into them.
+  struct Circumstances {
+    int thread = 0;
+    int concurrency = 1;
+    SteadyClock::time_point sweep_start = SteadyClock::now();
+  };
+
+  /// Create, use and destroy it in one thread. `plan` outlives it.
+  CellRunner(const SweepPlan& plan, const Circumstances& circumstances);
+
+  /// Records in the order (repetition, method), whatever the order they were made in.
+  /// Throws what the generator or a method throws.
+  CellResult run(const Cell& cell);
+
+ private:
+  Record blank_record(const Cell& cell, int repetition, std::size_t method) const;
+  void warm_up(const Cell& cell, const Instance& instance);
+  void run_batch(const Cell& cell, int first_repetition, int last_repetition, std::vector<Record>& records);
+  void measure(const Cell& cell, const Instance& instance, std::size_t method, Record& record);
+
+  const SweepPlan& plan_;
+  Circumstances circumstances_;
+  std::vector<std::unique_ptr<SolveMethod>> methods_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <memory>
+#include <string>
+
+#include "engine/distance/solver.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge {
+namespace {
+
+/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets.
+class EngineMethod final : public SolveMethod {
+ public:
+  explicit EngineMethod(const DistanceOptions& options) : options_(options), solver_(options) {}
+
+  void load(const Instance& instance) override {
+    A_ = instance.A.get();
+    Q_ = instance.Q.get();
+    result_ = nullptr;
+  }
+
+  void solve(const SolveRequest& request) override {
+    if (request.tolerance != options_.tolerance || request.time_limit != options_.time_limit) {
+      options_.tolerance = request.tolerance;
+      options_.time_limit = request.time_limit;
+      solver_.set_options(options_);
+    }
+    result_ = &solver_.solve(*A_, *Q_);
+  }
+
+  DistanceResult result() override {
+    if (result_ == nullptr) throw Error("result() of a method that has solved nothing since load()");
+    return *result_;
+  }
+
+ private:
+  DistanceOptions options_;
+  DistanceSolver solver_;
+  const ConvexSet* A_ = nullptr;
+  const ConvexSet* Q_ = nullptr;
+  const DistanceResult* result_ = nullptr;
+};
+
+const std::map<std::string, InstructionSet> kInstructionSets = {{"automatic", InstructionSet::automatic},
+                                                                {"baseline", InstructionSet::baseline},
+                                                                {"avx2", InstructionSet::avx2},
+                                                                {"avx512", InstructionSet::avx512}};
+const std::map<std::string, StopRule> kStopRules = {{"certified_gap", StopRule::certified_gap},
+                                                    {"published_sigma", StopRule::published_sigma}};
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& choices) {
+  std::vector<std::string> names;
+  for (const auto& entry : choices) names.push_back(entry.first);
+  return names;
+}
+
+std::vector<ParameterInfo> common_parameters() {
+  return {{"instruction_set",
+           std::string("automatic"),
+           {},
+           {},
+           "instruction set of the vector kernels",
+           names_of(kInstructionSets)},
+          {"max_iterations",
+           std::int64_t{0},
+           0.0,
+           9e15,
+           "largest number of basis changes; 0: chosen from n",
+           {}}};
+}
+
+DistanceOptions options_from(DistanceMethod method, const Parameters& parameters) {
+  DistanceOptions options;
+  options.method = method;
+  options.instruction_set = kInstructionSets.at(string_parameter(parameters, "instruction_set"));
+  options.max_iterations = integer_parameter(parameters, "max_iterations");
+  return options;
+}
+
+}  // namespace
+
+void register_engine_methods(MethodRegistry& registry) {
+  registry.add({"direct", "the linear program of Example 2 by column generation over support mappings",
+                common_parameters(), [](const Parameters& parameters) {
+                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::direct, parameters));
+                }});
+  std::vector<ParameterInfo> published = common_parameters();
+  published.push_back(
+      {"stop_rule",
+       std::string("certified_gap"),
+       {},
+       {},
+       "certified_gap: upper - lower <= tolerance * upper; published_sigma: |σ_k - 1| < tolerance",
+       names_of(kStopRules)});
+  registry.add({"zheng_yamane", "Algorithm 1 as published, warm-started as in Fig. 3c", std::move(published),
+                [](const Parameters& parameters) {
+                  DistanceOptions options = options_from(DistanceMethod::zheng_yamane, parameters);
+                  options.stop_rule = kStopRules.at(string_parameter(parameters, "stop_rule"));
+                  return std::make_unique<EngineMethod>(options);
+                }});
+}
+
+}  // namespace raygauge

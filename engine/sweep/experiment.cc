@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/experiment.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+std::string text_of(double value) { return to_string(ParameterValue(value)); }
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw InvalidParameterError(message);
+}
+
+void require_at_least(const std::string& key, int value, int minimum) {
+  require(value >= minimum,
+          key + " must be at least " + std::to_string(minimum) + ", got " + std::to_string(value));
+}
+
+void validate_axes(const Experiment& experiment) {
+  for (const int n : experiment.n) require_at_least("n", n, 1);
+  for (const int N : experiment.N) require_at_least("N", N, 1);
+  for (const double tolerance : experiment.tolerance) {
+    require(tolerance > 0 && tolerance < 1, "tolerance must lie in (0, 1), got " + text_of(tolerance));
+  }
+}
+
+void validate_run(const Experiment& experiment) {
+  require_at_least("repetitions", experiment.repetitions, 1);
+  require_at_least("warmup", experiment.warmup, 0);
+  require_at_least("threads", experiment.threads, 0);
+  require(experiment.min_seconds >= 0 && std::isfinite(experiment.min_seconds),
+          "min_seconds must be finite and not negative, got " + text_of(experiment.min_seconds));
+  require(experiment.time_limit > 0, "time_limit must be positive, got " + text_of(experiment.time_limit));
+}
+
+/// The pairs (n, N) of the grid, in its order.
+std::vector<std::pair<int, int>> sizes_of(const Experiment& experiment) {
+  std::vector<std::pair<int, int>> sizes;
+  if (experiment.grid == GridMode::paired) {
+    require(experiment.n.size() == experiment.N.size(),
+            "a paired grid needs lists n and N of one length, got " + std::to_string(experiment.n.size()) +
+                " and " + std::to_string(experiment.N.size()));
+    for (std::size_t i = 0; i < experiment.n.size(); ++i) {
+      sizes.emplace_back(experiment.n[i], experiment.N[i]);
+    }
+    return sizes;
+  }
+  for (const int n : experiment.n) {
+    for (const int N : experiment.N) sizes.emplace_back(n, N);
+  }
+  return sizes;
+}
+
+}  // namespace
+
+const std::string& label_of(const ComponentSpec& component) {
+  return component.label.empty() ? component.name : component.label;
+}
+
+void validate(const Experiment& experiment) {
+  validate_axes(experiment);
+  validate_run(experiment);
+  require(!experiment.generators.empty(), "the experiment names no generator");
+  require(!experiment.methods.empty(), "the experiment names no method");
+  std::set<std::string> labels;
+  for (const ComponentSpec& method : experiment.methods) {
+    require(labels.insert(label_of(method)).second,
+            "two methods are labelled '" + label_of(method) + "'; give one of them another label");
+  }
+}
+
+std::vector<Cell> grid_of(const Experiment& experiment) {
+  const std::vector<std::pair<int, int>> sizes = sizes_of(experiment);
+  std::vector<Cell> cells;
+  std::set<std::tuple<std::size_t, int, int, double>> seen;
+  for (std::size_t generator = 0; generator < experiment.generators.size(); ++generator) {
+    for (const auto& [n, N] : sizes) {
+      for (const double tolerance : experiment.tolerance) {
+        require(seen.emplace(generator, n, N, tolerance).second,
+                "the cell n = " + std::to_string(n) + ", N = " + std::to_string(N) +
+                    ", tolerance = " + text_of(tolerance) + " appears twice in the grid");
+        cells.push_back({cells.size(), generator, n, N, tolerance});
+      }
+    }
+  }
+  require(!cells.empty(),
+          "the grid has no cells: n, N, tolerance and generator need at least one value each");
+  return cells;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/instance.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge {
+
+/// An experiment with its names looked up: what all threads of a sweep share, unchanged from then on.
+class SweepPlan {
+ public:
+  /// Refers to `experiment` and `methods`, which outlive it. Throws what validate, grid_of and the registries
+  /// throw: after construction every component of the experiment is known to exist and its parameters to be
+  /// valid.
+  SweepPlan(const Experiment& experiment, const GeneratorRegistry& generators, const MethodRegistry& methods);
+
+  const Experiment& experiment() const noexcept { return experiment_; }
+  const std::vector<Cell>& cells() const noexcept { return cells_; }
+  const Generator& generator(const Cell& cell) const { return *generators_[cell.generator]; }
+
+  /// "separation=1.5": every parameter of the cell's generator, defaults included.
+  const std::string& generator_parameters(const Cell& cell) const {
+    return generator_parameters_[cell.generator];
+  }
+  /// The same of method `index` of the experiment.
+  const std::string& method_parameters(std::size_t index) const { return method_parameters_[index]; }
+
+  /// A fresh set of the experiment's methods, for one thread.
+  std::vector<std::unique_ptr<SolveMethod>> make_methods() const;
+
+  /// Instance `repetition` of a cell. Throws what the generator throws.
+  Instance instance(const Cell& cell, int repetition) const;
+
+  /// What the cell asks of one solve.
+  SolveRequest request(const Cell& cell) const { return {cell.tolerance, experiment_.time_limit}; }
+
+ private:
+  const Experiment& experiment_;
+  const MethodRegistry& methods_;
+  std::vector<Cell> cells_;
+  std::vector<std::unique_ptr<Generator>> generators_;
+  std::vector<std::string> generator_parameters_;
+  std::vector<std::string> method_parameters_;
+};
+
+}  // namespace raygauge

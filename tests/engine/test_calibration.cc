@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/fake_components.h"
+
+namespace raygauge {
+namespace {
+
+class Calibrations : public ::testing::Test {
+ protected:
+  Calibration run(const Experiment& experiment, int threads) {
+    const SweepPlan plan(experiment, generators_, methods_);
+    return calibrate(plan, plan.cells(), threads, {});
+  }
+
+  testing::CallLog log_;
+  GeneratorRegistry generators_ = testing::fake_generators();
+  MethodRegistry methods_ = testing::fake_methods(log_);
+};
+
+TEST_F(Calibrations, SolvesThatOnlyWaitAreNotInflated) {
+  Experiment experiment = testing::small_experiment();
+  experiment.methods = {{"ray", "short", {{"busy_seconds", 2e-3}}},
+                        {"ray", "long", {{"busy_seconds", 8e-3}}}};
+  const Calibration calibration = run(experiment, 2);
+  EXPECT_EQ(calibration.threads, 2);
+  ASSERT_EQ(calibration.entries.size(), 2u);
+  EXPECT_EQ(calibration.entries[0].method, "short");
+  EXPECT_EQ(calibration.entries[1].method, "long");
+  for (const Calibration::Entry& entry : calibration.entries) {
+    // A sleeping thread leaves the core to others; the margin is for a busy machine's scheduler.
+    EXPECT_NEAR(entry.inflation, 1, 0.5);
+    EXPECT_NEAR(entry.parallel_seconds / entry.serial_seconds, 1, 0.5);
+  }
+  EXPECT_GE(calibration.entries[0].serial_seconds, 2e-3);
+  EXPECT_GE(calibration.entries[1].serial_seconds, 8e-3);
+}
+
+TEST_F(Calibrations, AFailureWhilePreparingIsRethrown) {
+  Experiment experiment = testing::small_experiment();
+  experiment.n = {91};
+  EXPECT_THROW(run(experiment, 2), InvalidParameterError);
+}
+
+TEST_F(Calibrations, AFailureWhileMeasuringIsRethrown) {
+  Experiment experiment = testing::small_experiment();
+  experiment.methods = {{"ray", "", {{"throw_at", std::int64_t{3}}}}};
+  EXPECT_THROW(run(experiment, 2), Error);
+}
+
+}  // namespace
+}  // namespace raygauge

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/experiment.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace raygauge {
+namespace {
+
+Experiment grid_experiment() {
+  Experiment experiment;
+  experiment.n = {3, 4};
+  experiment.N = {10, 20};
+  experiment.tolerance = {1e-3, 1e-6};
+  experiment.generators = {{"g", "", {}}, {"h", "", {}}};
+  experiment.methods = {{"m", "", {}}};
+  return experiment;
+}
+
+TEST(Grid, CartesianRunsThroughEveryCombinationToleranceFastest) {
+  const std::vector<Cell> cells = grid_of(grid_experiment());
+  ASSERT_EQ(cells.size(), 16u);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    EXPECT_EQ(cells[i].index, i);
+    EXPECT_EQ(cells[i].generator, i / 8);
+    EXPECT_EQ(cells[i].n, i / 4 % 2 == 0 ? 3 : 4);
+    EXPECT_EQ(cells[i].N, i / 2 % 2 == 0 ? 10 : 20);
+    EXPECT_EQ(cells[i].tolerance, i % 2 == 0 ? 1e-3 : 1e-6);
+  }
+}
+
+TEST(Grid, PairedTakesSizesInStepAndStillEveryTolerance) {
+  Experiment experiment = grid_experiment();
+  experiment.grid = GridMode::paired;
+  experiment.generators.pop_back();
+  const std::vector<Cell> cells = grid_of(experiment);
+  ASSERT_EQ(cells.size(), 4u);
+  for (const Cell& cell : cells) EXPECT_EQ(cell.N, cell.n == 3 ? 10 : 20);
+}
+
+TEST(Grid, PairedListsOfDifferentLengthsAreRejected) {
+  Experiment experiment = grid_experiment();
+  experiment.grid = GridMode::paired;
+  experiment.N.push_back(30);
+  EXPECT_THROW(grid_of(experiment), InvalidParameterError);
+}
+
+TEST(Grid, AnEmptyAxisAndARepeatedCellAreRejected) {
+  Experiment empty = grid_experiment();
+  empty.N.clear();
+  EXPECT_THROW(grid_of(empty), InvalidParameterError);
+  Experiment repeated = grid_experiment();
+  repeated.n = {3, 3};
+  EXPECT_THROW(grid_of(repeated), InvalidParameterError);
+}
+
+TEST(Validation, AcceptsTheDefaults) { EXPECT_NO_THROW(validate(grid_experiment())); }
+
+TEST(Validation, RejectsEveryValueOutsideItsRange) {
+  const std::vector<std::function<void(Experiment&)>> mistakes = {
+      [](Experiment& e) { e.n = {0}; },
+      [](Experiment& e) { e.N = {-5}; },
+      [](Experiment& e) { e.tolerance = {0.0}; },
+      [](Experiment& e) { e.tolerance = {1.0}; },
+      [](Experiment& e) { e.tolerance = {std::numeric_limits<double>::quiet_NaN()}; },
+      [](Experiment& e) { e.repetitions = 0; },
+      [](Experiment& e) { e.warmup = -1; },
+      [](Experiment& e) { e.threads = -1; },
+      [](Experiment& e) { e.min_seconds = -1; },
+      [](Experiment& e) { e.time_limit = 0; },
+      [](Experiment& e) { e.generators.clear(); },
+      [](Experiment& e) { e.methods.clear(); },
+      [](Experiment& e) { e.methods.push_back(e.methods.front()); },
+  };
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    Experiment experiment = grid_experiment();
+    mistakes[i](experiment);
+    EXPECT_THROW(validate(experiment), InvalidParameterError) << "mistake " << i;
+  }
+}
+
+TEST(Validation, TwoMethodsOfOneNameAreFineUnderDifferentLabels) {
+  Experiment experiment = grid_experiment();
+  experiment.methods = {{"m", "presolved", {}}, {"m", "", {}}};
+  EXPECT_NO_THROW(validate(experiment));
+  EXPECT_EQ(label_of(experiment.methods[0]), "presolved");
+  EXPECT_EQ(label_of(experiment.methods[1]), "m");
+}
+
+}  // namespace
+}  // namespace raygauge
