@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "baselines/glpk_simplex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "baselines/certify.h"
+#include "baselines/gauge_lp.h"
+#include "baselines/glpk_environment.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+struct Settings {
+  std::string name;
+  int variant = GLP_PRIMAL;
+  bool presolve = false;
+  bool scale = false;
+  bool advanced_basis = false;
+};
+
+/// Above this many coefficients GLPK gives up (NNZ_MAX in its sources).
+constexpr double kMaxNonzeros = 5e8;
+
+int milliseconds(double seconds) {
+  const double rounded = std::ceil(seconds * 1e3);
+  constexpr int kLongest = std::numeric_limits<int>::max();
+  return rounded >= kLongest ? kLongest : std::max(1, static_cast<int>(rounded));
+}
+
+glp_smcp simplex_parameters(const Settings& settings, const SolveRequest& request) {
+  glp_smcp parameters;
+  glp_init_smcp(&parameters);
+  parameters.msg_lev = GLP_MSG_OFF;
+  parameters.meth = settings.variant;
+  parameters.presolve = settings.presolve ? GLP_ON : GLP_OFF;
+  parameters.tol_bnd = parameters.tol_dj = std::clamp(request.tolerance / 10, 1e-12, 1e-3);
+  parameters.tm_lim = milliseconds(request.time_limit);
+  return parameters;
+}
+
+void fill_model(glp_prob* model, const GaugeLp& lp) {
+  const int rows = lp.rows();
+  const int columns = static_cast<int>(lp.columns());
+  glp_set_obj_dir(model, GLP_MIN);
+  glp_add_rows(model, rows);
+  for (int row = 0; row < rows; ++row) {
+    glp_set_row_bnds(model, row + 1, GLP_FX, lp.right_hand_side(row), lp.right_hand_side(row));
+  }
+  glp_add_cols(model, columns);
+  // GLPK counts from 1: element 0 of both arrays is not read.
+  std::vector<int> index(static_cast<std::size_t>(rows) + 1);
+  std::iota(index.begin(), index.end(), 0);
+  std::vector<double> value(index.size());
+  for (int j = 0; j < columns; ++j) {
+    lp.copy_column(j, value.data() + 1);
+    glp_set_col_bnds(model, j + 1, GLP_LO, 0, 0);
+    glp_set_obj_coef(model, j + 1, lp.cost(j));
+    glp_set_mat_col(model, j + 1, rows, index.data(), value.data());
+  }
+}
+
+DistanceStatus status_of(int code, int solution) {
+  switch (code) {
+    case 0:
+      if (solution == GLP_OPT) return DistanceStatus::optimal;
+      return solution == GLP_NOFEAS ? DistanceStatus::unreachable : DistanceStatus::precision_limit;
+    case GLP_ENOPFS:
+      return DistanceStatus::unreachable;
+    case GLP_ETMLIM:
+      return DistanceStatus::time_limit;
+    case GLP_EITLIM:
+      return DistanceStatus::iteration_limit;
+    default:
+      return DistanceStatus::precision_limit;
+  }
+}
+
+class GlpkSimplex final : public SolveMethod {
+ public:
+  explicit GlpkSimplex(Settings settings) : settings_(std::move(settings)) {}
+
+  void load(const Instance& instance) override {
+    GaugeLp lp(instance, settings_.name);
+    if (static_cast<double>(lp.columns()) * lp.rows() > kMaxNonzeros) {
+      throw InvalidParameterError("method '" + settings_.name +
+                                  "' takes at most 5e8 coefficients, (n + 1)(N_A + N_Q)");
+    }
+    lp_ = std::move(lp);
+    build();
+  }
+
+  void solve(const SolveRequest& request) override {
+    if (!lp_) throw Error("method '" + settings_.name + "': solve before load");
+    if (aborted_) build();
+    const glp_smcp parameters = simplex_parameters(settings_, request);
+    glp_prob* model = problem_->get();
+    glp_set_it_cnt(model, 0);
+    if (settings_.advanced_basis) {
+      glp_adv_basis(model, 0);
+    } else {
+      glp_std_basis(model);
+    }
+    code_ = problem_->simplex(parameters, aborted_);
+  }
+
+  DistanceResult result() override {
+    if (!lp_) throw Error("method '" + settings_.name + "': result before solve");
+    return certified_result(*lp_, answer());
+  }
+
+ private:
+  void build() {
+    problem_.emplace();
+    aborted_ = false;
+    fill_model(problem_->get(), *lp_);
+    if (settings_.scale) glp_scale_prob(problem_->get(), GLP_SF_AUTO);
+  }
+
+  LpAnswer answer() const {
+    LpAnswer answer;
+    if (aborted_) return answer;
+    glp_prob* model = problem_->get();
+    answer.status = status_of(code_, glp_get_status(model));
+    answer.pivots = glp_get_it_cnt(model);
+    if (glp_get_prim_stat(model) == GLP_UNDEF) return answer;
+    answer.objective = glp_get_obj_val(model);
+    answer.primal.resize(static_cast<std::size_t>(lp_->columns()));
+    for (std::size_t j = 0; j < answer.primal.size(); ++j) {
+      answer.primal[j] = glp_get_col_prim(model, static_cast<int>(j) + 1);
+    }
+    answer.u.resize(lp_->rows() - 1);
+    for (int row = 0; row + 1 < lp_->rows(); ++row) answer.u[row] = glp_get_row_dual(model, row + 1);
+    return answer;
+  }
+
+  Settings settings_;
+  std::optional<GaugeLp> lp_;
+  std::optional<GlpkProblem> problem_;
+  int code_ = GLP_EFAIL;
+  bool aborted_ = false;
+};
+
+Component<SolveMethod> component(const std::string& name, const std::string& variant_name, int variant) {
+  return {name,
+          "the linear program of Example 2 by the " + variant_name + " simplex of GLPK " + glp_version(),
+          {{"presolve", false, {}, {}, "run GLPK's presolver", {}},
+           {"scale", false, {}, {}, "scale the model when it is loaded (GLP_SF_AUTO)", {}},
+           {"basis", std::string("standard"), {}, {}, "first basis", {"standard", "advanced"}}},
+          [name, variant](const Parameters& parameters) -> std::unique_ptr<SolveMethod> {
+            return std::make_unique<GlpkSimplex>(Settings{
+                name, variant, boolean_parameter(parameters, "presolve"),
+                boolean_parameter(parameters, "scale"), string_parameter(parameters, "basis") == "advanced"});
+          }};
+}
+
+}  // namespace
+
+void register_glpk_methods(MethodRegistry& registry) {
+  registry.add(component("glpk_primal", "primal", GLP_PRIMAL));
+  registry.add(component("glpk_dual", "dual", GLP_DUAL));
+}
+
+const char* glpk_version() { return glp_version(); }
+
+}  // namespace raygauge

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "baselines/registry.h"
+
+#ifdef RAYGAUGE_HAS_GLPK
+#include "baselines/glpk_simplex.h"
+#endif
+#ifdef RAYGAUGE_HAS_CLP
+#include "baselines/clp_simplex.h"
+#endif
+#ifdef RAYGAUGE_HAS_EXACT
+#include "baselines/exact_lp.h"
+#endif
+
+namespace raygauge {
+
+void register_baselines([[maybe_unused]] MethodRegistry& registry) {
+#ifdef RAYGAUGE_HAS_GLPK
+  register_glpk_methods(registry);
+#endif
+#ifdef RAYGAUGE_HAS_CLP
+  register_clp_methods(registry);
+#endif
+#ifdef RAYGAUGE_HAS_EXACT
+  register_exact_method(registry);
+#endif
+}
+
+std::vector<std::pair<std::string, std::string>> solver_versions() {
+  std::vector<std::pair<std::string, std::string>> versions;
+#ifdef RAYGAUGE_HAS_GLPK
+  versions.emplace_back("GLPK", glpk_version());
+#endif
+#ifdef RAYGAUGE_HAS_CLP
+  versions.emplace_back("Clp", clp_version());
+#endif
+#ifdef RAYGAUGE_HAS_EXACT
+  versions.emplace_back("GMP", gmp_library_version());
+#endif
+  return versions;
+}
+
+}  // namespace raygauge
