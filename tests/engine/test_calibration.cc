@@ -23,8 +23,8 @@ class Calibrations : public ::testing::Test {
 
 TEST_F(Calibrations, SolvesThatOnlyWaitAreNotInflated) {
   Experiment experiment = testing::small_experiment();
-  experiment.methods = {{"ray", "short", {{"busy_seconds", 2e-3}}},
-                        {"ray", "long", {{"busy_seconds", 8e-3}}}};
+  experiment.methods = {{"ray", "short", {{"busy_seconds", 5e-3}}},
+                        {"ray", "long", {{"busy_seconds", 2e-2}}}};
   const Calibration calibration = run(experiment, 2);
   EXPECT_EQ(calibration.threads, 2);
   ASSERT_EQ(calibration.entries.size(), 2u);
@@ -35,8 +35,8 @@ TEST_F(Calibrations, SolvesThatOnlyWaitAreNotInflated) {
     EXPECT_NEAR(entry.inflation, 1, 0.5);
     EXPECT_NEAR(entry.parallel_seconds / entry.serial_seconds, 1, 0.5);
   }
-  EXPECT_GE(calibration.entries[0].serial_seconds, 2e-3);
-  EXPECT_GE(calibration.entries[1].serial_seconds, 8e-3);
+  EXPECT_GE(calibration.entries[0].serial_seconds, 5e-3);
+  EXPECT_GE(calibration.entries[1].serial_seconds, 2e-2);
 }
 
 TEST_F(Calibrations, AFailureWhilePreparingIsRethrown) {

@@ -141,7 +141,7 @@ TEST_F(Sweep, SerialTimingSolvesOnOneThread) {
 TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
   Experiment experiment = small_experiment();
   experiment.threads = 2;
-  for (ComponentSpec& method : experiment.methods) method.parameters["busy_seconds"] = 1e-4;
+  for (ComponentSpec& method : experiment.methods) method.parameters["busy_seconds"] = 1e-3;
   MemorySink sink;
   const SweepSummary summary = run(experiment, sink);
   EXPECT_EQ(summary.threads, 2);
@@ -178,14 +178,20 @@ TEST_F(Sweep, TimesAreThoseOfOneSolve) {
                         {"ray", "long", {{"busy_seconds", 4e-3}}}};
   MemorySink sink;
   run(experiment, sink);
+  int repeated_short_samples = 0;
   for (const auto& entry : sink.cells()) {
     for (const Record& record : entry.second.records) {
       const bool is_short = record.method == "short";
       EXPECT_GE(record.seconds, is_short ? 1e-3 : 4e-3);
-      EXPECT_EQ(record.inner_repetitions > 1, is_short);
       EXPECT_GE(record.seconds * record.inner_repetitions, 3e-3 * (1 - 1e-12));
+      if (is_short && record.inner_repetitions > 1) ++repeated_short_samples;
+      if (!is_short) {
+        EXPECT_EQ(record.inner_repetitions, 1);
+      }
     }
   }
+  // On a busy machine a single short sleep may last long enough, but not all eight.
+  EXPECT_GT(repeated_short_samples, 0);
 }
 
 TEST_F(Sweep, AWrongMethodIsStoredAsADisagreement) {
