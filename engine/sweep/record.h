@@ -42,7 +42,8 @@ struct Record {
 
   int thread = 0;         ///< OpenMP thread that ran it
   int concurrency = 1;    ///< threads that were solving during this run
-  double started_at = 0;  ///< seconds since the run began
+  double started_at = 0;  ///< seconds since the session began
+  int session = 0;        ///< which session of a resumed run made the record, from 0; set where it is stored
 };
 
 /// All records of one cell: the unit of scheduling, storing and resuming.

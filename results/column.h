@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace raygauge {
+
+/// One entry of a column.
+using Value = std::variant<bool, std::int32_t, std::int64_t, std::uint64_t, double, std::string>;
+
+/// The type of a column: the index of its entries in Value.
+enum class ValueType : std::uint8_t { boolean, int32, int64, uint64, float64, text };
+
+/// "int32", "float64", …: the word for the type in the documentation.
+std::string_view to_string(ValueType type) noexcept;
+
+inline ValueType type_of(const Value& value) noexcept { return static_cast<ValueType>(value.index()); }
+
+/// What a column is called and what its entries mean.
+struct ColumnInfo {
+  std::string name;
+  std::string unit;  ///< "s", "B", "1" for a pure number or a count, "" for text and booleans
+  std::string description;
+  ValueType type = ValueType::float64;
+};
+
+/// A column of a table of `Row`s: a ColumnInfo and how to read and set the entry of one row.
+template <class Row>
+struct Column : ColumnInfo {
+  std::function<Value(const Row&)> get;
+  std::function<void(Row&, const Value&)> set;  ///< the value must hold `type`
+};
+
+/// The column of a data member, or of a member of a member.
+template <class Row, class T>
+Column<Row> column(std::string name, std::string unit, std::string description, T Row::*member) {
+  return {{std::move(name), std::move(unit), std::move(description), type_of(Value(T{}))},
+          [member](const Row& row) { return Value(row.*member); },
+          [member](Row& row, const Value& value) { row.*member = std::get<T>(value); }};
+}
+
+template <class Row, class Part, class T>
+Column<Row> column(std::string name, std::string unit, std::string description, Part Row::*part,
+                   T Part::*member) {
+  return {{std::move(name), std::move(unit), std::move(description), type_of(Value(T{}))},
+          [part, member](const Row& row) { return Value(row.*part.*member); },
+          [part, member](Row& row, const Value& value) { row.*part.*member = std::get<T>(value); }};
+}
+
+}  // namespace raygauge

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+namespace raygauge {
+
+/// A dataset in an HDF5 file, written FILE:/DATASET.
+struct DatasetReference {
+  std::string file;
+  std::string dataset;
+};
+
+/// Splits "points.h5:/group/A"; nothing if `text` is not of that form.
+std::optional<DatasetReference> parse_dataset_reference(const std::string& text);
+
+/// The points that are the rows of a two-dimensional dataset of numbers, N × n in the file, as the columns of
+/// the result (n × N, ready for PointSet). Throws ResultsError for a file or dataset that is missing, of
+/// another rank or not numeric, EmptySetError for one without rows or columns, and NonFiniteError for a NaN
+/// or an infinity (row and column counted from 0).
+Eigen::MatrixXd read_points(const DatasetReference& reference);
+
+}  // namespace raygauge

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/identity.h"
+
+#include <cstdint>
+#include <map>
+#include <sstream>
+#include <type_traits>
+#include <vector>
+
+namespace raygauge {
+namespace {
+
+std::string text_of(double number) { return to_string(ParameterValue(number)); }
+std::string text_of(int number) { return std::to_string(number); }
+
+std::string text_of(const ComponentSpec& component) {
+  std::string text = component.name;
+  if (!component.label.empty() && component.label != component.name) text += " as " + component.label;
+  const std::string parameters = to_string(component.parameters);
+  return parameters.empty() ? text : text + " {" + parameters + "}";
+}
+
+template <class T>
+std::string text_of(const std::vector<T>& values) {
+  std::string text = "[";
+  for (const T& value : values) text += (text.size() > 1 ? ", " : "") + text_of(value);
+  return text + "]";
+}
+
+using KeyValue = std::pair<std::string, std::string>;
+
+std::vector<KeyValue> lines_of(const std::string& identity) {
+  std::vector<KeyValue> lines;
+  std::istringstream stream(identity);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t equals = line.find(" = ");
+    lines.emplace_back(line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 3));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string experiment_identity(const Experiment& experiment) {
+  const std::vector<KeyValue> lines = {
+      {"seed", std::to_string(experiment.seed)},
+      {"repetitions", text_of(experiment.repetitions)},
+      {"warmup", text_of(experiment.warmup)},
+      {"min_seconds", text_of(experiment.min_seconds)},
+      {"timing", experiment.timing == TimingMode::serial ? "serial" : "parallel"},
+      {"time_limit", text_of(experiment.time_limit)},
+      {"grid", experiment.grid == GridMode::cartesian ? "cartesian" : "paired"},
+      {"n", text_of(experiment.n)},
+      {"N", text_of(experiment.N)},
+      {"tolerance", text_of(experiment.tolerance)},
+      {"generators", text_of(experiment.generators)},
+      {"methods", text_of(experiment.methods)},
+  };
+  std::string identity;
+  for (const auto& [key, value] : lines) identity += key + " = " + value + "\n";
+  return identity;
+}
+
+std::string identity_difference(const std::string& there, const std::string& here) {
+  std::map<std::string, std::string> here_by_key;
+  for (const auto& [key, value] : lines_of(here)) here_by_key[key] = value;
+  std::string first;
+  int count = 0;
+  for (const auto& [key, value] : lines_of(there)) {
+    const std::string other = here_by_key.count(key) != 0 ? here_by_key[key] : "nothing";
+    if (other == value) continue;
+    if (count++ == 0) first = key + " = " + value + " there, " + other + " here";
+  }
+  if (count == 0) return there == here ? "" : "other keys";
+  return count == 1 ? first : first + " (and " + std::to_string(count - 1) + " more)";
+}
+
+}  // namespace raygauge

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "engine/sweep/experiment.h"
+
+namespace raygauge {
+
+/// What makes two sweeps the same experiment: one line "key = value" for each key that determines the records
+/// or what their times mean (seed, repetitions, grid, axes, generators, methods, timing mode, warm-up,
+/// limits). Left out is what may change between the sessions of a run: name, description, comments and layout
+/// of the text, number and pinning of threads, order of cells.
+std::string experiment_identity(const Experiment& experiment);
+
+/// The first key in which two identities differ and how ("seed = 1 there, 2 here"), with the number of
+/// further ones; "" if they are equal.
+std::string identity_difference(const std::string& there, const std::string& here);
+
+}  // namespace raygauge

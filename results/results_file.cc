@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/results_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "results/atomic_file.h"
+#include "results/encoding.h"
+#include "results/exceptions.h"
+#include "results/run_directory.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+/// Adds the sessions of `parts` that `provenance` does not have yet.
+void add_sessions(Provenance& provenance, const PartList& parts) {
+  for (const auto& [number, path] : parts.sessions) {
+    if (number < provenance.sessions.size()) continue;
+    Provenance part = decode_provenance(path);
+    if (number == 0) {
+      provenance = std::move(part);
+    } else if (number != provenance.sessions.size() || part.sessions.size() != 1) {
+      throw ResultsError(path.string() + ": the session before it is missing");
+    } else if (part.identity != provenance.identity) {
+      throw ResultsError(path.string() + ": belongs to another experiment than the sessions before it");
+    } else {
+      provenance.sessions.push_back(part.sessions.front());
+    }
+  }
+}
+
+/// Adds the cells of `parts` that `records` does not have yet.
+void add_cells(std::vector<Record>& records, const std::set<std::uint64_t>& known, const PartList& parts) {
+  for (const auto& [cell, path] : parts.cells) {
+    if (known.count(cell) != 0) continue;
+    std::vector<Record> part = decode_cell(path);
+    for (const Record& record : part) {
+      if (record.cell != cell) throw ResultsError(path.string() + ": holds records of another cell");
+    }
+    records.insert(records.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+  }
+}
+
+ResultsFile read_once(const fs::path& path) {
+  const PartList parts = list_parts(path);
+  ResultsFile results;
+  if (fs::exists(path) || parts.sessions.empty()) results = decode_results(path);
+  add_sessions(results.provenance, parts);
+  add_cells(results.records, results.cells(), parts);
+  std::stable_sort(results.records.begin(), results.records.end(),
+                   [](const Record& a, const Record& b) { return a.cell < b.cell; });
+  return results;
+}
+
+}  // namespace
+
+std::set<std::uint64_t> ResultsFile::cells() const {
+  std::set<std::uint64_t> result;
+  for (const Record& record : records) result.insert(result.end(), record.cell);
+  return result;
+}
+
+ResultsFile read_results(const std::string& path) {
+  // A run that finishes while it is read replaces its parts by the file: then the file is what to read.
+  try {
+    return read_once(path);
+  } catch (const ResultsError&) {
+    if (!list_parts(path).empty() || !fs::exists(path)) throw;
+    return read_once(path);
+  }
+}
+
+void write_results(const std::string& path, const ResultsFile& results) {
+  write_atomically(path, encode_results(results));
+}
+
+}  // namespace raygauge

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/run_writer.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "results/encoding.h"
+#include "results/exceptions.h"
+#include "results/hdf5_library.h"
+#include "results/identity.h"
+#include "results/results_file.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+std::map<std::string, int> method_ranks(const Experiment& experiment) {
+  std::map<std::string, int> ranks;
+  for (const ComponentSpec& method : experiment.methods) {
+    ranks.emplace(label_of(method), static_cast<int>(ranks.size()));
+  }
+  return ranks;
+}
+
+std::string cells(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
+
+}  // namespace
+
+RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session)
+    : path_(path),
+      mode_(mode),
+      provenance_{
+          experiment.text, experiment_identity(experiment), grid_of(experiment).size(), {std::move(session)}},
+      method_rank_(method_ranks(experiment)),
+      directory_(path_) {
+  if (mode == RunMode::create) refuse_existing();
+  if (mode == RunMode::resume) resume_existing();
+  if (mode == RunMode::force) refuse_foreign_file();
+}
+
+void RunWriter::refuse_existing() const {
+  if (fs::exists(path_)) {
+    throw ResultsExistError(path_.string() + ": exists already; --resume completes it, --force replaces it");
+  }
+  if (const PartList parts = directory_.parts(); !parts.empty()) {
+    throw ResultsExistError(directory_.folder().string() + ": holds " + cells(parts.cells.size()) +
+                            " of an unfinished run; --resume continues it, --force discards it");
+  }
+}
+
+void RunWriter::resume_existing() {
+  const PartList parts = directory_.parts();
+  if (!fs::exists(path_) && parts.empty()) return;
+  if (!fs::exists(path_) && parts.sessions.empty()) {
+    throw ResultsError(directory_.folder().string() +
+                       ": holds cells, but no session that tells their experiment");
+  }
+  const ResultsFile results = read_results(path_.string());
+  const std::string difference = identity_difference(results.provenance.identity, provenance_.identity);
+  if (!difference.empty()) {
+    throw OtherExperimentError(path_.string() + ": holds another experiment: " + difference);
+  }
+  done_ = results.cells();
+  session_ = static_cast<int>(results.provenance.sessions.size());
+}
+
+void RunWriter::refuse_foreign_file() const {
+  if (!fs::exists(path_)) return;
+  try {
+    hdf5::require_hdf5(path_);
+  } catch (const ResultsError& error) {
+    throw ResultsExistError(std::string(error.what()) + "; not replaced even by --force");
+  }
+}
+
+std::vector<Record> RunWriter::arranged(const CellResult& cell) const {
+  const std::string place = "cell " + std::to_string(cell.cell);
+  if (cell.records.empty()) throw InvalidParameterError(place + " has no records");
+  std::vector<Record> records = cell.records;
+  for (Record& record : records) {
+    if (record.cell != cell.cell) {
+      throw InvalidParameterError(place + " has a record of cell " + std::to_string(record.cell));
+    }
+    if (method_rank_.count(record.method) == 0) {
+      throw InvalidParameterError(place + " has a record of method '" + record.method +
+                                  "', which is not in the experiment");
+    }
+    record.session = session_;
+  }
+  const auto key = [this](const Record& record) {
+    return std::make_tuple(record.repetition, method_rank_.at(record.method));
+  };
+  std::stable_sort(records.begin(), records.end(),
+                   [&key](const Record& a, const Record& b) { return key(a) < key(b); });
+  return records;
+}
+
+void RunWriter::store_session() const {
+  directory_.store_session(static_cast<std::uint64_t>(session_), encode_provenance(provenance_));
+}
+
+/// Takes the cell for this call, and has the session on the disk before its first cell.
+void RunWriter::claim(std::uint64_t cell) {
+  const std::scoped_lock lock(mutex_);
+  if (done_.count(cell) != 0 || stored_.count(cell) != 0) {
+    throw InvalidParameterError("cell " + std::to_string(cell) + " is stored already");
+  }
+  if (!session_begun_) begin_session();
+  stored_.insert(cell);
+}
+
+void RunWriter::begin_session() {
+  if (mode_ == RunMode::force) {
+    directory_.clear();
+    fs::remove(path_);
+  }
+  store_session();
+  session_begun_ = true;
+}
+
+void RunWriter::store(const CellResult& cell) {
+  const std::vector<Record> records = arranged(cell);
+  claim(cell.cell);
+  try {
+    directory_.store_cell(cell.cell, encode_cell(records));
+  } catch (...) {
+    const std::scoped_lock lock(mutex_);
+    stored_.erase(cell.cell);
+    throw;
+  }
+}
+
+void RunWriter::finish(const Calibration& calibration) {
+  const std::scoped_lock lock(mutex_);
+  if (session_begun_) {
+    provenance_.sessions.front().finished_at = utc_now();
+    provenance_.sessions.front().calibration = calibration;
+    store_session();
+  }
+  if (mode_ == RunMode::force && !session_begun_) return;
+  if (directory_.parts().empty()) return;
+  directory_.store_target(encode_results(read_results(path_.string())));
+  directory_.clear();
+}
+
+}  // namespace raygauge
