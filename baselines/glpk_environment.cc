@@ -17,23 +17,6 @@ int swallow_output(void* /*info*/, const char* /*text*/) { return 1; }
 
 void leave_failed_call(void* frame) { std::longjmp(*static_cast<std::jmp_buf*>(frame), 1); }
 
-/// glp_simplex behind setjmp. Between the jump and its landing there are C frames of GLPK only, and this
-/// function holds nothing that needs a destructor, so that the jump is well defined.
-int guarded_simplex(glp_prob* problem, const glp_smcp* parameters, bool* aborted) {
-  std::jmp_buf frame;
-  *aborted = false;
-  glp_error_hook(leave_failed_call, &frame);
-  int code = GLP_EFAIL;
-  if (setjmp(frame) == 0) {
-    code = glp_simplex(problem, parameters);
-  } else {
-    *aborted = true;
-    code = GLP_EFAIL;
-  }
-  glp_error_hook(nullptr, nullptr);
-  return code;
-}
-
 }  // namespace
 
 struct GlpkProblem::Slot {
@@ -101,8 +84,18 @@ glp_prob* GlpkProblem::get() const {
   return slot_->problem;
 }
 
-int GlpkProblem::simplex(const glp_smcp& parameters, bool& aborted) {
-  return guarded_simplex(get(), &parameters, &aborted);
+// Between the jump and its landing there are frames of GLPK and of `call` only, so that the jump is well
+// defined.
+bool GlpkProblem::run_guarded(glp_prob* problem, void (*call)(glp_prob*, void*), void* context) {
+  std::jmp_buf frame;
+  glp_error_hook(leave_failed_call, &frame);
+  if (setjmp(frame) == 0) {
+    call(problem, context);
+    glp_error_hook(nullptr, nullptr);
+    return true;
+  }
+  glp_error_hook(nullptr, nullptr);
+  return false;
 }
 
 }  // namespace raygauge

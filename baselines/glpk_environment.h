@@ -26,14 +26,20 @@ class GlpkProblem {
   /// The problem. Throws Error outside the thread that made it.
   glp_prob* get() const;
 
-  /// glp_simplex(get(), &parameters). `aborted` is set, and the problem is unusable afterwards, where GLPK
-  /// hit an internal error, at which it would end the whole process.
-  int simplex(const glp_smcp& parameters, bool& aborted);
+  /// Runs `call` on the problem and returns whether it came back: where GLPK hits an internal error it would
+  /// end the process; here the call is abandoned instead, and the problem is unusable afterwards. The call
+  /// is left by longjmp, so it must hold nothing that needs a destructor. Throws as get() does.
+  template <class Call>
+  bool survives(Call&& call) {
+    return run_guarded(
+        get(), [](glp_prob* problem, void* context) { (*static_cast<Call*>(context))(problem); }, &call);
+  }
 
  private:
   struct Slot;
   struct Environment;
   static Environment& environment();
+  static bool run_guarded(glp_prob* problem, void (*call)(glp_prob*, void*), void* context);
   void release() noexcept;
 
   std::shared_ptr<Slot> slot_;

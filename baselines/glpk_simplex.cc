@@ -100,15 +100,20 @@ class GlpkSimplex final : public SolveMethod {
   void solve(const SolveRequest& request) override {
     if (!lp_) throw Error("method '" + settings_.name + "': solve before load");
     if (aborted_) build();
+    if (aborted_) return;
     const glp_smcp parameters = simplex_parameters(settings_, request);
-    glp_prob* model = problem_->get();
-    glp_set_it_cnt(model, 0);
-    if (settings_.advanced_basis) {
-      glp_adv_basis(model, 0);
-    } else {
-      glp_std_basis(model);
-    }
-    code_ = problem_->simplex(parameters, aborted_);
+    const bool advanced_basis = settings_.advanced_basis;
+    int code = GLP_EFAIL;
+    aborted_ = !problem_->survives([&parameters, advanced_basis, &code](glp_prob* model) {
+      glp_set_it_cnt(model, 0);
+      if (advanced_basis) {
+        glp_adv_basis(model, 0);
+      } else {
+        glp_std_basis(model);
+      }
+      code = glp_simplex(model, &parameters);
+    });
+    code_ = code;
   }
 
   DistanceResult result() override {
@@ -119,9 +124,9 @@ class GlpkSimplex final : public SolveMethod {
  private:
   void build() {
     problem_.emplace();
-    aborted_ = false;
     fill_model(problem_->get(), *lp_);
-    if (settings_.scale) glp_scale_prob(problem_->get(), GLP_SF_AUTO);
+    aborted_ =
+        settings_.scale && !problem_->survives([](glp_prob* model) { glp_scale_prob(model, GLP_SF_AUTO); });
   }
 
   LpAnswer answer() const {
@@ -145,7 +150,7 @@ class GlpkSimplex final : public SolveMethod {
   std::optional<GaugeLp> lp_;
   std::optional<GlpkProblem> problem_;
   int code_ = GLP_EFAIL;
-  bool aborted_ = false;
+  bool aborted_ = false;  ///< GLPK gave up on an internal error; the model has to be built again
 };
 
 Component<SolveMethod> component(const std::string& name, const std::string& variant_name, int variant) {
