@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/instance.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge::cli {
+
+/// Reads an experiment (docs/experiments.md) and applies `overrides` ("sweep.n=3,4", see read_toml) before
+/// anything is checked. The result is valid: grid_of accepts it, the registries know every generator, method
+/// and parameter.
+///
+/// Throws, each with one line that names file and line: InvalidParameterError for a file that cannot be read,
+/// TOML syntax, a wrong type or range; UnknownNameError for a key, generator, method or parameter that nobody
+/// knows, with the known ones and the nearest of them.
+Experiment read_experiment(const std::string& path, const std::vector<std::string>& overrides,
+                           const GeneratorRegistry& generators, const MethodRegistry& methods);
+
+}  // namespace raygauge::cli
