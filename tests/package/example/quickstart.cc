@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
 #include <raygauge/raygauge.h>
 #include <iostream>
 
