@@ -4,8 +4,10 @@
 // A set of one's own: any convex body whose support mapping can be written down. Here the gauge is the
 // Euclidean unit ball, so that the distance is the Euclidean distance of A from the origin.
 #include <raygauge/raygauge.h>
+
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace {

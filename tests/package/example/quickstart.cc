@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <raygauge/raygauge.h>
+
 #include <iostream>
 
 int main() {
