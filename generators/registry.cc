@@ -4,6 +4,7 @@
 
 #include "generators/clustered.h"
 #include "generators/example2.h"
+#include "generators/hard/registry.h"
 #include "generators/needle.h"
 
 namespace raygauge {
@@ -12,6 +13,7 @@ void register_generators(GeneratorRegistry& registry) {
   registry.add(clustered_generator());
   registry.add(example2_generator());
   registry.add(needle_generator());
+  register_hard_generators(registry);
 }
 
 }  // namespace raygauge

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "generators/separated_spheres.h"
 
-#include <memory>
-
-#include "engine/sets/point_set.h"
-
 namespace raygauge {
 
 ParameterInfo separation_parameter() {
@@ -23,10 +19,6 @@ void move_apart(PointClouds& clouds, const InstanceKey& key, std::string_view ge
   Vector center = stream.unit_vector(key.n);
   for (Eigen::Index k = 0; k < center.size(); ++k) center[k] *= 2 * separation;
   for (Eigen::Index i = 0; i < clouds.A.cols(); ++i) clouds.A.col(i) += center;
-}
-
-Instance to_instance(const PointClouds& clouds) {
-  return {std::make_shared<PointSet>(clouds.A), std::make_shared<PointSet>(clouds.Q), std::nullopt};
 }
 
 }  // namespace raygauge

@@ -5,15 +5,10 @@
 #include <string_view>
 
 #include "engine/sweep/instance.h"
+#include "generators/point_clouds.h"
 #include "generators/random.h"
 
 namespace raygauge {
-
-/// The points of both sets of an instance, one a column, n × N each.
-struct PointClouds {
-  Eigen::MatrixXd A;
-  Eigen::MatrixXd Q;
-};
 
 /// The parameter `separation` = (distance of the spheres' centres) / (sum of their radii): 1 for touching
 /// spheres.
@@ -25,8 +20,5 @@ Eigen::MatrixXd random_sphere_points(RandomStream& stream, int n, int N);
 /// Adds to every point of A the centre 2 · separation · e, e uniform on the unit sphere: A's unit sphere is
 /// moved away from Q's.
 void move_apart(PointClouds& clouds, const InstanceKey& key, std::string_view generator, double separation);
-
-/// The clouds as point sets, with no exact distance.
-Instance to_instance(const PointClouds& clouds);
 
 }  // namespace raygauge

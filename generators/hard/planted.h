@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sweep/instance.h"
+
+namespace raygauge {
+
+// Instances with a planted answer λ and as many ties as wanted, at any n and N, in integers: with an integer
+// vector y,
+//
+//     y·q_j <= K for all j,   y·q_* = K,      y·a_i >= λK for all i,   a_* = λ q_*.
+//
+// Then d = λ: λ q_* is in A, and by weak duality (y) no smaller multiple of Q meets A. Of the other points of
+// either set the fraction `ties` lies on the hyperplane as well.
+
+/// `hard_planted_ties`: as above. N points in each set.
+Component<Generator> hard_planted_ties_generator();
+
+/// `hard_planted_unimodular`: the same after an integer map of determinant 1 with entries up to `entry`:
+/// d = λ, and hopeless conditioning.
+Component<Generator> hard_planted_unimodular_generator();
+
+/// `hard_duplicates`: the same with N / copies distinct points (at least one) in each set, every one of them
+/// `copies` times, shuffled. d = λ.
+Component<Generator> hard_duplicates_generator();
+
+/// `hard_scaled`: the same, both sets times 2^exponent. d = λ.
+Component<Generator> hard_scaled_generator();
+
+/// `hard_scaled_object`: the same, only A times 2^exponent. d = 2^exponent λ.
+Component<Generator> hard_scaled_object_generator();
+
+}  // namespace raygauge
