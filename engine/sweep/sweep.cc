@@ -80,12 +80,6 @@ std::vector<Cell> cells_to_do(const SweepPlan& plan, const std::set<std::uint64_
   return longest_first(std::move(cells), plan.experiment().shuffle, plan.experiment().seed);
 }
 
-int thread_count(const Experiment& experiment, std::size_t cells) {
-  if (experiment.timing == TimingMode::serial) return 1;
-  const int asked = experiment.threads > 0 ? experiment.threads : omp_get_num_procs();
-  return static_cast<int>(std::clamp<std::size_t>(cells, 1, static_cast<std::size_t>(asked)));
-}
-
 void work_through(CellQueue& queue, const SweepPlan& plan, RecordSink& sink,
                   const CellRunner::Circumstances& circumstances) {
   try {
@@ -102,6 +96,12 @@ void work_through(CellQueue& queue, const SweepPlan& plan, RecordSink& sink,
 
 }  // namespace
 
+int sweep_threads(const Experiment& experiment, std::size_t cells) {
+  if (experiment.timing == TimingMode::serial) return 1;
+  const int asked = experiment.threads > 0 ? experiment.threads : omp_get_num_procs();
+  return static_cast<int>(std::clamp<std::size_t>(cells, 1, static_cast<std::size_t>(asked)));
+}
+
 SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
                        const MethodRegistry& methods, RecordSink& sink, const std::set<std::uint64_t>& done,
                        const SweepHooks& hooks) {
@@ -110,7 +110,7 @@ SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& ge
   const std::vector<Cell> cells = cells_to_do(plan, done);
   SweepSummary summary;
   if (cells.empty()) return summary;
-  summary.threads = thread_count(experiment, cells.size());
+  summary.threads = sweep_threads(experiment, cells.size());
   const std::vector<int> cpus = experiment.pin_threads ? allowed_cpus() : std::vector<int>();
   if (summary.threads > 1) summary.calibration = calibrate(plan, cells, summary.threads, cpus);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -49,6 +50,10 @@ struct SweepSummary {
   double wall_seconds = 0;       ///< calibration included
   Calibration calibration;       ///< empty for TimingMode::serial, one thread or nothing to do
 };
+
+/// Threads that a sweep of so many cells starts: one for TimingMode::serial, else Experiment::threads (0: one
+/// for each CPU that the process may use), but no more than there are cells.
+int sweep_threads(const Experiment& experiment, std::size_t cells);
 
 /// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes.
 /// The records are the same (but for times, inner repetitions and threads) for any thread count and any

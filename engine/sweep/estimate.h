@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/instance.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge {
+
+/// What a sweep is about to do, and roughly how long it will take.
+struct SweepEstimate {
+  std::size_t cells = 0;
+  std::uint64_t instances = 0;  ///< cells × repetitions
+  std::uint64_t records = 0;    ///< instances × methods
+  int threads = 1;
+
+  double seconds = 0;            ///< whole sweep, as if the threads did not slow each other down
+  double probing_seconds = 0;    ///< spent on finding out
+  std::size_t probed_cells = 0;  ///< cells that were probed; the others lie between or beyond them
+};
+
+/// Solves one instance of a few cells, from cheap to expensive ones, with every method, and takes the time of
+/// a repetition to be a power of n·N between and beyond them. Probing ends after the first cell that brings
+/// it to `budget_seconds`, a single solve being limited to that as well. Stores nothing. Throws what
+/// run_sweep throws.
+SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
+                             const MethodRegistry& methods, double budget_seconds = 2);
+
+}  // namespace raygauge

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/estimate.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/fake_components.h"
+
+namespace raygauge {
+namespace {
+
+class Estimate : public ::testing::Test {
+ protected:
+  SweepEstimate estimate(const Experiment& experiment, double budget_seconds = 2) {
+    return estimate_sweep(experiment, generators_, methods_, budget_seconds);
+  }
+
+  testing::CallLog log_;
+  GeneratorRegistry generators_ = testing::fake_generators();
+  MethodRegistry methods_ = testing::fake_methods(log_);
+};
+
+TEST_F(Estimate, CountsWhatTheSweepWillDo) {
+  Experiment experiment = testing::small_experiment();
+  experiment.threads = 3;
+  const SweepEstimate result = estimate(experiment);
+  EXPECT_EQ(result.cells, 12u);
+  EXPECT_EQ(result.instances, 48u);
+  EXPECT_EQ(result.records, 96u);
+  EXPECT_EQ(result.threads, 3);
+}
+
+TEST_F(Estimate, ComesNearTheTimeOfSolvesThatAllTakeTheSame) {
+  Experiment experiment = testing::small_experiment();
+  experiment.threads = 1;
+  experiment.warmup = 0;
+  experiment.methods = {{"ray", "", {{"busy_seconds", 5e-3}}}};
+  // 48 sleeps of 5 ms; the margin is for a scheduler that lets one oversleep by half.
+  EXPECT_NEAR(estimate(experiment).seconds, 48 * 5e-3, 0.5 * 48 * 5e-3);
+}
+
+TEST_F(Estimate, ProbingStopsWhenTheBudgetIsSpent) {
+  Experiment experiment = testing::small_experiment();
+  experiment.methods = {{"ray", "", {{"busy_seconds", 0.02}}}};
+  const SweepEstimate result = estimate(experiment, 0.01);
+  EXPECT_EQ(result.probed_cells, 1u);
+  EXPECT_EQ(log_.solves, 2);
+  EXPECT_GT(result.seconds, 0);
+}
+
+TEST_F(Estimate, RejectsWhatTheSweepWouldReject) {
+  Experiment experiment = testing::small_experiment();
+  experiment.methods[0].name = "rya";
+  EXPECT_THROW(estimate(experiment), UnknownNameError);
+}
+
+}  // namespace
+}  // namespace raygauge
