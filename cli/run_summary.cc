@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/run_summary.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+#include "cli/terminal.h"
+
+namespace raygauge::cli {
+namespace {
+
+bool is_limit(DistanceStatus status) {
+  return status == DistanceStatus::iteration_limit || status == DistanceStatus::time_limit ||
+         status == DistanceStatus::precision_limit;
+}
+
+/// "direct 3, glpk_dual 1": the methods with a count other than 0; "" if there are none.
+std::string counts_text(const RunSummary& summary, std::size_t RunSummary::Method::*count) {
+  std::string text;
+  for (const RunSummary::Method& method : summary.methods) {
+    if (method.*count == 0) continue;
+    text += (text.empty() ? "" : ", ") + method.label + " " + std::to_string(method.*count);
+  }
+  return text;
+}
+
+std::string inflation_text(const Calibration& calibration) {
+  std::string text;
+  for (const Calibration::Entry& entry : calibration.entries) {
+    constexpr int kLength = 32;
+    char ratio[kLength];
+    std::snprintf(ratio, kLength, " %.3f", entry.inflation);
+    text += (text.empty() ? "" : ", ") + entry.method + ratio;
+  }
+  return text;
+}
+
+}  // namespace
+
+RunSummary summarise(const Experiment& experiment, const std::vector<Record>& records) {
+  RunSummary summary;
+  summary.records = records.size();
+  for (const ComponentSpec& method : experiment.methods)
+    summary.methods.push_back({label_of(method), 0, 0, 0});
+  std::set<std::pair<std::uint64_t, int>> disagreeing;
+  for (const Record& record : records) {
+    const auto method = std::find_if(summary.methods.begin(), summary.methods.end(),
+                                     [&](const auto& entry) { return entry.label == record.method; });
+    if (method == summary.methods.end()) continue;
+    ++method->records;
+    if (is_limit(record.status)) ++method->limits;
+    if (record.agrees) continue;
+    ++method->disagreements;
+    disagreeing.emplace(record.cell, record.repetition);
+  }
+  summary.disagreeing_instances = disagreeing.size();
+  return summary;
+}
+
+std::string summary_text(const RunSummary& summary, const Calibration& calibration) {
+  std::string text;
+  if (summary.disagreeing_instances == 0) {
+    text += "  agreement  all methods agree on every instance\n";
+  } else {
+    text +=
+        "  agreement  " +
+        alarming(std::to_string(summary.disagreeing_instances) + " instances with DISAGREEMENTS", stdout) +
+        " (records: " + counts_text(summary, &RunSummary::Method::disagreements) + ")\n";
+  }
+  const std::string limits = counts_text(summary, &RunSummary::Method::limits);
+  text += "  unsolved   " + (limits.empty() ? "none" : limits) + "\n";
+  if (!calibration.entries.empty()) {
+    text += "  inflation  " + std::to_string(calibration.threads) +
+            " threads at once multiply single times by: " + inflation_text(calibration) + "\n";
+  }
+  return text;
+}
+
+}  // namespace raygauge::cli

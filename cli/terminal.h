@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace raygauge::cli {
+
+/// Whether a person is reading the stream.
+bool is_terminal(std::FILE* stream);
+
+/// `text` in bold red on a terminal; as it is elsewhere, or with NO_COLOR set (https://no-color.org).
+std::string alarming(const std::string& text, std::FILE* stream);
+
+/// "0.4 s", "16 s", "3 min 20 s", "1 h 05 min": a duration as one says it.
+std::string duration_text(double seconds);
+
+/// `text` as one word of a shell's command line, quoted if it must be.
+std::string shell_word(const std::string& text);
+
+}  // namespace raygauge::cli
