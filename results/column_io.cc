@@ -206,10 +206,9 @@ std::string read_text(const H5::Group& group, const std::string& name, const std
 }
 
 void write_attribute(H5::H5Object& object, const std::string& name, const std::string& text) {
-  const H5::StrType type = text_type(text.size());
-  std::string padded = text;
-  padded.resize(type.getSize(), '\0');
-  object.createAttribute(name, type, H5::DataSpace(H5S_SCALAR)).write(type, padded.data());
+  H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
+  type.setCset(H5T_CSET_UTF8);
+  object.createAttribute(name, type, H5::DataSpace(H5S_SCALAR)).write(type, text);
 }
 
 void write_attribute(H5::H5Object& object, const std::string& name, std::int64_t number) {
@@ -222,7 +221,7 @@ std::string read_text_attribute(const H5::H5Object& object, const std::string& n
   const H5::Attribute attribute = open_attribute(object, name, H5T_STRING, place);
   std::string text;
   attribute.read(attribute.getStrType(), text);
-  return without_padding(text);
+  return text;
 }
 
 std::int64_t read_integer_attribute(const H5::H5Object& object, const std::string& name,

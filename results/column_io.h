@@ -31,7 +31,7 @@ H5::Group open_group(const H5::Group& parent, const std::string& name, const std
 void write_text(H5::Group& group, const std::string& name, const std::string& text);
 std::string read_text(const H5::Group& group, const std::string& name, const std::string& place);
 
-/// Scalar attributes.
+/// Scalar attributes: text of variable length in UTF-8, or a 64-bit integer.
 void write_attribute(H5::H5Object& object, const std::string& name, const std::string& text);
 void write_attribute(H5::H5Object& object, const std::string& name, std::int64_t number);
 std::string read_text_attribute(const H5::H5Object& object, const std::string& name,

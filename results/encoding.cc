@@ -86,7 +86,7 @@ std::vector<Record> read_records(const H5::Group& root, const std::string& file)
 }  // namespace
 
 std::string encode_results(const ResultsFile& results) {
-  return hdf5::file_image("results", [&](H5::Group& root) {
+  return hdf5::file_image([&](H5::Group& root) {
     write_head(root);
     hdf5::write_table(root, "records", record_columns(), results.records, Layout::packed);
     write_provenance(root, results.provenance, Layout::plain);
@@ -94,14 +94,14 @@ std::string encode_results(const ResultsFile& results) {
 }
 
 std::string encode_cell(const std::vector<Record>& records) {
-  return hdf5::file_image("cell", [&](H5::Group& root) {
+  return hdf5::file_image([&](H5::Group& root) {
     write_head(root);
     hdf5::write_table(root, "records", record_columns(), records, Layout::plain);
   });
 }
 
 std::string encode_provenance(const Provenance& provenance) {
-  return hdf5::file_image("provenance", [&](H5::Group& root) {
+  return hdf5::file_image([&](H5::Group& root) {
     write_head(root);
     write_provenance(root, provenance, Layout::plain);
   });

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <fstream>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -56,19 +58,24 @@ class ErrorCapture {
 
 }  // namespace
 
-void locked(const std::string& place, const std::function<void()>& body) {
+void locked(const std::string& place, const std::string& failure, const std::function<void()>& body) {
   const std::scoped_lock lock(library_mutex());
   const ErrorCapture capture;
   try {
     body();
   } catch (const H5::Exception& error) {
-    throw ResultsError(place + ": " + (capture.reason().empty() ? error.getDetailMsg() : capture.reason()));
+    const std::string reason = capture.reason().empty() ? error.getDetailMsg() : capture.reason();
+    throw ResultsError(place + ": " + failure + ": " + reason);
+  } catch (const std::bad_alloc&) {
+    throw ResultsError(place + ": does not fit into memory");
+  } catch (const std::length_error&) {
+    throw ResultsError(place + ": does not fit into memory");
   }
 }
 
-std::string file_image(const std::string& place, const std::function<void(H5::Group&)>& fill) {
+std::string file_image(const std::function<void(H5::Group&)>& fill) {
   std::string image;
-  locked(place, [&] {
+  locked("file image", "HDF5 could not build it", [&] {
     H5::FileAccPropList in_memory;
     in_memory.setCore(kImageIncrement, false);
     H5::H5File file("raygauge-image", H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, in_memory);
@@ -80,7 +87,7 @@ std::string file_image(const std::string& place, const std::function<void(H5::Gr
     const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
     image.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size) {
-      throw ResultsError(place + ": HDF5 gave no image of the file");
+      throw ResultsError("file image: HDF5 gave none");
     }
   });
   return image;
@@ -106,7 +113,7 @@ void require_hdf5(const std::filesystem::path& path) {
 
 void read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
   require_hdf5(path);
-  locked(path.string() + ": truncated or damaged", [&] {
+  locked(path.string(), "truncated or damaged", [&] {
     H5::H5File file(path.string(), H5F_ACC_RDONLY);
     H5::Group root = file.openGroup("/");
     body(root);

@@ -11,12 +11,12 @@
 namespace raygauge::hdf5 {
 
 /// Runs `body` with the HDF5 library to itself: its C++ layer is not thread safe. HDF5 prints nothing
-/// meanwhile, and an error of its becomes ResultsError("PLACE: REASON"), the reason being HDF5's innermost.
-void locked(const std::string& place, const std::function<void()>& body);
+/// meanwhile; an error of its becomes ResultsError("PLACE: FAILURE: REASON") with HDF5's innermost reason.
+void locked(const std::string& place, const std::string& failure, const std::function<void()>& body);
 
 /// The bytes of an HDF5 file with the content that `fill` writes, built in memory: what can fail on a disk is
 /// left to our own writing, which reports it better, and the lock is not held over it.
-std::string file_image(const std::string& place, const std::function<void(H5::Group&)>& fill);
+std::string file_image(const std::function<void(H5::Group&)>& fill);
 
 /// Opens an existing file for reading and hands its root group to `body`. Throws ResultsError: missing, not
 /// HDF5, truncated or damaged.

@@ -63,17 +63,22 @@ std::string experiment_identity(const Experiment& experiment) {
 }
 
 std::string identity_difference(const std::string& there, const std::string& here) {
-  std::map<std::string, std::string> here_by_key;
-  for (const auto& [key, value] : lines_of(here)) here_by_key[key] = value;
-  std::string first;
-  int count = 0;
-  for (const auto& [key, value] : lines_of(there)) {
-    const std::string other = here_by_key.count(key) != 0 ? here_by_key[key] : "nothing";
-    if (other == value) continue;
-    if (count++ == 0) first = key + " = " + value + " there, " + other + " here";
+  const std::vector<KeyValue> lines_there = lines_of(there);
+  const std::vector<KeyValue> lines_here = lines_of(here);
+  const std::map<std::string, std::string> values_here(lines_here.begin(), lines_here.end());
+  std::map<std::string, std::string> only_here = values_here;
+  std::vector<std::string> differences;
+  for (const auto& [key, value] : lines_there) {
+    only_here.erase(key);
+    const auto found = values_here.find(key);
+    const std::string other = found == values_here.end() ? "nothing" : found->second;
+    if (other != value) differences.push_back(key + " = " + value + " there, " + other + " here");
   }
-  if (count == 0) return there == here ? "" : "other keys";
-  return count == 1 ? first : first + " (and " + std::to_string(count - 1) + " more)";
+  for (const auto& [key, value] : only_here)
+    differences.push_back(key + " = nothing there, " + value + " here");
+  if (differences.empty()) return "";
+  const std::size_t more = differences.size() - 1;
+  return differences.front() + (more == 0 ? "" : " (and " + std::to_string(more) + " more)");
 }
 
 }  // namespace raygauge

@@ -52,7 +52,7 @@ class RunWriter final : public RecordSink {
   /// (cells stored before stay).
   void store(const CellResult& cell) override;
 
-  /// Merges everything stored into `path` and removes the run directory. Where nothing is to be merged, as on
+  /// Merges everything stored into `path` and removes the parts. Where nothing is to be merged, as on
   /// resuming a finished run, the file stays as it is. A run that was stopped with cells left to do may be
   /// finished as well; it can still be resumed. Throws ResultsError; the parts then stay.
   void finish(const Calibration& calibration = {});

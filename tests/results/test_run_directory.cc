@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/run_directory.h"
+
+#include <gtest/gtest.h>
+
+#include "results/exceptions.h"
+#include "support.h"
+
+namespace raygauge {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
+
+class RunDirectoryTest : public ::testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::string target_ = folder_.file("x.h5");
+  std::string parts_ = target_ + ".parts";
+};
+
+TEST_F(RunDirectoryTest, PartsAreFoundByNumberHoweverLarge) {
+  const RunDirectory directory(target_);
+  directory.store_cell(0, "a");
+  directory.store_cell(12345678901, "b");
+  directory.store_session(3, "c");
+  const PartList parts = list_parts(target_);
+  EXPECT_EQ(read_bytes(parts.cells.at(0)), "a");
+  EXPECT_EQ(read_bytes(parts.cells.at(12345678901)), "b");
+  EXPECT_EQ(read_bytes(parts.sessions.at(3)), "c");
+  EXPECT_EQ(entries_of(parts_),
+            (std::vector<std::string>{"cell-000000.h5", "cell-12345678901.h5", "lock", "session-0003.h5"}));
+}
+
+TEST_F(RunDirectoryTest, WhatIsNoPartIsLeftAlone) {
+  {
+    const RunDirectory directory(target_);
+    for (const char* name :
+         {"cell-1.h5", "cell-00000x.h5", "cell-000001.h5.bak", "notes.txt", "session-.h5"}) {
+      write_bytes(parts_ + "/" + name, "mine");
+    }
+    EXPECT_TRUE(directory.parts().empty());
+    directory.clear();
+  }
+  EXPECT_EQ(entries_of(parts_).size(), 5U);
+}
+
+TEST_F(RunDirectoryTest, AnEmptyOneIsRemovedAtTheEnd) {
+  { const RunDirectory directory(target_); }
+  EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{});
+}
+
+TEST_F(RunDirectoryTest, OneWithPartsStaysWithoutItsLock) {
+  {
+    const RunDirectory directory(target_);
+    directory.store_cell(1, "a");
+  }
+  EXPECT_EQ(entries_of(parts_), std::vector<std::string>{"cell-000001.h5"});
+}
+
+TEST_F(RunDirectoryTest, NoFolderMeansNoParts) { EXPECT_TRUE(list_parts(target_).empty()); }
+
+}  // namespace
+}  // namespace raygauge
