@@ -44,6 +44,9 @@ class ConvexSet {
   /// checked and nothing is allocated.
   double support_unchecked(const double* u, double* point) const { return do_support(u, point); }
 
+  /// center() written to `point`, dimension() doubles; nothing is allocated.
+  void center_unchecked(double* point) const { do_center(point); }
+
  protected:
   /// Throws InvalidParameterError unless dimension >= 1.
   explicit ConvexSet(int dimension);

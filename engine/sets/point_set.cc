@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <string>
 
 #include "engine/exceptions.h"
+#include "engine/kernel/kernel.h"
 
 namespace raygauge {
 namespace {
@@ -69,23 +69,10 @@ Eigen::MatrixXd PointSet::points() const {
 }
 
 double PointSet::do_support(const double* u, double* point) const {
-  double best = -std::numeric_limits<double>::infinity();
-  std::ptrdiff_t best_index = 0;
-  for (std::ptrdiff_t b = 0; b < block_count_; ++b) {
-    const double* block = data_.get() + b * dimension() * kLanes;
-    double sum[kLanes] = {};
-    for (int k = 0; k < dimension(); ++k) {
-      for (int lane = 0; lane < kLanes; ++lane) sum[lane] += u[k] * block[k * kLanes + lane];
-    }
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (sum[lane] > best) {
-        best = sum[lane];
-        best_index = b * kLanes + lane;
-      }
-    }
-  }
-  copy_point(std::min(best_index, size_ - 1), point);
-  return best;
+  std::ptrdiff_t index = 0;
+  const double value = best_kernels().price(data_.get(), block_count_, dimension(), u, &index);
+  copy_point(std::min(index, size_ - 1), point);
+  return value;
 }
 
 void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }

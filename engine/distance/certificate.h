@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "engine/kernel/kernel.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge {
+
+/// A support value together with a proven bound on its rounding error: |h_S(u) - value| <= error.
+struct SupportValue {
+  double value = 0;
+  double error = 0;
+  double above() const noexcept { return value + error; }
+};
+
+/// Whether rounding hides so little of a support value that a longer evaluation is not worth its pass over
+/// the set.
+inline bool well_resolved(double value, double error) noexcept {
+  return error <= 0x1p-40 * (value < 0 ? -value : value);
+}
+
+/// value · 2^shift, rounded towards zero resp. +infinity where the result is not a normal number. value >= 0.
+double scaled_down(double value, int shift) noexcept;
+double scaled_up(double value, int shift) noexcept;
+
+/// Bound on the rounding error of any u·p, p in S, summed in any order with or without fused multiply-add:
+/// γ_n Σ_k |u_k| max_i |p_ik|, γ_n = n ε / (1 - n ε), itself rounded up.
+double dot_error(const PointSet& S, const double* u);
+
+/// h_S(u) with its error bound; one pass over S. Where rounding hides more than 2⁻⁴⁰ of the value, the points
+/// that may attain the maximum are evaluated again in double-double arithmetic.
+SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u,
+                           std::ptrdiff_t* index = nullptr);
+
+/// Weak duality, equation (10): d_Q(A) >= -h_A(u) / h_Q(-u) wherever h_A(u) < 0, rounded down. 0 where h_A(u)
+/// < 0 is not certain; +infinity where moreover h_Q(-u) <= 0 is certain (u is a Farkas direction).
+double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept;
+
+}  // namespace raygauge

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/direct_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/distance/exact_sum.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
+
+constexpr std::int64_t kPivotsBetweenLooks = 512;  // at the clock
+constexpr double kArtificialZero = 1e-13;          // weight of artificial columns that is rounding noise
+constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
+constexpr double kLargeCost = 0x1p42;
+constexpr int kRepairs = 3;
+
+std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
+
+bool is_artificial(std::int64_t id) { return id < 0; }
+bool is_from_Q(std::int64_t id) { return id >= 0 && id % 2 == 1; }
+
+}  // namespace
+
+bool is_final(DirectProgram::End end) noexcept {
+  return end == DirectProgram::End::failed || end == DirectProgram::End::pivot_limit ||
+         end == DirectProgram::End::time_limit;
+}
+
+DistanceStatus status_of(DirectProgram::End end) noexcept {
+  switch (end) {
+    case DirectProgram::End::pivot_limit:
+      return DistanceStatus::iteration_limit;
+    case DirectProgram::End::time_limit:
+      return DistanceStatus::time_limit;
+    default:
+      return DistanceStatus::precision_limit;
+  }
+}
+
+void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels) {
+  n_ = n;
+  kernels_ = &kernels;
+  stage_ = Stage::optimise;
+  raises_ = 0;
+  repairs_ = 0;
+  refactorisations_ = 0;
+  max_pivots_ = max_pivots > 0 ? max_pivots : default_pivot_limit(n);
+  loop_ = {};
+  loop_.gap_tolerance = gap_tolerance;
+  loop_.cost_tolerance = 4 * std::numeric_limits<double>::epsilon() * (n + 1);
+  column_.reserve(static_cast<std::size_t>(padded_rows(n + 1)));
+  guess_.reserve(static_cast<std::size_t>(n));
+}
+
+// The point of A that the guess prefers, and artificial columns ±e_k signed so that the basic solution is
+// nonnegative. The inverse of that basis is known in closed form.
+void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess) {
+  basis_.reset(n_ + 1);
+  basis_.right_hand_side()[n_] = 1.0;
+  BasisView& view = basis_.view();
+
+  // The guess, scaled to h_Q(-u) = 1 as the final normal will be.
+  std::ptrdiff_t index = 0;
+  for (int k = 0; k < n_; ++k) guess_[static_cast<std::size_t>(k)] = -guess[k];
+  const double h_Q = kernels_->price(Q.view().blocks, Q.view().block_count, n_, guess_.data(), &index);
+  const double length = h_Q > 0 ? 1.0 / h_Q : 1.0;
+  double scale = 0;
+  for (int k = 0; k < n_; ++k) {
+    guess_[static_cast<std::size_t>(k)] = length * guess[k];
+    scale = std::max(scale, std::fabs(length * guess[k]));
+  }
+
+  kernels_->price(A.view().blocks, A.view().block_count, n_, guess_.data(), &index);
+  index = std::min(index, A.size() - 1);
+  double* a = column_.data();
+  std::fill_n(a, view.P, 0.0);
+  A.copy_point(index, a);
+  a[n_] = 1.0;
+  basis_.set_column(n_, a, 0.0, id_of_A(index));
+  double* R_last = view.R + static_cast<std::ptrdiff_t>(n_) * view.P;
+  for (int k = 0; k < n_; ++k) {
+    const double sign = a[k] > 0 ? -1.0 : 1.0;
+    const std::ptrdiff_t diagonal = static_cast<std::ptrdiff_t>(k) * view.P + k;
+    view.B[diagonal] = sign;
+    view.R[diagonal] = sign;
+    view.id[k] = -1 - k;
+    R_last[k] = -sign * a[k];
+  }
+  R_last[n_] = 1.0;
+  std::copy_n(R_last, view.P, view.x());
+  loop_.artificials = n_;
+  set_artificial_costs(guess_.data(), 0.25 * scale);
+}
+
+void DirectProgram::set_artificial_costs(const double* guess, double slack) {
+  BasisView& view = basis_.view();
+  double t = 0;
+  double objective = 0;
+  for (int k = 0; k < n_; ++k) {
+    const double sign = basis_.column(k)[k];
+    view.cost[k] = std::max(sign * guess[k], 0.0) + slack;
+    view.y[k] = sign * view.cost[k];
+    t -= view.y[k] * basis_.column(n_)[k];
+    objective += view.cost[k] * view.x()[k];
+  }
+  view.y[n_] = t;
+  view.objective = objective;
+}
+
+DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q,
+                                        const Stopwatch& stopwatch) {
+  BasisView& view = basis_.view();
+  loop_.A = A.view();
+  loop_.Q = Q.view();
+  for (;;) {
+    loop_.pivot_limit = std::min(max_pivots_, view.pivots + kPivotsBetweenLooks);
+    const LoopEnd end = kernels_->direct_loop(&view, &loop_);
+    if (end == LoopEnd::pivot_limit) {
+      const bool out_of_pivots = view.pivots >= max_pivots_;
+      if (!out_of_pivots && !stopwatch.expired()) continue;
+      basis_.refresh_duals();
+      return out_of_pivots ? End::pivot_limit : End::time_limit;
+    }
+    if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
+      if (!repair()) return End::failed;
+      loop_.bland = end == LoopEnd::stalled;
+      continue;
+    }
+    basis_.refresh_duals();
+    if (stopwatch.expired()) return End::time_limit;
+    const bool artificial = artificial_weight() > kArtificialZero;
+    if (stage_ == Stage::optimise) {
+      return artificial ? End::bounded : End::solved;
+    } else {
+      if (artificial) return End::unreachable;
+      enter_stage(Stage::optimise);
+    }
+  }
+}
+
+bool DirectProgram::repair() {
+  if (++repairs_ > kRepairs) return false;
+  loop_.gap_tolerance = 0;
+  ++refactorisations_;
+  return basis_.refactor();
+}
+
+double DirectProgram::artificial_weight() const {
+  if (loop_.artificials == 0) return 0;
+  const BasisView& view = basis_.view();
+  double weight = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) weight += std::fabs(view.x()[i]);
+  }
+  return weight;
+}
+
+void DirectProgram::raise_bounds() {
+  if (++raises_ > kCostRaises) return enter_stage(Stage::reach);
+  BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) view.cost[i] = 8 * (view.cost[i] + 0.125);
+  }
+  basis_.refresh_duals();
+}
+
+void DirectProgram::enter_stage(Stage stage) {
+  stage_ = stage;
+  loop_.cost_of_Q = stage == Stage::reach ? 0.0 : 1.0;
+  BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) {
+      view.cost[i] = stage == Stage::reach ? 1.0 : kLargeCost;
+    } else {
+      view.cost[i] = is_from_Q(view.id[i]) ? loop_.cost_of_Q : 0.0;
+    }
+  }
+  ++refactorisations_;
+  if (!basis_.refactor()) basis_.refresh_duals();
+}
+
+double DirectProgram::threshold_A() const noexcept {
+  const double t = basis_.view().y[n_];
+  return -t + 2 * loop_.cost_tolerance * std::fabs(t);
+}
+
+double DirectProgram::threshold_Q() const noexcept { return loop_.cost_of_Q + loop_.cost_tolerance; }
+
+double DirectProgram::proven_upper() {
+  if (stage_ == Stage::reach) return kInfinity;
+  const Enclosure enclosure = basis_.refine_and_enclose(*kernels_);
+  if (!enclosure.valid) return exact_upper();
+  const BasisView& view = basis_.view();
+  double sum = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return exact_upper();
+    if (is_from_Q(view.id[i])) sum += view.x()[i] + enclosure.error;
+  }
+  return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
+}
+
+// Degenerate: some basic variables are zero. If leaving them out solves the equations exactly, that is a
+// proof too.
+double DirectProgram::exact_upper() const {
+  const BasisView& view = basis_.view();
+  const double* x = view.x();
+  double sum = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (x[i] <= kArtificialZero) continue;
+    if (is_artificial(view.id[i])) return kInfinity;
+    if (is_from_Q(view.id[i])) sum += x[i];
+  }
+  for (int k = 0; k < view.m; ++k) {
+    ExactSum row;
+    if (k == n_) row.add(-1.0);
+    for (int i = 0; i < view.m; ++i) {
+      if (x[i] > kArtificialZero) row.add_product(x[i], basis_.column(i)[k]);
+    }
+    if (!row.is_zero()) return kInfinity;
+  }
+  return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
+}
+
+void DirectProgram::contact_point(double* point) const {
+  const BasisView& view = basis_.view();
+  std::fill_n(point, n_, 0.0);
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    for (int k = 0; k < n_; ++k) point[k] += view.x()[i] * basis_.column(i)[k];
+  }
+}
+
+}  // namespace raygauge

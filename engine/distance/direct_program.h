@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/basis.h"
+#include "engine/distance/result.h"
+#include "engine/distance/stopwatch.h"
+#include "engine/distance/working_set.h"
+#include "engine/kernel/kernel.h"
+
+namespace raygauge {
+
+/// The linear program of Example 2 over two finite sets of points,
+///
+///     minimize Σβ_j   subject to   Σα_i a_i - Σβ_j q_j = 0,   Σα_i = 1,   α, β >= 0,
+///
+/// solved by a primal simplex whose basis has n + 1 columns. Its duals (u, t) are the normal of the
+/// separating hyperplane and -h_A(u); pricing is one support query of A along u and one of Q along -u.
+///
+/// The start needs no first phase: artificial columns ±e_k complete the first basis, at costs that put the
+/// first normal where a guess wants it. In the dual they are bounds |u_k| <= cost; where one of them is
+/// active at the end it is raised, and only if that does not help does a first phase decide whether any
+/// multiple of Q reaches A.
+class DirectProgram {
+ public:
+  enum class End : std::uint8_t {
+    solved,   ///< no point prices out, or the gap over the priced points is small enough
+    bounded,  ///< the same, but a bound |u_k| <= cost of an artificial column is active: raise_bounds() if no
+              ///< further point prices out
+    unreachable,  ///< no multiple of the priced points of Q meets those of A: the duals are a Farkas
+                  ///< direction
+    failed,       ///< rounding defeated every repair
+    pivot_limit,
+    time_limit,
+  };
+
+  /// `gap_tolerance`: a solve may stop when its relative gap over the priced points is below. `max_pivots` as
+  /// in DistanceOptions::max_iterations.
+  void begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels);
+
+  /// First basis from a guess of the normal's direction (n doubles, not all zero); the points are not kept.
+  void start(const WorkingSet& A, const WorkingSet& Q, const double* guess);
+
+  /// Continues from the basis at hand. Working sets may have grown since, but not changed.
+  End solve(const WorkingSet& A, const WorkingSet& Q, const Stopwatch& stopwatch);
+
+  /// After End::bounded: lifts the active bounds on the dual, or turns to the first phase when that has been
+  /// tried often.
+  void raise_bounds();
+
+  /// A fresh inverse, and from now on a stop at the optimal vertex only. False when nothing is left to try.
+  bool repair();
+
+  /// Forgets how often bounds were raised and repairs were tried: call when points were added.
+  void encourage() noexcept { repairs_ = 0; }
+
+  /// Σβ of the exact basic solution, rounded up, where that solution is proven feasible; +infinity otherwise.
+  double proven_upper();
+
+  /// Σα_i a_i of the basic solution: an (approximate) point of A ∩ dQ.
+  void contact_point(double* point) const;
+
+  const double* normal() const noexcept { return basis_.view().y; }  ///< u, n doubles
+  double threshold_A() const noexcept;  ///< points of A with u·a above price out
+  double threshold_Q() const noexcept;  ///< points of Q with -u·q above price out
+  double objective() const noexcept { return basis_.view().objective; }
+  std::int64_t pivots() const noexcept { return basis_.view().pivots; }
+  std::int64_t pricings() const noexcept { return loop_.pricings; }
+  std::int64_t points_priced() const noexcept { return loop_.points_priced; }
+  std::int64_t refactorisations() const noexcept { return refactorisations_; }
+
+ private:
+  enum class Stage : std::uint8_t { optimise, reach };  // phase 2 with bounded duals; phase 1
+
+  void set_artificial_costs(const double* guess, double slack);
+  double artificial_weight() const;
+  void enter_stage(Stage stage);
+  double exact_upper() const;
+
+  const Kernels* kernels_ = nullptr;
+  int n_ = 0;
+  Stage stage_ = Stage::optimise;
+  int raises_ = 0;
+  int repairs_ = 0;
+  std::int64_t max_pivots_ = 0;
+  std::int64_t refactorisations_ = 0;
+  Basis basis_;
+  DirectLoop loop_;
+  AlignedBuffer<double> column_;
+  AlignedBuffer<double> guess_;
+};
+
+/// Ends after which nothing more can be done, and what a result says of them.
+bool is_final(DirectProgram::End end) noexcept;
+DistanceStatus status_of(DirectProgram::End end) noexcept;
+
+}  // namespace raygauge

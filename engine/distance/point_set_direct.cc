@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/point_set_direct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::ptrdiff_t kViolatorCapacity = 512;  // points added to a working set after one pass
+
+// Blocks in the sample of a large set; sets of up to twice as many are priced whole.
+std::ptrdiff_t sample_blocks(int n) { return std::max(24, 2 * n); }
+
+}  // namespace
+
+void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+                           Effects effects, DistanceResult& result) {
+  begin(A, Q, options);
+  const std::ptrdiff_t sample = sample_blocks(n_);
+  const auto choose = [sample](WorkingSet& working, const PointSet& S, const double* factor, bool trivial) {
+    working.take_sample(S, factor, trivial, S.block_count() <= 2 * sample ? S.block_count() : sample);
+  };
+  choose(working_A_, A, scaling_.factor_A(), scaling_.trivial_A());
+  choose(working_Q_, Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  start();
+  run(false, effects, result);
+}
+
+void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
+                                      std::ptrdiff_t count_A, const std::int64_t* index_Q,
+                                      std::ptrdiff_t count_Q, const DistanceOptions& options,
+                                      DistanceResult& result) {
+  begin(A, Q, options);
+  working_A_.clear(n_);
+  working_Q_.clear(n_);
+  for (std::ptrdiff_t i = 0; i < count_A; ++i) working_A_.add(A, scaling_.factor_A(), index_A[i]);
+  for (std::ptrdiff_t j = 0; j < count_Q; ++j) working_Q_.add(Q, scaling_.factor_Q(), index_Q[j]);
+  start();
+  run(true, Effects::none, result);
+}
+
+void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options) {
+  A_ = &A;
+  Q_ = &Q;
+  n_ = A.dimension();
+  tolerance_ = options.tolerance;
+  kernels_ = &kernels_for(options.instruction_set);
+  stopwatch_.start(options.time_limit);
+  counters_ = {};
+  counters_.outer_iterations = 1;
+  scaling_.compute(A, Q);
+  program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
+  direction_.reserve(2 * static_cast<std::size_t>(n_));
+  collected_.reserve(2 * kViolatorCapacity);
+  collected_value_.reserve(2 * kViolatorCapacity);
+}
+
+// Guess of the normal: from the centre of A towards the origin. Exact for homothetic balls, and never far off
+// in angle for anything round.
+void PointSetDirect::start() {
+  double* guess = direction_.data();
+  A_->center_unchecked(guess);
+  double largest = 0;
+  for (int k = 0; k < n_; ++k) {
+    guess[k] *= -scaling_.factor_A()[k];
+    largest = std::max(largest, std::fabs(guess[k]));
+  }
+  if (!(largest > 0)) guess[0] = 1.0;
+  program_.start(working_A_, working_Q_, guess);
+}
+
+void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& result) {
+  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  for (;;) {
+    const DirectProgram::End end = program_.solve(working_A_, working_Q_, stopwatch_);
+    if (end == DirectProgram::End::bounded && (complete || restricted)) {
+      program_.raise_bounds();
+      continue;
+    }
+    price_everything();
+    const double lower = lower_bound(h_A_, h_Q_);
+    if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    const double upper = program_.proven_upper();
+    if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
+    if (upper < kInfinity && upper - lower <= tolerance_ * upper) {
+      return finish(DistanceStatus::optimal, lower, upper, effects, result);
+    }
+    if (is_final(end) || restricted) return finish(status_of(end), lower, upper, effects, result);
+    if (add_violators() > 0) {
+      program_.encourage();
+    } else if (end == DirectProgram::End::bounded) {
+      program_.raise_bounds();
+    } else if (!program_.repair()) {
+      return finish(DistanceStatus::precision_limit, lower, upper, effects, result);
+    }
+  }
+}
+
+// h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
+// out.
+void PointSetDirect::price_everything() {
+  const double* y = program_.normal();
+  double* u = direction_.data();
+  double* v = u + n_;
+  for (int k = 0; k < n_; ++k) {
+    u[k] = y[k] * scaling_.factor_A()[k];
+    v[k] = -y[k] * scaling_.factor_Q()[k];
+  }
+  violators_A_ = {collected_.data(), collected_value_.data(), kViolatorCapacity, 0, kInfinity};
+  violators_Q_ = {collected_.data() + kViolatorCapacity, collected_value_.data() + kViolatorCapacity,
+                  kViolatorCapacity, 0, kInfinity};
+  h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
+  h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
+}
+
+SupportValue PointSetDirect::price_set(const PointSet& S, const WorkingSet& working, const double* direction,
+                                       double threshold, Collection& violators) {
+  ++counters_.support_queries;
+  counters_.points_priced += S.size();
+  if (working.is_complete()) return support_value(*kernels_, S, direction);
+  violators.threshold = threshold;
+  const double value = kernels_->collect(S.data(), 0, S.block_count(), n_, direction, &violators);
+  const double error = dot_error(S, direction);
+  return well_resolved(value, error) ? SupportValue{value, error} : support_value(*kernels_, S, direction);
+}
+
+std::ptrdiff_t PointSetDirect::add_violators() {
+  const auto add = [](WorkingSet& working, const PointSet& S, const double* factor,
+                      const Collection& violators) {
+    for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
+      working.add(S, factor, std::min<std::int64_t>(violators.index[i], S.size() - 1));
+    }
+  };
+  add(working_A_, *A_, scaling_.factor_A(), violators_A_);
+  add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_);
+  return violators_A_.count + violators_Q_.count;
+}
+
+void PointSetDirect::finish(DistanceStatus status, double lower, double upper, Effects effects,
+                            DistanceResult& result) {
+  const int shift = -scaling_.distance_shift();
+  result.status = status;
+  result.lower = scaled_down(lower, shift);
+  result.upper = scaled_up(upper, shift);
+  result.distance = std::clamp(std::ldexp(program_.objective(), shift), result.lower, result.upper);
+  result.sigma = DistanceResult::kUnset;
+  result.seconds = stopwatch_.seconds();
+
+  // u in the sets' own units, with h_Q(-u) = 1.
+  const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
+  result.normal.resize(n_);
+  for (int k = 0; k < n_; ++k) result.normal[k] = -direction_[static_cast<std::size_t>(n_ + k)] * length;
+
+  if (has_effect(effects, Effects::witness) && upper < kInfinity) {
+    result.contact_point.resize(n_);
+    program_.contact_point(result.contact_point.data());
+    for (int k = 0; k < n_; ++k) result.contact_point[k] /= scaling_.factor_A()[k];
+    ++counters_.witness_evaluations;
+  } else if (result.contact_point.size() > 0) {
+    result.contact_point.resize(0);
+  }
+
+  counters_.pivots = program_.pivots();
+  counters_.ray_iterations = program_.pricings();
+  counters_.points_priced += program_.points_priced();
+  counters_.refactorisations = program_.refactorisations();
+  result.counters = counters_;
+}
+
+}  // namespace raygauge

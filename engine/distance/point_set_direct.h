@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/certificate.h"
+#include "engine/distance/direct_program.h"
+#include "engine/distance/options.h"
+#include "engine/distance/result.h"
+#include "engine/distance/scaling.h"
+#include "engine/distance/stopwatch.h"
+#include "engine/distance/working_set.h"
+
+namespace raygauge {
+
+/// The method `direct` on a pair of point sets. Small sets are priced whole (DirectProgram). Of large ones a
+/// sample is solved first; one pass over everything then collects the points that the sample's normal leaves
+/// on the wrong side, and the next pass usually proves the answer (Clarkson's sampling; "sifting").
+class PointSetDirect {
+ public:
+  void solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options, Effects effects,
+             DistanceResult& result);
+
+  /// The same over some points only, given by their indices. `upper` is an upper bound on d_Q(A), `lower`
+  /// belongs to the chosen points' normal and is a lower bound on d_Q(A) all the same.
+  void solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
+                        std::ptrdiff_t count_A, const std::int64_t* index_Q, std::ptrdiff_t count_Q,
+                        const DistanceOptions& options, DistanceResult& result);
+
+ private:
+  void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options);
+  void start();
+  void run(bool restricted, Effects effects, DistanceResult& result);
+  void price_everything();
+  SupportValue price_set(const PointSet& S, const WorkingSet& working, const double* direction,
+                         double threshold, Collection& violators);
+  std::ptrdiff_t add_violators();
+  void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
+
+  const PointSet* A_ = nullptr;
+  const PointSet* Q_ = nullptr;
+  const Kernels* kernels_ = nullptr;
+  int n_ = 0;
+  double tolerance_ = 0;
+  Scaling scaling_;
+  WorkingSet working_A_;
+  WorkingSet working_Q_;
+  DirectProgram program_;
+  Stopwatch stopwatch_;
+  DistanceCounters counters_;
+
+  // The last pricing of the whole sets, in scaled units, and what priced out.
+  SupportValue h_A_;
+  SupportValue h_Q_;
+  Collection violators_A_;
+  Collection violators_Q_;
+
+  AlignedBuffer<double> direction_;  // u for A, then -u for Q, in the sets' own units: 2n
+  AlignedBuffer<std::int64_t> collected_;
+  AlignedBuffer<double> collected_value_;
+};
+
+}  // namespace raygauge

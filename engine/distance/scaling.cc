@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/scaling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace raygauge {
+namespace {
+
+constexpr int kNoExponent = -5000;
+
+int exponent_of(double magnitude) { return magnitude > 0 ? std::ilogb(magnitude) : kNoExponent; }
+
+int largest_exponent(const PointSet& S, const int* shift) {
+  int largest = kNoExponent;
+  for (int k = 0; k < S.dimension(); ++k) {
+    largest = std::max(largest, exponent_of(S.coordinate_magnitude()[k]) - shift[k]);
+  }
+  return largest <= kNoExponent / 2 || std::abs(largest) <= Scaling::kTolerated ? 0 : largest;
+}
+
+bool fill(AlignedBuffer<double>& factor, const int* shift, int common, int n) {
+  bool trivial = true;
+  for (int k = 0; k < n; ++k) {
+    factor[static_cast<std::size_t>(k)] = std::ldexp(1.0, -(shift[k] + common));
+    trivial = trivial && shift[k] + common == 0;
+  }
+  return trivial;
+}
+
+}  // namespace
+
+void Scaling::compute(const PointSet& A, const PointSet& Q) {
+  const int n = A.dimension();
+  const auto size = static_cast<std::size_t>(n);
+  factor_A_.reserve(size);
+  factor_Q_.reserve(size);
+  exponent_.reserve(size);
+
+  int top = kNoExponent;
+  for (int k = 0; k < n; ++k) top = std::max(top, exponent_of(Q.coordinate_magnitude()[k]));
+  for (int k = 0; k < n; ++k) {
+    const int e = exponent_of(Q.coordinate_magnitude()[k]);
+    exponent_[static_cast<std::size_t>(k)] = e > kNoExponent && e < top - kRowSpread ? e - top : 0;
+  }
+  const int common_A = largest_exponent(A, exponent_.data());
+  const int common_Q = largest_exponent(Q, exponent_.data());
+  trivial_A_ = fill(factor_A_, exponent_.data(), common_A, n);
+  trivial_Q_ = fill(factor_Q_, exponent_.data(), common_Q, n);
+  distance_shift_ = common_Q - common_A;
+}
+
+}  // namespace raygauge

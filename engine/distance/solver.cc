@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/distance/point_set_direct.h"
+#include "engine/distance/support_direct.h"
+#include "engine/distance/zheng_yamane.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+void check_options(const DistanceOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    throw InvalidParameterError("tolerance must lie in (0, 1), got " + std::to_string(options.tolerance));
+  }
+  if (options.max_iterations < 0) {
+    throw InvalidParameterError("max_iterations must not be negative, got " +
+                                std::to_string(options.max_iterations));
+  }
+  if (!(options.time_limit >= 0)) {
+    throw InvalidParameterError("time_limit must not be negative, got " + std::to_string(options.time_limit));
+  }
+  if (options.stop_rule == StopRule::published_sigma && options.method != DistanceMethod::zheng_yamane) {
+    throw InvalidParameterError("stop_rule published_sigma belongs to method zheng_yamane");
+  }
+  kernels_for(options.instruction_set);
+}
+
+}  // namespace
+
+struct DistanceSolver::Workspace {
+  DistanceOptions options;
+  DistanceResult result;
+  PointSetDirect point_set_direct;
+  SupportDirect support_direct;
+  SupportOracle oracle_A;
+  SupportOracle oracle_Q;
+  ZhengYamane zheng_yamane;
+
+  void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+};
+
+void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  const auto* points_A = dynamic_cast<const PointSet*>(&A);
+  const auto* points_Q = dynamic_cast<const PointSet*>(&Q);
+  if (points_A != nullptr && points_Q != nullptr) {
+    point_set_direct.solve(*points_A, *points_Q, options, effects, result);
+  } else {
+    solve_by_support(A, Q, effects);
+  }
+}
+
+void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  const int n = A.dimension();
+  const Kernels& kernels = kernels_for(options.instruction_set);
+  Stopwatch stopwatch;
+  stopwatch.start(options.time_limit);
+  oracle_A.bind(A, nullptr, kernels);
+  oracle_Q.bind(Q, nullptr, kernels);
+  support_direct.begin(oracle_A, oracle_Q, n, options, kernels);
+  result.status = support_direct.run(stopwatch);
+  result.lower = support_direct.lower();
+  result.upper = std::max(support_direct.upper(), result.lower);
+  result.distance = std::clamp(support_direct.objective(), result.lower, result.upper);
+  result.sigma = DistanceResult::kUnset;
+  result.seconds = stopwatch.seconds();
+  result.normal = Vector::Map(support_direct.normal(), n);
+  result.counters = support_direct.counters();
+  if (has_effect(effects, Effects::witness) && std::isfinite(result.upper)) {
+    result.contact_point.resize(n);
+    support_direct.contact_point(result.contact_point.data());
+    ++result.counters.witness_evaluations;
+  } else if (result.contact_point.size() > 0) {
+    result.contact_point.resize(0);
+  }
+}
+
+DistanceSolver::DistanceSolver(const DistanceOptions& options) : workspace_(std::make_unique<Workspace>()) {
+  set_options(options);
+}
+
+DistanceSolver::~DistanceSolver() = default;
+DistanceSolver::DistanceSolver(DistanceSolver&&) noexcept = default;
+DistanceSolver& DistanceSolver::operator=(DistanceSolver&&) noexcept = default;
+
+const DistanceOptions& DistanceSolver::options() const noexcept { return workspace_->options; }
+
+void DistanceSolver::set_options(const DistanceOptions& options) {
+  check_options(options);
+  workspace_->options = options;
+}
+
+const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (A.dimension() != Q.dimension()) {
+    throw DimensionMismatchError("A lives in R^" + std::to_string(A.dimension()) + ", Q in R^" +
+                                 std::to_string(Q.dimension()));
+  }
+  Workspace& workspace = *workspace_;
+  if (workspace.options.method == DistanceMethod::zheng_yamane) {
+    if (workspace.zheng_yamane.solve(A, Q, workspace.options, effects, workspace.result))
+      return workspace.result;
+  }
+  workspace.solve_direct(A, Q, effects);
+  return workspace.result;
+}
+
+}  // namespace raygauge

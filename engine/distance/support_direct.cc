@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/support_direct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Rounds without a better bound after which rounding has the last word.
+int patience(int n) { return 16 + 4 * n; }
+
+}  // namespace
+
+void SupportDirect::begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
+                          const Kernels& kernels) {
+  A_ = &A;
+  Q_ = &Q;
+  n_ = n;
+  tolerance_ = options.tolerance;
+  lower_ = 0;
+  upper_ = kInfinity;
+  counters_ = {};
+  counters_.outer_iterations = 1;
+  points_A_.clear(n);
+  points_Q_.clear(n);
+  const auto size = static_cast<std::size_t>(n);
+  point_A_.reserve(size);
+  point_Q_.reserve(size);
+  normal_.reserve(size);
+  program_.begin(n, 0.125 * options.tolerance, options.max_iterations, kernels);
+}
+
+// One support query of each set at u, and the lower bound that comes with it.
+void SupportDirect::ask(const double* u) {
+  h_A_ = A_->query_with_error(u, 1.0, point_A_.data());
+  h_Q_ = Q_->query_with_error(u, -1.0, point_Q_.data());
+  counters_.support_queries += 2;
+  ++counters_.ray_iterations;
+  const double bound = lower_bound(h_A_, h_Q_);
+  if (bound > lower_ || counters_.support_queries == 2) {
+    lower_ = bound;
+    const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
+    for (int k = 0; k < n_; ++k) normal_[static_cast<std::size_t>(k)] = u[k] * length;
+  }
+}
+
+DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
+  double* guess = normal_.data();
+  A_->center(guess);
+  bool zero = true;
+  for (int k = 0; k < n_; ++k) {
+    guess[k] = -guess[k];
+    zero = zero && guess[k] == 0;
+  }
+  if (zero) guess[0] = 1.0;
+  ask(guess);
+  offer_A(point_A_.data());
+  offer_Q(point_Q_.data());
+  program_.start(points_A_, points_Q_, guess);
+  double best_lower = -1;
+  double best_upper = kInfinity;
+  double best_objective = kInfinity;
+  int idle = 0;
+  for (;;) {
+    const DirectProgram::End end = program_.solve(points_A_, points_Q_, stopwatch);
+    ask(program_.normal());
+    if (lower_ == kInfinity) return DistanceStatus::unreachable;
+    if (end != DirectProgram::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
+    if (upper_ == 0) return DistanceStatus::contains_origin;
+    if (upper_ < kInfinity && upper_ - lower_ <= tolerance_ * upper_) return DistanceStatus::optimal;
+    if (is_final(end)) return status_of(end);
+
+    const bool better = lower_ > best_lower || upper_ < best_upper || program_.objective() < best_objective;
+    idle = better ? 0 : idle + 1;
+    if (idle > patience(n_)) return DistanceStatus::precision_limit;
+    best_lower = std::max(best_lower, lower_);
+    best_upper = std::min(best_upper, upper_);
+    best_objective =
+        end == DirectProgram::End::bounded ? kInfinity : std::min(best_objective, program_.objective());
+
+    const bool A_enters = h_A_.value > program_.threshold_A();
+    const bool Q_enters = h_Q_.value > program_.threshold_Q();
+    if (A_enters) offer_A(point_A_.data());
+    if (Q_enters) offer_Q(point_Q_.data());
+    if (A_enters || Q_enters) {
+      program_.encourage();
+    } else if (end == DirectProgram::End::bounded) {
+      program_.raise_bounds();
+    } else if (!program_.repair()) {
+      return DistanceStatus::precision_limit;
+    }
+  }
+}
+
+void SupportDirect::solve_offered(const double* guess, const Stopwatch& stopwatch) {
+  program_.start(points_A_, points_Q_, guess);
+  DirectProgram::End end = program_.solve(points_A_, points_Q_, stopwatch);
+  while (end == DirectProgram::End::bounded) {
+    program_.raise_bounds();
+    end = program_.solve(points_A_, points_Q_, stopwatch);
+  }
+  if (end == DirectProgram::End::solved) upper_ = std::min(upper_, program_.proven_upper());
+}
+
+const DistanceCounters& SupportDirect::counters() {
+  counters_.pivots = program_.pivots();
+  counters_.points_priced = program_.points_priced();
+  counters_.refactorisations = program_.refactorisations();
+  return counters_;
+}
+
+}  // namespace raygauge

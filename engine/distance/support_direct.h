@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/direct_program.h"
+#include "engine/distance/options.h"
+#include "engine/distance/result.h"
+#include "engine/distance/stopwatch.h"
+#include "engine/distance/support_oracle.h"
+#include "engine/distance/working_set.h"
+
+namespace raygauge {
+
+/// The method `direct` on any convex sets that are known through their support mappings: the program over the
+/// support points met so far (DirectProgram) is solved, its normal asks each set for one more support point,
+/// and the certificates
+///
+///     -h_A(u) / h_Q(-u)  <=  d_Q(A)  <=  Σβ_j
+///
+/// close in on each other. On a polytope this ends after finitely many rounds. All values are in the oracles'
+/// scaled coordinates.
+class SupportDirect {
+ public:
+  /// The oracles are the caller's and must outlive the solve.
+  void begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
+             const Kernels& kernels);
+
+  /// Makes a support point known beforehand.
+  void offer_A(const double* point) { points_A_.add(point); }
+  void offer_Q(const double* point) { points_Q_.add(point); }
+
+  std::ptrdiff_t offered() const noexcept { return points_A_.size(); }
+
+  /// Asks the oracles until the gap is within the tolerance, or a limit is reached.
+  DistanceStatus run(const Stopwatch& stopwatch);
+
+  /// Solves the program over the offered points alone and proves `upper` from it.
+  void solve_offered(const double* guess, const Stopwatch& stopwatch);
+
+  double lower() const noexcept { return lower_; }  ///< best so far
+  double upper() const noexcept { return upper_; }  ///< best so far; +infinity as long as nothing is proven
+  double objective() const noexcept { return program_.objective(); }
+  const double* normal() const noexcept { return normal_.data(); }  ///< direction of `lower`
+  void contact_point(double* point) const { program_.contact_point(point); }
+  const DistanceCounters& counters();
+
+ private:
+  void ask(const double* u);
+
+  SupportOracle* A_ = nullptr;
+  SupportOracle* Q_ = nullptr;
+  int n_ = 0;
+  double tolerance_ = 0;
+  DirectProgram program_;
+  WorkingSet points_A_;
+  WorkingSet points_Q_;
+  SupportValue h_A_;
+  SupportValue h_Q_;
+  AlignedBuffer<double> point_A_;
+  AlignedBuffer<double> point_Q_;
+  AlignedBuffer<double> normal_;
+  double lower_ = 0;
+  double upper_ = 0;
+  DistanceCounters counters_;
+};
+
+}  // namespace raygauge

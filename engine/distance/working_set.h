@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/kernel/kernel.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge {
+
+/// The points of one set that the simplex loop prices: all of them, in place where no scaling is needed, or a
+/// growing choice of them, copied and scaled. Points keep their position; the last block is filled up with
+/// copies of its last point.
+class WorkingSet {
+ public:
+  /// All points of S, in place if `trivial`, else scaled by `factor` (n powers of two).
+  void take_all(const PointSet& S, const double* factor, bool trivial);
+
+  /// A stratified pseudo-random choice of `blocks` whole blocks of S: the same for the same S.size() and
+  /// `blocks`.
+  void take_sample(const PointSet& S, const double* factor, bool trivial, std::ptrdiff_t blocks);
+
+  /// Appends point `index` of S.
+  void add(const PointSet& S, const double* factor, std::int64_t index);
+
+  /// Starts an empty set of points that need not belong to a PointSet (general convex sets), of dimension n.
+  void clear(int n);
+  void add(const double* point);
+
+  bool is_complete() const noexcept { return complete_; }
+  std::ptrdiff_t size() const noexcept { return size_; }
+  PricedPoints view() const noexcept { return {blocks_, (size_ + PointSet::kLanes - 1) / PointSet::kLanes}; }
+
+  /// Index in the whole set of the point at position i.
+  std::int64_t index_of(std::ptrdiff_t i) const noexcept;
+
+  /// Copies the (scaled) point at position i.
+  void copy_point(std::ptrdiff_t i, double* out) const noexcept;
+
+ private:
+  double* grow_to(std::ptrdiff_t size);
+  void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
+
+  int n_ = 0;
+  std::ptrdiff_t size_ = 0;
+  std::ptrdiff_t set_size_ = 0;
+  bool complete_ = false;
+  const double* blocks_ = nullptr;
+  AlignedBuffer<double> copy_;
+  AlignedBuffer<std::int64_t> index_;
+};
+
+}  // namespace raygauge
