@@ -18,7 +18,7 @@ void check_at_least(const std::string& owner, const char* what, int value, int m
 
 class FunctionGenerator final : public Generator {
  public:
-  FunctionGenerator(std::string name, GenerateFunction function, int minimum_n, Parameters parameters)
+  FunctionGenerator(const std::string& name, GenerateFunction function, int minimum_n, Parameters parameters)
       : owner_("generator '" + name + "'"),
         function_(function),
         minimum_n_(minimum_n),
