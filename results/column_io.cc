@@ -12,6 +12,9 @@ namespace {
 constexpr hsize_t kChunkRows = 16384;
 constexpr int kDeflateLevel = 4;
 
+/// The same type behind its base class, which the C++ layer passes by value.
+H5::DataType plain(const H5::DataType& type) { return H5::DataType(type.getId()); }
+
 /// A boolean as h5py stores one: an enumeration of FALSE and TRUE over one byte.
 H5::DataType boolean_type() {
   H5::EnumType type(H5::PredType::STD_I8LE);
@@ -19,7 +22,7 @@ H5::DataType boolean_type() {
   type.insert("FALSE", &value);
   value = 1;
   type.insert("TRUE", &value);
-  return type;
+  return plain(type);
 }
 
 /// Text of at most `length` bytes. Fixed, because HDF5 cannot compress text of variable length.
@@ -54,7 +57,7 @@ H5::DataType file_type(ValueType type, std::size_t text_length) {
     case ValueType::float64:
       return H5::PredType::IEEE_F64LE;
     case ValueType::text:
-      return text_type(text_length);
+      return plain(text_type(text_length));
   }
   throw ResultsError("column of unknown type");
 }

@@ -46,12 +46,12 @@ Eigen::MatrixXd read_matrix(const H5::DataSet& dataset, const std::string& place
 }
 
 void require_finite(const Eigen::MatrixXd& points, const std::string& place) {
-  for (Eigen::Index row = 0; row < points.cols(); ++row) {
-    for (Eigen::Index column = 0; column < points.rows(); ++column) {
-      const double value = points(column, row);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+      const double value = points(k, i);
       if (std::isfinite(value)) continue;
       throw NonFiniteError(place + ": " + (std::isnan(value) ? "NaN" : "infinity") + " at row " +
-                           std::to_string(row) + ", column " + std::to_string(column));
+                           std::to_string(i) + ", column " + std::to_string(k));
     }
   }
 }

@@ -19,7 +19,7 @@ namespace raygauge::hdf5 {
 namespace {
 
 constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-constexpr std::size_t kImageIncrement = 64 * 1024;
+constexpr std::size_t kImageIncrement = 65536;
 
 std::mutex& library_mutex() {
   static std::mutex mutex;

@@ -28,6 +28,12 @@ std::string text_of(const std::vector<T>& values) {
   return text + "]";
 }
 
+std::string line_of(const std::string& key, const std::string& value) { return key + " = " + value; }
+
+std::string difference(const std::string& key, const std::string& there, const std::string& here) {
+  return line_of(key, there) + " there, " + here + " here";
+}
+
 using KeyValue = std::pair<std::string, std::string>;
 
 std::vector<KeyValue> lines_of(const std::string& identity) {
@@ -58,7 +64,7 @@ std::string experiment_identity(const Experiment& experiment) {
       {"methods", text_of(experiment.methods)},
   };
   std::string identity;
-  for (const auto& [key, value] : lines) identity += key + " = " + value + "\n";
+  for (const auto& [key, value] : lines) identity += line_of(key, value) + "\n";
   return identity;
 }
 
@@ -72,10 +78,9 @@ std::string identity_difference(const std::string& there, const std::string& her
     only_here.erase(key);
     const auto found = values_here.find(key);
     const std::string other = found == values_here.end() ? "nothing" : found->second;
-    if (other != value) differences.push_back(key + " = " + value + " there, " + other + " here");
+    if (other != value) differences.push_back(difference(key, value, other));
   }
-  for (const auto& [key, value] : only_here)
-    differences.push_back(key + " = nothing there, " + value + " here");
+  for (const auto& [key, value] : only_here) differences.push_back(difference(key, "nothing", value));
   if (differences.empty()) return "";
   const std::size_t more = differences.size() - 1;
   return differences.front() + (more == 0 ? "" : " (and " + std::to_string(more) + " more)");
