@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "tests/hard/hard_cases.h"
+
+#include <cctype>
+
+namespace raygauge {
+namespace {
+
+constexpr int kLargestCube = 8;  // 256 points; beyond, 2^n tells nothing new
+const std::string kCross = "cross_polytope", kCube = "cube", kSimplex = "simplex";
+
+std::vector<HardCase> bodies_and_boxes() {
+  return {{"hard_point", {{"body", kCross}}},
+          {"hard_point", {{"body", kSimplex}}},
+          {"hard_point", {{"body", kCube}}, kLargestCube},
+          {"hard_box", {{"body", kCross}}, kLargestCube},
+          {"hard_box", {{"body", kCube}}, kLargestCube},
+          {"hard_lattice", {{"body", kCross}}, 5},
+          {"hard_lattice", {{"body", kCube}}, 5},
+          {"hard_far", {{"body", kCross}}},
+          {"hard_far", {{"body", kSimplex}}, 20},
+          {"hard_far", {{"body", kCube}}, kLargestCube},
+          {"hard_cross_polytope", {}, kLargestCube},
+          {"hard_scaled_simplex", {{"body", kCross}}},
+          {"hard_scaled_simplex", {{"body", kCube}}, kLargestCube},
+          {"hard_vertex", {{"body", kCross}, {"lambda", 0.1}}},
+          {"hard_vertex", {{"body", kCube}, {"feature", std::string("edge_midpoint")}}, kLargestCube},
+          {"hard_vertex", {{"body", kSimplex}, {"feature", std::string("edge_midpoint")}, {"lambda", 0.3}}}};
+}
+
+std::vector<HardCase> planted() {
+  return {{"hard_planted_ties", {}},
+          {"hard_planted_ties", {{"ties", 1.0}}},
+          {"hard_planted_unimodular", {{"entry", std::int64_t{30}}}},
+          {"hard_planted_unimodular", {}},
+          {"hard_duplicates", {}},
+          {"hard_scaled", {{"exponent", std::int64_t{500}}}},
+          {"hard_scaled", {{"exponent", std::int64_t{-500}}}},
+          {"hard_scaled_object", {}},
+          {"hard_scaled_object", {{"exponent", std::int64_t{-500}}}}};
+}
+
+std::vector<HardCase> thin() {
+  return {{"hard_needle", {{"aspect", 1e3}}},
+          {"hard_needle", {{"aspect", 1e12}}},
+          {"hard_needle", {{"aspect", 0x1p10}, {"sheared", true}}},
+          {"hard_needle", {{"aspect", 0x1p39}, {"sheared", true}}},
+          {"hard_near_face", {{"delta", 1e-3}}},
+          {"hard_near_face", {{"delta", 1e-300}}},
+          {"hard_near_face", {{"body", kCube}}, kLargestCube},
+          {"hard_contact", {}},
+          {"hard_contact", {{"ulps", std::int64_t{1}}}},
+          {"hard_contact", {{"ulps", std::int64_t{-1}}}},
+          {"hard_contact", {{"body", kCube}, {"ulps", std::int64_t{-1}}}, kLargestCube},
+          {"hard_origin_near_facet", {}, 50, true},
+          {"hard_origin_near_facet", {{"delta", 0x1p-40}}},
+          {"hard_origin_near_facet", {{"delta", 1e-300}}, 50, true}};
+}
+
+std::vector<HardCase> origin() {
+  return {{"hard_origin_in_object", {{"place", std::string("interior")}}},
+          {"hard_origin_in_object", {{"place", std::string("face")}}},
+          {"hard_origin_in_object", {{"place", std::string("vertex")}, {"body", kSimplex}}},
+          {"hard_origin_on_boundary", {}},
+          {"hard_origin_on_boundary", {{"reachable", false}}},
+          {"hard_origin_outside", {}},
+          {"hard_origin_outside", {{"reachable", false}}},
+          {"hard_flat", {}},
+          {"hard_flat", {{"crossing", false}}},
+          {"hard_flat", {{"crossing", false}, {"delta", 1e-300}}}};
+}
+
+}  // namespace
+
+std::vector<HardCase> hard_cases() {
+  std::vector<HardCase> all;
+  for (const auto& group : {bodies_and_boxes(), planted(), thin(), origin()}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
+
+std::vector<int> dimensions_of(const HardCase& tested, int limit) {
+  std::vector<int> dimensions;
+  for (const int n : {2, 3, 5, 8, 20, 50}) {
+    if (n <= tested.largest_n && n <= limit) dimensions.push_back(n);
+  }
+  return dimensions;
+}
+
+std::string label(const HardCase& tested) {
+  std::string text = tested.generator;
+  if (!tested.parameters.empty()) text.append("_").append(to_string(tested.parameters));
+  for (char& c : text) {
+    if (c == '-') c = 'm';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return text;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/instance.h"
+
+namespace raygauge {
+
+/// A hard family with a known distance, and the dimensions to try it in.
+struct HardCase {
+  std::string generator;
+  Parameters parameters;
+  int largest_n = 50;
+  bool rounded = false;  ///< the exact distance is no double: the generator's is the nearest one
+};
+
+/// Every hard family with an exact distance, in the variants that differ in kind.
+std::vector<HardCase> hard_cases();
+
+/// The dimensions among 2, 3, 5, 8, 20, 50 that the case goes up to, as far as `limit`.
+std::vector<int> dimensions_of(const HardCase& tested, int limit);
+
+/// A name for a test: letters, digits and underscores.
+std::string label(const HardCase& tested);
+
+inline std::ostream& operator<<(std::ostream& out, const HardCase& tested) { return out << label(tested); }
+
+}  // namespace raygauge
