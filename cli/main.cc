@@ -2,23 +2,65 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <string>
 
 #include "cli/commands.h"
+#include "cli/usage_error.h"
+#include "results/provenance.h"
 
-int main(int argc, char** argv) {
+namespace raygauge::cli {
+namespace {
+
+std::string version_text() {
+  const BuildInfo build = build_info();
+  return "raygauge " + build.raygauge_version + " (commit " + build.git_commit +
+         (build.git_dirty ? ", modified" : "") + ", " + build.build_type + ")";
+}
+
+int fail(const std::string& message) {
+  std::fprintf(stderr, "%s\n", on_one_line(message).c_str());
+  return kBadInput;
+}
+
+int run_program(int argc, char** argv) {
   CLI::App app{"raygauge: by how much must the convex set Q be scaled until it touches the convex set A?",
                "raygauge"};
-  app.set_version_flag("--version", std::string("raygauge " RAYGAUGE_VERSION));
+  app.set_version_flag("--version", version_text(), "Print version, commit and build type, and exit");
   app.require_subcommand(1);
   app.option_defaults()->always_capture_default();
-  int status = raygauge::cli::kAnswered;
+  app.footer("raygauge COMMAND --help tells a command's options, with their defaults.");
+  int status = kAnswered;
+  add_run_command(app, status);
+  add_distance_command(app, status);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? raygauge::cli::kAnswered : raygauge::cli::kBadInput;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "raygauge: %s\n", error.what());
-    return raygauge::cli::kBadInput;
+    if (error.get_exit_code() != 0) return fail(usage_message(app, error));
+    app.exit(error);
   }
   return status;
+}
+
+/// What was printed must have arrived: a full disk or a closed pipe is an error.
+int flushed(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  return fail("raygauge: standard output cannot be written");
+}
+
+}  // namespace
+}  // namespace raygauge::cli
+
+int main(int argc, char** argv) {
+  using raygauge::cli::fail;
+  try {
+    return raygauge::cli::flushed(raygauge::cli::run_program(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return fail("raygauge: out of memory");
+  } catch (const std::exception& error) {
+    return fail(std::string("raygauge: ") + error.what());
+  } catch (...) {
+    return fail("raygauge: an unknown error");
+  }
 }

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/distance_query.h"
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "engine/distance/solver.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge::cli {
+namespace {
+
+std::optional<DistanceMethod> engine_method(const std::string& name) {
+  constexpr std::array<DistanceMethod, 2> kMethods = {DistanceMethod::direct, DistanceMethod::zheng_yamane};
+  for (const DistanceMethod method : kMethods) {
+    if (to_string(method) == name) return method;
+  }
+  return std::nullopt;
+}
+
+template <class Solve>
+double seconds_of(const Solve& solve) {
+  const auto start = std::chrono::steady_clock::now();
+  solve();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void solve_by_engine(const DistanceQuery& query, DistanceMethod method, const Instance& instance,
+                     DistanceReport& report) {
+  DistanceOptions options = query.options;
+  options.method = method;
+  DistanceSolver solver(options);
+  const Effects effects = query.witness ? Effects::witness : Effects::none;
+  report.seconds = seconds_of([&] { report.result = solver.solve(*instance.A, *instance.Q, effects); });
+}
+
+void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const Instance& instance,
+                       DistanceReport& report) {
+  const std::string name = "method '" + report.method + "'";
+  if (query.witness) {
+    throw InvalidParameterError(name + " computes no contact point: --witness needs direct or zheng_yamane");
+  }
+  if (query.engine_options_set) {
+    throw InvalidParameterError(
+        "--max-iterations, --stop-rule and --instruction-set are for direct and zheng_yamane; " + name +
+        " has no such options");
+  }
+  method.load(instance);
+  report.seconds = seconds_of([&] { method.solve({query.options.tolerance, query.options.time_limit}); });
+  report.result = method.result();
+}
+
+}  // namespace
+
+std::string resolved_method(const std::string& name) { return name == "glpk" ? "glpk_dual" : name; }
+
+DistanceReport answer(const DistanceQuery& query, const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q,
+                      const MethodRegistry& methods) {
+  const Instance instance{std::make_shared<PointSet>(A), std::make_shared<PointSet>(Q), std::nullopt};
+  DistanceReport report;
+  report.method = resolved_method(query.method);
+  report.tolerance = query.options.tolerance;
+  report.n = static_cast<int>(A.rows());
+  report.n_points_A = A.cols();
+  report.n_points_Q = Q.cols();
+  report.witness = query.witness;
+  if (const auto method = engine_method(report.method)) {
+    solve_by_engine(query, *method, instance, report);
+  } else {
+    solve_by_baseline(query, *methods.make(report.method, {}), instance, report);
+  }
+  return report;
+}
+
+}  // namespace raygauge::cli

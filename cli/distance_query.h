@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "cli/distance_report.h"
+#include "engine/distance/options.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge::cli {
+
+/// A distance query by any method of the program.
+struct DistanceQuery {
+  std::string method = "direct";
+  DistanceOptions options;          ///< `method` of it is set from the name
+  bool engine_options_set = false;  ///< whether an option was chosen that only the engine's methods have
+  bool witness = false;
+};
+
+/// The registered name of a method: `glpk` stands for glpk_dual.
+std::string resolved_method(const std::string& name);
+
+/// Answers the query for the hulls of the columns of A and Q. Throws UnknownNameError for a method that is
+/// not in `methods`, InvalidParameterError for options that the method does not have.
+DistanceReport answer(const DistanceQuery& query, const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q,
+                      const MethodRegistry& methods);
+
+}  // namespace raygauge::cli

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/distance_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace raygauge::cli {
+namespace {
+
+Json json_array(const Vector& vector) { return std::vector<double>(vector.begin(), vector.end()); }
+
+std::string count(std::int64_t number, const std::string& noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+Json json_counters(const DistanceCounters& counters) {
+  return {{"outer_iterations", counters.outer_iterations},
+          {"ray_iterations", counters.ray_iterations},
+          {"pivots", counters.pivots},
+          {"support_queries", counters.support_queries},
+          {"points_priced", counters.points_priced},
+          {"refactorisations", counters.refactorisations},
+          {"witness_evaluations", counters.witness_evaluations}};
+}
+
+std::string vector_text(const Vector& vector) {
+  std::string text;
+  for (const double value : vector) text += fmt::format("{}{:.10g}", text.empty() ? "" : " ", value);
+  return text;
+}
+
+std::string bounds_text(const DistanceReport& report) {
+  const DistanceResult& r = report.result;
+  if (std::isnan(r.lower) || std::isnan(r.upper)) {
+    return fmt::format("[{:.17g}, {:.17g}] (nan: the method left nothing that proves this bound)", r.lower,
+                       r.upper);
+  }
+  if (!std::isfinite(r.upper) || r.upper == 0) return fmt::format("[{:.17g}, {:.17g}]", r.lower, r.upper);
+  const double gap = r.upper - r.lower;
+  return fmt::format("[{:.17g}, {:.17g}], gap {:.2g} ({:.2g} of the distance; tolerance {:g})", r.lower,
+                     r.upper, gap, gap / r.upper, report.tolerance);
+}
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("{:<10} {}\n", label, text);
+}
+
+std::string normal_line(const DistanceResult& r) {
+  if (r.normal.size() == 0 || r.normal.isZero(0)) return "";
+  return line(r.status == DistanceStatus::unreachable ? "direction" : "normal", vector_text(r.normal));
+}
+
+std::string contact_line(const DistanceReport& report) {
+  if (!report.witness) return "";
+  const Vector& point = report.result.contact_point;
+  return line("contact", point.size() == 0 ? "there is no contact point" : vector_text(point));
+}
+
+std::string counters_line(const DistanceCounters& c) {
+  return line("counters", count(c.outer_iterations, "outer iteration") + " (K), " +
+                              count(c.ray_iterations, "ray-shooting iteration") + " (N_rs), " +
+                              count(c.pivots, "pivot") + ", " + count(c.refactorisations, "refactorisation") +
+                              ", " + std::to_string(c.support_queries) + " support queries, " +
+                              count(c.points_priced, "point") + " priced");
+}
+
+/// What is known of contact when the bounds are as they are.
+std::string compared_with_contact(const DistanceResult& r) {
+  if (r.lower > 1) return "separated: Q must grow to touch A";
+  if (r.upper == 0) return "A contains the origin: the distance is 0, whatever Q is";
+  if (r.upper < 1) return "penetrating: Q meets A already, and would have to shrink to touch it only";
+  if (r.status == DistanceStatus::optimal && r.lower <= 1 && r.upper >= 1) {
+    return "in contact, as far as the tolerance can tell";
+  }
+  return "the bounds do not tell separation from penetration";
+}
+
+std::string limit_text(DistanceStatus status) {
+  switch (status) {
+    case DistanceStatus::iteration_limit:
+      return "stopped at the iteration limit; ";
+    case DistanceStatus::time_limit:
+      return "stopped at the time limit; ";
+    case DistanceStatus::precision_limit:
+      return "double precision could not bring the bounds within the tolerance; ";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Json distance_json(const DistanceReport& report) {
+  const DistanceResult& r = report.result;
+  Json json = {{"distance", r.distance},
+               {"lower", r.lower},
+               {"upper", r.upper},
+               {"status", std::string(to_string(r.status))},
+               {"method", report.method},
+               {"n", report.n},
+               {"n_points_A", report.n_points_A},
+               {"n_points_Q", report.n_points_Q},
+               {"normal", json_array(r.normal)}};
+  if (report.witness) json["contact_point"] = json_array(r.contact_point);
+  json["counters"] = json_counters(r.counters);
+  return json;
+}
+
+std::string verdict(const DistanceResult& r) {
+  if (r.status == DistanceStatus::contains_origin)
+    return "A contains the origin: the distance is 0, whatever Q is";
+  if (r.status == DistanceStatus::unreachable) {
+    return "no multiple of Q meets A: along the direction u below, u·a < 0 for every point a of A and u·q >= "
+           "0 for "
+           "every point q of Q (so the origin is not in the interior of Q, which a gauge needs)";
+  }
+  return limit_text(r.status) + compared_with_contact(r);
+}
+
+std::string distance_text(const DistanceReport& report) {
+  const DistanceResult& r = report.result;
+  return line("distance", fmt::format("{:.17g}", r.distance)) + line("bounds", bounds_text(report)) +
+         line("status", fmt::format("{}: {}", to_string(r.status), verdict(r))) + normal_line(r) +
+         contact_line(report) +
+         line("sets", fmt::format("n = {}, {} in A, {} in Q", report.n, count(report.n_points_A, "point"),
+                                  count(report.n_points_Q, "point"))) +
+         line("method", fmt::format("{}, {:.3g} ms", report.method, report.seconds * 1e3)) +
+         counters_line(r.counters);
+}
+
+}  // namespace raygauge::cli

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "cli/json_text.h"
+#include "engine/distance/result.h"
+
+namespace raygauge::cli {
+
+/// One answered query, as the program reports it.
+struct DistanceReport {
+  DistanceResult result;
+  std::string method;
+  double tolerance = 0;
+  double seconds = 0;  ///< the solve alone, without reading the sets
+  int n = 0;
+  std::ptrdiff_t n_points_A = 0;
+  std::ptrdiff_t n_points_Q = 0;
+  bool witness = false;  ///< whether the contact point was asked for
+};
+
+/// The object that --json prints: distance, lower, upper, status, method, n, n_points_A, n_points_Q, normal,
+/// contact_point (with --witness: empty where there is none), counters.
+Json distance_json(const DistanceReport& report);
+
+/// Several lines for people.
+std::string distance_text(const DistanceReport& report);
+
+/// What the answer says of A and Q as two objects, in one sentence. "In contact" is claimed only of a solve
+/// that met its tolerance and whose certified interval holds 1.
+std::string verdict(const DistanceResult& result);
+
+}  // namespace raygauge::cli
