@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,17 +16,18 @@ struct LpAnswer {
   DistanceStatus status = DistanceStatus::precision_limit;
   double objective = DistanceResult::kUnset;  ///< Σβ_j as the solver reports it
   std::int64_t pivots = 0;
-  std::vector<double> primal;  ///< α then β, lp.columns() values; empty where the solver has none
-  Vector u;                    ///< duals of the first n rows; empty where the solver has none
+  std::vector<std::ptrdiff_t> basis;  ///< its final basis: columns of GaugeLp; empty where it has none
+  Vector u;                           ///< duals of the first n rows; empty where it has none
 };
 
 /// The answer as a DistanceResult: `distance` and `status` are the solver's own claim, untouched (+inf for
 /// unreachable), while `lower` and `upper` are certified by raygauge,
 ///
 ///     lower = -h_A(u) / h_Q(-u)   from the duals, by weak duality,
-///     upper = Σβ_j                of a combination that is feasible, made from the primal.
+///     upper = Σβ_j                of the best feasible combination of the basic points.
 ///
-/// A bound is NaN where the solver left nothing that proves one.
+/// A bound is NaN where the solver left nothing to make it from. `normal` is u, scaled to h_Q(-normal) = 1
+/// where that is possible.
 DistanceResult certified_result(const GaugeLp& lp, const LpAnswer& answer);
 
 }  // namespace raygauge

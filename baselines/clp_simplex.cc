@@ -130,8 +130,9 @@ class ClpSimplexMethod final : public SolveMethod {
     answer.status = status_of(*model_);
     answer.objective = model_->objectiveValue();
     answer.pivots = model_->numberIterations();
-    const double* primal = model_->primalColumnSolution();
-    answer.primal.assign(primal, primal + lp_->columns());
+    for (int j = 0; j < lp_->columns(); ++j) {
+      if (model_->getColumnStatus(j) == ::ClpSimplex::basic) answer.basis.push_back(j);
+    }
     answer.u = Vector::Map(model_->dualRowSolution(), lp_->rows() - 1);
     return certified_result(*lp_, answer);
   }

@@ -137,9 +137,8 @@ class GlpkSimplex final : public SolveMethod {
     answer.pivots = glp_get_it_cnt(model);
     if (glp_get_prim_stat(model) == GLP_UNDEF) return answer;
     answer.objective = glp_get_obj_val(model);
-    answer.primal.resize(static_cast<std::size_t>(lp_->columns()));
-    for (std::size_t j = 0; j < answer.primal.size(); ++j) {
-      answer.primal[j] = glp_get_col_prim(model, static_cast<int>(j) + 1);
+    for (int j = 0; j < lp_->columns(); ++j) {
+      if (glp_get_col_stat(model, j + 1) == GLP_BS) answer.basis.push_back(j);
     }
     answer.u.resize(lp_->rows() - 1);
     for (int row = 0; row + 1 < lp_->rows(); ++row) answer.u[row] = glp_get_row_dual(model, row + 1);

@@ -9,7 +9,7 @@
 #include "baselines/clp_simplex.h"
 #endif
 #ifdef RAYGAUGE_HAS_EXACT
-#include "baselines/exact_lp.h"
+#include "baselines/exact_method.h"
 #endif
 
 namespace raygauge {
