@@ -65,10 +65,12 @@ std::string summary_text(const RunSummary& summary, const Calibration& calibrati
   if (summary.disagreeing_instances == 0) {
     text += "  agreement  all methods agree on every instance\n";
   } else {
-    text +=
-        "  agreement  " +
-        alarming(std::to_string(summary.disagreeing_instances) + " instances with DISAGREEMENTS", stdout) +
-        " (records: " + counts_text(summary, &RunSummary::Method::disagreements) + ")\n";
+    text += "  agreement  " +
+            alarming(std::to_string(summary.disagreeing_instances) +
+                         (summary.disagreeing_instances == 1 ? " instance" : " instances") +
+                         " with DISAGREEMENTS",
+                     stdout) +
+            " (records: " + counts_text(summary, &RunSummary::Method::disagreements) + ")\n";
   }
   const std::string limits = counts_text(summary, &RunSummary::Method::limits);
   text += "  unsolved   " + (limits.empty() ? "none" : limits) + "\n";

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "tests/cli/program.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+#include "tests/results/support.h"
+
+namespace raygauge::testing {
+namespace {
+
+void redirect(int descriptor, const std::string& file) {
+  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (opened < 0 || dup2(opened, descriptor) < 0) std::_Exit(126);
+  close(opened);
+}
+
+void limit_file_size(std::size_t bytes) {
+  const rlimit limit = {bytes, bytes};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace
+
+Program::Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit)
+    : folder_(std::move(folder)) {
+  std::vector<char*> argv = {const_cast<char*>(RAYGAUGE_PROGRAM)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const std::string out = output_file("out");
+  const std::string err = output_file("err");
+  process_ = fork();
+  if (process_ != 0) return;
+  if (chdir(folder_.c_str()) != 0) std::_Exit(126);
+  redirect(STDOUT_FILENO, out);
+  redirect(STDERR_FILENO, err);
+  if (file_size_limit > 0) limit_file_size(file_size_limit);
+  execv(argv.front(), argv.data());
+  std::_Exit(127);
+}
+
+Program::~Program() {
+  if (process_ <= 0) return;
+  signal(SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+void Program::signal(int number) const { kill(process_, number); }
+
+ProgramResult Program::wait() {
+  int status = 0;
+  waitpid(std::exchange(process_, -1), &status, 0);
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_bytes(output_file("out")),
+          read_bytes(output_file("err"))};
+}
+
+std::string Program::output_file(const char* name) const { return folder_ + "/.program-" + name; }
+
+ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments) {
+  return Program(folder, arguments).wait();
+}
+
+}  // namespace raygauge::testing

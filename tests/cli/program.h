@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace raygauge::testing {
+
+/// How the program ended and what it printed.
+struct ProgramResult {
+  int status = -1;  ///< exit status; 128 + signal if a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// The raygauge program, running as a user would run it. Standard output and error go to files of `folder`.
+class Program {
+ public:
+  /// Starts it with `arguments`, in `folder`. `file_size_limit` is the largest file it may write, 0 for any.
+  Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit = 0);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void signal(int number) const;
+
+  /// Waits for its end. Call once.
+  ProgramResult wait();
+
+ private:
+  std::string output_file(const char* name) const;
+
+  std::string folder_;
+  pid_t process_ = -1;
+};
+
+ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments);
+
+}  // namespace raygauge::testing
