@@ -15,7 +15,7 @@ Instance no_sets(const InstanceKey& key, const Parameters& parameters) {
 
 std::unique_ptr<Generator> shifted() {
   const auto component =
-      generator_component("shifted", "a test", {{"shift", 0.5, {}, {}, "", {}}}, no_sets, 2);
+      generator_component("shifted", "a test", {{"shift", 0.5, 0.0, 1.0, "", {}}}, no_sets, 2);
   return component.make({{"shift", 0.25}});
 }
 
