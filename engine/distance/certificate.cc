@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::ptrdiff_t kDoubtful = 512;  // points that are worth a second, longer evaluation
 
 DoubleDouble exact_dot(const PointSet& S, std::ptrdiff_t i, const double* u) {
@@ -46,7 +47,7 @@ double dot_magnitude(const PointSet& S, const double* u) {
 
 double scaled_down(double value, int shift) noexcept {
   const double result = std::ldexp(value, shift);
-  if (std::isinf(result)) return std::isinf(value) ? value : std::numeric_limits<double>::max();
+  if (std::isinf(result)) return std::isinf(value) ? value : kLargest;
   return std::isnormal(result) || result == 0 ? result : std::nextafter(result, 0.0);
 }
 
@@ -105,7 +106,12 @@ double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept {
   if (!(above_A < 0)) return 0;
   const double above_Q = h_Q.above();
   if (above_Q <= 0) return kInfinity;
-  return -above_A / (above_Q * (1 + 2 * kUnitRoundoff)) * (1 - 4 * kUnitRoundoff);
+  if (!(above_Q < kInfinity)) return 0;
+  // Infinity is for Farkas directions: a quotient that overflows is only known to exceed every double.
+  const double quotient =
+      std::min(-above_A / (above_Q * (1 + 2 * kUnitRoundoff)) * (1 - 4 * kUnitRoundoff), kLargest);
+  // Below the normal range the division is rounded to nearest with no relative error bound.
+  return std::isnormal(quotient) || quotient == 0 ? quotient : std::nextafter(quotient, 0.0);
 }
 
 }  // namespace raygauge

@@ -176,7 +176,10 @@ void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
   for (int lane = 0; lane < kLanes; ++lane) {
     const double v = sum[lane / kWidth][lane % kWidth];
     if (v > c->threshold) {
-      if (c->count == c->capacity) halve(c);
+      if (c->count == c->capacity) {
+        halve(c);
+        if (!(v > c->threshold)) continue;
+      }
       c->index[c->count] = b * kLanes + lane;
       c->value[c->count++] = v;
     }
