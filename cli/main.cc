@@ -33,6 +33,7 @@ int run_program(int argc, char** argv) {
   int status = kAnswered;
   add_run_command(app, status);
   add_distance_command(app, status);
+  add_info_command(app, status);
 
   try {
     app.parse(argc, argv);
