@@ -38,7 +38,7 @@ std::vector<HardCase> planted() {
           {"hard_scaled", {{"exponent", std::int64_t{500}}}},
           {"hard_scaled", {{"exponent", std::int64_t{-500}}}},
           {"hard_scaled_object", {}},
-          {"hard_scaled_object", {{"exponent", std::int64_t{-500}}}}};
+          {"hard_scaled_object", {{"exponent", std::int64_t{-500}}}, 20}};
 }
 
 std::vector<HardCase> thin() {
