@@ -44,6 +44,7 @@ Rational exact_support(const PointSet& set, const std::vector<Rational>& u, int 
   Integer common = 1;
   for (const Rational& x : u) common = lcm(common, denominator(x));
   std::vector<Rational> cleared;
+  cleared.reserve(u.size());
   for (const Rational& x : u) cleared.push_back(x * Rational(sign * common));
   Vector p(set.dimension());
   Rational best = 0;
