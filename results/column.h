@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,6 +24,16 @@ enum class ValueType : std::uint8_t { boolean, int32, int64, uint64, float64, te
 std::string_view to_string(ValueType type) noexcept;
 
 inline ValueType type_of(const Value& value) noexcept { return static_cast<ValueType>(value.index()); }
+
+/// The type of the column that holds a C++ type.
+template <class T, std::size_t i = 0>
+constexpr ValueType value_type() noexcept {
+  if constexpr (std::is_same_v<T, std::variant_alternative_t<i, Value>>) {
+    return static_cast<ValueType>(i);
+  } else {
+    return value_type<T, i + 1>();
+  }
+}
 
 /// What a column is called and what its entries mean.
 struct ColumnInfo {
@@ -41,7 +53,7 @@ struct Column : ColumnInfo {
 /// The column of a data member, or of a member of a member.
 template <class Row, class T>
 Column<Row> column(std::string name, std::string unit, std::string description, T Row::*member) {
-  return {{std::move(name), std::move(unit), std::move(description), type_of(Value(T{}))},
+  return {{std::move(name), std::move(unit), std::move(description), value_type<T>()},
           [member](const Row& row) { return Value(row.*member); },
           [member](Row& row, const Value& value) { row.*member = std::get<T>(value); }};
 }
@@ -49,7 +61,7 @@ Column<Row> column(std::string name, std::string unit, std::string description, 
 template <class Row, class Part, class T>
 Column<Row> column(std::string name, std::string unit, std::string description, Part Row::*part,
                    T Part::*member) {
-  return {{std::move(name), std::move(unit), std::move(description), type_of(Value(T{}))},
+  return {{std::move(name), std::move(unit), std::move(description), value_type<T>()},
           [part, member](const Row& row) { return Value(row.*part.*member); },
           [part, member](Row& row, const Value& value) { row.*part.*member = std::get<T>(value); }};
 }

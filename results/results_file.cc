@@ -64,11 +64,12 @@ std::set<std::uint64_t> ResultsFile::cells() const {
 }
 
 ResultsFile read_results(const std::string& path) {
-  // A run that finishes while it is read replaces its parts by the file: then the file is what to read.
+  // A run that ends while it is read replaces the parts by the file. The second time everything is in the
+  // file.
   try {
     return read_once(path);
   } catch (const ResultsError&) {
-    if (!list_parts(path).empty() || !fs::exists(path)) throw;
+    if (!fs::exists(path)) throw;
     return read_once(path);
   }
 }

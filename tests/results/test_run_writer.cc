@@ -3,9 +3,9 @@
 #include "results/run_writer.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
+#include <atomic>
 #include <thread>
 
 #include "results/exceptions.h"
@@ -85,6 +85,27 @@ TEST_F(RunWriterTest, AnUnfinishedRunCanBeRead) {
   EXPECT_EQ(results.cells(), std::set<std::uint64_t>{2});
   EXPECT_FALSE(results.finished());
   EXPECT_EQ(results.provenance.experiment_text, experiment_.text);
+}
+
+TEST_F(RunWriterTest, ARunCanBeReadAtAnyMomentWhileItGoesOnAndEnds) {
+  constexpr int kRuns = 10;
+  experiment_ = small_experiment(8, 1);
+  for (int i = 0; i < kRuns; ++i) {
+    path_ = folder_.file(std::to_string(i) + ".h5");
+    RunWriter run(path_, experiment_, RunMode::create, sample_session());
+    run.store(cell_result(experiment_, 0));
+    std::atomic<bool> ended = false;
+    std::thread writer([&] {
+      for (std::uint64_t cell = 1; cell < 8; ++cell) run.store(cell_result(experiment_, cell));
+      run.finish();
+      ended = true;
+    });
+    std::string error;
+    while (error.empty() && !ended) error = error_of([this] { read_results(path_); });
+    writer.join();
+    EXPECT_EQ(error, "");
+    EXPECT_EQ(found(), expected());
+  }
 }
 
 TEST_F(RunWriterTest, ARunThatWasStoppedAndMergedIsResumed) {

@@ -1,0 +1,37 @@
+# The script of the commit (SCRIPT): "unknown" outside a checkout, else the commit and whether the sources differ
+# from it; the header is rewritten only when its content changes. FOLDER is scratch space outside any checkout.
+function(expect_header commit dirty)
+  execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${FOLDER}/sources -D OUTPUT=${FOLDER}/revision.h -P ${SCRIPT}
+                  COMMAND_ERROR_IS_FATAL ANY)
+  file(READ ${FOLDER}/revision.h header)
+  set(expected "#pragma once\n#define RAYGAUGE_GIT_COMMIT \"${commit}\"\n#define RAYGAUGE_GIT_DIRTY ${dirty}\n")
+  if(NOT header STREQUAL expected)
+    message(FATAL_ERROR "expected\n${expected}\nfound\n${header}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER}/sources)
+file(WRITE ${FOLDER}/sources/a.cc "int a;\n")
+set(ENV{GIT_CEILING_DIRECTORIES} ${FOLDER})
+expect_header(unknown false)
+
+file(TIMESTAMP ${FOLDER}/revision.h written "%s")
+execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 1.1)
+expect_header(unknown false)
+file(TIMESTAMP ${FOLDER}/revision.h written_now "%s")
+if(NOT written STREQUAL written_now)
+  message(FATAL_ERROR "the header was rewritten though nothing had changed")
+endif()
+
+find_program(git_program git)
+if(git_program)
+  set(git ${git_program} -C ${FOLDER}/sources -c user.name=nobody -c user.email=nobody@example.org)
+  execute_process(COMMAND ${git} init -q COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${git} add a.cc COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${git} commit -q -m "A" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${git} rev-parse HEAD OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE)
+  expect_header(${head} false)
+  file(WRITE ${FOLDER}/sources/a.cc "int b;\n")
+  expect_header(${head} true)
+endif()
