@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include <errno.h>
-
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <optional>

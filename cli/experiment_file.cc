@@ -24,7 +24,7 @@ constexpr Range kTimeLimit{0, std::numeric_limits<double>::infinity(), true};
 class Section {
  public:
   /// `name` "" is the root.
-  Section(const TomlSource& source, std::string name, std::vector<std::string> known)
+  Section(const TomlSource& source, std::string name, const std::vector<std::string>& known)
       : name_(std::move(name)) {
     table_ = &source.root;
     if (!name_.empty()) {

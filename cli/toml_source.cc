@@ -3,13 +3,13 @@
 #include "cli/toml_source.h"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "engine/exceptions.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view kOverrideMark = "--set ";
 
 std::string place_of(const toml::source_region& source) {
-  const std::string path = source.path ? *source.path : std::string();
+  std::string path = source.path ? *source.path : std::string();
   if (path.starts_with(kOverrideMark)) return path;
   return path + ":" + std::to_string(source.begin.line);
 }
@@ -28,7 +28,8 @@ std::string place_of(const toml::source_region& source) {
 std::string read_file(const std::string& path) {
   if (std::filesystem::is_directory(path)) throw InvalidParameterError(path + ": is a folder, not a file");
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InvalidParameterError(path + ": cannot be read: " + std::strerror(errno));
+  if (!file)
+    throw InvalidParameterError(path + ": cannot be read: " + std::generic_category().message(errno));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

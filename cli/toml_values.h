@@ -13,8 +13,8 @@ namespace raygauge::cli {
 
 /// An interval of numbers; `open` ones exclude their ends.
 struct Range {
-  double minimum;
-  double maximum;
+  double minimum = 0;
+  double maximum = 0;
   bool open = false;
 };
 
