@@ -1,5 +1,6 @@
-# Writes the header OUTPUT with the commit of SOURCE_DIR and whether the sources differ from it. Run at every
-# build: cmake -D SOURCE_DIR=… -D OUTPUT=… -P GitRevision.cmake; the header changes only when its content does.
+# Writes the header OUTPUT with the commit of SOURCE_DIR and whether the sources differ from it. Run at every build:
+#     cmake -D SOURCE_DIR=… -D OUTPUT=… -P GitRevision.cmake
+# The header is written only when its content changes, so that nothing is compiled again in vain.
 # Without git, or where SOURCE_DIR is not itself a checkout, the commit is "unknown".
 set(commit "unknown")
 set(dirty false)
