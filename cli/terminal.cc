@@ -12,6 +12,7 @@ namespace raygauge::cli {
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
 std::string alarming(const std::string& text, std::FILE* stream) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody here changes the environment
   const char* no_color = std::getenv("NO_COLOR");
   if (!is_terminal(stream) || (no_color != nullptr && *no_color != '\0')) return text;
   return "\033[1;31m" + text + "\033[0m";

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/toml_source.h"
 
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "cli/input_file.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::cli {
@@ -23,14 +19,6 @@ std::string place_of(const toml::source_region& source) {
   std::string path = source.path ? *source.path : std::string();
   if (path.starts_with(kOverrideMark)) return path;
   return path + ":" + std::to_string(source.begin.line);
-}
-
-std::string read_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw InvalidParameterError(path + ": is a folder, not a file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw InvalidParameterError(path + ": cannot be read: " + std::generic_category().message(errno));
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
@@ -72,19 +60,23 @@ std::optional<toml::table> parse_value(const std::string& text, const std::strin
   }
 }
 
+/// An item as TOML: itself, or in quotes if it is a word.
+std::string quoted_if_word(const std::string& item, const std::string& mark) {
+  if (parse_value(item, mark)) return item;
+  if (is_word(item)) return '"' + item + '"';
+  throw InvalidParameterError(mark + ": '" + item + "' is no TOML value");
+}
+
 /// TEXT as TOML if it is, else as a list without brackets, words without quotes.
 toml::table override_value(const std::string& text, const std::string& mark) {
   if (auto value = parse_value(text, mark)) return std::move(*value);
-  std::string quoted;
+  std::string items;
   for (const std::string& part : split(text, ',')) {
-    const std::string item = trimmed(part);
-    if (!parse_value(item, mark) && !is_word(item)) {
-      throw InvalidParameterError(mark + ": '" + item + "' is no TOML value");
-    }
-    quoted += (quoted.empty() ? "" : ", ") + (parse_value(item, mark) ? item : '"' + item + '"');
+    if (!items.empty()) items += ", ";
+    items += quoted_if_word(trimmed(part), mark);
   }
   const bool is_list = text.find(',') != std::string::npos;
-  auto value = parse_value(is_list ? "[" + quoted + "]" : quoted, mark);
+  auto value = parse_value(is_list ? "[" + items + "]" : items, mark);
   if (!value) throw InvalidParameterError(mark + ": '" + text + "' is no TOML value");
   return std::move(*value);
 }
@@ -161,11 +153,11 @@ std::string place_of(const toml::key& key, const toml::node& value) {
 
 TomlSource read_toml(const std::string& path, const std::vector<std::string>& overrides) {
   TomlSource source;
-  source.path = path;
-  source.text = read_file(path);
-  source.root = parse(source.text, path);
+  source.path = input_name(path);
+  source.text = read_input(path);
+  source.root = parse(source.text, source.path);
   for (const std::string& text : overrides) apply_override(source.root, text);
-  if (!overrides.empty()) source.text = effective_text(source.root, path, overrides);
+  if (!overrides.empty()) source.text = effective_text(source.root, source.path, overrides);
   return source;
 }
 

@@ -53,6 +53,7 @@ const std::map<std::string, StopRule> kStopRules = {{"certified_gap", StopRule::
 template <class T>
 std::vector<std::string> names_of(const std::map<std::string, T>& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto& entry : choices) names.push_back(entry.first);
   return names;
 }

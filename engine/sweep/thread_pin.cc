@@ -43,6 +43,7 @@ std::vector<int> allowed_cpus() {
   }
   std::sort(rank_and_cpu.begin(), rank_and_cpu.end());
   std::vector<int> cpus;
+  cpus.reserve(rank_and_cpu.size());
   for (const auto& entry : rank_and_cpu) cpus.push_back(entry.second);
   return cpus;
 }

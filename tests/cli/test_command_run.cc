@@ -199,7 +199,7 @@ TEST_F(RunCommand, ADiskThatTakesNoMoreEndsTheRunWithOneLine) {
 }
 
 TEST_F(RunCommand, BadExperimentsAreRefusedWithFileAndLine) {
-  EXPECT_EQ(refusal({"nowhere.toml"}), "nowhere.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(refusal({"nowhere.toml"}), "nowhere.toml: No such file or directory");
   const std::string text = kExperiment;
   EXPECT_EQ(refusal_of_text(text + "time_limits = 3\n"),
             "bad.toml:14: unknown [run] key 'time_limits'; did you mean 'time_limit'? "
