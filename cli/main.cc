@@ -33,6 +33,8 @@ int run_program(int argc, char** argv) {
   int status = kAnswered;
   add_run_command(app, status);
   add_distance_command(app, status);
+  add_table_command(app, status);
+  add_export_command(app, status);
   add_info_command(app, status);
 
   try {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/terminal.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -11,10 +12,20 @@ namespace raygauge::cli {
 
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
-std::string alarming(const std::string& text, std::FILE* stream) {
+bool wants_color(std::FILE* stream) {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody here changes the environment
   const char* no_color = std::getenv("NO_COLOR");
-  if (!is_terminal(stream) || (no_color != nullptr && *no_color != '\0')) return text;
+  return is_terminal(stream) && (no_color == nullptr || *no_color == '\0');
+}
+
+std::size_t terminal_width(std::FILE* stream) {
+  winsize size{};
+  if (!is_terminal(stream) || ioctl(fileno(stream), TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col;
+}
+
+std::string alarming(const std::string& text, std::FILE* stream) {
+  if (!wants_color(stream)) return text;
   return "\033[1;31m" + text + "\033[0m";
 }
 

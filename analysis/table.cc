@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/table.h"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/formats/csv_table.h"
+#include "analysis/formats/latex_table.h"
+#include "analysis/formats/markdown_table.h"
+#include "analysis/formats/text_table.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+void require_rectangle(const Table& table) {
+  const std::size_t columns = table.header.empty() ? 0 : table.header.front().size();
+  const bool even = std::all_of(table.header.begin(), table.header.end(),
+                                [&](const auto& line) { return line.size() == columns; }) &&
+                    std::all_of(table.rows.begin(), table.rows.end(),
+                                [&](const auto& row) { return row.cells.size() == columns; });
+  if (!even || table.key_columns > columns)
+    throw DimensionMismatchError("table '" + table.title + "': rows and header differ in length");
+}
+
+}  // namespace
+
+TableFormat table_format_from_string(const std::string& name) {
+  static const std::map<std::string, TableFormat> kFormats = {{"text", TableFormat::text},
+                                                              {"markdown", TableFormat::markdown},
+                                                              {"latex", TableFormat::latex},
+                                                              {"csv", TableFormat::csv}};
+  if (const auto found = kFormats.find(name); found != kFormats.end()) return found->second;
+  throw UnknownNameError("table format", name, {"text", "markdown", "latex", "csv"});
+}
+
+std::string render(const Table& table, const RenderOptions& options) {
+  require_rectangle(table);
+  switch (options.format) {
+    case TableFormat::markdown:
+      return markdown_table(table);
+    case TableFormat::latex:
+      return latex_table(table);
+    case TableFormat::csv:
+      return csv_table(table);
+    case TableFormat::text:
+      break;
+  }
+  return text_table(table, options.width, options.color);
+}
+
+}  // namespace raygauge

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/analysis_options.h"
+
+#include <cstdio>
+
+#include "results/atomic_file.h"
+
+namespace raygauge::cli {
+
+void add_analysis_options(CLI::App& command, AnalysisArguments& arguments) {
+  command.add_option("files", arguments.files, "Results files; several are joined")
+      ->required()
+      ->type_name("FILE.h5");
+  command
+      .add_option("--where", arguments.where,
+                  "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
+      ->type_name("CONDITION");
+}
+
+MergedResults read_files(const AnalysisArguments& arguments) { return read_merged(arguments.files); }
+
+Filter filter_of(const AnalysisArguments& arguments) {
+  return arguments.where.empty() ? Filter() : Filter(arguments.where);
+}
+
+void write_output(const std::string& path, const std::string& text) {
+  if (path.empty()) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  } else {
+    write_atomically(path, text);
+  }
+}
+
+}  // namespace raygauge::cli

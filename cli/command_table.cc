@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/pivot.h"
+#include "analysis/table.h"
+#include "analysis/table3.h"
+#include "cli/analysis_options.h"
+#include "cli/commands.h"
+#include "cli/terminal.h"
+#include "engine/exceptions.h"
+
+namespace raygauge::cli {
+namespace {
+
+struct TableArguments {
+  AnalysisArguments analysis;
+  std::string paper;
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
+  std::optional<std::string> value;
+  std::vector<std::string> baselines;
+  bool intervals = false;
+  std::string format = "text";
+  std::string output;
+};
+
+/// Tables for a person to read where there is no terminal to ask.
+constexpr std::size_t kDefaultWidth = 200;
+
+void require_one_kind(const TableArguments& arguments) {
+  const bool pivot = !arguments.rows.empty() || !arguments.columns.empty() || arguments.value;
+  if (arguments.paper.empty() && !pivot)
+    throw InvalidParameterError("table: say which, --paper table3 or --rows, --cols and --value");
+  if (!arguments.paper.empty() && pivot)
+    throw InvalidParameterError(
+        "table: --paper has its own rows, columns and value; drop --rows, --cols, --value");
+  if (!arguments.paper.empty() && arguments.paper != "table3")
+    throw UnknownNameError("table of the paper", arguments.paper, {"table3"});
+}
+
+std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<Record>& records,
+                             TableFormat format) {
+  const Filter filter = filter_of(arguments.analysis);
+  if (!arguments.paper.empty()) {
+    const Table3 table3 = make_table3(records, filter, arguments.baselines);
+    if (format == TableFormat::csv) return {table3_long_table(table3)};
+    return table3_tables(table3);
+  }
+  PivotOptions options;
+  options.rows = arguments.rows;
+  options.columns = arguments.columns;
+  if (arguments.value) options.value = *arguments.value;
+  options.filter = filter;
+  options.baselines = arguments.baselines;
+  return {pivot_table(make_pivot(records, options), arguments.intervals)};
+}
+
+RenderOptions render_options(const TableArguments& arguments, TableFormat format) {
+  RenderOptions options;
+  options.format = format;
+  if (!arguments.output.empty()) return options;
+  const std::size_t width = terminal_width(stdout);
+  options.width = width > 0 ? width : kDefaultWidth;
+  options.color = wants_color(stdout);
+  return options;
+}
+
+int print_table(const TableArguments& arguments) {
+  require_one_kind(arguments);
+  const TableFormat format = table_format_from_string(arguments.format);
+  const MergedResults merged = read_files(arguments.analysis);
+  std::vector<Table> tables = tables_of(arguments, merged.records, format);
+  Table& last = tables.back();
+  last.notes.insert(last.notes.end(), merged.notes.begin(), merged.notes.end());
+
+  std::string text;
+  for (const Table& table : tables) {
+    if (!text.empty()) text += '\n';
+    text += render(table, render_options(arguments, format));
+  }
+  write_output(arguments.output, text);
+  if (format == TableFormat::csv) {
+    for (const std::string& note : last.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+  }
+  return kAnswered;
+}
+
+void add_pivot_options(CLI::App& command, TableArguments& arguments) {
+  command.add_option("--rows", arguments.rows, "Columns of the records whose values make the rows, as in n")
+      ->delimiter(',')
+      ->type_name("COLUMN,...");
+  command
+      .add_option("--cols", arguments.columns,
+                  "Columns of the records whose values make the columns, as in N")
+      ->delimiter(',')
+      ->type_name("COLUMN,...");
+  command
+      .add_option(
+          "--value", arguments.value,
+          "What a cell shows: median, mean, geomean, min, max, sum, q1, q3 or p90 of a column or of "
+          "\"ratio\" "
+          "(time over the best baseline's), as in \"median ratio\"; or count, failures, disagreements; "
+          "default: median milliseconds")
+      ->type_name("AGGREGATE COLUMN");
+  command.add_flag("--intervals", arguments.intervals, "Show 95 % intervals beside medians and ratios");
+}
+
+}  // namespace
+
+void add_table_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<TableArguments>();
+  CLI::App* command = app.add_subcommand("table", "Print a table of the paper, or any pivot of the records");
+  add_analysis_options(*command, arguments->analysis);
+  command
+      ->add_option("--paper", arguments->paper,
+                   "The paper's table, measured, with the paper's own numbers: table3")
+      ->type_name("NAME");
+  add_pivot_options(*command, *arguments);
+  command
+      ->add_option(
+          "--baseline", arguments->baselines,
+          "Methods that ratios refer to, the best of them in each cell; default: those that begin with glpk")
+      ->delimiter(',')
+      ->type_name("METHOD,...");
+  command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");
+  command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
+      ->type_name("FILE");
+  command->callback([arguments, &status] { status = print_table(*arguments); });
+}
+
+}  // namespace raygauge::cli
