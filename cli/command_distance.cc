@@ -24,8 +24,8 @@ constexpr const char* kFooter =
     "\n"
     "Examples:\n"
     "  raygauge distance A.csv Q.csv --tolerance 1e-9\n"
-    "  raygauge distance points.h5:/A gripper.obj --witness --json\n"
-    "  printf '3 1\\n4 -1\\n' | raygauge distance - Q.csv --method exact\n"
+    "  raygauge distance points.h5:/A Q.obj --witness --json\n"
+    "  printf '3 1 0\\n4 -1 2\\n' | raygauge distance - Q.csv --method zheng_yamane\n"
     "\n"
     "Exit status: 0 answered, 2 bad usage or input, 3 a limit was reached (bounds are printed).";
 

@@ -36,7 +36,6 @@ int run_program(int argc, char** argv) {
   add_table_command(app, status);
   add_export_command(app, status);
   add_info_command(app, status);
-
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -16,8 +16,8 @@
 namespace raygauge::testing {
 namespace {
 
-void redirect(int descriptor, const std::string& file) {
-  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+void redirect(int descriptor, const std::string& file, int flags) {
+  const int opened = open(file.c_str(), flags, 0644);
   if (opened < 0 || dup2(opened, descriptor) < 0) std::_Exit(126);
   close(opened);
 }
@@ -30,18 +30,22 @@ void limit_file_size(std::size_t bytes) {
 
 }  // namespace
 
-Program::Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit)
+Program::Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit,
+                 const std::string& input)
     : folder_(std::move(folder)) {
   std::vector<char*> argv = {const_cast<char*>(RAYGAUGE_PROGRAM)};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const std::string out = output_file("out");
-  const std::string err = output_file("err");
+  const std::string in = stream_file("in");
+  const std::string out = stream_file("out");
+  const std::string err = stream_file("err");
+  write_bytes(in, input);
   process_ = fork();
   if (process_ != 0) return;
   if (chdir(folder_.c_str()) != 0) std::_Exit(126);
-  redirect(STDOUT_FILENO, out);
-  redirect(STDERR_FILENO, err);
+  redirect(STDIN_FILENO, in, O_RDONLY);
+  redirect(STDOUT_FILENO, out, O_WRONLY | O_CREAT | O_TRUNC);
+  redirect(STDERR_FILENO, err, O_WRONLY | O_CREAT | O_TRUNC);
   if (file_size_limit > 0) limit_file_size(file_size_limit);
   execv(argv.front(), argv.data());
   std::_Exit(127);
@@ -58,14 +62,15 @@ void Program::signal(int number) const { kill(process_, number); }
 ProgramResult Program::wait() {
   int status = 0;
   waitpid(std::exchange(process_, -1), &status, 0);
-  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_bytes(output_file("out")),
-          read_bytes(output_file("err"))};
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_bytes(stream_file("out")),
+          read_bytes(stream_file("err"))};
 }
 
-std::string Program::output_file(const char* name) const { return folder_ + "/.program-" + name; }
+std::string Program::stream_file(const char* name) const { return folder_ + "/.program-" + name; }
 
-ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments) {
-  return Program(folder, arguments).wait();
+ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments,
+                          const std::string& input) {
+  return Program(folder, arguments, 0, input).wait();
 }
 
 }  // namespace raygauge::testing

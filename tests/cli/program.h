@@ -16,11 +16,14 @@ struct ProgramResult {
   std::string err;
 };
 
-/// The raygauge program, running as a user would run it. Standard output and error go to files of `folder`.
+/// The raygauge program, running as a user would run it. Standard streams are files of
+/// `folder`.
 class Program {
  public:
-  /// Starts it with `arguments`, in `folder`. `file_size_limit` is the largest file it may write, 0 for any.
-  Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit = 0);
+  /// Starts it with `arguments`, in `folder`, with `input` on standard input. `file_size_limit` is the
+  /// largest file it may write, 0 for any.
+  Program(std::string folder, const std::vector<std::string>& arguments, std::size_t file_size_limit = 0,
+          const std::string& input = "");
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -31,12 +34,13 @@ class Program {
   ProgramResult wait();
 
  private:
-  std::string output_file(const char* name) const;
+  std::string stream_file(const char* name) const;
 
   std::string folder_;
   pid_t process_ = -1;
 };
 
-ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments);
+ProgramResult run_program(const std::string& folder, const std::vector<std::string>& arguments,
+                          const std::string& input = "");
 
 }  // namespace raygauge::testing
