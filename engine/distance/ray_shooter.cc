@@ -25,6 +25,8 @@ void RayShooter::begin(SupportOracle& A, SupportOracle& Q, int n, const double* 
   warm_ = false;
   iterations_ = pivots_ = refactorisations_ = 0;
   const auto size = static_cast<std::size_t>(n);
+  basis_ = &bases_[0];
+  spare_ = &bases_[1];
   center_.reserve(size);
   std::copy_n(a_c, n, center_.data());
   slots_.reserve(2 * size * (size + 1));

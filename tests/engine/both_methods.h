@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "engine/distance/solver.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge {
+
+/// Fixture of what must hold for `direct` and for `zheng_yamane` alike.
+class BothMethods : public ::testing::TestWithParam<DistanceMethod> {
+ protected:
+  static DistanceOptions options(double tolerance) {
+    DistanceOptions result;
+    result.method = GetParam();
+    result.tolerance = tolerance;
+    return result;
+  }
+
+  static DistanceResult solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q, double tolerance = 1e-6,
+                              Effects effects = Effects::none) {
+    return DistanceSolver(options(tolerance)).solve(PointSet(A), PointSet(Q), effects);
+  }
+
+  /// Solves to `tolerance`; the answer must be certified and its bounds must hold `truth`.
+  static void expect_distance(double truth, const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q,
+                              double tolerance = 1e-12) {
+    const DistanceResult result = solve(A, Q, tolerance);
+    EXPECT_EQ(result.status, DistanceStatus::optimal) << to_string(result.status) << ", truth " << truth;
+    EXPECT_LE(result.lower, truth);
+    EXPECT_GE(result.upper, truth);
+    EXPECT_LE(result.lower, result.distance);
+    EXPECT_LE(result.distance, result.upper);
+    EXPECT_LE(result.upper - result.lower, tolerance * result.upper);
+  }
+};
+
+/// Instantiates a test suite derived from BothMethods, or BothMethods itself.
+#define RAYGAUGE_BOTH_METHODS(suite)                                                                \
+  INSTANTIATE_TEST_SUITE_P(Methods, suite,                                                          \
+                           ::testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane), \
+                           [](const auto& instance) { return std::string(to_string(instance.param)); })
+
+}  // namespace raygauge

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+
+#include "tests/engine/both_methods.h"
+#include "tests/engine/point_clouds.h"
+
+// A sanitizer brings its own allocator, which must not be replaced; everywhere else every way to ask glibc
+// for memory is counted: operator new and Eigen end in one of these.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RAYGAUGE_COUNTS_ALLOCATIONS 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define RAYGAUGE_COUNTS_ALLOCATIONS 0
+#endif
+#endif
+#if !defined(RAYGAUGE_COUNTS_ALLOCATIONS) && defined(__GLIBC__)
+#define RAYGAUGE_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+#if RAYGAUGE_COUNTS_ALLOCATIONS
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *out = __libc_memalign(alignment, size);
+  return *out == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace raygauge {
+namespace {
+
+// The points behind the general interface.
+class DisguisedPoints final : public ConvexSet {
+ public:
+  explicit DisguisedPoints(const PointSet& points) : ConvexSet(points.dimension()), points_(points) {}
+
+ private:
+  double do_support(const double* u, double* point) const override {
+    return points_.support_unchecked(u, point);
+  }
+  void do_center(double* point) const override { points_.center_unchecked(point); }
+
+  const PointSet& points_;
+};
+
+using Case = std::tuple<DistanceMethod, int, Effects>;
+
+class RepeatedSolve : public ::testing::TestWithParam<Case> {
+ protected:
+  static long allocations_of_second_solve(const ConvexSet& A, const ConvexSet& Q) {
+    DistanceOptions options;
+    options.method = std::get<0>(GetParam());
+    DistanceSolver solver(options);
+    const Effects effects = std::get<2>(GetParam());
+    EXPECT_EQ(solver.solve(A, Q, effects).status, DistanceStatus::optimal);
+    const long before = allocations;
+    solver.solve(A, Q, effects);
+    return allocations - before;
+  }
+};
+
+std::string name_of(const ::testing::TestParamInfo<Case>& instance) {
+  const auto& [method, N, effects] = instance.param;
+  return std::string(to_string(method)) + "_N" + std::to_string(N) +
+         (has_effect(effects, Effects::witness) ? "_witness" : "");
+}
+
+// N = 200 is priced whole, N = 5000 through a sample.
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, RepeatedSolve,
+    ::testing::Combine(::testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane),
+                       ::testing::Values(200, 5000), ::testing::Values(Effects::none, Effects::witness)),
+    name_of);
+
+#if RAYGAUGE_COUNTS_ALLOCATIONS
+TEST(AllocationCounter, SeesOperatorNewAndEigen) {
+  const long before = allocations;
+  const auto* number = new volatile double(1.0);
+  delete number;
+  const long after_new = allocations;
+  EXPECT_GT(after_new, before);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Zero(100);
+  EXPECT_GT(allocations, after_new);
+  EXPECT_EQ(vector.size(), 100);
+}
+#endif
+
+TEST_P(RepeatedSolve, OfPointSetsAllocatesNothing) {
+  Random random(101);
+  for (const int n : {2, 3, 5, 10, 20}) {
+    const int N = std::get<1>(GetParam());
+    Eigen::MatrixXd a = sphere_points(n, N, random);
+    a.row(0).array() += 3;
+    const PointSet A(a);
+    const PointSet Q(sphere_points(n, N, random));
+    EXPECT_EQ(allocations_of_second_solve(A, Q), 0) << "n = " << n;
+  }
+}
+
+TEST_P(RepeatedSolve, OfGeneralSetsAllocatesNothing) {
+  Random random(102);
+  for (const int n : {2, 3, 5, 10, 20}) {
+    const int N = std::get<1>(GetParam());
+    Eigen::MatrixXd a = sphere_points(n, N, random);
+    a.row(0).array() += 3;
+    const PointSet A(a);
+    const PointSet Q(sphere_points(n, N, random));
+    EXPECT_EQ(allocations_of_second_solve(DisguisedPoints(A), DisguisedPoints(Q)), 0) << "n = " << n;
+  }
+}
+
+TEST_P(RepeatedSolve, OfScaledSetsAllocatesNothing) {
+  Random random(103);
+  const int N = std::get<1>(GetParam());
+  Eigen::MatrixXd a = sphere_points(4, N, random);
+  a.row(0).array() += 3;
+  const PointSet A(0x1p100 * a);
+  const PointSet Q(0x1p80 * sphere_points(4, N, random));
+  EXPECT_EQ(allocations_of_second_solve(A, Q), 0);
+}
+
+}  // namespace
+}  // namespace raygauge
