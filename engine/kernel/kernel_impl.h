@@ -27,6 +27,40 @@ inline Pack select(IndexPack mask, Pack a, Pack b) { return mask ? a : b; }
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
 inline double absolute(double a) { return __builtin_fabs(a); }
 
+// A reduction over the lanes by halving; every lane of the result holds the answer.
+template <class V, class Op>
+inline V reduce_lanes(V v, Op op) {
+  if constexpr (kWidth == 8) {
+    v = op(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+    v = op(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
+    return op(v, __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6));
+  } else if constexpr (kWidth == 4) {
+    v = op(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+    return op(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
+  } else {
+    return op(v, __builtin_shufflevector(v, v, 1, 0));
+  }
+}
+
+inline double largest_lane(Pack v) {
+  return reduce_lanes(v, [](Pack a, Pack b) { return a > b ? a : b; })[0];
+}
+inline double smallest_lane(Pack v) {
+  return reduce_lanes(v, [](Pack a, Pack b) { return a < b ? a : b; })[0];
+}
+inline long long smallest_lane(IndexPack v) {
+  return reduce_lanes(v, [](IndexPack a, IndexPack b) { return a < b ? a : b; })[0];
+}
+
+// 0, 1, 2, …
+inline IndexPack lane_numbers() {
+  IndexPack lanes;
+  for (int lane = 0; lane < kWidth; ++lane) lanes[lane] = lane;
+  return lanes;
+}
+
+constexpr long long kNoIndex = 0x7fffffffffffffff;
+
 // ------------------------------ support queries
 
 // Per-lane running maxima with the block each stems from.
@@ -51,17 +85,16 @@ struct LaneMaxima {
 
   // The maximum over all lanes, ties to the smallest point index.
   double reduce(std::ptrdiff_t* index) const {
-    double best = -kInfinity;
-    std::ptrdiff_t best_index = 0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const double v = value[lane / kWidth][lane % kWidth];
-      const std::ptrdiff_t i = block[lane / kWidth][lane % kWidth] * kLanes + lane;
-      if (v > best || (v == best && i < best_index)) {
-        best = v;
-        best_index = i;
-      }
+    Pack top = value[0];
+    for (int t = 1; t < kPacksPerBlock; ++t) top = maximum(top, value[t]);
+    const double best = largest_lane(top);
+    IndexPack where = broadcast_index(kNoIndex);
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      const IndexPack points = block[t] * kLanes + (lane_numbers() + t * kWidth);
+      const IndexPack winners = value[t] == broadcast(best) ? points : broadcast_index(kNoIndex);
+      where = winners < where ? winners : where;
     }
-    *index = best_index;
+    *index = smallest_lane(where);
     return best;
   }
 };
@@ -186,18 +219,7 @@ void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
   }
 }
 
-inline bool any_above(Pack v, double threshold) {
-  const IndexPack above = v > broadcast(threshold);
-  long long any = 0;
-  for (int lane = 0; lane < kWidth; ++lane) any |= above[lane];
-  return any != 0;
-}
-
-double reduce_maximum(Pack v) {
-  double best = v[0];
-  for (int lane = 1; lane < kWidth; ++lane) best = v[lane] > best ? v[lane] : best;
-  return best;
-}
+inline bool any_above(Pack v, double threshold) { return largest_lane(v) > threshold; }
 
 template <int N>
 double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
@@ -224,7 +246,7 @@ double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last
     for (int t = 0; t < kPacksPerBlock; ++t) best = maximum(best, sum[t]);
     collect_block(sum, b, collection);
   }
-  return reduce_maximum(best);
+  return largest_lane(best);
 }
 
 double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
@@ -315,30 +337,20 @@ inline int ratio_test(const BasisView& basis) {
     const Pack candidate = w > broadcast(kPivotTolerance) ? ratio : broadcast(kInfinity);
     smallest = candidate < smallest ? candidate : smallest;
   }
-  double bound = smallest[0];
-  for (int lane = 1; lane < kWidth; ++lane) bound = smallest[lane] < bound ? smallest[lane] : bound;
+  const double bound = smallest_lane(smallest);
   if (!(bound < kInfinity)) return -1;
 
   Pack largest = broadcast(0.0);
-  IndexPack where = broadcast_index(-1);
-  IndexPack position;
-  for (int lane = 0; lane < kWidth; ++lane) position[lane] = lane;
+  IndexPack where = broadcast_index(kNoIndex);
   for (int p = 0; p < count; ++p) {
     const Pack w = load(basis.w + p * kWidth);
     const IndexPack blocks =
         (load(x + p * kWidth) <= bound * w) & (w > broadcast(kPivotTolerance)) & (w > largest);
     largest = blocks ? w : largest;
-    where = blocks ? position + static_cast<long long>(p) * kWidth : where;
+    where = blocks ? lane_numbers() + static_cast<long long>(p) * kWidth : where;
   }
-  double pivot = 0;
-  long long row = -1;
-  for (int lane = 0; lane < kWidth; ++lane) {
-    if (largest[lane] > pivot) {
-      pivot = largest[lane];
-      row = where[lane];
-    }
-  }
-  return static_cast<int>(row);
+  const double pivot = largest_lane(largest);
+  return static_cast<int>(smallest_lane(largest == broadcast(pivot) ? where : broadcast_index(kNoIndex)));
 }
 
 // Bland: of the rows with the exact smallest ratio, the one with the smallest identity.
