@@ -48,11 +48,12 @@ bool gauss_jordan(double* factor, int m) {
 
 }  // namespace
 
-void Basis::reset(int m) {
+void Basis::reset(int m, const Kernels& kernels) {
+  kernels_ = &kernels;
   const int P = padded_rows(m);
   const std::size_t matrix = static_cast<std::size_t>(P) * static_cast<std::size_t>(m + 1);
   const std::size_t scratch = static_cast<std::size_t>(padded_rows(m + 1)) + 2 * static_cast<std::size_t>(P);
-  const std::size_t total = 2 * matrix + 3 * static_cast<std::size_t>(P) + scratch;
+  const std::size_t total = 2 * matrix + 6 * static_cast<std::size_t>(P) + scratch;
   memory_.reserve(total);
   ids_.reserve(static_cast<std::size_t>(P));
   b_.reserve(static_cast<std::size_t>(P));
@@ -68,6 +69,7 @@ void Basis::reset(int m) {
   view_.y = take(static_cast<std::size_t>(P));
   view_.cost = take(static_cast<std::size_t>(P));
   view_.w = take(static_cast<std::size_t>(P));
+  view_.scratch = take(3 * static_cast<std::size_t>(P));
   view_.row = take(scratch);
   view_.id = ids_.data();
 }
@@ -103,86 +105,19 @@ bool Basis::refactor() {
 }
 
 void Basis::refresh_duals() {
-  const int m = view_.m;
-  for (int k = 0; k < m; ++k) {
-    const double* Rk = view_.R + static_cast<std::ptrdiff_t>(k) * view_.P;
-    double sum = 0;
-    for (int i = 0; i < m; ++i) sum += view_.cost[i] * Rk[i];
-    view_.y[k] = sum;
-  }
-  double* residual = view_.w;
-  for (int j = 0; j < m; ++j) {
-    double sum = view_.cost[j];
-    for (int k = 0; k < m; ++k) sum -= view_.y[k] * column(j)[k];
-    residual[j] = sum;
-  }
-  double objective = 0;
-  for (int k = 0; k < m; ++k) {
-    const double* Rk = view_.R + static_cast<std::ptrdiff_t>(k) * view_.P;
-    double sum = 0;
-    for (int i = 0; i < m; ++i) sum += residual[i] * Rk[i];
-    view_.y[k] += sum;
-  }
-  for (int i = 0; i < m; ++i) objective += view_.cost[i] * view_.x()[i];
-  view_.objective = objective;
+  kernels_->duals(&view_);
+  view_.objective = 0;
+  for (int i = 0; i < view_.m; ++i) view_.objective += view_.cost[i] * view_.x()[i];
 }
 
-Enclosure Basis::refine_and_enclose(const Kernels& kernels) {
-  const int m = view_.m;
-  double* x = view_.x();
-  double* residual = view_.w;
-  double* bound = view_.row;  // |b - B x| <= |residual| + bound, elementwise
-  double norm_R = 0;
-  double norm_B = 0;
-  for (int i = 0; i < m; ++i) {
-    double row_R = 0;
-    double row_B = 0;
-    for (int k = 0; k < m; ++k) {
-      row_R += std::fabs(view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i]);
-      row_B += std::fabs(column(k)[i]);
-    }
-    norm_R = std::max(norm_R, row_R);
-    norm_B = std::max(norm_B, row_B);
-  }
+Enclosure Basis::refine_and_enclose() {
   // ‖E‖ as computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these
   // bounds.
-  const double E = 1.01 * (kernels.inverse_residual(&view_) + (m + 2) * kUnitRoundoff * norm_R * norm_B);
+  const MatrixNorms norms = kernels_->norms(&view_);
+  const double E = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
   if (!(E < 0.5)) return {};
-
-  double error = 0;
-  for (int pass = 0; pass < 2; ++pass) {
-    for (int i = 0; i < m; ++i) {
-      double sum = b_[static_cast<std::size_t>(i)];
-      double magnitude = std::fabs(sum);
-      for (int j = 0; j < m; ++j) {
-        const double term = column(j)[i] * x[j];
-        sum -= term;
-        magnitude += std::fabs(term);
-      }
-      residual[i] = sum;
-      bound[i] = 1.01 * (m + 2) * kUnitRoundoff * magnitude;
-    }
-    error = 0;
-    for (int i = 0; i < m; ++i) {
-      double correction = 0;
-      double uncertain = 0;
-      for (int k = 0; k < m; ++k) {
-        const double r = view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i];
-        correction += r * residual[k];
-        uncertain += std::fabs(r) * (std::fabs(residual[k]) * (m + 2) * kUnitRoundoff + bound[k]);
-      }
-      // First pass: correct x. Second pass: x stays, and what remains of the residual is its error.
-      if (pass == 0) {
-        view_.row[m + i] = correction;
-      } else {
-        error = std::max(error, std::fabs(correction) + uncertain);
-      }
-    }
-    if (pass == 0) {
-      for (int i = 0; i < m; ++i) x[i] += view_.row[m + i];
-    }
-  }
-  std::memset(view_.row, 0, sizeof(double) * static_cast<std::size_t>(padded_rows(m + 1) + 2 * view_.P));
+  kernels_->refine(&view_, b_.data(), true);
+  const double error = kernels_->refine(&view_, b_.data(), false);
   return {true, 1.02 * error / (1.0 - E)};
 }
 

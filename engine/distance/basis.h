@@ -21,7 +21,7 @@ struct Enclosure {
 class Basis {
  public:
   /// Prepares an empty basis of m columns; everything is zero afterwards. Allocates only when m grows.
-  void reset(int m);
+  void reset(int m, const Kernels& kernels);
 
   /// Puts `column` (m entries) at position i without touching the inverse; call refactor() when all are set.
   void set_column(int i, const double* column, double cost, std::int64_t id);
@@ -33,10 +33,10 @@ class Basis {
   /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y; the objective too.
   void refresh_duals();
 
-  /// One step of refinement of x = R b by the residual b - B x, and a proven enclosure of B⁻¹ b around the
-  /// refined x by Rump's theorem: with E = I - R B and ‖E‖∞ < 1,  |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞),
-  /// every rounding error bounded. Uses `kernels` for ‖E‖.
-  Enclosure refine_and_enclose(const Kernels& kernels);
+  /// One step of refinement of x = R b, and a proven enclosure of B⁻¹ b around the refined x by Rump's
+  /// theorem: with E = I - R B and ‖E‖∞ < 1,  |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞), every rounding error
+  /// bounded.
+  Enclosure refine_and_enclose();
 
   BasisView& view() noexcept { return view_; }
   const BasisView& view() const noexcept { return view_; }
@@ -45,6 +45,7 @@ class Basis {
 
  private:
   BasisView view_;
+  const Kernels* kernels_ = nullptr;
   AlignedBuffer<double> memory_;
   AlignedBuffer<std::int64_t> ids_;
   AlignedBuffer<double> b_;

@@ -61,7 +61,7 @@ void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
 // The point of A that the guess prefers, and artificial columns ±e_k signed so that the basic solution is
 // nonnegative. The inverse of that basis is known in closed form.
 void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess) {
-  basis_.reset(n_ + 1);
+  basis_.reset(n_ + 1, *kernels_);
   basis_.right_hand_side()[n_] = 1.0;
   BasisView& view = basis_.view();
 
@@ -77,7 +77,6 @@ void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double
   }
 
   kernels_->price(A.view().blocks, A.view().block_count, n_, guess_.data(), &index);
-  index = std::min(index, A.size() - 1);
   double* a = column_.data();
   std::fill_n(a, view.P, 0.0);
   A.copy_point(index, a);
@@ -194,7 +193,7 @@ double DirectProgram::threshold_Q() const noexcept { return loop_.cost_of_Q + lo
 
 double DirectProgram::proven_upper() {
   if (stage_ == Stage::reach) return kInfinity;
-  const Enclosure enclosure = basis_.refine_and_enclose(*kernels_);
+  const Enclosure enclosure = basis_.refine_and_enclose();
   if (!enclosure.valid) return exact_upper();
   const BasisView& view = basis_.view();
   double sum = 0;

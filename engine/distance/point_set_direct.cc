@@ -10,22 +10,32 @@ namespace raygauge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::ptrdiff_t kViolatorCapacity = 512;  // points added to a working set after one pass
 
-// Blocks in the sample of a large set; sets of up to twice as many are priced whole.
-std::ptrdiff_t sample_blocks(int n) { return std::max(24, 2 * n); }
+// Sets of up to this many numbers are priced whole: they stay in the first-level cache.
+constexpr std::ptrdiff_t kWholeNumbers = 3000;
+
+// Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
+// the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
+std::ptrdiff_t sample_blocks(const PointSet& S) {
+  const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
+  return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, static_cast<std::ptrdiff_t>(balanced / 16));
+}
+
+// Points added to the working set of S after one pass, at most: the worst offenders.
+std::ptrdiff_t violator_capacity(const PointSet& S) { return 16 * sample_blocks(S); }
+
+void choose_points(WorkingSet& working, const PointSet& S, const double* factor, bool trivial) {
+  const bool whole = S.block_count() * PointSet::kLanes * S.dimension() <= kWholeNumbers;
+  working.take_sample(S, factor, trivial, whole ? S.block_count() : sample_blocks(S));
+}
 
 }  // namespace
 
 void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
                            Effects effects, DistanceResult& result) {
   begin(A, Q, options);
-  const std::ptrdiff_t sample = sample_blocks(n_);
-  const auto choose = [sample](WorkingSet& working, const PointSet& S, const double* factor, bool trivial) {
-    working.take_sample(S, factor, trivial, S.block_count() <= 2 * sample ? S.block_count() : sample);
-  };
-  choose(working_A_, A, scaling_.factor_A(), scaling_.trivial_A());
-  choose(working_Q_, Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  choose_points(working_A_, A, scaling_.factor_A(), scaling_.trivial_A());
+  choose_points(working_Q_, Q, scaling_.factor_Q(), scaling_.trivial_Q());
   start();
   run(false, effects, result);
 }
@@ -55,8 +65,9 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   scaling_.compute(A, Q);
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
-  collected_.reserve(2 * kViolatorCapacity);
-  collected_value_.reserve(2 * kViolatorCapacity);
+  const auto capacity = static_cast<std::size_t>(violator_capacity(A) + violator_capacity(Q));
+  collected_.reserve(capacity);
+  collected_value_.reserve(capacity);
 }
 
 // Guess of the normal: from the centre of A towards the origin. Exact for homothetic balls, and never far off
@@ -84,13 +95,22 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
+    const double estimate = program_.objective();
+    const bool violated = violators_A_.count + violators_Q_.count > 0;
+    if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
+      add_violators();
+      program_.encourage();
+      continue;
+    }
     const double upper = program_.proven_upper();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
     if (upper < kInfinity && upper - lower <= tolerance_ * upper) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
     }
     if (is_final(end) || restricted) return finish(status_of(end), lower, upper, effects, result);
-    if (add_violators() > 0) {
+    if (violated) {
+      add_violators();
       program_.encourage();
     } else if (end == DirectProgram::End::bounded) {
       program_.raise_bounds();
@@ -110,9 +130,10 @@ void PointSetDirect::price_everything() {
     u[k] = y[k] * scaling_.factor_A()[k];
     v[k] = -y[k] * scaling_.factor_Q()[k];
   }
-  violators_A_ = {collected_.data(), collected_value_.data(), kViolatorCapacity, 0, kInfinity};
-  violators_Q_ = {collected_.data() + kViolatorCapacity, collected_value_.data() + kViolatorCapacity,
-                  kViolatorCapacity, 0, kInfinity};
+  const std::ptrdiff_t capacity = violator_capacity(*A_);
+  violators_A_ = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
+  violators_Q_ = {collected_.data() + capacity, collected_value_.data() + capacity, violator_capacity(*Q_), 0,
+                  kInfinity};
   h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
   h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
 }
@@ -128,7 +149,7 @@ SupportValue PointSetDirect::price_set(const PointSet& S, const WorkingSet& work
   return well_resolved(value, error) ? SupportValue{value, error} : support_value(*kernels_, S, direction);
 }
 
-std::ptrdiff_t PointSetDirect::add_violators() {
+void PointSetDirect::add_violators() {
   const auto add = [](WorkingSet& working, const PointSet& S, const double* factor,
                       const Collection& violators) {
     for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
@@ -137,7 +158,6 @@ std::ptrdiff_t PointSetDirect::add_violators() {
   };
   add(working_A_, *A_, scaling_.factor_A(), violators_A_);
   add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_);
-  return violators_A_.count + violators_Q_.count;
 }
 
 void PointSetDirect::finish(DistanceStatus status, double lower, double upper, Effects effects,

@@ -36,7 +36,7 @@ class PointSetDirect {
   void price_everything();
   SupportValue price_set(const PointSet& S, const WorkingSet& working, const double* direction,
                          double threshold, Collection& violators);
-  std::ptrdiff_t add_violators();
+  void add_violators();
   void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
 
   const PointSet* A_ = nullptr;

@@ -31,8 +31,8 @@ void RayShooter::begin(SupportOracle& A, SupportOracle& Q, int n, const double* 
   std::copy_n(a_c, n, center_.data());
   slots_.reserve(2 * size * (size + 1));
   column_.reserve(static_cast<std::size_t>(padded_rows(n)));
-  bases_[0].reset(n);
-  bases_[1].reset(n);
+  bases_[0].reset(n, kernels);
+  bases_[1].reset(n, kernels);
 }
 
 double* RayShooter::slot_A(std::int64_t slot) const noexcept {
@@ -58,7 +58,7 @@ void RayShooter::form_column(std::int64_t slot, double eta, double* column) cons
 void RayShooter::start_cold(double eta) {
   Basis& basis = *basis_;
   pivots_ += basis.view().pivots;
-  basis.reset(n_);
+  basis.reset(n_, *kernels_);
   BasisView& view = basis.view();
   raises_ = 0;
   free_slot_ = n_;
@@ -96,7 +96,7 @@ void RayShooter::start_cold(double eta) {
 bool RayShooter::move_vertices(double eta) {
   const BasisView& old = basis_->view();
   pivots_ += spare_->view().pivots;
-  spare_->reset(n_);
+  spare_->reset(n_, *kernels_);
   for (int i = 0; i < n_; ++i) {
     if (old.id[i] < 0) return false;
     form_column(old.id[i], eta, column_.data());

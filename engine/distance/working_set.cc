@@ -77,7 +77,7 @@ void WorkingSet::place(std::ptrdiff_t position, const double* point, std::ptrdif
                        const double* factor) {
   double* slot = copy_.data() + (position / kLanes) * n_ * kLanes + position % kLanes;
   // A new block starts with all its lanes equal, so that the unused ones never win.
-  const std::ptrdiff_t lanes = kLanes - position % kLanes;
+  const std::ptrdiff_t lanes = position % kLanes == 0 ? kLanes : 1;
   for (int k = 0; k < n_; ++k) {
     const double value = (factor != nullptr ? factor[k] : 1.0) * point[k * stride];
     for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) slot[k * kLanes + lane] = value;
@@ -103,11 +103,6 @@ void WorkingSet::add(const double* point) {
   place(size_, point, 1, nullptr);
   index_[static_cast<std::size_t>(size_)] = size_;
   ++size_;
-}
-
-std::int64_t WorkingSet::index_of(std::ptrdiff_t i) const noexcept {
-  const std::ptrdiff_t inside = std::min(i, size_ - 1);
-  return complete_ ? inside : index_[static_cast<std::size_t>(inside)];
 }
 
 void WorkingSet::copy_point(std::ptrdiff_t i, double* out) const noexcept {

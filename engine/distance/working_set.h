@@ -34,9 +34,6 @@ class WorkingSet {
   std::ptrdiff_t size() const noexcept { return size_; }
   PricedPoints view() const noexcept { return {blocks_, (size_ + PointSet::kLanes - 1) / PointSet::kLanes}; }
 
-  /// Index in the whole set of the point at position i.
-  std::int64_t index_of(std::ptrdiff_t i) const noexcept;
-
   /// Copies the (scaled) point at position i.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept;
 

@@ -28,6 +28,7 @@ struct BasisView {
   std::int64_t* id = nullptr;  ///< m identities, meaning chosen by the caller
   double* w = nullptr;         ///< scratch, P
   double* row = nullptr;       ///< scratch, padded_rows(m + 1) + 2 P
+  double* scratch = nullptr;   ///< 3 P, for the certificate
   double objective = 0;        ///< c_B·x
   std::int64_t pivots = 0;
 
@@ -82,6 +83,12 @@ struct Collection {
   double threshold = 0;  ///< raised when the buffer runs full, so that the best are kept
 };
 
+struct MatrixNorms {
+  double residual = 0;  ///< ‖I - R B‖∞
+  double R = 0;         ///< ‖R‖∞
+  double B = 0;         ///< ‖B‖∞
+};
+
 /// The vector kernels of one instruction set.
 struct Kernels {
   /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
@@ -101,8 +108,16 @@ struct Kernels {
   /// of Q after each pricing. Basis rows: n coordinates, then convexity; m = n + 1.
   LoopEnd (*direct_loop)(BasisView* basis, DirectLoop* loop);
 
-  /// max row sum of |I - R B|, a bound on the relative error of R; scratch is basis.w.
-  double (*inverse_residual)(BasisView* basis);
+  /// ‖I - R B‖∞ (computed, rounding not included), and with it ‖R‖∞ and ‖B‖∞.
+  MatrixNorms (*norms)(const BasisView* basis);
+
+  /// One step of iterative refinement of x = R b by r = b - B x. With `correct`, x += R r. Without it,
+  /// returns max_i (|R r|_i + (|R| (γ (|b| + |B||x|) + γ |r|))_i): a bound on what is left of R (b - B x),
+  /// rounding included.
+  double (*refine)(BasisView* basis, const double* b, bool correct);
+
+  /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y.
+  void (*duals)(BasisView* basis);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// Basis changes: one column enters, one leaves, the explicit inverse is updated. Part of kernel_impl.h.
+#pragma once
+
+#include "engine/kernel/pack.h"
+
+namespace raygauge::RAYGAUGE_ISA {
+namespace {
+
+// Pivots below this are rounding noise: data are scaled to magnitude 1.
+constexpr double kPivotTolerance = 1e-10;
+// Harris: how far a basic variable may be pushed below zero for a better pivot.
+constexpr double kHarrisTolerance = 1e-11;
+
+// Number of packs in a padded row vector: known at compile time for V > 0.
+template <int V>
+inline int packs(const BasisView& basis) {
+  return V > 0 ? V * kRowPadding / kWidth : basis.P / kWidth;
+}
+
+template <int V>
+inline void ftran(BasisView* basis, const double* column) {
+  const int P = V > 0 ? V * kRowPadding : basis->P;
+  if constexpr (V > 0) {
+    constexpr int kPacks = V * kRowPadding / kWidth;
+    Pack even[kPacks] = {};
+    Pack odd[kPacks] = {};
+    int k = 0;
+    for (; k + 1 < basis->m; k += 2) {
+      const Pack a = broadcast(column[k]);
+      const Pack b = broadcast(column[k + 1]);
+      for (int p = 0; p < kPacks; ++p) {
+        even[p] += a * load(basis->R + k * P + p * kWidth);
+        odd[p] += b * load(basis->R + (k + 1) * P + p * kWidth);
+      }
+    }
+    if (k < basis->m) {
+      const Pack a = broadcast(column[k]);
+      for (int p = 0; p < kPacks; ++p) even[p] += a * load(basis->R + k * P + p * kWidth);
+    }
+    for (int p = 0; p < kPacks; ++p) store(basis->w + p * kWidth, even[p] + odd[p]);
+  } else {
+    const int count = packs<V>(*basis);
+    for (int p = 0; p < count; ++p) store(basis->w + p * kWidth, Pack{});
+    for (int k = 0; k < basis->m; ++k) {
+      const Pack a = broadcast(column[k]);
+      const double* Rk = basis->R + static_cast<std::ptrdiff_t>(k) * P;
+      for (int p = 0; p < count; ++p) {
+        store(basis->w + p * kWidth, load(basis->w + p * kWidth) + a * load(Rk + p * kWidth));
+      }
+    }
+  }
+}
+
+// Harris' two-pass ratio test: the largest pivot among the rows that block within the tolerance. -1 if none
+// blocks.
+template <int V>
+inline int ratio_test(const BasisView& basis) {
+  const int count = packs<V>(basis);
+  const double* x = basis.x();
+  Pack smallest = broadcast(kInfinity);
+  for (int p = 0; p < count; ++p) {
+    const Pack w = load(basis.w + p * kWidth);
+    const Pack xp = load(x + p * kWidth);
+    const Pack positive = xp > Pack{} ? xp : Pack{};
+    const Pack ratio = (positive + kHarrisTolerance) / w;
+    const Pack candidate = w > broadcast(kPivotTolerance) ? ratio : broadcast(kInfinity);
+    smallest = candidate < smallest ? candidate : smallest;
+  }
+  const double bound = smallest_lane(smallest);
+  if (!(bound < kInfinity)) return -1;
+
+  Pack largest = broadcast(0.0);
+  IndexPack where = broadcast_index(kNoIndex);
+  for (int p = 0; p < count; ++p) {
+    const Pack w = load(basis.w + p * kWidth);
+    const IndexPack blocks =
+        (load(x + p * kWidth) <= bound * w) & (w > broadcast(kPivotTolerance)) & (w > largest);
+    largest = blocks ? w : largest;
+    where = blocks ? lane_numbers() + static_cast<long long>(p) * kWidth : where;
+  }
+  const double pivot = largest_lane(largest);
+  return static_cast<int>(smallest_lane(largest == broadcast(pivot) ? where : broadcast_index(kNoIndex)));
+}
+
+// Bland: of the rows with the exact smallest ratio, the one with the smallest identity.
+inline int bland_ratio_test(const BasisView& basis) {
+  const double* x = basis.x();
+  int row = -1;
+  double bound = kInfinity;
+  for (int i = 0; i < basis.m; ++i) {
+    if (basis.w[i] <= kPivotTolerance) continue;
+    const double ratio = (x[i] > 0 ? x[i] : 0.0) / basis.w[i];
+    if (ratio < bound || (ratio == bound && basis.id[i] < basis.id[row])) {
+      bound = ratio;
+      row = i;
+    }
+  }
+  return row;
+}
+
+// Replaces basic column r by `column`; w = R column is in place. Returns the step length θ.
+template <int V>
+inline double replace(BasisView* basis, int r, const double* column, double cost, double reduced_cost,
+                      std::int64_t id) {
+  const int P = V > 0 ? V * kRowPadding : basis->P;
+  const int count = packs<V>(*basis);
+  const double inverse_pivot = 1.0 / basis->w[r];
+  basis->w[r] -= 1.0;  // so that one formula updates row r too: R_rk - (R_rk/w_r)(w_r - 1) = R_rk/w_r
+  for (int k = 0; k <= basis->m; ++k) {
+    double* Rk = basis->R + static_cast<std::ptrdiff_t>(k) * P;
+    const double scaled = Rk[r] * inverse_pivot;
+    basis->row[k] = scaled;
+    const Pack s = broadcast(scaled);
+    for (int p = 0; p < count; ++p) {
+      store(Rk + p * kWidth, load(Rk + p * kWidth) - s * load(basis->w + p * kWidth));
+    }
+  }
+  const double theta = basis->row[basis->m];
+  basis->row[basis->m] = 0.0;
+  const Pack d = broadcast(reduced_cost);
+  double* Br = basis->B + static_cast<std::ptrdiff_t>(r) * P;
+  for (int p = 0; p < count; ++p) {
+    store(basis->y + p * kWidth, load(basis->y + p * kWidth) + d * load(basis->row + p * kWidth));
+    store(Br + p * kWidth, load(column + p * kWidth));
+  }
+  basis->cost[r] = cost;
+  basis->id[r] = id;
+  basis->objective += theta * reduced_cost;
+  ++basis->pivots;
+  return theta;
+}
+
+template <int V>
+inline int enter(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
+                 bool bland, std::int64_t* left, double* theta) {
+  ftran<V>(basis, column);
+  const int r = bland ? bland_ratio_test(*basis) : ratio_test<V>(*basis);
+  if (r < 0) return -1;
+  *left = basis->id[r];
+  *theta = replace<V>(basis, r, column, cost, reduced_cost, id);
+  return r;
+}
+
+template <int V>
+PivotResult pivot_v(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
+                    bool bland, std::int64_t* left) {
+  double theta = 0;
+  const int row = enter<V>(basis, column, cost, reduced_cost, id, bland, left, &theta);
+  return row < 0 ? PivotResult::no_pivot : PivotResult::ok;
+}
+
+PivotResult pivot(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
+                  bool bland, std::int64_t* left) {
+  switch (basis->P / kRowPadding) {
+    case 1:
+      return pivot_v<1>(basis, column, cost, reduced_cost, id, bland, left);
+    case 2:
+      return pivot_v<2>(basis, column, cost, reduced_cost, id, bland, left);
+    default:
+      return pivot_v<0>(basis, column, cost, reduced_cost, id, bland, left);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::RAYGAUGE_ISA

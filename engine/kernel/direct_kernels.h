@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// The simplex loop of the direct method. Part of kernel_impl.h.
+#pragma once
+
+#include "engine/kernel/basis_kernels.h"
+#include "engine/kernel/support_kernels.h"
+
+namespace raygauge::RAYGAUGE_ISA {
+namespace {
+
+// One candidate to enter the basis: a point of A (cost 0, convexity 1) or of Q (negated, cost 1, convexity
+// 0).
+struct Candidate {
+  const double* blocks;
+  std::ptrdiff_t index;
+  bool from_Q;
+};
+
+inline void form_column(const Candidate& candidate, int n, double* column) {
+  const double* p = candidate.blocks + (candidate.index / kLanes) * n * kLanes + candidate.index % kLanes;
+  if (candidate.from_Q) {
+    for (int k = 0; k < n; ++k) column[k] = -p[k * kLanes];
+    column[n] = 0.0;
+  } else {
+    for (int k = 0; k < n; ++k) column[k] = p[k * kLanes];
+    column[n] = 1.0;
+  }
+}
+
+inline double reduced_cost(const BasisView& basis, const double* column, double cost) {
+  double sum = 0;
+  for (int k = 0; k < basis.m; ++k) sum += basis.y[k] * column[k];
+  return cost - sum;
+}
+
+template <int V, int N>
+LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
+  const int n = basis->m - 1;
+  constexpr int kFixed = V > 0 ? V * kRowPadding : 1;
+  alignas(64) double fixed_column[kFixed] = {};
+  alignas(64) double fixed_negative[kFixed] = {};
+  double* column = V > 0 ? fixed_column : basis->row + padded_rows(basis->m + 1);
+  double* negative = V > 0 ? fixed_negative : column + basis->P;
+  int idle = 0;
+  const int patience = 8 * basis->m + 64;
+  while (basis->pivots < loop->pivot_limit) {
+    for (int k = 0; k < n; ++k) negative[k] = -basis->y[k];
+    const double t = basis->y[n];
+    Candidate from_A{loop->A.blocks, 0, false};
+    Candidate from_Q{loop->Q.blocks, 0, true};
+    const double h_A = price_n<N>(loop->A.blocks, loop->A.block_count, n, basis->y, &from_A.index);
+    const double h_Q = price_n<N>(loop->Q.blocks, loop->Q.block_count, n, negative, &from_Q.index);
+    loop->points_priced += (loop->A.block_count + loop->Q.block_count) * kLanes;
+    ++loop->pricings;
+    const double d_A = -(h_A + t);
+    const double d_Q = loop->cost_of_Q - h_Q;
+    const double tolerance_A = loop->cost_tolerance * (absolute(t) + absolute(h_A));
+    const bool A_enters = d_A < -tolerance_A;
+    const bool Q_enters = d_Q < -loop->cost_tolerance;
+    if (!A_enters && !Q_enters) return LoopEnd::optimal;
+    if (loop->artificials == 0 && h_Q > 0 &&
+        basis->objective + h_A / h_Q <= loop->gap_tolerance * basis->objective) {
+      return LoopEnd::gap;
+    }
+    // The larger promised gain first: α moves by at most 1, β by about the objective.
+    const bool A_first = A_enters && (!Q_enters || d_A < d_Q * absolute(t));
+    double gained = 0;
+    for (int turn = 0; turn < 2; ++turn) {
+      const bool take_A = (turn == 0) == A_first;
+      if (!(take_A ? A_enters : Q_enters)) continue;
+      const Candidate& candidate = take_A ? from_A : from_Q;
+      form_column(candidate, n, column);
+      const double cost = take_A ? 0.0 : loop->cost_of_Q;
+      double d = take_A ? d_A : d_Q;
+      if (turn == 1) {
+        d = reduced_cost(*basis, column, cost);
+        if (!(d < -(take_A ? tolerance_A : loop->cost_tolerance))) continue;
+      }
+      std::int64_t left = 0;
+      double theta = 0;
+      const std::int64_t id = take_A ? id_of_A(candidate.index) : id_of_Q(candidate.index);
+      if (enter<V>(basis, column, cost, d, id, loop->bland, &left, &theta) < 0) return LoopEnd::unbounded;
+      if (left < 0) --loop->artificials;
+      gained -= theta * d;
+    }
+    if (gained > 1e-14 * absolute(basis->objective)) {
+      idle = 0;
+    } else if (++idle > patience && !loop->bland) {
+      return LoopEnd::stalled;
+    }
+  }
+  return LoopEnd::pivot_limit;
+}
+
+LoopEnd direct_loop(BasisView* basis, DirectLoop* loop) {
+  switch (basis->m - 1) {
+    case 2:
+      return direct_loop_vn<1, 2>(basis, loop);
+    case 3:
+      return direct_loop_vn<1, 3>(basis, loop);
+    case 4:
+      return direct_loop_vn<1, 4>(basis, loop);
+    case 5:
+      return direct_loop_vn<1, 5>(basis, loop);
+    case 6:
+      return direct_loop_vn<1, 6>(basis, loop);
+    case 7:
+      return direct_loop_vn<1, 7>(basis, loop);
+    case 8:
+      return direct_loop_vn<2, 8>(basis, loop);
+    case 9:
+      return direct_loop_vn<2, 9>(basis, loop);
+    case 10:
+      return direct_loop_vn<2, 10>(basis, loop);
+    default:
+      break;
+  }
+  switch (basis->P / kRowPadding) {
+    case 1:
+      return direct_loop_vn<1, 0>(basis, loop);
+    case 2:
+      return direct_loop_vn<2, 0>(basis, loop);
+    case 3:
+      return direct_loop_vn<3, 0>(basis, loop);
+    default:
+      return direct_loop_vn<0, 0>(basis, loop);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::RAYGAUGE_ISA

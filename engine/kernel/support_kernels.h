@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// Support queries over blocked points. Part of kernel_impl.h.
+#pragma once
+
+#include "engine/kernel/pack.h"
+
+namespace raygauge::RAYGAUGE_ISA {
+namespace {
+
+// Per-lane running maxima with the block each stems from.
+struct LaneMaxima {
+  Pack value[kPacksPerBlock];
+  IndexPack block[kPacksPerBlock];
+
+  LaneMaxima() {
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      value[t] = broadcast(-kInfinity);
+      block[t] = IndexPack{};
+    }
+  }
+
+  void take(const Pack* sum, long long b) {
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      const IndexPack better = sum[t] > value[t];
+      value[t] = better ? sum[t] : value[t];
+      block[t] = better ? broadcast_index(b) : block[t];
+    }
+  }
+
+  void merge(const LaneMaxima& other) {
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      const IndexPack better =
+          (other.value[t] > value[t]) | ((other.value[t] == value[t]) & (other.block[t] < block[t]));
+      value[t] = better ? other.value[t] : value[t];
+      block[t] = better ? other.block[t] : block[t];
+    }
+  }
+
+  // The maximum over all lanes, ties to the smallest point index.
+  double reduce(std::ptrdiff_t* index) const {
+    Pack top = value[0];
+    for (int t = 1; t < kPacksPerBlock; ++t) top = maximum(top, value[t]);
+    const double best = largest_lane(top);
+    IndexPack where = broadcast_index(kNoIndex);
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      const IndexPack points = block[t] * kLanes + (lane_numbers() + t * kWidth);
+      const IndexPack winners = value[t] == broadcast(best) ? points : broadcast_index(kNoIndex);
+      where = winners < where ? winners : where;
+    }
+    *index = smallest_lane(where);
+    return best;
+  }
+};
+
+template <int N>
+inline void dot_block(const double* p, int n, const double* u, Pack* sum) {
+  for (int t = 0; t < kPacksPerBlock; ++t) sum[t] = Pack{};
+  const int dimension = N > 0 ? N : n;
+  for (int k = 0; k < dimension; ++k) {
+    const Pack uk = broadcast(u[k]);
+    for (int t = 0; t < kPacksPerBlock; ++t) sum[t] += uk * load(p + k * kLanes + t * kWidth);
+  }
+}
+
+// Products of C consecutive blocks. For a dimension that is known only at run time they advance together, so
+// that the chains of additions overlap and each u_k is broadcast once.
+template <int N, int C>
+inline void dot_blocks(const double* p, int n, const double* u, Pack (*sum)[kPacksPerBlock]) {
+  if constexpr (N > 0) {
+#pragma GCC unroll 8
+    for (int c = 0; c < C; ++c) dot_block<N>(p + static_cast<std::ptrdiff_t>(c) * N * kLanes, n, u, sum[c]);
+  } else {
+    Pack local[C][kPacksPerBlock] = {};
+    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
+    for (int k = 0; k < n; ++k) {
+      const Pack uk = broadcast(u[k]);
+#pragma GCC unroll 8
+      for (int c = 0; c < C; ++c) {
+        for (int t = 0; t < kPacksPerBlock; ++t)
+          local[c][t] += uk * load(p + c * stride + k * kLanes + t * kWidth);
+      }
+    }
+#pragma GCC unroll 8
+    for (int c = 0; c < C; ++c) {
+      for (int t = 0; t < kPacksPerBlock; ++t) sum[c][t] = local[c][t];
+    }
+  }
+}
+
+// Several chains of maxima side by side: one alone would wait for its own comparison and blend at every
+// block.
+template <int N>
+double price_n(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+               std::ptrdiff_t* index) {
+  constexpr int kChains = N <= 6 ? 4 : 2;
+  LaneMaxima maxima[kChains];
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * kLanes;
+  std::ptrdiff_t b = 0;
+  for (; b + kChains <= block_count; b += kChains) {
+    Pack sum[kChains][kPacksPerBlock];
+    dot_blocks<N, kChains>(blocks + b * stride, n, u, sum);
+    for (int c = 0; c < kChains; ++c) maxima[c].take(sum[c], b + c);
+  }
+  for (int c = 0; b < block_count; ++b, ++c) {
+    Pack sum[kPacksPerBlock];
+    dot_block<N>(blocks + b * stride, n, u, sum);
+    maxima[c].take(sum, b);
+  }
+  for (int c = 1; c < kChains; ++c) maxima[0].merge(maxima[c]);
+  return maxima[0].reduce(index);
+}
+
+double price(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+             std::ptrdiff_t* index) {
+  switch (n) {
+    case 2:
+      return price_n<2>(blocks, block_count, n, u, index);
+    case 3:
+      return price_n<3>(blocks, block_count, n, u, index);
+    case 4:
+      return price_n<4>(blocks, block_count, n, u, index);
+    case 5:
+      return price_n<5>(blocks, block_count, n, u, index);
+    case 6:
+      return price_n<6>(blocks, block_count, n, u, index);
+    case 7:
+      return price_n<7>(blocks, block_count, n, u, index);
+    case 8:
+      return price_n<8>(blocks, block_count, n, u, index);
+    case 9:
+      return price_n<9>(blocks, block_count, n, u, index);
+    case 10:
+      return price_n<10>(blocks, block_count, n, u, index);
+    default:
+      return price_n<0>(blocks, block_count, n, u, index);
+  }
+}
+
+// Keeps the better half of a full collection and raises its threshold accordingly (quickselect on the
+// values).
+void halve(Collection* c) {
+  std::ptrdiff_t low = 0;
+  std::ptrdiff_t high = c->count - 1;
+  const std::ptrdiff_t keep = c->count / 2;
+  while (low < high) {
+    const double pivot = c->value[low + (high - low) / 2];
+    std::ptrdiff_t i = low;
+    std::ptrdiff_t j = high;
+    while (i <= j) {
+      while (c->value[i] > pivot) ++i;
+      while (c->value[j] < pivot) --j;
+      if (i <= j) {
+        const double v = c->value[i];
+        c->value[i] = c->value[j];
+        c->value[j] = v;
+        const std::int64_t id = c->index[i];
+        c->index[i++] = c->index[j];
+        c->index[j--] = id;
+      }
+    }
+    if (keep <= j) {
+      high = j;
+    } else if (keep >= i) {
+      low = i;
+    } else {
+      break;
+    }
+  }
+  c->threshold = c->value[keep];
+  c->count = keep;
+}
+
+void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double v = sum[lane / kWidth][lane % kWidth];
+    if (v > c->threshold) {
+      if (c->count == c->capacity) {
+        halve(c);
+        if (!(v > c->threshold)) continue;
+      }
+      c->index[c->count] = b * kLanes + lane;
+      c->value[c->count++] = v;
+    }
+  }
+}
+
+inline bool any_above(Pack v, double threshold) { return largest_lane(v) > threshold; }
+
+template <int N>
+double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
+                 Collection* collection) {
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * kLanes;
+  constexpr int kGroup = 4;  // blocks between two looks at the threshold
+  Pack best = broadcast(-kInfinity);
+  std::ptrdiff_t b = first;
+  for (; b + kGroup <= last; b += kGroup) {
+    Pack sum[kGroup][kPacksPerBlock];
+    dot_blocks<N, kGroup>(blocks + b * stride, n, u, sum);
+    Pack top = sum[0][0];
+    for (int g = 0; g < kGroup; ++g) {
+      for (int t = 0; t < kPacksPerBlock; ++t) top = maximum(top, sum[g][t]);
+    }
+    best = maximum(best, top);
+    if (any_above(top, collection->threshold)) [[unlikely]] {
+      for (int g = 0; g < kGroup; ++g) collect_block(sum[g], b + g, collection);
+    }
+  }
+  for (; b < last; ++b) {
+    Pack sum[kPacksPerBlock];
+    dot_block<N>(blocks + b * stride, n, u, sum);
+    for (int t = 0; t < kPacksPerBlock; ++t) best = maximum(best, sum[t]);
+    collect_block(sum, b, collection);
+  }
+  return largest_lane(best);
+}
+
+double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
+               Collection* collection) {
+  switch (n) {
+    case 2:
+      return collect_n<2>(blocks, first, last, n, u, collection);
+    case 3:
+      return collect_n<3>(blocks, first, last, n, u, collection);
+    case 4:
+      return collect_n<4>(blocks, first, last, n, u, collection);
+    case 5:
+      return collect_n<5>(blocks, first, last, n, u, collection);
+    case 6:
+      return collect_n<6>(blocks, first, last, n, u, collection);
+    case 7:
+      return collect_n<7>(blocks, first, last, n, u, collection);
+    case 8:
+      return collect_n<8>(blocks, first, last, n, u, collection);
+    case 9:
+      return collect_n<9>(blocks, first, last, n, u, collection);
+    case 10:
+      return collect_n<10>(blocks, first, last, n, u, collection);
+    default:
+      return collect_n<0>(blocks, first, last, n, u, collection);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::RAYGAUGE_ISA
