@@ -86,7 +86,7 @@ TEST_F(Dataset, NanAndInfinityAreLocated) {
 }
 
 TEST_F(Dataset, OneLargerThanMemoryIsNamed) {
-  write({hsize_t{1} << 40, 1 << 10}, {}, H5::PredType::STD_U8LE);
+  write({hsize_t{1} << 50, 1 << 12}, {}, H5::PredType::STD_U8LE);
   EXPECT_EQ(error(), path_ + ": does not fit into memory");
 }
 
