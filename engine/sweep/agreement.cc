@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace raygauge {
 namespace {
@@ -30,9 +31,18 @@ bool meet(const Interval& a, const Interval& b) {
   return ordered(std::max(a.lower, b.lower), std::min(a.upper, b.upper), kAgreementRounding);
 }
 
-bool is_final(DistanceStatus status) {
-  return status == DistanceStatus::optimal || status == DistanceStatus::contains_origin ||
-         status == DistanceStatus::unreachable;
+/// The distance that a record says it has found; empty for a limit, which says no such thing.
+std::optional<double> claim_of(const Record& record) {
+  switch (record.status) {
+    case DistanceStatus::optimal:
+      return record.distance;
+    case DistanceStatus::contains_origin:
+      return 0;
+    case DistanceStatus::unreachable:
+      return kInfinity;
+    default:
+      return std::nullopt;
+  }
 }
 
 bool proofs_meet(const Record& record, std::span<const Record> records) {
@@ -43,14 +53,22 @@ bool proofs_meet(const Record& record, std::span<const Record> records) {
   return meets_all && meet(own, {record.exact_distance, record.exact_distance});
 }
 
-bool claim_holds(const Record& record, std::span<const Record> records, const Interval& narrowest) {
-  if (!is_final(record.status)) return true;
-  const bool same_status = std::all_of(records.begin(), records.end(), [&](const Record& other) {
-    return !is_final(other.status) || other.status == record.status;
+/// Whether no other claim contradicts this one. A claim of NaN fails by itself and contradicts nobody.
+bool claims_meet(double claim, std::span<const Record> records, double tolerance) {
+  return std::all_of(records.begin(), records.end(), [&](const Record& other) {
+    const std::optional<double> other_claim = claim_of(other);
+    return !other_claim || std::isnan(*other_claim) ||
+           ordered(std::max(claim, *other_claim), std::min(claim, *other_claim), tolerance);
   });
-  // A distance of NaN fails both comparisons, as it should.
-  return same_status && ordered(narrowest.lower, record.distance, record.tolerance) &&
-         ordered(record.distance, narrowest.upper, record.tolerance);
+}
+
+bool claim_holds(const Record& record, std::span<const Record> records, const Interval& narrowest) {
+  const std::optional<double> claim = claim_of(record);
+  if (!claim) return true;
+  const bool near_proof = ordered(narrowest.lower, *claim, record.tolerance) &&
+                          ordered(*claim, narrowest.upper, record.tolerance);
+  const bool settled = narrowest.width() <= record.tolerance;
+  return near_proof && (settled || claims_meet(*claim, records, record.tolerance));
 }
 
 }  // namespace

@@ -16,14 +16,17 @@ inline constexpr double kAgreementRounding = 1e-12;
 /// Sets `agrees` of `records`: the records of all methods on one instance at one tolerance ε.
 ///
 /// Let I_i = [lower_i, upper_i] be what method i proved (an unset lower is 0, an unset upper +∞), and I* the
-/// narrowest of them. Record i agrees when
+/// narrowest of them. A record with a final status claims a distance: its `distance` (optimal), 0
+/// (contains_origin) or +∞ (unreachable). Record i agrees when
 ///   1. I_i meets every I_j:            max(lower_i, lower_j) <= min(upper_i, upper_j),
 ///   2. I_i contains exact_distance, where that is known,
-///   3. if its status is final (optimal, contains_origin, unreachable): its distance lies within ε·|distance|
-///      of I*, and every other final status is the same.
-/// 1 and 2 hold up to kAgreementRounding. A record that stopped at a limit claims nothing but its bounds: 3
-/// does not apply to it, and its status counts it as unsolved. Where two proofs contradict each other, nobody
-/// knows which is wrong: both records disagree.
+///   3. the distance it claims, if it claims one, lies within the relative tolerance ε of I*; and also of
+///   every
+///      other claim, unless I* settles the matter by being narrower than ε.
+/// 1 and 2 hold up to kAgreementRounding. A record that stopped at a limit claims nothing but its bounds; its
+/// status counts it as unsolved. A false claim is thus held against the method that makes it, if another
+/// method has a proof; where two proofs or two unproven claims contradict each other, nobody knows which is
+/// wrong, and both records disagree.
 void mark_agreement(std::span<Record> records);
 
 }  // namespace raygauge

@@ -12,8 +12,12 @@
 namespace raygauge {
 namespace {
 
-/// Enough for a median, few enough to be lost in the time of a sweep.
-constexpr int kCalibrationInstances = 7;
+/// Enough for a median, even if the sweep is short.
+constexpr int kFewestInstances = 3;
+/// More would not make the median better.
+constexpr int kMostInstances = 15;
+/// The share of a sweep's time that calibration may take, within those limits.
+constexpr double kShareOfSweep = 0.01;
 
 /// Seconds of every calibration solve on one thread, at [method * instances + instance].
 using SolveTimes = std::vector<double>;
@@ -74,6 +78,14 @@ double median(std::vector<double> values) {
   return (*std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half)) + upper) / 2;
 }
 
+/// Both phases solve so many instances of a cell of median cost, while the sweep solves its instances on all
+/// threads at once.
+int instance_count(const Experiment& experiment, std::size_t cells, int threads) {
+  const double sweep = static_cast<double>(cells) * experiment.repetitions / threads;
+  const auto affordable = static_cast<int>(std::min<double>(kMostInstances, kShareOfSweep * sweep / 2));
+  return std::min(experiment.repetitions, std::max(kFewestInstances, affordable));
+}
+
 Cell cell_of_median_cost(std::vector<Cell> cells, const Experiment& experiment) {
   cells = longest_first(std::move(cells), false, experiment.seed);
   return cells[cells.size() / 2];
@@ -101,7 +113,7 @@ Calibration calibrate(const SweepPlan& plan, const std::vector<Cell>& cells, int
                       const std::vector<int>& cpus) {
   const Experiment& experiment = plan.experiment();
   const Cell cell = cell_of_median_cost(cells, experiment);
-  const int instances = std::min(experiment.repetitions, kCalibrationInstances);
+  const int instances = instance_count(experiment, cells.size(), threads);
   const SolveTimes serial = times_of_team(plan, cell, instances, 1, cpus).front();
   const std::vector<SolveTimes> parallel = times_of_team(plan, cell, instances, threads, cpus);
   Calibration calibration;

@@ -36,7 +36,13 @@ std::vector<std::unique_ptr<SolveMethod>> SweepPlan::make_methods() const {
 }
 
 Instance SweepPlan::instance(const Cell& cell, int repetition) const {
-  return generator(cell).generate({experiment_.seed, cell.n, cell.N, repetition});
+  try {
+    return generator(cell).generate({experiment_.seed, cell.n, cell.N, repetition});
+  } catch (const InvalidParameterError& error) {
+    throw InvalidParameterError(
+        "cell " + std::to_string(cell.index) + " (generator '" + experiment_.generators[cell.generator].name +
+        "', n = " + std::to_string(cell.n) + ", N = " + std::to_string(cell.N) + "): " + error.what());
+  }
 }
 
 }  // namespace raygauge

@@ -34,7 +34,7 @@ class SweepPlan {
   /// A fresh set of the experiment's methods, for one thread.
   std::vector<std::unique_ptr<SolveMethod>> make_methods() const;
 
-  /// Instance `repetition` of a cell. Throws what the generator throws.
+  /// Instance `repetition` of a cell. Throws what the generator throws; InvalidParameterError tells the cell.
   Instance instance(const Cell& cell, int repetition) const;
 
   /// What the cell asks of one solve.

@@ -73,15 +73,34 @@ TEST(Agreement, ALimitWithValidBoundsIsNotADisagreement) {
   }
 }
 
-TEST(Agreement, FinalStatusesMustBeTheSame) {
+TEST(Agreement, ZeroInfiniteAndFiniteDistancesExcludeEachOther) {
   const Record zero = record(0, 0, 0, DistanceStatus::contains_origin);
   const Record infinite = record(kInfinity, kInfinity, kInfinity, DistanceStatus::unreachable);
   EXPECT_EQ(agreement({zero, zero}), Flags({1, 1}));
   EXPECT_EQ(agreement({infinite, infinite}), Flags({1, 1}));
-  EXPECT_EQ(agreement({zero, record(0, 0, 0)}), Flags({0, 0}));
   EXPECT_EQ(agreement({infinite, record(2, 2, 2.000001)}), Flags({0, 0}));
+  EXPECT_EQ(agreement({zero, record(1e-300, 1e-300, 1e-300)}), Flags({0, 0}));
   EXPECT_EQ(agreement({zero, infinite}), Flags({0, 0}));
   EXPECT_EQ(agreement({infinite, record(5, 5, kInfinity, DistanceStatus::time_limit)}), Flags({1, 1}));
+}
+
+TEST(Agreement, ADistanceOfZeroIsTheSameUnderEitherName) {
+  EXPECT_EQ(agreement({record(0, 0, 0, DistanceStatus::contains_origin), record(0, 0, 0)}), Flags({1, 1}));
+}
+
+TEST(Agreement, AFalseClaimIsHeldAgainstItsMakerAloneWhereAnotherHasAProof) {
+  const Record proven = record(2, 2, 2.000001);
+  EXPECT_EQ(agreement({proven, record(kNaN, kInfinity, kNaN, DistanceStatus::unreachable)}), Flags({1, 0}));
+  EXPECT_EQ(agreement({proven, record(kNaN, 0, kNaN, DistanceStatus::contains_origin)}), Flags({1, 0}));
+  EXPECT_EQ(agreement({proven, record(1, 3, 4), record(1, 2, 4)}), Flags({1, 0, 1}));
+}
+
+TEST(Agreement, UnprovenClaimsThatContradictEachOtherBothDisagree) {
+  const Record unreachable = record(kNaN, kInfinity, kNaN, DistanceStatus::unreachable);
+  EXPECT_EQ(agreement({unreachable, record(1, 2, kInfinity)}), Flags({0, 0}));
+  EXPECT_EQ(agreement({record(1, 2, 4), record(1, 2.5, 4)}), Flags({0, 0}));
+  EXPECT_EQ(agreement({record(1, 2, 4), record(1, 2.000001, 4)}), Flags({1, 1}));
+  EXPECT_EQ(agreement({record(1, 2, 4), record(kNaN, kNaN, kNaN)}), Flags({1, 0}));
 }
 
 TEST(Agreement, TheExactDistanceMustLieInsideEveryProof) {

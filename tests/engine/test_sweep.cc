@@ -234,6 +234,20 @@ TEST_F(Sweep, AnExceptionOfTheSinkEndsTheSweepAndIsRethrown) {
   EXPECT_LE(sink.calls, 2);
 }
 
+TEST_F(Sweep, ACellThatTheGeneratorRefusesIsNamed) {
+  Experiment experiment = small_experiment();
+  experiment.n = {3, 91};
+  experiment.N = {10};
+  experiment.tolerance = {1e-6};
+  MemorySink sink;
+  try {
+    run(experiment, sink);
+    FAIL() << "accepted n = 91";
+  } catch (const InvalidParameterError& error) {
+    EXPECT_STREQ(error.what(), "cell 1 (generator 'ray', n = 91, N = 10): the family 'ray' ends at n = 90");
+  }
+}
+
 TEST_F(Sweep, UnknownNamesAndParametersAreRejectedBeforeAnythingRuns) {
   MemorySink sink;
   Experiment no_method = small_experiment();
