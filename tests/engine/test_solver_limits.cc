@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "engine/exceptions.h"
+#include "tests/engine/both_methods.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class Limits : public BothMethods {
+ protected:
+  Limits() {
+    Random random(121);
+    Eigen::MatrixXd a = sphere_points(10, 2000, random);
+    a.row(0).array() += 3;
+    A_ = std::make_unique<PointSet>(a);
+    Q_ = std::make_unique<PointSet>(sphere_points(10, 2000, random));
+    truth_ = DistanceSolver(options(1e-12)).solve(*A_, *Q_);
+  }
+
+  // The bounds of a solve that was cut short hold all the same.
+  void expect_honest(const DistanceResult& result) const {
+    EXPECT_LE(result.lower, truth_.upper);
+    EXPECT_GE(result.upper, truth_.lower);
+    EXPECT_LE(result.lower, result.distance);
+    EXPECT_LE(result.distance, result.upper);
+  }
+
+  std::unique_ptr<PointSet> A_;
+  std::unique_ptr<PointSet> Q_;
+  DistanceResult truth_;
+};
+RAYGAUGE_BOTH_METHODS(Limits);
+
+TEST_P(Limits, OnIterationsLeaveHonestBounds) {
+  for (const std::int64_t limit : {1, 2, 5, 10, 15}) {
+    DistanceOptions limited = options(1e-9);
+    limited.max_iterations = limit;
+    const DistanceResult result = DistanceSolver(limited).solve(*A_, *Q_);
+    EXPECT_EQ(result.status, DistanceStatus::iteration_limit) << "limit " << limit;
+    expect_honest(result);
+  }
+}
+
+TEST_P(Limits, OnTimeLeaveHonestBounds) {
+  for (const double limit : {0.0, 1e-9}) {
+    DistanceOptions limited = options(1e-9);
+    limited.time_limit = limit;
+    const DistanceResult result = DistanceSolver(limited).solve(*A_, *Q_);
+    EXPECT_EQ(result.status, DistanceStatus::time_limit);
+    EXPECT_GE(result.seconds, 0);
+    expect_honest(result);
+  }
+}
+
+TEST_P(Limits, ThatAreNotReachedChangeNothing) {
+  DistanceOptions generous = options(1e-12);
+  generous.time_limit = 1e6;
+  generous.max_iterations = 1000000;
+  const DistanceResult result = DistanceSolver(generous).solve(*A_, *Q_);
+  EXPECT_EQ(result.status, DistanceStatus::optimal);
+  EXPECT_EQ(result.lower, truth_.lower);
+  EXPECT_EQ(result.upper, truth_.upper);
+  EXPECT_GT(result.seconds, 0);
+  EXPECT_TRUE(std::isnan(truth_.seconds));  // the clock is not read unless a limit asks for it
+}
+
+TEST(DistanceSolverOptions, OutsideTheirRangeAreRefused) {
+  const auto refuses = [](const auto& change) {
+    DistanceOptions options;
+    change(options);
+    EXPECT_THROW(DistanceSolver{options}, InvalidParameterError);
+    DistanceSolver solver;
+    EXPECT_THROW(solver.set_options(options), InvalidParameterError);
+  };
+  for (const double tolerance : {0.0, -1e-6, 1.0, kInfinity, std::nan("")}) {
+    refuses([&](DistanceOptions& options) { options.tolerance = tolerance; });
+  }
+  for (const double limit : {-1.0, -kInfinity, std::nan("")}) {
+    refuses([&](DistanceOptions& options) { options.time_limit = limit; });
+  }
+  refuses([](DistanceOptions& options) { options.max_iterations = -1; });
+  refuses([](DistanceOptions& options) { options.stop_rule = StopRule::published_sigma; });
+}
+
+TEST(DistanceSolverOptions, ThatAreRefusedLeaveTheSolverAsItWas) {
+  DistanceSolver solver;
+  DistanceOptions bad;
+  bad.tolerance = 2;
+  EXPECT_THROW(solver.set_options(bad), InvalidParameterError);
+  EXPECT_EQ(solver.options().tolerance, DistanceOptions{}.tolerance);
+  EXPECT_EQ(solver.solve(PointSet(Vector::Ones(2)), PointSet(cube_vertices(2))).status,
+            DistanceStatus::optimal);
+}
+
+}  // namespace
+}  // namespace raygauge
