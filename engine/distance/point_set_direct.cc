@@ -127,8 +127,8 @@ void PointSetDirect::price_everything() {
   double* u = direction_.data();
   double* v = u + n_;
   for (int k = 0; k < n_; ++k) {
-    u[k] = y[k] * scaling_.factor_A()[k];
-    v[k] = -y[k] * scaling_.factor_Q()[k];
+    u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
+    v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
   }
   const std::ptrdiff_t capacity = violator_capacity(*A_);
   violators_A_ = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace raygauge {
 namespace {
@@ -30,6 +31,20 @@ bool fill(AlignedBuffer<double>& factor, const int* shift, int common, int n) {
   return trivial;
 }
 
+// Largest exponent of a factor: leaves room for directions as well, see direction_component().
+constexpr int kLargestExponent = 800;
+
+// Whether every coordinate of S times its factor is exact.
+bool scales_exactly(const PointSet& S, const double* factor) {
+  for (int k = 0; k < S.dimension(); ++k) {
+    if (std::abs(std::ilogb(factor[k])) > kLargestExponent) return false;
+    if (!std::isfinite(S.coordinate_magnitude()[k] * factor[k])) return false;
+    if (S.smallest_magnitude()[k] * factor[k] < std::numeric_limits<double>::min() && factor[k] != 1)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Scaling::compute(const PointSet& A, const PointSet& Q) {
@@ -50,6 +65,11 @@ void Scaling::compute(const PointSet& A, const PointSet& Q) {
   trivial_A_ = fill(factor_A_, exponent_.data(), common_A, n);
   trivial_Q_ = fill(factor_Q_, exponent_.data(), common_Q, n);
   distance_shift_ = common_Q - common_A;
+  if (scales_exactly(A, factor_A_.data()) && scales_exactly(Q, factor_Q_.data())) return;
+  std::fill_n(factor_A_.data(), n, 1.0);
+  std::fill_n(factor_Q_.data(), n, 1.0);
+  trivial_A_ = trivial_Q_ = true;
+  distance_shift_ = 0;
 }
 
 }  // namespace raygauge

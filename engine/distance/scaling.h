@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "engine/distance/aligned_buffer.h"
 #include "engine/sets/point_set.h"
 
@@ -13,7 +15,8 @@ namespace raygauge {
 ///     d_{S_Q Q}(S_A A) = 2^shift_d · d_Q(A),      shift_d as returned by distance_shift(),
 ///
 /// because a common linear map leaves d unchanged and a scaling of one set scales d. Coordinates keep a
-/// common factor unless their magnitudes in Q differ by more than 2^kRowSpread.
+/// common factor unless their magnitudes in Q differ by more than 2^kRowSpread. Where no such factors scale
+/// both sets without rounding (coordinates that span most of the range of doubles) the sets are left alone.
 class Scaling {
  public:
   static constexpr int kRowSpread = 12;
@@ -29,6 +32,12 @@ class Scaling {
 
   /// s with (scaled distance) = 2^s · d.
   int distance_shift() const noexcept { return distance_shift_; }
+
+  /// factor · y_k, the component of a direction in the sets' own units. It must be the same direction for
+  /// both sets, so nothing may be rounded: components too small for that are zero instead, for either set.
+  static double direction_component(double factor, double y_k) noexcept {
+    return std::fabs(y_k) < 0x1p-200 ? 0.0 : factor * y_k;
+  }
 
  private:
   AlignedBuffer<double> factor_A_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/distance/scaling.h"
+
 namespace raygauge {
 
 void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels) {
@@ -18,7 +20,8 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
 
 void SupportOracle::scale_direction(const double* u, double sign) {
   for (int k = 0; k < set_->dimension(); ++k) {
-    direction_[static_cast<std::size_t>(k)] = sign * (factor_ != nullptr ? factor_[k] * u[k] : u[k]);
+    direction_[static_cast<std::size_t>(k)] =
+        sign * Scaling::direction_component(factor_ != nullptr ? factor_[k] : 1.0, u[k]);
   }
 }
 

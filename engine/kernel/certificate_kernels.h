@@ -80,15 +80,16 @@ double refine_v(BasisView* basis, const double* b, bool correct) {
     return 0;
   }
   const double gamma = 1.01 * (m + 2) * 0x1p-53;
+  const double underflow = (m + 2) * 0x1p-1074;  // products below the normal range lose that instead
   multiply<V>(basis->B, P, m, basis->x(), bound, magnitude);
   for (int p = 0; p < P; p += kWidth) {
-    store(bound + p, gamma * (magnitude(load(b + p)) + load(bound + p) + magnitude(load(r + p))));
+    store(bound + p, gamma * (magnitude(load(b + p)) + load(bound + p) + magnitude(load(r + p))) + underflow);
   }
   double* uncertain = result + P;
   multiply<V>(basis->R, P, m, r, result, unchanged);
   multiply<V>(basis->R, P, m, bound, uncertain, magnitude);
   for (int p = 0; p < P; p += kWidth) store(result + p, magnitude(load(result + p)) + load(uncertain + p));
-  return largest_entry(result, P);
+  return largest_entry(result, P) + underflow;
 }
 
 // Σ_i v_i M_ik for every column k, added to out_k.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 
@@ -46,6 +47,10 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
     for (std::ptrdiff_t k = 0; k < n; ++k) block[k * kLanes] = points(k, i);
   }
   magnitude_ = points.cwiseAbs().rowwise().maxCoeff();
+  const auto nonzero = [](double x) {
+    return x != 0 ? std::fabs(x) : std::numeric_limits<double>::infinity();
+  };
+  smallest_magnitude_ = points.unaryExpr(nonzero).rowwise().minCoeff();
   // The mean of points divided by N beforehand, so that no partial sum overflows.
   center_ = (points / static_cast<double>(size_)).rowwise().sum();
 }

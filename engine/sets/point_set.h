@@ -47,6 +47,9 @@ class PointSet final : public ConvexSet {
   /// max_i |coordinate k of p_i|, dimension() doubles: the scale of rounding errors in u·p_i.
   const double* coordinate_magnitude() const noexcept { return magnitude_.data(); }
 
+  /// Smallest |coordinate k of p_i| that is not zero, dimension() doubles; +infinity where all are zero.
+  const double* smallest_magnitude() const noexcept { return smallest_magnitude_.data(); }
+
   /// Copies point i to `out` (dimension() doubles); unchecked.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept {
     const double* block = data_.get() + (i / kLanes) * dimension() * kLanes + i % kLanes;
@@ -65,6 +68,7 @@ class PointSet final : public ConvexSet {
   std::ptrdiff_t block_count_;
   std::unique_ptr<double[], AlignedDelete> data_;
   Eigen::VectorXd magnitude_;
+  Eigen::VectorXd smallest_magnitude_;
   Eigen::VectorXd center_;
 };
 

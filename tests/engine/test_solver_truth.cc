@@ -23,8 +23,9 @@ using Matrix = Eigen::MatrixXd;
   const bool says_unreachable = result.status == DistanceStatus::unreachable;
   const bool says_zero = result.status == DistanceStatus::contains_origin;
   const bool claims_width = result.status == DistanceStatus::optimal;
-  bool holds = exact ? encloses(result.lower, result.upper, *exact) && !says_unreachable
-                     : std::isinf(result.upper) && !says_zero && !claims_width;
+  const bool ordered = result.lower <= result.distance && result.distance <= result.upper;
+  bool holds = ordered && (exact ? encloses(result.lower, result.upper, *exact) && !says_unreachable
+                                 : std::isinf(result.upper) && !says_zero && !claims_width);
   if (says_zero) holds = holds && *exact == 0;
   if (claims_width) holds = holds && std::isfinite(result.upper);
   if (holds) return ::testing::AssertionSuccess();
@@ -61,13 +62,13 @@ class Truth : public BothMethods {
 };
 RAYGAUGE_BOTH_METHODS(Truth);
 
-TEST_P(Truth, HoldsOnSmallSetsOfAnyRank) { hold_random_instances(1500, 0, 141); }
+TEST_P(Truth, HoldsOnSmallSetsOfAnyRank) { hold_random_instances(600, 0, 141); }
 
-TEST_P(Truth, HoldsWhereCoordinatesDifferByTwentyBinaryOrders) { hold_random_instances(900, 20, 142); }
+TEST_P(Truth, HoldsWhereCoordinatesDifferByTwentyBinaryOrders) { hold_random_instances(300, 20, 142); }
 
-TEST_P(Truth, HoldsWhereCoordinatesDifferByTwoHundredBinaryOrders) { hold_random_instances(600, 200, 143); }
+TEST_P(Truth, HoldsWhereCoordinatesDifferByTwoHundredBinaryOrders) { hold_random_instances(150, 200, 143); }
 
-TEST_P(Truth, HoldsOverTheWholeRangeOfDoubles) { hold_random_instances(600, 1000, 144); }
+TEST_P(Truth, HoldsOverTheWholeRangeOfDoubles) { hold_random_instances(150, 1000, 144); }
 
 TEST_P(Truth, HoldsForSinglePointsAndSegments) {
   Random random(145);
@@ -83,15 +84,15 @@ TEST_P(Truth, HoldsForTheContactPointToo) {
   // v lies in A and in d·Q: both checked with rational arithmetic, by how much A about its centre and Q about
   // the origin must grow to hold the rounded v.
   Random random(146);
-  int checked = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 30; ++trial) {
     const int n = 2 + trial % 2;
     Matrix A = gaussian_points(n, 6, random);
     A.row(0).array() += 4;
-    const Matrix Q = gaussian_points(n, 6, random);
+    Matrix Q(n, 6);
+    Q.leftCols(3) = gaussian_points(n, 3, random);
+    Q.rightCols(3) = -Q.leftCols(3);
     const DistanceResult result = solve(A, Q, 1e-9, Effects::witness);
-    if (result.status != DistanceStatus::optimal) continue;
-    ++checked;
+    ASSERT_EQ(result.status, DistanceStatus::optimal);
     const Vector& v = result.contact_point;
     const auto gauge = brute_force_distance(v, Q);
     ASSERT_TRUE(gauge);
@@ -101,7 +102,6 @@ TEST_P(Truth, HoldsForTheContactPointToo) {
     ASSERT_TRUE(growth);
     EXPECT_LE(growth->convert_to<double>(), 1 + 1e-8);
   }
-  EXPECT_GE(checked, 20);
 }
 
 TEST_P(Truth, SaysSoWhereTheOriginIsInsideOnAFaceOrAtAVertexOfA) {
