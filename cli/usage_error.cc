@@ -37,16 +37,17 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return chosen.empty() ? app : *chosen.front();
 }
 
+bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
+
 std::string complaint(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
   const std::vector<std::string> left_over = command.remaining();
-  const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
-  const auto option = std::find_if(left_over.begin(), left_over.end(), is_option);
-  if (option != left_over.end()) {
+  if (&command == &app && !left_over.empty() && !is_option(left_over.front())) {
+    return "unknown command '" + left_over.front() + "'" + suggestion(left_over.front(), command_names(app));
+  }
+  if (const auto option = std::find_if(left_over.begin(), left_over.end(), is_option);
+      option != left_over.end()) {
     const std::string name = option->substr(0, option->find('='));
     return "unknown option '" + name + "'" + suggestion(name, option_names(command));
-  }
-  if (&command == &app && !left_over.empty()) {
-    return "unknown command '" + left_over.front() + "'" + suggestion(left_over.front(), command_names(app));
   }
   if (&command == &app) return "a command is needed";
   if (!left_over.empty()) return "unexpected argument '" + left_over.front() + "'";

@@ -55,6 +55,8 @@ TEST_F(Usage, ACommandIsNeeded) {
 TEST_F(Usage, AnUnknownCommandSuggestsTheNearest) {
   expect_complaint(run_raygauge({"distanse", "A", "Q"}),
                    "raygauge: unknown command 'distanse'; did you mean 'distance'? (raygauge --help)");
+  expect_complaint(run_raygauge({"tabel", "-o", "x"}),
+                   "raygauge: unknown command 'tabel'; did you mean 'table'? (raygauge --help)");
 }
 
 TEST_F(Usage, AnUnknownOptionSuggestsTheNearest) {
