@@ -34,6 +34,7 @@ int run_program(int argc, char** argv) {
   add_run_command(app, status);
   add_distance_command(app, status);
   add_table_command(app, status);
+  add_plot_command(app, status);
   add_export_command(app, status);
   add_info_command(app, status);
   try {

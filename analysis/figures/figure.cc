@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/figures/figure.h"
+
+#include "analysis/figures/ratio_heatmap.h"
+#include "analysis/figures/time_vs_N.h"
+
+namespace raygauge {
+
+FigureSize figure_size_from_string(const std::string& name) {
+  if (name == "single") return FigureSize::single;
+  if (name == "double") return FigureSize::double_wide;
+  throw UnknownNameError("figure size", name, {"single", "double"});
+}
+
+double width_of(FigureSize size) {
+  constexpr double kSingle = 3.5;
+  constexpr double kDouble = 7.16;
+  return size == FigureSize::single ? kSingle : kDouble;
+}
+
+const std::vector<Figure>& figures() {
+  static const std::vector<Figure> kFigures = {
+      {"time_vs_N", "median time of a solve against N, a panel for each n, a curve for each method",
+       time_vs_N},
+      {"ratio_heatmap", "ratio of time to the best baseline over (n, N), a panel for each method",
+       ratio_heatmap},
+  };
+  return kFigures;
+}
+
+const Figure& figure_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Figure& figure : figures()) {
+    if (figure.name == name) return figure;
+    known.push_back(figure.name);
+  }
+  throw UnknownNameError("figure", name, known);
+}
+
+std::string draw(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
+                 ImageFormat format) {
+  const Drawing drawing = figure.make(records, options);
+  return draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height);
+}
+
+}  // namespace raygauge

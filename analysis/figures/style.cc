@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/figures/style.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "analysis/cell_ratio.h"
+#include "analysis/columns.h"
+#include "analysis/figures/figure.h"
+#include "analysis/number_text.h"
+
+namespace raygauge::figure_style {
+namespace {
+
+struct Look {
+  const char* color;
+  const char* dash;
+  int point;
+};
+
+// Markers of gnuplot: 7 ●, 5 ■, 9 ▲, 13 ◆; the numbers below them are the open ones.
+constexpr std::array<Look, 4> kOurs = {
+    {{"#D55E00", "1", 7}, {"#0072B2", "1", 5}, {"#009E73", "1", 9}, {"#CC79A7", "1", 13}}};
+constexpr std::array<Look, 4> kCompetitors = {
+    {{"#000000", "'-'", 6}, {"#8C8C8C", "'.'", 4}, {"#56B4E9", "'-'", 8}, {"#E69F00", "'.'", 12}}};
+
+Look look_of(const std::string& method, const std::vector<std::string>& methods) {
+  const bool competitor = is_competitor(method);
+  const auto here = std::find(methods.begin(), methods.end(), method);
+  const auto rank = static_cast<std::size_t>(std::count_if(
+      methods.begin(), here, [&](const std::string& other) { return is_competitor(other) == competitor; }));
+  return competitor ? kCompetitors[rank % kCompetitors.size()] : kOurs[rank % kOurs.size()];
+}
+
+void require_one(const std::string& figure, const std::vector<Record>& records, const std::string& name) {
+  const AnalysisColumn& column = analysis_column(name);
+  std::set<Value> values;
+  for (const Record& record : records) values.insert(column.get(record));
+  if (values.size() <= 1) return;
+  std::string found;
+  for (const Value& value : values) found += (found.empty() ? "" : "; ") + text_of(value);
+  throw FigureNeedsError("figure " + figure + " shows one " + name + ", the records have several (" + found +
+                         "); choose with --where");
+}
+
+}  // namespace
+
+std::string line_style(const std::string& method, const std::vector<std::string>& methods) {
+  const Look look = look_of(method, methods);
+  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1 pt " +
+         std::to_string(look.point) + " ps 0.45";
+}
+
+std::string line_color(const std::string& method, const std::vector<std::string>& methods) {
+  return look_of(method, methods).color;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    // Once for the double quotes, once for the enhanced mode.
+    if (std::string("_^{}@&~\\").find(c) != std::string::npos) result += "\\\\";
+    if (c == '"' || c == '\\' || c == '`') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string one_two_five_ticks(double low, double high) {
+  std::string ticks;
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high;
+       ++exponent) {
+    for (const int step : {1, 2, 5}) {
+      const double tick = step * std::pow(10, exponent);
+      if (tick >= low && tick <= high) ticks += (ticks.empty() ? "" : ", ") + significant(tick, 12);
+    }
+  }
+  return "(" + ticks + ")";
+}
+
+std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
+                                       const Filter& filter) {
+  std::vector<Record> kept = filtered(records, filter);
+  if (kept.empty()) {
+    throw FigureNeedsError("figure " + figure + ": " +
+                           (records.empty() ? std::string("no records")
+                                            : "no record passes the filter '" + filter.expression() + "'"));
+  }
+  for (const char* name : {"generator", "generator_parameters", "tolerance"}) require_one(figure, kept, name);
+  return kept;
+}
+
+}  // namespace raygauge::figure_style

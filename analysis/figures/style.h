@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/filter.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge::figure_style {
+
+// What figures have in common: looks, and the checks of what they need.
+
+/// How a method's curve looks, for gnuplot: colours of Okabe and Ito, which colour-blind readers tell apart;
+/// methods of raygauge solid with filled markers, competitors dashed with open ones, so that the curves also
+/// differ in grey. `methods` are all of the figure.
+std::string line_style(const std::string& method, const std::vector<std::string>& methods);
+
+/// "#D55E00": the colour in line_style().
+std::string line_color(const std::string& method, const std::vector<std::string>& methods);
+
+/// `text` as it stands in a string of gnuplot's enhanced mode, with its quotes.
+std::string quoted(const std::string& text);
+
+/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)".
+std::string one_two_five_ticks(double low, double high);
+
+/// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in
+/// generator, its parameters or tolerance: `figure` shows one of each.
+std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
+                                       const Filter& filter);
+
+}  // namespace raygauge::figure_style
