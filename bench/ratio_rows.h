@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bench/workload.h"
+
+namespace raygauge::bench {
+
+/// How much is measured.
+struct Effort {
+  bool quick = false;  ///< fewer cells
+  int instances = 20;  ///< per cell
+};
+
+/// Each prints one row of the table of speed targets to standard output: its cells, geometric mean and worst
+/// cell. LP: the best of the LP solvers' medians. Pass: one streaming read of both sets.
+void print_grid(const Variant& variant, const Effort& effort);  ///< direct / LP, zheng_yamane / LP; Table III
+void print_large(const Variant& variant, const Effort& effort);  ///< direct / pass; N = 2e4, 2e5, 1e6
+void print_n50(const Variant& variant, const Effort& effort);    ///< direct / pass; n = 50, N = 2e4
+void print_n100(const Variant& variant, const Effort& effort);   ///< direct / LP; n = 100, N = 1e4
+void print_memory(const Variant& variant,
+                  const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10
+void print_growth(const Variant& variant, const Effort& effort);  ///< exponents of N and n, 95 % confidence
+
+}  // namespace raygauge::bench

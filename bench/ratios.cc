@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// The table of speed targets, measured in one run: ratios to the best LP solver and to a streaming read.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/ratio_rows.h"
+#include "engine/kernel/kernel.h"
+
+namespace raygauge::bench {
+namespace {
+
+using PrintRow = void (*)(const Variant&, const Effort&);
+const std::vector<std::pair<std::string, PrintRow>> kRows = {
+    {"grid", print_grid}, {"large", print_large},   {"n50", print_n50},
+    {"n100", print_n100}, {"memory", print_memory}, {"growth", print_growth}};
+
+int run(int argc, char** argv) {
+  std::vector<std::string> row_names;
+  std::vector<std::string> variant_names;
+  for (const auto& row : kRows) row_names.push_back(row.first);
+  for (const Variant& variant : variants()) variant_names.push_back(variant.name);
+
+  std::vector<std::string> rows = {"grid"};
+  std::string variant = "random";
+  Effort effort;
+  CLI::App app{
+      "Ratios of raygauge's solve times to the best LP solver and to a streaming read of the points."};
+  app.option_defaults()->always_capture_default();
+  app.add_option("--rows", rows, "rows to measure, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(row_names));
+  app.add_option("--variant", variant, "kind of instances")->check(CLI::IsMember(variant_names));
+  app.add_option("--instances", effort.instances, "instances a cell")->check(CLI::Range(1, 10000));
+  app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
+  CLI11_PARSE(app, argc, argv);
+  if (effort.quick && app.count("--instances") == 0) effort.instances = 5;
+
+  std::printf("variant %s, %d instances a cell, one thread, %s, tolerance 1e-6\n", variant.c_str(),
+              effort.instances, std::string(to_string(best_instruction_set())).c_str());
+  for (const auto& [name, print] : kRows) {
+    if (std::find(rows.begin(), rows.end(), name) == rows.end()) continue;
+    std::printf("\n== %s ==\n", name.c_str());
+    print(find_variant(variant), effort);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace raygauge::bench
+
+int main(int argc, char** argv) {
+  try {
+    return raygauge::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "raygauge_ratios: %s\n", error.what());
+    return 1;
+  }
+}

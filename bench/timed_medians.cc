@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "bench/timed_medians.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace raygauge::bench {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+double seconds_of(const std::function<void()>& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::vector<double> median_solve_seconds(const std::vector<std::string>& methods, const Variant& variant,
+                                         int n, int N, int instances) {
+  std::vector<std::unique_ptr<SolveMethod>> solvers;
+  for (const std::string& name : methods) solvers.push_back(make_method(name));
+  std::vector<std::vector<double>> seconds(methods.size());
+  for (int repetition = 0; repetition < instances; ++repetition) {
+    const Instance instance = make_instance(variant, n, N, repetition);
+    for (std::size_t turn = 0; turn < methods.size(); ++turn) {
+      const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % methods.size();
+      SolveMethod& solver = *solvers[m];
+      solver.load(instance);
+      solver.solve({});
+      const auto timed = [&] { return seconds_of([&] { solver.solve({}); }); };
+      seconds[m].push_back(median({timed(), timed(), timed()}));
+    }
+  }
+  std::vector<double> medians;
+  for (std::vector<double>& of_method : seconds) medians.push_back(median(std::move(of_method)));
+  return medians;
+}
+
+}  // namespace raygauge::bench

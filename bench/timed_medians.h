@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/workload.h"
+
+namespace raygauge::bench {
+
+double median(std::vector<double> values);
+
+/// Seconds of one call.
+double seconds_of(const std::function<void()>& call);
+
+/// Median seconds of the solve call of each method over the instances 0 … instances - 1 of a cell. On every
+/// instance the methods take turns, each beginning in turn; a model is loaded and solved once before its
+/// solves are timed, and the median of three stands for the instance.
+std::vector<double> median_solve_seconds(const std::vector<std::string>& methods, const Variant& variant,
+                                         int n, int N, int instances);
+
+}  // namespace raygauge::bench

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/sets/point_set.h"
+#include "engine/sweep/instance.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge::bench {
+
+/// A kind of instance: a generator with its parameters.
+struct Variant {
+  std::string name;
+  std::string generator;
+  Parameters parameters;
+};
+
+/// "random", "clustered", "needle" (aspect 1e4), "far" (separation 50) and "near" (1 + 1e-6).
+const std::vector<Variant>& variants();
+
+/// Throws UnknownNameError.
+const Variant& find_variant(const std::string& name);
+
+Instance make_instance(const Variant& variant, int n, int N, int repetition);
+
+/// The instance's sets as point sets, which those of every variant are.
+const PointSet& points_A(const Instance& instance);
+const PointSet& points_Q(const Instance& instance);
+
+/// "direct", "zheng_yamane" and the linear-programming solvers of this build.
+std::unique_ptr<SolveMethod> make_method(const std::string& name);
+
+/// Those of glpk_primal, glpk_dual, clp_primal and clp_dual that this build has.
+std::vector<std::string> lp_methods();
+
+}  // namespace raygauge::bench
