@@ -65,9 +65,14 @@ Session session_of(const Experiment& experiment, std::size_t cells) {
   return describe_session(experiment, sweep_threads(experiment, cells), solvers);
 }
 
+/// The command that shows the results: Table III, or a row for each point of the grid.
 std::string table_command(const Experiment& experiment, const std::string& path) {
   const std::string command = program() + " table " + shell_word(path);
-  return experiment.name == "example2" ? command + " --paper table3" : command;
+  if (experiment.name == "example2") return command + " --paper table3";
+  std::string rows = "n,N";
+  if (experiment.generators.size() > 1) rows = "generator,generator_parameters," + rows;
+  if (experiment.tolerance.size() > 1) rows += ",tolerance";
+  return command + " --rows " + rows + " --cols method";
 }
 
 void print_end(const Experiment& experiment, const std::string& path, const SweepSummary& sweep,

@@ -84,7 +84,7 @@ TEST_F(RunCommand, StoresEveryRecordWhereItSays) {
   EXPECT_NE(result.out.find("small: 4 cells"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("all methods agree on every instance"), std::string::npos);
   EXPECT_NE(result.out.find("results    out/small.h5"), std::string::npos);
-  EXPECT_NE(result.out.find(" table out/small.h5"), std::string::npos);
+  EXPECT_NE(result.out.find(" table out/small.h5 --rows n,N --cols method\n"), std::string::npos);
   const ResultsFile results = read_results(folder_.file("out/small.h5"));
   EXPECT_TRUE(results.finished());
   EXPECT_EQ(results.records.size(), 16u);
