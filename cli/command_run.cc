@@ -164,6 +164,7 @@ void add_run_command(CLI::App& app, int& status) {
       ->add_option("--set", arguments->overrides,
                    "Replace a value of the experiment, as in --set sweep.n=3,4; may be repeated")
       ->type_name("KEY=VALUE")
+      ->default_str("")
       ->expected(1)
       ->take_all();
   command
