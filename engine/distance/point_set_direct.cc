@@ -11,31 +11,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Sets of up to this many numbers are priced whole: they stay in the first-level cache.
-constexpr std::ptrdiff_t kWholeNumbers = 3000;
-
-// Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
-// the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
-std::ptrdiff_t sample_blocks(const PointSet& S) {
-  const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
-  return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, static_cast<std::ptrdiff_t>(balanced / 16));
-}
-
-// Points added to the working set of S after one pass, at most: the worst offenders.
-std::ptrdiff_t violator_capacity(const PointSet& S) { return 16 * sample_blocks(S); }
-
-void choose_points(WorkingSet& working, const PointSet& S, const double* factor, bool trivial) {
-  const bool whole = S.block_count() * PointSet::kLanes * S.dimension() <= kWholeNumbers;
-  working.take_sample(S, factor, trivial, whole ? S.block_count() : sample_blocks(S));
-}
-
 }  // namespace
 
 void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
                            Effects effects, DistanceResult& result) {
   begin(A, Q, options);
-  choose_points(working_A_, A, scaling_.factor_A(), scaling_.trivial_A());
-  choose_points(working_Q_, Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
+  working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
   start();
   run(false, effects, result);
 }
@@ -65,7 +47,7 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   scaling_.compute(A, Q);
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
-  const auto capacity = static_cast<std::size_t>(violator_capacity(A) + violator_capacity(Q));
+  const auto capacity = static_cast<std::size_t>(WorkingSet::growth(A) + WorkingSet::growth(Q));
   collected_.reserve(capacity);
   collected_value_.reserve(capacity);
 }
@@ -130,10 +112,10 @@ void PointSetDirect::price_everything() {
     u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
     v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
   }
-  const std::ptrdiff_t capacity = violator_capacity(*A_);
+  const std::ptrdiff_t capacity = WorkingSet::growth(*A_);
   violators_A_ = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
-  violators_Q_ = {collected_.data() + capacity, collected_value_.data() + capacity, violator_capacity(*Q_), 0,
-                  kInfinity};
+  violators_Q_ = {collected_.data() + capacity, collected_value_.data() + capacity, WorkingSet::growth(*Q_),
+                  0, kInfinity};
   h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
   h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
 }

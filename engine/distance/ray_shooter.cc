@@ -41,10 +41,26 @@ double* RayShooter::slot_A(std::int64_t slot) const noexcept {
 
 double* RayShooter::slot_Q(std::int64_t slot) const noexcept { return slot_A(slot) + n_; }
 
-void RayShooter::query(const double* u) {
-  h_A_ = A_->query_with_error(u, 1.0, slot_A(free_slot_));
-  h_Q_ = Q_->query_with_error(u, -1.0, slot_Q(free_slot_));
+// h_S(u) over the points at hand; the maximiser becomes the candidate column.
+double RayShooter::query(const double* u, double eta) {
+  best_A_ = A_->query(u, 1.0, slot_A(free_slot_));
+  best_Q_ = Q_->query(u, -1.0, slot_Q(free_slot_));
   ++iterations_;
+  return support_of_column(u, eta);
+}
+
+// The same over the whole sets.
+double RayShooter::verify(const double* u, double eta) {
+  h_A_ = A_->verify(u, 1.0, best_A_, slot_A(free_slot_));
+  h_Q_ = Q_->verify(u, -1.0, best_Q_, slot_Q(free_slot_));
+  return support_of_column(u, eta);
+}
+
+double RayShooter::support_of_column(const double* u, double eta) {
+  form_column(free_slot_, eta, column_.data());
+  double h_S = 0;
+  for (int k = 0; k < n_; ++k) h_S += u[k] * column_[static_cast<std::size_t>(k)];
+  return h_S;
 }
 
 // s = s_A - a_c - η s_Q, equation (13b).
@@ -63,15 +79,10 @@ void RayShooter::start_cold(double eta) {
   raises_ = 0;
   free_slot_ = n_;
   std::fill_n(column_.data(), padded_rows(n_), 0.0);
-  double* u = column_.data();
+  double* u = view.y;
   double largest = 0;
-  double squared = 0;
-  for (int k = 0; k < n_; ++k) {
-    u[k] = -center_[static_cast<std::size_t>(k)];
-    squared += u[k] * u[k];
-  }
-  query(u);
-  const double h_S = h_A_.value + squared + eta * h_Q_.value;
+  for (int k = 0; k < n_; ++k) u[k] = -center_[static_cast<std::size_t>(k)];
+  const double h_S = query(u, eta);
   const double length = h_S > 0 ? 1.0 / h_S : 1.0;
   for (int k = 0; k < n_; ++k) {
     u[k] *= length;
@@ -133,14 +144,13 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
   double least = basis_->view().objective;
   for (;;) {
     BasisView& view = basis_->view();
-    query(view.y);
-    double* column = column_.data();
-    form_column(free_slot_, eta, column);
-    double h_S = 0;
-    for (int k = 0; k < n_; ++k) h_S += view.y[k] * column[k];
+    double h_S = query(view.y, eta);
     sigma_ = view.objective;
-    if (iterations_ >= max_iterations) return End::iteration_limit;
-    if (iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired()) return End::time_limit;
+    const bool out_of_iterations = iterations_ >= max_iterations;
+    const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();
+    if (h_S <= 1 + tolerance || out_of_iterations || out_of_time) h_S = verify(view.y, eta);
+    if (out_of_iterations) return End::iteration_limit;
+    if (out_of_time) return End::time_limit;
     if (h_S <= 1 + tolerance) {
       if (artificial_weight() <= kZero) return End::hit;
       if (++raises_ > kCostRaises) return End::missed;
@@ -155,7 +165,7 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
     least = std::min(least, view.objective);
     if (idle > 64 + 8 * n_) return End::failed;
     std::int64_t left = 0;
-    if (kernels_->pivot(&view, column, 1.0, 1.0 - h_S, free_slot_, false, &left) == PivotResult::ok) {
+    if (kernels_->pivot(&view, column_.data(), 1.0, 1.0 - h_S, free_slot_, false, &left) == PivotResult::ok) {
       // The slot of the vertex that left takes the next candidate; artificial columns free one that was never
       // used.
       free_slot_ = left >= 0 ? left : -1 - left;

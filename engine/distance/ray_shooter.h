@@ -26,6 +26,8 @@ class RayShooter {
   /// The oracles are the caller's. `a_c`: n doubles, copied.
   void begin(SupportOracle& A, SupportOracle& Q, int n, const double* a_c, const Kernels& kernels);
 
+  /// Large point sets are first shot at with their working sets; a hit is one over the whole sets.
+  ///
   /// Shoots at A - a_c - ηQ until h_S(u) <= 1 + tolerance. After a first call the vertices of the previous
   /// one are the start (Fig. 3c): moved to the new η if the ray still passes through their hull, as they are
   /// otherwise (they remain points of S as long as η grows).
@@ -48,7 +50,9 @@ class RayShooter {
  private:
   void start_cold(double eta);
   bool move_vertices(double eta);
-  void query(const double* u);
+  double query(const double* u, double eta);
+  double verify(const double* u, double eta);
+  double support_of_column(const double* u, double eta);
   double* slot_A(std::int64_t slot) const noexcept;
   double* slot_Q(std::int64_t slot) const noexcept;
   void form_column(std::int64_t slot, double eta, double* column) const;
@@ -62,7 +66,9 @@ class RayShooter {
   double eta_shot_ = 0;
   double sigma_ = 0;
   int raises_ = 0;
-  SupportValue h_A_;
+  double best_A_ = 0;  // of the last query
+  double best_Q_ = 0;
+  SupportValue h_A_;  // of the last verification
   SupportValue h_Q_;
   std::int64_t iterations_ = 0;
   std::int64_t pivots_ = 0;

@@ -37,8 +37,9 @@ void SupportDirect::begin(SupportOracle& A, SupportOracle& Q, int n, const Dista
 
 // One support query of each set at u, and the lower bound that comes with it.
 void SupportDirect::ask(const double* u) {
-  h_A_ = A_->query_with_error(u, 1.0, point_A_.data());
-  h_Q_ = Q_->query_with_error(u, -1.0, point_Q_.data());
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  h_A_ = A_->verify(u, 1.0, kAny, point_A_.data());
+  h_Q_ = Q_->verify(u, -1.0, kAny, point_Q_.data());
   counters_.support_queries += 2;
   ++counters_.ray_iterations;
   const double bound = lower_bound(h_A_, h_Q_);

@@ -13,58 +13,74 @@ namespace raygauge {
 void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels) {
   set_ = &S;
   points_ = dynamic_cast<const PointSet*>(&S);
-  factor_ = factor;
   kernels_ = &kernels;
-  direction_.reserve(static_cast<std::size_t>(S.dimension()));
-}
-
-void SupportOracle::scale_direction(const double* u, double sign) {
-  for (int k = 0; k < set_->dimension(); ++k) {
-    direction_[static_cast<std::size_t>(k)] =
-        sign * Scaling::direction_component(factor_ != nullptr ? factor_[k] : 1.0, u[k]);
+  const auto n = static_cast<std::size_t>(S.dimension());
+  direction_.reserve(n);
+  if (factor == nullptr) {
+    unit_.reserve(n);
+    std::fill_n(unit_.data(), n, 1.0);
   }
-}
-
-void SupportOracle::scale_point(double* point) const {
-  if (factor_ == nullptr) return;
-  for (int k = 0; k < set_->dimension(); ++k) point[k] *= factor_[k];
+  factor_ = factor != nullptr ? factor : unit_.data();
+  if (points_ == nullptr) return;
+  working_.choose(*points_, factor_, factor == nullptr);
+  if (working_.is_complete()) return;
+  const auto growth = static_cast<std::size_t>(WorkingSet::growth(*points_));
+  better_.reserve(growth);
+  better_value_.reserve(growth);
 }
 
 double SupportOracle::query(const double* u, double sign, double* point) {
-  scale_direction(u, sign);
-  double value = 0;
+  const int n = set_->dimension();
+  double* direction = direction_.data();
   if (points_ != nullptr) {
+    for (int k = 0; k < n; ++k) direction[k] = sign * u[k];
     std::ptrdiff_t index = 0;
-    value = kernels_->price(points_->data(), points_->block_count(), points_->dimension(), direction_.data(),
-                            &index);
-    points_->copy_point(std::min(index, points_->size() - 1), point);
-  } else {
-    value = set_->support_unchecked(direction_.data(), point);
+    const PricedPoints view = working_.view();
+    const double value = kernels_->price(view.blocks, view.block_count, n, direction, &index);
+    working_.copy_point(index, point);
+    return value;
   }
-  scale_point(point);
+  for (int k = 0; k < n; ++k) direction[k] = sign * Scaling::direction_component(factor_[k], u[k]);
+  const double value = set_->support_unchecked(direction, point);
+  for (int k = 0; k < n; ++k) point[k] *= factor_[k];
   return value;
 }
 
-SupportValue SupportOracle::query_with_error(const double* u, double sign, double* point) {
+SupportValue SupportOracle::verify(const double* u, double sign, double known, double* point) {
+  if (points_ != nullptr) return verify_points(u, sign, known, point);
   SupportValue result;
   result.value = query(u, sign, point);
-  if (points_ != nullptr) {
-    result.error = dot_error(*points_, direction_.data());
-    // Near cancellation the plain bound is too wide: evaluate the doubtful points more accurately.
-    if (!well_resolved(result.value, result.error)) {
-      result = support_value(*kernels_, *points_, direction_.data());
-    }
-    return result;
-  }
   double magnitude = 0;
   for (int k = 0; k < set_->dimension(); ++k) magnitude += std::fabs(u[k] * point[k]);
   result.error = (set_->dimension() + 4) * (std::numeric_limits<double>::epsilon() / 2) * magnitude;
   return result;
 }
 
+SupportValue SupportOracle::verify_points(const double* u, double sign, double known, double* point) {
+  const int n = set_->dimension();
+  double* direction = direction_.data();
+  for (int k = 0; k < n; ++k) direction[k] = sign * Scaling::direction_component(factor_[k], u[k]);
+  if (working_.is_complete()) {
+    std::ptrdiff_t index = 0;
+    const SupportValue result = support_value(*kernels_, *points_, direction, &index);
+    working_.copy_point(index, point);
+    return result;
+  }
+  Collection better{better_.data(), better_value_.data(), WorkingSet::growth(*points_), 0, known};
+  SupportValue result;
+  result.value = kernels_->collect(points_->data(), 0, points_->block_count(), n, direction, &better);
+  result.error = dot_error(*points_, direction);
+  if (!well_resolved(result.value, result.error)) result = support_value(*kernels_, *points_, direction);
+  for (std::ptrdiff_t i = 0; i < better.count; ++i) {
+    working_.add(*points_, factor_, std::min<std::int64_t>(better.index[i], points_->size() - 1));
+  }
+  query(u, sign, point);
+  return result;
+}
+
 void SupportOracle::center(double* point) {
   set_->center_unchecked(point);
-  scale_point(point);
+  for (int k = 0; k < set_->dimension(); ++k) point[k] *= factor_[k];
 }
 
 }  // namespace raygauge

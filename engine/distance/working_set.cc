@@ -3,6 +3,7 @@
 #include "engine/distance/working_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raygauge {
 namespace {
@@ -17,21 +18,41 @@ std::uint64_t scramble(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+// Sets of up to this many numbers are priced whole: they stay in the first-level cache.
+constexpr std::ptrdiff_t kWholeNumbers = 3000;
+
+// Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
+// the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
+std::ptrdiff_t sample_blocks(const PointSet& S) {
+  const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
+  return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, static_cast<std::ptrdiff_t>(balanced / 16));
+}
+
 }  // namespace
+
+void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial) {
+  const std::ptrdiff_t sample = sample_blocks(S);
+  const bool whole = S.block_count() * kLanes * S.dimension() <= kWholeNumbers || sample >= S.block_count();
+  if (whole) {
+    take_all(S, factor, trivial);
+  } else {
+    take_sample(S, factor, sample);
+  }
+}
+
+std::ptrdiff_t WorkingSet::growth(const PointSet& S) { return 16 * sample_blocks(S); }
 
 double* WorkingSet::grow_to(std::ptrdiff_t size) {
   const std::ptrdiff_t blocks = (size + kLanes - 1) / kLanes;
   const auto needed = static_cast<std::size_t>(blocks * n_ * kLanes);
   if (needed > copy_.capacity()) copy_.reserve(std::max(needed, 2 * copy_.capacity()));
-  const auto slots = static_cast<std::size_t>(blocks * kLanes);
-  if (slots > index_.capacity()) index_.reserve(std::max(slots, 2 * index_.capacity()));
   blocks_ = copy_.data();
   return copy_.data();
 }
 
 void WorkingSet::take_all(const PointSet& S, const double* factor, bool trivial) {
   n_ = S.dimension();
-  size_ = set_size_ = S.size();
+  size_ = S.size();
   complete_ = true;
   if (trivial) {
     blocks_ = S.data();
@@ -46,14 +67,9 @@ void WorkingSet::take_all(const PointSet& S, const double* factor, bool trivial)
   }
 }
 
-void WorkingSet::take_sample(const PointSet& S, const double* factor, bool trivial, std::ptrdiff_t blocks) {
-  if (blocks >= S.block_count()) {
-    take_all(S, factor, trivial);
-    return;
-  }
+void WorkingSet::take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks) {
   n_ = S.dimension();
   size_ = blocks * kLanes;
-  set_size_ = S.size();
   complete_ = false;
   double* copy = grow_to(size_);
   for (std::ptrdiff_t s = 0; s < blocks; ++s) {
@@ -66,9 +82,6 @@ void WorkingSet::take_sample(const PointSet& S, const double* factor, bool trivi
       const double* from = S.data() + (b * n_ + k) * kLanes;
       double* to = copy + (s * n_ + k) * kLanes;
       for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
-    }
-    for (int lane = 0; lane < kLanes; ++lane) {
-      index_[static_cast<std::size_t>(s * kLanes + lane)] = std::min(b * kLanes + lane, set_size_ - 1);
     }
   }
 }
@@ -88,12 +101,12 @@ void WorkingSet::add(const PointSet& S, const double* factor, std::int64_t index
   grow_to(size_ + 1);
   const double* point = S.data() + (index / kLanes) * n_ * kLanes + index % kLanes;
   place(size_, point, kLanes, factor);
-  index_[static_cast<std::size_t>(size_++)] = index;
+  ++size_;
 }
 
 void WorkingSet::clear(int n) {
   n_ = n;
-  size_ = set_size_ = 0;
+  size_ = 0;
   complete_ = false;
   grow_to(kLanes);
 }
@@ -101,7 +114,6 @@ void WorkingSet::clear(int n) {
 void WorkingSet::add(const double* point) {
   grow_to(size_ + 1);
   place(size_, point, 1, nullptr);
-  index_[static_cast<std::size_t>(size_)] = size_;
   ++size_;
 }
 

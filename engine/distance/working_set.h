@@ -16,12 +16,13 @@ namespace raygauge {
 /// copies of its last point.
 class WorkingSet {
  public:
-  /// All points of S, in place if `trivial`, else scaled by `factor` (n powers of two).
-  void take_all(const PointSet& S, const double* factor, bool trivial);
+  /// The points of S to start with: all of them where S is small, in place if `trivial` and else scaled by
+  /// `factor` (n powers of two); of a large set a stratified pseudo-random sample, the same for the same
+  /// S.size().
+  void choose(const PointSet& S, const double* factor, bool trivial);
 
-  /// A stratified pseudo-random choice of `blocks` whole blocks of S: the same for the same S.size() and
-  /// `blocks`.
-  void take_sample(const PointSet& S, const double* factor, bool trivial, std::ptrdiff_t blocks);
+  /// How many points of S are worth adding at a time.
+  static std::ptrdiff_t growth(const PointSet& S);
 
   /// Appends point `index` of S.
   void add(const PointSet& S, const double* factor, std::int64_t index);
@@ -38,16 +39,16 @@ class WorkingSet {
   void copy_point(std::ptrdiff_t i, double* out) const noexcept;
 
  private:
+  void take_all(const PointSet& S, const double* factor, bool trivial);
+  void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
   double* grow_to(std::ptrdiff_t size);
   void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
 
   int n_ = 0;
   std::ptrdiff_t size_ = 0;
-  std::ptrdiff_t set_size_ = 0;
   bool complete_ = false;
   const double* blocks_ = nullptr;
   AlignedBuffer<double> copy_;
-  AlignedBuffer<std::int64_t> index_;
 };
 
 }  // namespace raygauge
