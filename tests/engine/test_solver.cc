@@ -122,6 +122,24 @@ INSTANTIATE_TEST_SUITE_P(Methods, BothMethods,
                          testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane),
                          [](const auto& instance) { return std::string(to_string(instance.param)); });
 
+// Magnitudes that span 600 decades: scaling to magnitude 1 would lose the small coordinates, and once did.
+TEST(DistanceSolver, ClaimsNothingThatScalingLost) {
+  Eigen::MatrixXd a(2, 2);
+  a << 1e200, 1e-200, -1e-300, 1e200;
+  Eigen::MatrixXd q(2, 1);
+  q << -1e-300, 1e200;
+  DistanceSolver solver;
+  const DistanceResult plane = solver.solve(PointSet(a), PointSet(q));
+  EXPECT_NE(plane.status, DistanceStatus::contains_origin);
+  EXPECT_TRUE(std::isinf(plane.upper));
+
+  Eigen::MatrixXd line_a(1, 2);
+  line_a << 1e300, 1e-300;
+  const DistanceResult line = solver.solve(PointSet(line_a), PointSet(Eigen::MatrixXd::Constant(1, 1, -1.0)));
+  EXPECT_NE(line.status, DistanceStatus::contains_origin);
+  EXPECT_TRUE(std::isinf(line.upper));
+}
+
 TEST(DistanceSolver, RefusesOptionsOutsideTheirRange) {
   DistanceOptions options;
   options.tolerance = 0;
