@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/distance/double_double.h"
 #include "engine/distance/exact_sum.h"
 
 namespace raygauge {
@@ -224,6 +225,54 @@ double DirectProgram::exact_upper() const {
     if (!row.is_zero()) return kInfinity;
   }
   return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
+}
+
+double DirectProgram::upper_with_residual(double gauge_bound) const {
+  const BasisView& view = basis_.view();
+  const double* x = view.x();
+  double alpha = 0;
+  double beta = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
+    (is_from_Q(view.id[i]) ? beta : alpha) += x[i];
+  }
+  if (!(alpha > 0.5)) return kInfinity;
+  double residual = 0;
+  for (int k = 0; k < n_; ++k) {
+    DoubleDouble sum;
+    double magnitude = 0;
+    for (int i = 0; i < view.m; ++i) {
+      if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
+      const DoubleDouble term = two_product(x[i], basis_.column(i)[k]);
+      sum = sum + term;
+      magnitude += std::fabs(term.high);
+    }
+    const double lost = view.m * (0x1p-99 * magnitude + std::numeric_limits<double>::denorm_min());
+    residual = std::max(residual, std::fabs(sum.rounded()) + lost);
+  }
+  const double rounding = 4 * (view.m + 4) * kUnitRoundoff;
+  return (beta + gauge_bound * residual) / alpha * (1 + rounding);
+}
+
+double DirectProgram::cone_radius() {
+  const Enclosure enclosure = basis_.refine_and_enclose();
+  if (!enclosure.valid) return 0;
+  const BasisView& view = basis_.view();
+  double smallest = kInfinity;
+  double norm = 0;  // of R without its last column: r changes the first n equations only
+  int points_of_Q = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) return 0;
+    double row = 0;
+    for (int k = 0; k < n_; ++k) row += std::fabs(view.R[static_cast<std::ptrdiff_t>(k) * view.P + i]);
+    norm = std::max(norm, row);
+    if (!is_from_Q(view.id[i])) continue;
+    ++points_of_Q;
+    smallest = std::min(smallest, view.x()[i]);
+  }
+  if (points_of_Q != n_ || !(smallest > enclosure.error)) return 0;
+  // |B⁻¹ r|∞ <= |R r|∞ / (1 - ‖E‖) <= 2 ‖R‖ |r|∞, and that must not exceed the smallest weight.
+  return 0.49 * (smallest - enclosure.error) / norm;
 }
 
 void DirectProgram::contact_point(double* point) const {

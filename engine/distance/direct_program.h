@@ -60,6 +60,14 @@ class DirectProgram {
   /// Σβ of the exact basic solution, rounded up, where that solution is proven feasible; +infinity otherwise.
   double proven_upper();
 
+  /// An upper bound from the basic solution even where its equations hold only up to a residual r: with
+  /// gauge_Q(r) <= gauge_bound |r|∞ (GaugeBound),  d <= (Σβ + gauge_bound |r|∞) / Σα,  rounded up.
+  double upper_with_residual(double gauge_bound) const;
+
+  /// s such that for every |r|∞ <= s the point a + r, a the only basic point of A, lies in the cone of the
+  /// basic points of Q, with weights of at most twice those of a. 0 where the basis is not of that form.
+  double cone_radius();
+
   /// Σα_i a_i of the basic solution: an (approximate) point of A ∩ dQ.
   void contact_point(double* point) const;
 

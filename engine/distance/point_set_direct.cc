@@ -44,6 +44,7 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   stopwatch_.start(options.time_limit);
   counters_ = {};
   counters_.outer_iterations = 1;
+  gauge_per_residual_ = 0;
   scaling_.compute(A, Q);
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
@@ -85,7 +86,9 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       program_.encourage();
       continue;
     }
-    const double upper = program_.proven_upper();
+    double upper = program_.proven_upper();
+    const bool solved = end == DirectProgram::End::solved && !violated;
+    if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
     if (upper < kInfinity && upper - lower <= tolerance_ * upper) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
@@ -100,6 +103,15 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       return finish(DistanceStatus::precision_limit, lower, upper, effects, result);
     }
   }
+}
+
+// At a degenerate optimum some weights are zero and cannot be proven nonnegative; and where a limit ended the
+// solve artificial columns may still carry weight. What they leave of the equations is paid for.
+double PointSetDirect::upper_despite_residual() {
+  if (gauge_per_residual_ == 0) {
+    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, stopwatch_);
+  }
+  return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
 }
 
 // h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price

@@ -7,6 +7,7 @@
 #include "engine/distance/aligned_buffer.h"
 #include "engine/distance/certificate.h"
 #include "engine/distance/direct_program.h"
+#include "engine/distance/gauge_bound.h"
 #include "engine/distance/options.h"
 #include "engine/distance/result.h"
 #include "engine/distance/scaling.h"
@@ -34,6 +35,7 @@ class PointSetDirect {
   void start();
   void run(bool restricted, Effects effects, DistanceResult& result);
   void price_everything();
+  double upper_despite_residual();
   SupportValue price_set(const PointSet& S, const WorkingSet& working, const double* direction,
                          double threshold, Collection& violators);
   void add_violators();
@@ -48,6 +50,8 @@ class PointSetDirect {
   WorkingSet working_A_;
   WorkingSet working_Q_;
   DirectProgram program_;
+  GaugeBound gauge_bound_;
+  double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
   Stopwatch stopwatch_;
   DistanceCounters counters_;
 

@@ -64,6 +64,7 @@ TEST_P(InstructionSets, AgreeOnLatticesCubesAndRepeatedPoints) {
   for (const int n : {2, 3, 4}) {
     const Eigen::MatrixXd lattice = lattice_points(n, 4).array() + 0.5;
     expect_agreement(lattice, cube_vertices(n), 1e-12);
+    expect_agreement(lattice, lattice.array() - 2.25, 1e-12);
     expect_agreement(lattice.replicate(1, 7), cube_vertices(n).replicate(1, 20), 1e-12);
   }
 }

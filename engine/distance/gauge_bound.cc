@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/gauge_bound.h"
+
+#include <cmath>
+#include <limits>
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Coordinates in [1/2, 1) of either sign that no structured set is aligned with: multiples of the golden
+// ratio.
+double generic_coordinate(int k) {
+  const double whole = (k + 1) * 0.6180339887498949;
+  const double fraction = whole - std::floor(whole);
+  return (k % 2 == 0 ? 0.5 : -0.5) * (1 + fraction);
+}
+
+}  // namespace
+
+double GaugeBound::compute(const WorkingSet& Q, int n, const Kernels& kernels, const Stopwatch& stopwatch) {
+  n_ = n;
+  kernels_ = &kernels;
+  point_.reserve(2 * static_cast<std::size_t>(n));
+  const double ahead = gauge_of_target(Q, 1.0, stopwatch);
+  if (!(ahead < kInfinity)) return kInfinity;
+  const double radius = program_.cone_radius();
+  if (!(radius > 0)) return kInfinity;
+  const double behind = gauge_of_target(Q, -1.0, stopwatch);
+  constexpr double kRoundedUp = 1 + 8 * std::numeric_limits<double>::epsilon();
+  return (2 * ahead + behind) / radius * kRoundedUp;
+}
+
+double GaugeBound::gauge_of_target(const WorkingSet& Q, double sign, const Stopwatch& stopwatch) {
+  double* target = point_.data();
+  double* guess = target + n_;
+  for (int k = 0; k < n_; ++k) {
+    target[k] = sign * generic_coordinate(k);
+    guess[k] = -target[k];
+  }
+  target_.clear(n_);
+  target_.add(target);
+  program_.begin(n_, std::numeric_limits<double>::min(), 0, *kernels_);
+  program_.start(target_, Q, guess);
+  DirectProgram::End end = program_.solve(target_, Q, stopwatch);
+  while (end == DirectProgram::End::bounded) {
+    program_.raise_bounds();
+    end = program_.solve(target_, Q, stopwatch);
+  }
+  return end == DirectProgram::End::solved ? program_.proven_upper() : kInfinity;
+}
+
+}  // namespace raygauge
