@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -31,12 +32,20 @@ Number number_column(const AnalysisColumn& column) {
   return [get = column.get](const Record& record) { return std::visit(ToExtended{}, get(record)); };
 }
 
-std::optional<long double> parse_number(const std::string& text) {
-  long double value = 0;
+template <class T>
+std::optional<T> parse_as(const std::string& text) {
+  T value = 0;
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
   const auto [end, failure] = std::from_chars(begin, text.data() + text.size(), value);
   if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+/// An integer exactly; anything else as the double it is in a record: 1e-6 must equal a stored 1e-6.
+std::optional<long double> parse_number(const std::string& text) {
+  if (const auto integer = parse_as<std::uint64_t>(text)) return static_cast<long double>(*integer);
+  if (const auto real = parse_as<double>(text)) return static_cast<long double>(*real);
+  return std::nullopt;
 }
 
 template <class Value>

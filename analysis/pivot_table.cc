@@ -32,9 +32,9 @@ bool is_time(const Pivot& pivot) {
 }
 
 TableCell table_cell(const Pivot& pivot, const PivotCell& cell, bool intervals) {
-  if (cell.records == 0) return {"", {}, Emphasis::none};
+  if (cell.records == 0) return {""};
   if (std::isnan(cell.value))
-    return {cell.disagreeing == cell.records ? "disagree" : "none", {}, Emphasis::alarm};
+    return {cell.disagreeing == cell.records ? "disagree" : "none", Emphasis::alarm};
   std::string text = std::isinf(cell.value) && !is_time(pivot) ? significant(cell.value, kDigits)
                                                                : number_text(pivot, cell.value);
   if (intervals && cell.interval) {
@@ -134,7 +134,7 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
     const auto& key = pivot.row_keys[r];
     const bool has_groups = table.key_columns > 1;
     row.starts_group = r > 0 && has_groups && key.front() != pivot.row_keys[r - 1].front();
-    for (const Value& value : key) row.cells.push_back({text_of(value), {}, Emphasis::none});
+    for (const Value& value : key) row.cells.push_back({text_of(value)});
     for (std::size_t c = 0; c < pivot.column_keys.size(); ++c)
       row.cells.push_back(table_cell(pivot, pivot.cell(r, c), intervals));
     table.rows.push_back(std::move(row));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raygauge {
@@ -18,6 +19,12 @@ enum class Emphasis : std::uint8_t {
 };
 
 struct TableCell {
+  TableCell() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a text is a cell
+  TableCell(std::string words, Emphasis how = Emphasis::none) : text(std::move(words)), emphasis(how) {}
+  TableCell(std::string words, double value, Emphasis how = Emphasis::none)
+      : text(std::move(words)), number(value), emphasis(how) {}
+
   std::string text;
   double number = std::numeric_limits<double>::quiet_NaN();  ///< what CSV writes in full; NaN: the text
   Emphasis emphasis = Emphasis::none;

@@ -41,7 +41,7 @@ TableCell paper_cell(int n, int N) {
   constexpr int kLength = 32;
   char text[kLength];
   std::snprintf(text, kLength, "%.2f (%.2f)", cell->milliseconds, cell->ratio);
-  return {text, kNaN, Emphasis::muted};
+  return {text, Emphasis::muted};
 }
 
 std::string place(const CellRatio& cell) {
@@ -90,8 +90,8 @@ Table layout_table(const Table3& table3, const Table3Method& method) {
   table.header = {{"", ""}};
   for (const int N : sizes) table.header[0].push_back((N == *sizes.begin() ? "N=" : "") + std::to_string(N));
   for (const int n : dimensions) {
-    TableRow ours{{{"n=" + std::to_string(n), {}, Emphasis::none}, {"measured", {}, Emphasis::none}}, true};
-    TableRow paper{{{"", {}, Emphasis::none}, {"paper", {}, Emphasis::muted}}, false};
+    TableRow ours{{{"n=" + std::to_string(n)}, {"measured"}}, true};
+    TableRow paper{{{""}, {"paper", Emphasis::muted}}, false};
     for (const int N : sizes) {
       const auto found = cells.find({n, N});
       ours.cells.push_back(measured_cell(found == cells.end() ? nullptr : found->second));
@@ -121,7 +121,7 @@ std::string verdict(const Table3& table3) {
 }
 
 TableCell ratio_cell(double ratio) {
-  if (std::isnan(ratio)) return {"none", kNaN, Emphasis::alarm};
+  if (std::isnan(ratio)) return {"none", Emphasis::alarm};
   return {padded_significant(ratio, 3), ratio, Emphasis::strong};
 }
 
@@ -135,14 +135,12 @@ Table summary_table(const Table3& table3) {
   table.title = "Table III, summary";
   table.header = {{""}};
   const auto row = [&](const std::string& what, const auto& cell_of) {
-    TableRow line{{{what, {}, Emphasis::none}}, false};
+    TableRow line{{{what}}, false};
     for (const Table3Method& method : table3.methods) line.cells.push_back(cell_of(method));
     table.rows.push_back(std::move(line));
   };
   for (const Table3Method& method : table3.methods) table.header[0].push_back(method.method);
-  row("cells", [](const Table3Method& m) {
-    return TableCell{std::to_string(m.cells.size()), kNaN, Emphasis::none};
-  });
+  row("cells", [](const Table3Method& m) { return TableCell{std::to_string(m.cells.size())}; });
   row("geometric mean of the ratios", [](const Table3Method& m) { return ratio_cell(m.geometric_mean); });
   row("the paper's, same cells", [](const Table3Method& m) {
     TableCell cell = ratio_cell(m.paper_geometric_mean);
@@ -152,8 +150,7 @@ Table summary_table(const Table3& table3) {
   row("worst cell", [](const Table3Method& m) {
     const CellRatio* worst = worst_cell(m);
     if (worst == nullptr) return ratio_cell(kNaN);
-    return TableCell{padded_significant(worst->ratio.ratio, 3) + " at " + place(*worst), kNaN,
-                     Emphasis::none};
+    return TableCell{padded_significant(worst->ratio.ratio, 3) + " at " + place(*worst), Emphasis::none};
   });
   row("cells above half the paper's ratio",
       [](const Table3Method& m) { return count_cell(m.above_half.size(), m.compared); });
@@ -192,14 +189,14 @@ Table table3_long_table(const Table3& table3) {
       const auto& [key, name, parameters, seconds, unsolved, disagreeing] = cell.times;
       const auto paper = paper::table3_cell(key.n, key.N);
       TableRow row;
-      row.cells = {{name, kNaN, Emphasis::none},
+      row.cells = {{name},
                    number(key.n),
                    number(key.N),
                    number(1e3 * cell.median_seconds),
                    number(cell.ratio.ratio),
                    number(cell.ratio.interval.lower),
                    number(cell.ratio.interval.upper),
-                   {cell.baseline, kNaN, Emphasis::none},
+                   {cell.baseline},
                    number(1e3 * cell.baseline_seconds),
                    number(paper ? paper->milliseconds : kNaN),
                    number(paper ? paper->ratio : kNaN),

@@ -67,7 +67,7 @@ class BlockPrinter {
   std::string print() const {
     std::string text;
     for (const auto& header : table_.header)
-      text += line([&](std::size_t c) { return TableCell{header[c], {}, Emphasis::none}; });
+      text += line([&](std::size_t c) { return TableCell{header[c]}; });
     text += std::string(total_width(), '-') + "\n";
     for (const TableRow& row : table_.rows) {
       if (row.starts_group && &row != &table_.rows.front()) text += "\n";

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "analysis/figures/figure.h"
+#include "tests/analysis/records.h"
+
+namespace raygauge {
+namespace {
+
+using testing::add_records;
+using testing::message_of;
+
+/// Three methods, n = 3 and 4, N = 200, 400 and 800.
+std::vector<Record> grid() {
+  std::vector<Record> records;
+  for (const int n : {3, 4}) {
+    for (const int N : {200, 400, 800}) {
+      const double ms = n * N / 1000.0;
+      add_records(records, "direct", n, N, {0.9 * ms, ms, 1.1 * ms});
+      add_records(records, "zheng_yamane", n, N, {2 * ms, 3 * ms, 4 * ms});
+      add_records(records, "glpk_dual", n, N, {9 * ms, 10 * ms, 11 * ms});
+    }
+  }
+  return records;
+}
+
+std::string svg(const std::string& figure, const std::vector<Record>& records,
+                const FigureOptions& options = {}) {
+  return draw(figure_named(figure), records, options, ImageFormat::svg);
+}
+
+/// The texts of a picture, in order.
+std::multiset<std::string> labels(const std::string& picture) {
+  static const std::regex kText("<tspan[^>]*>([^<]*)</tspan>");
+  std::multiset<std::string> result;
+  for (std::sregex_iterator it(picture.begin(), picture.end(), kText), end; it != end; ++it)
+    result.insert((*it)[1].str());
+  return result;
+}
+
+/// How many markers are drawn, those of the legend included.
+std::ptrdiff_t markers(const std::string& picture) {
+  static const std::regex kMarker("<use xlink:href='#gpPt[0-9]+' transform='translate");
+  return std::distance(std::sregex_iterator(picture.begin(), picture.end(), kMarker), std::sregex_iterator());
+}
+
+TEST(TimeVsN, DrawsEveryPointLabelsEveryPanelAndNamesEveryMethodOnce) {
+  const std::string picture = svg("time_vs_N", grid());
+  const std::multiset<std::string> texts = labels(picture);
+  for (const char* once : {"n = 3", "n = 4", "direct", "zheng_yamane", "glpk_dual", "N, points in each set",
+                           "median time of a solve (ms)"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+  // A marker for each point of 2 panels × 3 sizes × 3 methods, and one for each method in the legend.
+  EXPECT_EQ(markers(picture), 2 * 3 * 3 + 3);
+}
+
+TEST(TimeVsN, IsFilteredAndLeavesUnsolvedAndDisagreeingOut) {
+  std::vector<Record> records = grid();
+  for (Record& record : records) {
+    if (record.method == "direct" && record.N == 800) record.agrees = false;
+    if (record.method == "glpk_dual" && record.N == 800) record.status = DistanceStatus::time_limit;
+  }
+  FigureOptions options;
+  options.filter = Filter("n==3");
+  const std::string picture = svg("time_vs_N", records, options);
+  EXPECT_EQ(labels(picture).count("n = 4"), 0U);
+  EXPECT_EQ(markers(picture), 2 + 3 + 2 + 3);
+}
+
+TEST(TimeVsN, HasTheWidthOfThePagesColumns) {
+  FigureOptions options;
+  EXPECT_NE(svg("time_vs_N", grid(), options).find("width=\"687\""), std::string::npos);
+  options.size = FigureSize::single;
+  EXPECT_NE(svg("time_vs_N", grid(), options).find("width=\"336\""), std::string::npos);
+}
+
+TEST(RatioHeatmap, WritesThePercentageIntoEachCell) {
+  const std::string picture = svg("ratio_heatmap", grid());
+  const std::multiset<std::string> texts = labels(picture);
+  EXPECT_EQ(texts.count("10"), 6U + 1) << "six cells of direct, and a tick of the scale";
+  EXPECT_EQ(texts.count("30"), 6U) << "six cells of zheng_yamane";
+  EXPECT_EQ(texts.count("direct"), 1U);
+  EXPECT_EQ(texts.count("zheng_yamane"), 1U);
+  EXPECT_EQ(texts.count("time, % of glpk_dual"), 1U);
+}
+
+TEST(Figures, SayWhatTheyNeed) {
+  const auto complaint = [](const std::string& figure, const std::vector<Record>& records,
+                            const FigureOptions& options = {}) {
+    return message_of<FigureNeedsError>([&] { svg(figure, records, options); });
+  };
+  std::vector<Record> records;
+  add_records(records, "direct", 3, 200, {1, 2, 3});
+  EXPECT_EQ(complaint("time_vs_N", records),
+            "figure time_vs_N needs solved records at two or more values of N");
+  EXPECT_EQ(
+      complaint("ratio_heatmap", records),
+      "figure ratio_heatmap needs a baseline, a method that begins with glpk; or name one with --baseline");
+  EXPECT_EQ(complaint("time_vs_N", {}), "figure time_vs_N: no records");
+  FigureOptions options;
+  options.filter = Filter("n==7");
+  EXPECT_EQ(complaint("time_vs_N", records, options), "figure time_vs_N: no record passes the filter 'n==7'");
+  records = grid();
+  records[0].tolerance = 1e-3;
+  EXPECT_EQ(
+      complaint("time_vs_N", records),
+      "figure time_vs_N shows one tolerance, the records have several (1e-6; 0.001); choose with --where");
+}
+
+TEST(Figures, AreFoundByName) {
+  EXPECT_EQ(figure_named("time_vs_N").name, "time_vs_N");
+  EXPECT_NE(message_of<UnknownNameError>([] {
+              figure_named("time_vs_n");
+            }).find("unknown figure 'time_vs_n'; did you mean 'time_vs_N'? (known: time_vs_N ratio_heatmap)"),
+            std::string::npos);
+  EXPECT_EQ(figure_size_from_string("double"), FigureSize::double_wide);
+  EXPECT_THROW(figure_size_from_string("huge"), UnknownNameError);
+}
+
+}  // namespace
+}  // namespace raygauge
