@@ -160,7 +160,11 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
   result.status = status;
   result.lower = scaled_down(lower, shift);
   result.upper = scaled_up(upper, shift);
-  result.distance = std::clamp(std::ldexp(program_.objective(), shift), result.lower, result.upper);
+  // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
+  const bool closed = result.upper < kInfinity && result.upper - result.lower <= tolerance_ * result.upper;
+  if (status == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
+  // In this order an objective that is not a number gives way to the lower bound.
+  result.distance = std::max(result.lower, std::min(std::ldexp(program_.objective(), shift), result.upper));
   result.sigma = DistanceResult::kUnset;
   result.seconds = stopwatch_.seconds();
 

@@ -67,7 +67,8 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   result.status = support_direct.run(stopwatch);
   result.lower = support_direct.lower();
   result.upper = std::max(support_direct.upper(), result.lower);
-  result.distance = std::clamp(support_direct.objective(), result.lower, result.upper);
+  // In this order an objective that is not a number gives way to the lower bound.
+  result.distance = std::max(result.lower, std::min(support_direct.objective(), result.upper));
   result.sigma = DistanceResult::kUnset;
   result.seconds = stopwatch.seconds();
   result.normal = Vector::Map(support_direct.normal(), n);

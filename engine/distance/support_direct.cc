@@ -28,10 +28,13 @@ void SupportDirect::begin(SupportOracle& A, SupportOracle& Q, int n, const Dista
   counters_.outer_iterations = 1;
   points_A_.clear(n);
   points_Q_.clear(n);
+  gauge_per_residual_ = 0;
   const auto size = static_cast<std::size_t>(n);
   point_A_.reserve(size);
   point_Q_.reserve(size);
   normal_.reserve(size);
+  axis_.reserve(2 * size);
+  kernels_ = &kernels;
   program_.begin(n, 0.125 * options.tolerance, options.max_iterations, kernels);
 }
 
@@ -48,6 +51,26 @@ void SupportDirect::ask(const double* u) {
     const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
     for (int k = 0; k < n_; ++k) normal_[static_cast<std::size_t>(k)] = u[k] * length;
   }
+}
+
+// At a degenerate optimum some weights are zero and cannot be proven nonnegative: what that leaves of the
+// equations is paid for. The support points along the axes make sure that the known part of Q surrounds the
+// origin if Q does.
+double SupportDirect::upper_despite_residual(const Stopwatch& stopwatch) {
+  if (gauge_per_residual_ == 0) {
+    double* axis = axis_.data();
+    double* point = axis + n_;
+    std::fill_n(axis, n_, 0.0);
+    for (int k = 0; k < 2 * n_; ++k) {
+      axis[k / 2] = 1.0;
+      Q_->query(axis, k % 2 == 0 ? 1.0 : -1.0, point);
+      axis[k / 2] = 0.0;
+      offer_Q(point);
+    }
+    counters_.support_queries += 2 * n_;
+    gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
+  }
+  return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
 }
 
 DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
@@ -72,6 +95,9 @@ DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
     ask(program_.normal());
     if (lower_ == kInfinity) return DistanceStatus::unreachable;
     if (end != DirectProgram::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
+    if (upper_ == kInfinity && end == DirectProgram::End::solved) {
+      upper_ = std::min(upper_, upper_despite_residual(stopwatch));
+    }
     if (upper_ == 0) return DistanceStatus::contains_origin;
     if (upper_ < kInfinity && upper_ - lower_ <= tolerance_ * upper_) return DistanceStatus::optimal;
     if (is_final(end)) return status_of(end);

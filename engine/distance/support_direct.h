@@ -4,6 +4,7 @@
 
 #include "engine/distance/aligned_buffer.h"
 #include "engine/distance/direct_program.h"
+#include "engine/distance/gauge_bound.h"
 #include "engine/distance/options.h"
 #include "engine/distance/result.h"
 #include "engine/distance/stopwatch.h"
@@ -47,12 +48,16 @@ class SupportDirect {
 
  private:
   void ask(const double* u);
+  double upper_despite_residual(const Stopwatch& stopwatch);
 
   SupportOracle* A_ = nullptr;
   SupportOracle* Q_ = nullptr;
+  const Kernels* kernels_ = nullptr;
   int n_ = 0;
   double tolerance_ = 0;
   DirectProgram program_;
+  GaugeBound gauge_bound_;
+  double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
   WorkingSet points_A_;
   WorkingSet points_Q_;
   SupportValue h_A_;
@@ -60,6 +65,7 @@ class SupportDirect {
   AlignedBuffer<double> point_A_;
   AlignedBuffer<double> point_Q_;
   AlignedBuffer<double> normal_;
+  AlignedBuffer<double> axis_;  // and the support point along it
   double lower_ = 0;
   double upper_ = 0;
   DistanceCounters counters_;

@@ -111,6 +111,10 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
   result.status = status_;
   result.lower = scaled_down(lower_, shift);
   result.upper = scaled_up(std::max(upper_, lower_), shift);
+  // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
+  const bool closed =
+      result.upper < kInfinity && result.upper - result.lower <= options_.tolerance * result.upper;
+  if (status_ == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
   result.distance = result.lower;
   result.sigma = sigma_;
   result.seconds = stopwatch_.seconds();

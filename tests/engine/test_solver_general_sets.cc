@@ -62,6 +62,14 @@ class GeneralSets : public BothMethods {
 };
 RAYGAUGE_BOTH_METHODS(GeneralSets);
 
+TEST_P(GeneralSets, OfTwoBallsAreAtTheDistanceOfTheirCentersLessOneRadius) {
+  Random random(91);
+  for (const int n : {1, 2, 3, 5, 10}) {
+    const Vector c = 5 * sphere_points(n, 1, random);
+    expect_result(solve(Ball(c, 1), Ball(Vector::Zero(n), 2), 1e-6), 2, 1e-6);
+  }
+}
+
 TEST_P(GeneralSets, OfABallAgainstPointsMatchItsClosedForm) {
   // A ball of radius r at c against the cube: max_i |c_i| - r along an axis.
   for (const int n : {1, 2, 3, 4}) {

@@ -70,6 +70,33 @@ TEST_P(Truth, HoldsWhereCoordinatesDifferByTwoHundredBinaryOrders) { hold_random
 
 TEST_P(Truth, HoldsOverTheWholeRangeOfDoubles) { hold_random_instances(150, 1000, 144); }
 
+TEST_P(Truth, HoldsWhereTheProgramIsLostInOverflow) {
+  Matrix A(3, 4);
+  A << 8.5350584740862135e+242, -1.8909140209225187e-124, -6.365737426045269e+88, 2.9290953396399042e-244,  //
+      0, 0, -4.0564819207303341e+31, 0,                                                                     //
+      524288, -2.3792270535644529e+285, -2.6727647100921956e-51, -2.259211166966574e+220;
+  Matrix Q(3, 6);
+  Q << 2.5971138516352352e-266, -9.9764280515985282e+142, 1.2803682754477129e-121, 6.3580633550034209e-140,
+      -3.6284801164032965e-71, 1.7335252528715833e-298,  //
+      -1.1834392701356432e-152, -7.5115667952295464e-38, 2.1945890180959678e+272, -6.1934945100457412e+81,
+      -1.8701295567345085e-268, -3.4157586545090045e+285,  //
+      1.6779544074025752e-270, 1.1807347700204712e+73, 2.2059225191769664e+129, 1.4805169142520184e-90,
+      -1.5829246511567016e-125, -2.1129079194869055e+109;
+  EXPECT_TRUE(is_true(solve(A, Q), A, Q));
+}
+
+TEST_P(Truth, HoldsForADistanceOutsideTheRangeOfDoubles) {
+  const Matrix large = Matrix::Constant(1, 1, 2.1598472426453074e+191);
+  const Matrix small = Matrix::Constant(1, 1, 6.1859455619826217e-172);
+  const DistanceResult above = solve(large, small);
+  EXPECT_TRUE(is_true(above, large, small));
+  EXPECT_EQ(above.status, DistanceStatus::precision_limit);
+  const DistanceResult below = solve(small, large);
+  EXPECT_TRUE(is_true(below, small, large));
+  EXPECT_EQ(below.status, DistanceStatus::precision_limit);
+  EXPECT_GT(below.upper, 0);
+}
+
 TEST_P(Truth, HoldsForSinglePointsAndSegments) {
   Random random(145);
   for (int trial = 0; trial < 300; ++trial) {
