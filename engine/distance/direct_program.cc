@@ -61,7 +61,7 @@ void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
 
 // The point of A that the guess prefers, and artificial columns ±e_k signed so that the basic solution is
 // nonnegative. The inverse of that basis is known in closed form.
-void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess) {
+void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error) {
   basis_.reset(n_ + 1, *kernels_);
   basis_.right_hand_side()[n_] = 1.0;
   BasisView& view = basis_.view();
@@ -95,7 +95,7 @@ void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double
   R_last[n_] = 1.0;
   std::copy_n(R_last, view.P, view.x());
   loop_.artificials = n_;
-  set_artificial_costs(guess_.data(), 0.25 * scale);
+  set_artificial_costs(guess_.data(), guess_error * scale);
 }
 
 void DirectProgram::set_artificial_costs(const double* guess, double slack) {

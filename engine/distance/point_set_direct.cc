@@ -64,7 +64,7 @@ void PointSetDirect::start() {
     largest = std::max(largest, std::fabs(guess[k]));
   }
   if (!(largest > 0)) guess[0] = 1.0;
-  program_.start(working_A_, working_Q_, guess);
+  program_.start(working_A_, working_Q_, guess, 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing()));
 }
 
 void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& result) {

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr double kGuessError = 0.25;  // of the first normal, relative
+
 // Rounds without a better bound after which rounding has the last word.
 int patience(int n) { return 16 + 4 * n; }
 
@@ -85,7 +87,7 @@ DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
   ask(guess);
   offer_A(point_A_.data());
   offer_Q(point_Q_.data());
-  program_.start(points_A_, points_Q_, guess);
+  program_.start(points_A_, points_Q_, guess, kGuessError);
   double best_lower = -1;
   double best_upper = kInfinity;
   double best_objective = kInfinity;
@@ -125,7 +127,7 @@ DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
 }
 
 void SupportDirect::solve_offered(const double* guess, const Stopwatch& stopwatch) {
-  program_.start(points_A_, points_Q_, guess);
+  program_.start(points_A_, points_Q_, guess, kGuessError);
   DirectProgram::End end = program_.solve(points_A_, points_Q_, stopwatch);
   while (end == DirectProgram::End::bounded) {
     program_.raise_bounds();

@@ -51,6 +51,7 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
     return x != 0 ? std::fabs(x) : std::numeric_limits<double>::infinity();
   };
   smallest_magnitude_ = points.unaryExpr(nonzero).rowwise().minCoeff();
+  spacing_ = n > 1 ? std::pow(static_cast<double>(size_), -1.0 / static_cast<double>(n - 1)) : 1.0;
   // The mean of points divided by N beforehand, so that no partial sum overflows.
   center_ = (points / static_cast<double>(size_)).rowwise().sum();
 }

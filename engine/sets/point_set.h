@@ -50,6 +50,11 @@ class PointSet final : public ConvexSet {
   /// Smallest |coordinate k of p_i| that is not zero, dimension() doubles; +infinity where all are zero.
   const double* smallest_magnitude() const noexcept { return smallest_magnitude_.data(); }
 
+  /// N^(-1/(n-1)): the distance between neighbours, to a factor, if the N points stood evenly on the unit
+  /// sphere. It says how far the normal of a facet may turn from that of the smooth body which the points
+  /// sample.
+  double spacing() const noexcept { return spacing_; }
+
   /// Copies point i to `out` (dimension() doubles); unchecked.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept {
     const double* block = data_.get() + (i / kLanes) * dimension() * kLanes + i % kLanes;
@@ -70,6 +75,7 @@ class PointSet final : public ConvexSet {
   Eigen::VectorXd magnitude_;
   Eigen::VectorXd smallest_magnitude_;
   Eigen::VectorXd center_;
+  double spacing_;
 };
 
 }  // namespace raygauge
