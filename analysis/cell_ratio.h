@@ -20,6 +20,7 @@ struct CellKey {
   int n = 0;
   int N = 0;
   double tolerance = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy sees a 0 in what the compiler generates
   friend auto operator<=>(const CellKey&, const CellKey&) = default;
 };
 

@@ -19,6 +19,9 @@ struct AnalysisArguments {
 
 void add_analysis_options(CLI::App& command, AnalysisArguments& arguments);
 
+/// --baseline, for commands that show ratios.
+void add_baseline_option(CLI::App& command, std::vector<std::string>& baselines);
+
 /// The records of the files, all of them: ratios need more than what passes the filter.
 MergedResults read_files(const AnalysisArguments& arguments);
 

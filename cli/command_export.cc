@@ -35,6 +35,10 @@ void add_export_command(CLI::App& app, int& status) {
                    "File to write: one line a record, the columns of docs/file-format.md")
       ->required()
       ->type_name("OUT.csv");
+  command->footer(
+      "Examples:\n"
+      "  raygauge export out/example2.h5 --csv out/example2.csv\n"
+      "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'");
   command->callback([arguments, &status] { status = export_records(*arguments); });
 }
 

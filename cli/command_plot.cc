@@ -88,12 +88,11 @@ void add_plot_command(CLI::App& app, int& status) {
       ->add_option("--size", arguments->size,
                    "Column of the page it is for: single (3.5 in) or double (7.16 in)")
       ->type_name("SIZE");
-  command
-      ->add_option(
-          "--baseline", arguments->baselines,
-          "Methods that ratios refer to, the best of them in each cell; default: those that begin with glpk")
-      ->delimiter(',')
-      ->type_name("METHOD,...");
+  add_baseline_option(*command, arguments->baselines);
+  command->footer(
+      "Examples:\n"
+      "  raygauge plot out/example2.h5 -o out\n"
+      "  raygauge plot out/example2.h5 --figure ratio_heatmap --size single -o out/ratios.pdf");
   command->callback([arguments, &status] { status = plot(*arguments); });
 }
 

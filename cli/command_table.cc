@@ -93,12 +93,14 @@ int print_table(const TableArguments& arguments) {
 void add_pivot_options(CLI::App& command, TableArguments& arguments) {
   command.add_option("--rows", arguments.rows, "Columns of the records whose values make the rows, as in n")
       ->delimiter(',')
-      ->type_name("COLUMN,...");
+      ->type_name("COLUMN,...")
+      ->default_str("");
   command
       .add_option("--cols", arguments.columns,
                   "Columns of the records whose values make the columns, as in N")
       ->delimiter(',')
-      ->type_name("COLUMN,...");
+      ->type_name("COLUMN,...")
+      ->default_str("");
   command
       .add_option(
           "--value", arguments.value,
@@ -121,15 +123,17 @@ void add_table_command(CLI::App& app, int& status) {
                    "The paper's table, measured, with the paper's own numbers: table3")
       ->type_name("NAME");
   add_pivot_options(*command, *arguments);
-  command
-      ->add_option(
-          "--baseline", arguments->baselines,
-          "Methods that ratios refer to, the best of them in each cell; default: those that begin with glpk")
-      ->delimiter(',')
-      ->type_name("METHOD,...");
+  add_baseline_option(*command, arguments->baselines);
   command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");
   command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
       ->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  raygauge table out/example2.h5 --paper table3\n"
+      "  raygauge table out/example2.h5 --rows n --cols N --value 'median ratio' --where 'method==direct'\n"
+      "  raygauge table out/example2.h5 --rows method --cols status --value count\n"
+      "\n"
+      "docs/analysis.md names every column, value and statistic.");
   command->callback([arguments, &status] { status = print_table(*arguments); });
 }
 

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// `raygauge table`, `plot` and `export` as a user runs them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/results_file.h"
+#include "tests/analysis/records.h"
+#include "tests/cli/program_fixture.h"
+
+namespace raygauge {
+namespace {
+
+using testing::expect_complaint;
+using testing::ProgramResult;
+
+class AnalysisCommands : public testing::ProgramTest {
+ protected:
+  void SetUp() override {
+    ResultsFile results;
+    for (const int N : {200, 400}) {
+      testing::add_records(results.records, "direct", 3, N, {1, 2, 3});
+      testing::add_records(results.records, "glpk_dual", 3, N, {10, 20, 30});
+    }
+    for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 6;
+    results.provenance.cell_count = 2;
+    results.provenance.sessions = {testing::sample_session()};
+    results.provenance.sessions[0].timing = "serial";
+    write_results(folder_.file("r.h5"), results);
+  }
+
+  std::string read(const std::string& name) const { return testing::read_bytes(folder_.file(name)); }
+
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_.file(name)); }
+};
+
+TEST_F(AnalysisCommands, TablePrintsAPivot) {
+  const ProgramResult outcome =
+      run_raygauge({"table", "r.h5", "--rows", "n", "--cols", "N", "--value", "median ratio"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out,
+            "median ratio of time to the best of glpk_dual\n"
+            "\n"
+            "n  N=200  N=400\n"
+            "---------------\n"
+            "3  0.100  0.100\n");
+}
+
+TEST_F(AnalysisCommands, TablePrintsTheTableOfThePaper) {
+  const ProgramResult outcome = run_raygauge({"table", "r.h5", "--paper", "table3"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(
+                "n=3  measured  2.00 (0.10)*  2.00 (0.10)*\n     paper      1.36 (0.19)   1.52 (0.15)\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("agreement: all 12 records agree, baselines included\n"), std::string::npos);
+}
+
+TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
+  const ProgramResult outcome = run_raygauge({"table", "r.h5", "--rows", "method,N", "--value", "max ms",
+                                              "--where", "N==200", "--format", "csv", "-o", "t.csv"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(read("t.csv"), "method,N,max milliseconds\ndirect,200,3\nglpk_dual,200,30\n");
+}
+
+TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
+  expect_complaint(run_raygauge({"table", "r.h5"}),
+                   "raygauge: table: say which, --paper table3 or --rows, --cols and --value");
+  expect_complaint(
+      run_raygauge({"table", "r.h5", "--paper", "table3", "--rows", "n"}),
+      "raygauge: table: --paper has its own rows, columns and value; drop --rows, --cols, --value");
+  expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table9"}),
+                   "raygauge: unknown table of the paper 'table9'; did you mean 'table3'? (known: table3)");
+  expect_complaint(run_raygauge({"table", "r.h5", "--rows", "n", "--where", "n=3"}),
+                   "raygauge: filter 'n=3', character 2: unexpected '='; did you mean '=='?");
+  expect_complaint(run_raygauge({"table", "r.h5", "--rows", "n", "--format", "html"}),
+                   "raygauge: unknown table format 'html' (known: text markdown latex csv)");
+  expect_complaint(run_raygauge({"table", "r.h5", "r.h5", "--rows", "n"}),
+                   "raygauge: r.h5 holds the same run as r.h5");
+}
+
+TEST_F(AnalysisCommands, ExportWritesTheRecordsThatPass) {
+  const ProgramResult outcome =
+      run_raygauge({"export", "r.h5", "--csv", "out.csv", "--where", "method==direct && repetition<2"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string csv = read("out.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
+  EXPECT_TRUE(csv.starts_with("cell,session,generator,")) << csv;
+  EXPECT_EQ(csv.find("glpk"), std::string::npos);
+}
+
+TEST_F(AnalysisCommands, ExportWritesNothingWhereNothingPasses) {
+  expect_complaint(run_raygauge({"export", "r.h5", "--csv", "out.csv", "--where", "n==9"}),
+                   "raygauge: no record passes the filter 'n==9'; nothing was written");
+  EXPECT_FALSE(exists("out.csv"));
+}
+
+TEST_F(AnalysisCommands, PlotDrawsAFigure) {
+  const ProgramResult outcome = run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "t.svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "t.svg\n");
+  EXPECT_NE(read("t.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
+  std::filesystem::create_directory(folder_.file("pictures"));
+  const ProgramResult outcome = run_raygauge({"plot", "r.h5", "-o", "pictures", "--where", "N==200"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "pictures/ratio_heatmap.svg\npictures/ratio_heatmap.png\n");
+  EXPECT_EQ(outcome.err, "skipped: figure time_vs_N needs solved records at two or more values of N\n");
+  EXPECT_TRUE(read("pictures/ratio_heatmap.png").starts_with("\x89PNG"));
+}
+
+TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
+  expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
+                   "raygauge: unknown figure 'heatmap' (known: time_vs_N ratio_heatmap)");
+  expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
+                   "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
+  expect_complaint(
+      run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.svg", "--where", "N==200"}),
+      "raygauge: figure time_vs_N needs solved records at two or more values of N");
+  expect_complaint(run_raygauge({"plot", "r.h5", "-o", "nowhere"}),
+                   "raygauge: nowhere is no folder; without --figure, -o is the folder for all figures");
+  EXPECT_FALSE(exists("x.svg"));
+}
+
+}  // namespace
+}  // namespace raygauge
