@@ -70,8 +70,6 @@ TEST(SetParameters, ASingularMapIsRefusedAndAnIllScaledOneIsNot) {
   EXPECT_EQ(message_of<InvalidParameterError>([&] { image(rank_1); }),
             "affine image: M must be invertible, but it is singular");
   EXPECT_THROW(image(Eigen::MatrixXd::Zero(2, 2)), InvalidParameterError);
-  EXPECT_NO_THROW(
-      image(Vector(1e150 * kOne - (1e150 - 1e-150) * Vector::Unit(2, 1)).asDiagonal().toDenseMatrix()));
   const Vector apart = (Vector(2) << 1e150, 1e-150).finished();
   EXPECT_NO_THROW(image(apart.asDiagonal().toDenseMatrix()));
 }
