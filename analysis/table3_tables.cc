@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/table3_tables.h"
-
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "analysis/number_text.h"
 #include "analysis/paper.h"
 #include "analysis/statistics.h"
+#include "analysis/table3.h"
 
 namespace raygauge {
 namespace {

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "analysis/pivot.h"
-#include "analysis/pivot_table.h"
+#include "analysis/stability.h"
 #include "analysis/table.h"
 #include "analysis/table3.h"
-#include "analysis/table3_tables.h"
 #include "cli/analysis_options.h"
 #include "cli/commands.h"
 #include "cli/terminal.h"
@@ -22,6 +21,7 @@ namespace {
 struct TableArguments {
   AnalysisArguments analysis;
   std::string paper;
+  bool stability = false;
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   std::optional<std::string> value;
@@ -36,12 +36,15 @@ constexpr std::size_t kDefaultWidth = 200;
 
 void require_one_kind(const TableArguments& arguments) {
   const bool pivot = !arguments.rows.empty() || !arguments.columns.empty() || arguments.value;
-  if (arguments.paper.empty() && !pivot)
-    throw InvalidParameterError("table: say which, --paper table3 or --rows, --cols and --value");
-  if (!arguments.paper.empty() && pivot)
+  const bool paper = !arguments.paper.empty();
+  if (!paper && !arguments.stability && !pivot)
     throw InvalidParameterError(
-        "table: --paper has its own rows, columns and value; drop --rows, --cols, --value");
-  if (!arguments.paper.empty() && arguments.paper != "table3")
+        "table: say which, --paper table3, --stability, or --rows, --cols and --value");
+  if (paper && arguments.stability) throw InvalidParameterError("table: --paper or --stability, not both");
+  if (pivot && (paper || arguments.stability))
+    throw InvalidParameterError(std::string("table: ") + (paper ? "--paper" : "--stability") +
+                                " has its own rows, columns and value; drop --rows, --cols, --value");
+  if (paper && arguments.paper != "table3")
     throw UnknownNameError("table of the paper", arguments.paper, {"table3"});
 }
 
@@ -52,6 +55,11 @@ std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<
     const Table3 table3 = make_table3(records, filter, arguments.baselines);
     if (format == TableFormat::csv) return {table3_long_table(table3)};
     return table3_tables(table3);
+  }
+  if (arguments.stability) {
+    const Stability stability = make_stability(records, filter);
+    if (format == TableFormat::csv) return {stability_long_table(stability)};
+    return stability_tables(stability);
   }
   PivotOptions options;
   options.rows = arguments.rows;
@@ -124,6 +132,9 @@ void add_table_command(CLI::App& app, int& status) {
       ->add_option("--paper", arguments->paper,
                    "The paper's table, measured, with the paper's own numbers: table3")
       ->type_name("NAME");
+  command->add_flag("--stability", arguments->stability,
+                    "For each family and method: certified share, worst width and true error, wrong answers, "
+                    "failures, median time");
   add_pivot_options(*command, *arguments);
   add_baseline_option(*command, arguments->baselines);
   command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");

@@ -19,6 +19,8 @@ std::string value_text(const ComponentSpec& component) {
   return parameters.empty() ? text : text + " {" + parameters + "}";
 }
 
+std::string value_text(const GeneratorSpec& generator);
+
 template <class T>
 std::string list_text(const std::vector<T>& values, const char* separator) {
   std::string text;
@@ -26,6 +28,13 @@ std::string list_text(const std::vector<T>& values, const char* separator) {
     if (!text.empty()) text += separator;
     text += value_text(value);
   }
+  return text;
+}
+
+std::string value_text(const GeneratorSpec& generator) {
+  std::string text = value_text(static_cast<const ComponentSpec&>(generator));
+  if (!generator.n.empty()) text += " n = " + list_text(generator.n, " ");
+  if (!generator.N.empty()) text += " N = " + list_text(generator.N, " ");
   return text;
 }
 

@@ -3,6 +3,8 @@
 #include "cli/experiment_components.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -71,11 +73,30 @@ std::vector<Parameters> combine(const std::vector<Parameters>& chosen, const std
   return result;
 }
 
+const std::vector<std::string>& keys_of_sweep() {
+  static const std::vector<std::string> kKeys = {"name", "n", "N"};
+  return kKeys;
+}
+
+/// Whether a key of [[generator]] is for the sweep, and no parameter of the generator.
+bool is_key_of_sweep(const std::string& key) {
+  return std::find(keys_of_sweep().begin(), keys_of_sweep().end(), key) != keys_of_sweep().end();
+}
+
+/// The axis that an entry has of its own; empty if it has none.
+std::vector<int> axis_of(const toml::table& entry, const std::string& key) {
+  const toml::node* node = entry.get(key);
+  if (node == nullptr) return {};
+  const Range range{1, std::numeric_limits<int>::max()};
+  const std::vector<std::int64_t> values = read_integers(*node, "generator." + key, range);
+  return {values.begin(), values.end()};
+}
+
 std::vector<Parameters> swept_parameters(const toml::table& entry, const Component<Generator>& component) {
   std::vector<Parameters> combinations(1);
   for (const auto& [key, node] : entry) {
     const std::string name(key.str());
-    if (name == "name") continue;
+    if (is_key_of_sweep(name)) continue;
     const std::vector<ParameterValue> values = read_parameters(node, "generator." + name);
     for (const ParameterValue& value : values) check_value(node, "generator", component, name, value);
     combinations = combine(combinations, name, values);
@@ -85,19 +106,19 @@ std::vector<Parameters> swept_parameters(const toml::table& entry, const Compone
 
 }  // namespace
 
-std::vector<ComponentSpec> read_generators(const TomlSource& source, const GeneratorRegistry& registry) {
-  std::vector<ComponentSpec> specs;
+std::vector<GeneratorSpec> read_generators(const TomlSource& source, const GeneratorRegistry& registry) {
+  std::vector<GeneratorSpec> specs;
   std::set<std::pair<std::string, std::string>> seen;
   for (const toml::table* entry : entries_of(source, "generator")) {
     const Component<Generator>& component = named_component(*entry, "generator", registry);
-    check_keys(*entry, "generator", component, {"name"});
+    check_keys(*entry, "generator", component, keys_of_sweep());
     for (const Parameters& parameters : swept_parameters(*entry, component)) {
       const std::string completed = to_string(complete(component.name, component.parameters, parameters));
       if (!seen.emplace(component.name, completed).second) {
         throw InvalidParameterError(place_of(*entry) + ": generator '" + component.name + "' appears twice" +
                                     (completed.empty() ? "" : " with " + completed));
       }
-      specs.push_back({component.name, "", parameters});
+      specs.push_back({{component.name, "", parameters}, axis_of(*entry, "n"), axis_of(*entry, "N")});
     }
   }
   return specs;

@@ -12,8 +12,9 @@
 namespace raygauge::cli {
 
 /// The [[generator]] entries of an experiment. Parameters given as lists or ranges are swept: one component
-/// for each combination, the last parameter (in name order) fastest. Throws as read_experiment does.
-std::vector<ComponentSpec> read_generators(const TomlSource& source, const GeneratorRegistry& registry);
+/// for each combination, the last parameter (in name order) fastest; n and N are the axes of the entry, not
+/// swept here. Throws as read_experiment does.
+std::vector<GeneratorSpec> read_generators(const TomlSource& source, const GeneratorRegistry& registry);
 
 /// The [[method]] entries, each with its label. Throws as read_experiment does.
 std::vector<ComponentSpec> read_methods(const TomlSource& source, const MethodRegistry& registry);

@@ -21,11 +21,20 @@ std::string text_of(const ComponentSpec& component) {
   return parameters.empty() ? text : text + " {" + parameters + "}";
 }
 
+std::string text_of(const GeneratorSpec& generator);
+
 template <class T>
 std::string text_of(const std::vector<T>& values) {
   std::string text = "[";
   for (const T& value : values) text += (text.size() > 1 ? ", " : "") + text_of(value);
   return text + "]";
+}
+
+std::string text_of(const GeneratorSpec& generator) {
+  std::string text = text_of(static_cast<const ComponentSpec&>(generator));
+  if (!generator.n.empty()) text += " n = " + text_of(generator.n);
+  if (!generator.N.empty()) text += " N = " + text_of(generator.N);
+  return text;
 }
 
 std::string line_of(const std::string& key, const std::string& value) { return key + " = " + value; }

@@ -16,7 +16,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string cell_text(const TableCell& cell) {
-  std::string text = escaped(cell.text);
+  const std::string text = escaped(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
     case Emphasis::strong:

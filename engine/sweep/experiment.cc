@@ -23,9 +23,14 @@ void require_at_least(const std::string& key, int value, int minimum) {
           key + " must be at least " + std::to_string(minimum) + ", got " + std::to_string(value));
 }
 
+void validate_sizes(const std::vector<int>& dimensions, const std::vector<int>& counts) {
+  for (const int n : dimensions) require_at_least("n", n, 1);
+  for (const int N : counts) require_at_least("N", N, 1);
+}
+
 void validate_axes(const Experiment& experiment) {
-  for (const int n : experiment.n) require_at_least("n", n, 1);
-  for (const int N : experiment.N) require_at_least("N", N, 1);
+  validate_sizes(experiment.n, experiment.N);
+  for (const GeneratorSpec& generator : experiment.generators) validate_sizes(generator.n, generator.N);
   for (const double tolerance : experiment.tolerance) {
     require(tolerance > 0 && tolerance < 1, "tolerance must lie in (0, 1), got " + text_of(tolerance));
   }
@@ -40,20 +45,20 @@ void validate_run(const Experiment& experiment) {
   require(experiment.time_limit > 0, "time_limit must be positive, got " + text_of(experiment.time_limit));
 }
 
-/// The pairs (n, N) of the grid, in its order.
-std::vector<std::pair<int, int>> sizes_of(const Experiment& experiment) {
+/// The pairs (n, N) of a generator's part of the grid, in its order.
+std::vector<std::pair<int, int>> sizes_of(const Experiment& experiment, const GeneratorSpec& generator) {
+  const std::vector<int>& dimensions = generator.n.empty() ? experiment.n : generator.n;
+  const std::vector<int>& counts = generator.N.empty() ? experiment.N : generator.N;
   std::vector<std::pair<int, int>> sizes;
   if (experiment.grid == GridMode::paired) {
-    require(experiment.n.size() == experiment.N.size(),
-            "a paired grid needs lists n and N of one length, got " + std::to_string(experiment.n.size()) +
-                " and " + std::to_string(experiment.N.size()));
-    for (std::size_t i = 0; i < experiment.n.size(); ++i) {
-      sizes.emplace_back(experiment.n[i], experiment.N[i]);
-    }
+    require(dimensions.size() == counts.size(), "a paired grid needs lists n and N of one length, got " +
+                                                    std::to_string(dimensions.size()) + " and " +
+                                                    std::to_string(counts.size()));
+    for (std::size_t i = 0; i < dimensions.size(); ++i) sizes.emplace_back(dimensions[i], counts[i]);
     return sizes;
   }
-  for (const int n : experiment.n) {
-    for (const int N : experiment.N) sizes.emplace_back(n, N);
+  for (const int n : dimensions) {
+    for (const int N : counts) sizes.emplace_back(n, N);
   }
   return sizes;
 }
@@ -77,11 +82,10 @@ void validate(const Experiment& experiment) {
 }
 
 std::vector<Cell> grid_of(const Experiment& experiment) {
-  const std::vector<std::pair<int, int>> sizes = sizes_of(experiment);
   std::vector<Cell> cells;
   std::set<std::tuple<std::size_t, int, int, double>> seen;
   for (std::size_t generator = 0; generator < experiment.generators.size(); ++generator) {
-    for (const auto& [n, N] : sizes) {
+    for (const auto& [n, N] : sizes_of(experiment, experiment.generators[generator])) {
       for (const double tolerance : experiment.tolerance) {
         require(seen.emplace(generator, n, N, tolerance).second,
                 "the cell n = " + std::to_string(n) + ", N = " + std::to_string(N) +

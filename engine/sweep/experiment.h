@@ -24,6 +24,12 @@ struct ComponentSpec {
   Parameters parameters;  ///< as given; defaults are completed by the registry
 };
 
+/// A generator, which may have axes of its own: families exist in some dimensions only.
+struct GeneratorSpec : ComponentSpec {
+  std::vector<int> n = {};  ///< empty: Experiment::n
+  std::vector<int> N = {};  ///< empty: Experiment::N
+};
+
 /// How the axes n, N and tolerance are combined.
 enum class GridMode : std::uint8_t {
   cartesian,  ///< every n with every N with every tolerance
@@ -43,7 +49,7 @@ struct Experiment {
   std::vector<int> n = {3};
   std::vector<int> N = {200};
   std::vector<double> tolerance = {1e-6};
-  std::vector<ComponentSpec> generators;  ///< one entry for each combination of generator parameters
+  std::vector<GeneratorSpec> generators;  ///< one entry for each combination of generator parameters
   std::vector<ComponentSpec> methods;
 
   TimingMode timing = TimingMode::parallel;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/pivot_table.h"
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "analysis/table3_tables.h"
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 

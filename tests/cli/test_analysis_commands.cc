@@ -61,6 +61,15 @@ TEST_F(AnalysisCommands, TablePrintsTheTableOfThePaper) {
   EXPECT_NE(outcome.out.find("agreement: all 12 records agree, baselines included\n"), std::string::npos);
 }
 
+TEST_F(AnalysisCommands, TableSaysHowStableTheMethodsAre) {
+  const ProgramResult outcome =
+      run_raygauge({"table", "r.h5", "--stability", "--where", "method==direct", "--format", "csv"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\n1e-06,example2,direct,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1e-06,all,direct,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("glpk"), std::string::npos);
+}
+
 TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
   const ProgramResult outcome = run_raygauge({"table", "r.h5", "--rows", "method,N", "--value", "max ms",
                                               "--where", "N==200", "--format", "csv", "-o", "t.csv"});
@@ -71,10 +80,15 @@ TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
 
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
   expect_complaint(run_raygauge({"table", "r.h5"}),
-                   "raygauge: table: say which, --paper table3 or --rows, --cols and --value");
+                   "raygauge: table: say which, --paper table3, --stability, or --rows, --cols and --value");
   expect_complaint(
       run_raygauge({"table", "r.h5", "--paper", "table3", "--rows", "n"}),
       "raygauge: table: --paper has its own rows, columns and value; drop --rows, --cols, --value");
+  expect_complaint(
+      run_raygauge({"table", "r.h5", "--stability", "--value", "count"}),
+      "raygauge: table: --stability has its own rows, columns and value; drop --rows, --cols, --value");
+  expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table3", "--stability"}),
+                   "raygauge: table: --paper or --stability, not both");
   expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table9"}),
                    "raygauge: unknown table of the paper 'table9'; did you mean 'table3'? (known: table3)");
   expect_complaint(run_raygauge({"table", "r.h5", "--rows", "n", "--where", "n=3"}),

@@ -144,6 +144,21 @@ TEST_F(ExperimentFile, ListsOfGeneratorParametersAreSwept) {
   EXPECT_EQ(to_string(e.generators[1].parameters), "shift=1.5");
 }
 
+TEST_F(ExperimentFile, AGeneratorMayHaveAxesOfItsOwn) {
+  const std::string text =
+      "[[generator]]\nname = \"ray\"\nn = 2\nN = {from = 5, to = 7}\nshift = [0, 3]\n"
+      "[[method]]\nname = \"ray\"\n";
+  const Experiment e = read(text);
+  ASSERT_EQ(e.generators.size(), 2u);
+  for (const GeneratorSpec& generator : e.generators) {
+    EXPECT_EQ(generator.n, std::vector<int>{2});
+    EXPECT_EQ(generator.N, (std::vector<int>{5, 6, 7}));
+  }
+  EXPECT_EQ(grid_of(e).size(), 6u);
+  EXPECT_EQ(grid_of(read(text, {"generator.ray.n=3,4"})).size(), 12u);
+  EXPECT_THROW(read(text, {"generator.ray.n=0"}), InvalidParameterError);
+}
+
 TEST_F(ExperimentFile, OverridesTakeTomlOrBareLists) {
   const Experiment e =
       read(kGeneratorAndMethod, {"sweep.n=[5, 6]", "sweep.N=10,20,30", "sweep.grid=cartesian",
@@ -201,7 +216,7 @@ TEST_F(ExperimentFile, UnknownComponentsListTheKnownOnes) {
   EXPECT_EQ(error("[[generator]]\nname = \"ray\"\n[[method]]\nname = \"simplex\"\n"),
             "x.toml:4: unknown method 'simplex' (known: ray)");
   EXPECT_EQ(error("[[generator]]\nname = \"ray\"\nshfit = 2\n"),
-            "x.toml:3: unknown key of generator 'ray' 'shfit'; did you mean 'shift'? (known: name shift)");
+            "x.toml:3: unknown key of generator 'ray' 'shfit'; did you mean 'shift'? (known: name n N shift)");
 }
 
 TEST_F(ExperimentFile, MissingComponentsAreAskedFor) {

@@ -124,7 +124,7 @@ inline Experiment small_experiment() {
   experiment.tolerance = {1e-3, 1e-6};
   experiment.repetitions = 4;
   experiment.seed = 7;
-  experiment.generators = {{"ray", "", {{"shift", 0.5}}}};
+  experiment.generators = {GeneratorSpec{{"ray", "", {{"shift", 0.5}}}}};
   experiment.methods = {{"ray", "first", {}}, {"ray", "second", {}}};
   experiment.min_seconds = 0;
   return experiment;

@@ -14,7 +14,7 @@ Experiment grid_experiment() {
   experiment.n = {3, 4};
   experiment.N = {10, 20};
   experiment.tolerance = {1e-3, 1e-6};
-  experiment.generators = {{"g", "", {}}, {"h", "", {}}};
+  experiment.generators = {GeneratorSpec{{"g", "", {}}}, GeneratorSpec{{"h", "", {}}}};
   experiment.methods = {{"m", "", {}}};
   return experiment;
 }
@@ -58,6 +58,21 @@ TEST(Grid, AnEmptyAxisAndARepeatedCellAreRejected) {
 
 TEST(Validation, AcceptsTheDefaults) { EXPECT_NO_THROW(validate(grid_experiment())); }
 
+TEST(Grid, AGeneratorMayHaveAxesOfItsOwn) {
+  Experiment experiment = grid_experiment();
+  experiment.n = {3, 4};
+  experiment.N = {10};
+  experiment.tolerance = {1e-6};
+  experiment.generators[1].n = {7};
+  experiment.generators[1].N = {5, 6};
+  std::vector<std::vector<int>> cells;
+  for (const Cell& cell : grid_of(experiment))
+    cells.push_back({static_cast<int>(cell.generator), cell.n, cell.N});
+  EXPECT_EQ(cells, (std::vector<std::vector<int>>{{0, 3, 10}, {0, 4, 10}, {1, 7, 5}, {1, 7, 6}}));
+  experiment.grid = GridMode::paired;
+  EXPECT_THROW(grid_of(experiment), InvalidParameterError) << "n = 7 has no partner";
+}
+
 TEST(Validation, RejectsEveryValueOutsideItsRange) {
   const std::vector<std::function<void(Experiment&)>> mistakes = {
       [](Experiment& e) { e.n = {0}; },
@@ -70,6 +85,10 @@ TEST(Validation, RejectsEveryValueOutsideItsRange) {
       [](Experiment& e) { e.threads = -1; },
       [](Experiment& e) { e.min_seconds = -1; },
       [](Experiment& e) { e.time_limit = 0; },
+      [](Experiment& e) { e.generators.front().n = {0}; },
+      [](Experiment& e) {
+        e.generators.front().N = {3, 0};
+      },
       [](Experiment& e) { e.generators.clear(); },
       [](Experiment& e) { e.methods.clear(); },
       [](Experiment& e) { e.methods.push_back(e.methods.front()); },

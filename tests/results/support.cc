@@ -36,7 +36,7 @@ Experiment small_experiment(int cell_count, int repetitions) {
   experiment.n = {3};
   experiment.N.clear();
   for (int i = 0; i < cell_count; ++i) experiment.N.push_back(100 + i);
-  experiment.generators = {{"example2", "example2", {{"separation", 1.5}}}};
+  experiment.generators = {GeneratorSpec{{"example2", "example2", {{"separation", 1.5}}}}};
   experiment.methods = {{"direct", "direct", {}}, {"glpk", "GLPK, \"primal\"", {{"presolve", true}}}};
   return experiment;
 }

@@ -51,6 +51,8 @@ TEST(ExperimentIdentity, ChangesWithWhateverDeterminesTheRecords) {
       [](Experiment& e) { e.N.push_back(4000); },
       [](Experiment& e) { e.tolerance = {1e-7}; },
       [](Experiment& e) { e.generators.front().parameters["separation"] = 1.25; },
+      [](Experiment& e) { e.generators.front().n = {5}; },
+      [](Experiment& e) { e.generators.front().N = {5}; },
       [](Experiment& e) { e.methods.pop_back(); },
       [](Experiment& e) { e.methods.front().label = "ours"; },
   };

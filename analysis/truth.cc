@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/truth.h"
+
+#include <cmath>
+#include <limits>
+
+namespace raygauge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Truth::Truth(const std::vector<Record>& records) {
+  for (const Record& record : records) {
+    const double claim = claimed_distance(record);
+    if (record.method.rfind("exact", 0) == 0 && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
+  }
+}
+
+double Truth::operator()(const Record& record) const {
+  if (!std::isnan(record.exact_distance)) return record.exact_distance;
+  const auto found = proven_.find(name_of(record));
+  return found == proven_.end() ? kUnknown : found->second;
+}
+
+Truth::InstanceName Truth::name_of(const Record& record) {
+  return {record.generator, record.generator_parameters, record.n, record.N, record.seed, record.repetition};
+}
+
+double claimed_distance(const Record& record) {
+  switch (record.status) {
+    case DistanceStatus::optimal:
+      return record.distance;
+    case DistanceStatus::contains_origin:
+      return 0;
+    case DistanceStatus::unreachable:
+      return kInfinity;
+    default:
+      return kUnknown;
+  }
+}
+
+double true_error(const Record& record, double truth) {
+  const double claim = claimed_distance(record);
+  if (std::isnan(claim) || std::isnan(truth)) return kUnknown;
+  if (claim == truth) return 0;
+  if (std::isinf(claim) || std::isinf(truth)) return kInfinity;
+  const double error = std::abs(claim - truth);
+  return truth == 0 ? error : error / truth;
+}
+
+}  // namespace raygauge

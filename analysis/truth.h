@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// The true distances of instances: the generator's own where it knows one, else what the method `exact` (a
+/// label that begins so) proved of the same instance, at whatever tolerance.
+class Truth {
+ public:
+  explicit Truth(const std::vector<Record>& records);
+
+  /// NaN where the truth is unknown.
+  double operator()(const Record& record) const;
+
+ private:
+  using InstanceName = std::tuple<std::string, std::string, int, int, std::uint64_t, int>;
+  static InstanceName name_of(const Record& record);
+  std::map<InstanceName, double> proven_;
+};
+
+/// The distance that a solved record claims: 0 for contains_origin, +∞ for unreachable; NaN for one that
+/// stopped at a limit.
+double claimed_distance(const Record& record);
+
+/// |claim - truth| / truth; the absolute error where the truth is 0; 0 where both are infinite and +∞ where
+/// one is. NaN for a record without a claim and for an unknown truth.
+double true_error(const Record& record, double truth);
+
+}  // namespace raygauge
