@@ -23,6 +23,7 @@ Json json_counters(const DistanceCounters& counters) {
           {"support_queries", counters.support_queries},
           {"points_priced", counters.points_priced},
           {"refactorisations", counters.refactorisations},
+          {"exact_pivots", counters.exact_pivots},
           {"witness_evaluations", counters.witness_evaluations}};
 }
 

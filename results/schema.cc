@@ -54,6 +54,7 @@ const std::vector<Column<Record>>& record_columns() {
     column("support_queries", "1", "evaluations of a support function over a whole set", &Record::counters, &DistanceCounters::support_queries),
     column("points_priced", "1", "points whose reduced cost was computed, working sets included", &Record::counters, &DistanceCounters::points_priced),
     column("refactorisations", "1", "basis inverses computed afresh", &Record::counters, &DistanceCounters::refactorisations),
+    column("exact_pivots", "1", "basis changes in exact arithmetic, where rounding left a doubt", &Record::counters, &DistanceCounters::exact_pivots),
     column("witness_evaluations", "1", "contact points computed", &Record::counters, &DistanceCounters::witness_evaluations),
     column("thread", "1", "OpenMP thread that ran the cell", &Record::thread),
     column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),

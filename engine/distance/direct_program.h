@@ -73,6 +73,9 @@ class DirectProgram {
   /// Σα_i a_i of the basic solution: an (approximate) point of A ∩ dQ.
   void contact_point(double* point) const;
 
+  /// Identities of the basic columns (see id_of_A), n + 1 of them; negative where artificial.
+  const std::int64_t* basic_ids() const noexcept { return basis_.view().id; }
+
   const double* normal() const noexcept { return basis_.view().y; }  ///< u, n doubles
   double threshold_A() const noexcept;  ///< points of A with u·a above price out
   double threshold_Q() const noexcept;  ///< points of Q with -u·q above price out

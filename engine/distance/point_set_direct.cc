@@ -18,6 +18,7 @@ void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceO
   begin(A, Q, options);
   working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
   working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  chosen_A_ = chosen_Q_ = {};
   start();
   run(false, effects, result);
 }
@@ -31,6 +32,8 @@ void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q, cons
   working_Q_.clear(n_);
   for (std::ptrdiff_t i = 0; i < count_A; ++i) working_A_.add(A, scaling_.factor_A(), index_A[i]);
   for (std::ptrdiff_t j = 0; j < count_Q; ++j) working_Q_.add(Q, scaling_.factor_Q(), index_Q[j]);
+  chosen_A_ = {index_A, static_cast<std::size_t>(count_A)};
+  chosen_Q_ = {index_Q, static_cast<std::size_t>(count_Q)};
   start();
   run(true, Effects::none, result);
 }
@@ -40,6 +43,7 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   Q_ = &Q;
   n_ = A.dimension();
   tolerance_ = options.tolerance;
+  pivots_are_limited_ = options.max_iterations > 0;
   kernels_ = &kernels_for(options.instruction_set);
   stopwatch_.start(options.time_limit);
   counters_ = {};
@@ -93,14 +97,14 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     if (upper < kInfinity && upper - lower <= tolerance_ * upper) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
     }
-    if (is_final(end) || restricted) return finish(status_of(end), lower, upper, effects, result);
+    if (is_final(end) || restricted) return settle(end, lower, upper, effects, result);
     if (violated) {
       add_violators();
       program_.encourage();
     } else if (end == DirectProgram::End::bounded) {
       program_.raise_bounds();
     } else if (!program_.repair()) {
-      return finish(DistanceStatus::precision_limit, lower, upper, effects, result);
+      return settle(end, lower, upper, effects, result);
     }
   }
 }
@@ -112,6 +116,47 @@ double PointSetDirect::upper_despite_residual() {
     gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, stopwatch_);
   }
   return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
+}
+
+// Rounding (or a default pivot limit, which it takes rounding to reach) keeps the bounds apart. Over chosen
+// points the upper bound is all that is asked for.
+void PointSetDirect::settle(DirectProgram::End end, double lower, double upper, Effects effects,
+                            DistanceResult& result) {
+  const bool restricted = !chosen_A_.empty();
+  const bool limited = end == DirectProgram::End::time_limit ||
+                       (end == DirectProgram::End::pivot_limit && pivots_are_limited_);
+  if (!limited && !(restricted && upper < kInfinity) && settle_exactly(lower, effects, result)) return;
+  finish(stopwatch_.expired() ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
+}
+
+bool PointSetDirect::settle_exactly(double lower, Effects effects, DistanceResult& result) {
+  const bool restricted = !chosen_A_.empty();
+  start_.clear();
+  for (int i = 0; i <= n_; ++i) {
+    const std::int64_t id = program_.basic_ids()[i];
+    if (id < 0) continue;
+    if (id % 2 == 1) {
+      start_.push_back(id_of_Q(working_Q_.index_in(*Q_, scaling_.factor_Q(), id / 2)));
+    } else {
+      start_.push_back(id_of_A(working_A_.index_in(*A_, scaling_.factor_A(), id / 2)));
+    }
+  }
+  const ExactProgram::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, stopwatch_);
+  if (end == ExactProgram::End::stopped) return false;
+  if (end == ExactProgram::End::unreachable) {
+    if (restricted) return false;
+    finish_exactly(DistanceStatus::unreachable, {kInfinity, kInfinity, kInfinity}, effects, result);
+    return true;
+  }
+  RoundedRatio distance = exact_.distance();
+  if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
+  const bool close =
+      distance.above < kInfinity && distance.above - distance.below <= tolerance_ * distance.above;
+  const DistanceStatus status = distance.above == 0 ? DistanceStatus::contains_origin
+                                : close             ? DistanceStatus::optimal
+                                                    : DistanceStatus::precision_limit;
+  finish_exactly(status, distance, effects, result);
+  return true;
 }
 
 // h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
@@ -165,8 +210,6 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
   if (status == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
   // In this order an objective that is not a number gives way to the lower bound.
   result.distance = std::max(result.lower, std::min(std::ldexp(program_.objective(), shift), result.upper));
-  result.sigma = DistanceResult::kUnset;
-  result.seconds = stopwatch_.seconds();
 
   // u in the sets' own units, with h_Q(-u) = 1.
   const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
@@ -181,7 +224,32 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
   } else if (result.contact_point.size() > 0) {
     result.contact_point.resize(0);
   }
+  record_work(result);
+}
 
+// As finish(), in the sets' own units.
+void PointSetDirect::finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
+                                    DistanceResult& result) {
+  result.status = status;
+  result.lower = distance.below;
+  result.upper = distance.above;
+  result.distance = distance.nearest;
+  result.normal.resize(n_);
+  exact_.normal(result.normal.data());
+  if (has_effect(effects, Effects::witness) && distance.above < kInfinity) {
+    result.contact_point.resize(n_);
+    exact_.contact_point(result.contact_point.data());
+    ++counters_.witness_evaluations;
+  } else if (result.contact_point.size() > 0) {
+    result.contact_point.resize(0);
+  }
+  counters_.exact_pivots = exact_.pivots();
+  record_work(result);
+}
+
+void PointSetDirect::record_work(DistanceResult& result) {
+  result.sigma = DistanceResult::kUnset;
+  result.seconds = stopwatch_.seconds();
   counters_.pivots = program_.pivots();
   counters_.ray_iterations = program_.pricings();
   counters_.points_priced += program_.points_priced();

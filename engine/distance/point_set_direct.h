@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "engine/distance/aligned_buffer.h"
 #include "engine/distance/certificate.h"
 #include "engine/distance/direct_program.h"
+#include "engine/distance/exact_program.h"
 #include "engine/distance/gauge_bound.h"
 #include "engine/distance/options.h"
 #include "engine/distance/result.h"
@@ -39,13 +42,19 @@ class PointSetDirect {
   SupportValue price_set(const PointSet& S, const WorkingSet& working, const double* direction,
                          double threshold, Collection& violators);
   void add_violators();
+  void settle(DirectProgram::End end, double lower, double upper, Effects effects, DistanceResult& result);
+  bool settle_exactly(double lower, Effects effects, DistanceResult& result);
   void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
+  void finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
+                      DistanceResult& result);
+  void record_work(DistanceResult& result);
 
   const PointSet* A_ = nullptr;
   const PointSet* Q_ = nullptr;
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
   double tolerance_ = 0;
+  bool pivots_are_limited_ = false;  // by the caller
   Scaling scaling_;
   WorkingSet working_A_;
   WorkingSet working_Q_;
@@ -54,6 +63,12 @@ class PointSetDirect {
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
   Stopwatch stopwatch_;
   DistanceCounters counters_;
+
+  // The last resort, the points it may use (none given: all), and the basis it starts from.
+  ExactProgram exact_;
+  std::span<const std::int64_t> chosen_A_;
+  std::span<const std::int64_t> chosen_Q_;
+  std::vector<std::int64_t> start_;
 
   // The last pricing of the whole sets, in scaled units, and what priced out.
   SupportValue h_A_;

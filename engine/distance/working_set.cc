@@ -117,6 +117,18 @@ void WorkingSet::add(const double* point) {
   ++size_;
 }
 
+std::int64_t WorkingSet::index_in(const PointSet& S, const double* factor, std::ptrdiff_t i) const noexcept {
+  if (complete_) return std::min<std::int64_t>(i, S.size() - 1);
+  const double* slot = blocks_ + (i / kLanes) * n_ * kLanes + i % kLanes;
+  for (std::ptrdiff_t j = 0; j < S.size(); ++j) {
+    const double* p = S.data() + (j / kLanes) * n_ * kLanes + j % kLanes;
+    int k = 0;
+    while (k < n_ && factor[k] * p[k * kLanes] == slot[k * kLanes]) ++k;
+    if (k == n_) return j;
+  }
+  return -1;
+}
+
 void WorkingSet::copy_point(std::ptrdiff_t i, double* out) const noexcept {
   const double* slot = blocks_ + (i / kLanes) * n_ * kLanes + i % kLanes;
   for (int k = 0; k < n_; ++k) out[k] = slot[k * kLanes];

@@ -35,6 +35,10 @@ class WorkingSet {
   std::ptrdiff_t size() const noexcept { return size_; }
   PricedPoints view() const noexcept { return {blocks_, (size_ + PointSet::kLanes - 1) / PointSet::kLanes}; }
 
+  /// The smallest index in S, whose points these are, of the point at position i. Compares coordinates: not
+  /// for the hot path.
+  std::int64_t index_in(const PointSet& S, const double* factor, std::ptrdiff_t i) const noexcept;
+
   /// Copies the (scaled) point at position i.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept;
 

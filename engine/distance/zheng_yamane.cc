@@ -60,7 +60,9 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
 }
 
 ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
-  if (end == RayShooter::End::missed || end == RayShooter::End::failed) return Step::give_up;
+  // It takes rounding to reach the default limit.
+  const bool endless = end == RayShooter::End::iteration_limit && options_.max_iterations == 0;
+  if (end == RayShooter::End::missed || end == RayShooter::End::failed || endless) return Step::give_up;
   sigma_ = shooter_.sigma();
   bound_from_below();
   if (end != RayShooter::End::hit) {

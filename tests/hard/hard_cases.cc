@@ -81,6 +81,18 @@ std::vector<HardCase> hard_cases() {
   return all;
 }
 
+std::vector<HardCase> hard_cases_of_unknown_distance() {
+  return {{"hard_moment_curve", {}},
+          {"hard_polygons", {}},
+          {"hard_minkowski_difference", {}},
+          {"hard_low_rank", {{"rank", std::int64_t{0}}}},
+          {"hard_low_rank", {{"rank", std::int64_t{1}}}},
+          {"hard_low_rank", {{"rank", std::int64_t{2}}}},
+          {"hard_needle", {{"aspect", 1e9}, {"sheared", true}}},
+          {"clustered", {}},
+          {"needle", {{"aspect", 1e10}}}};
+}
+
 std::vector<int> dimensions_of(const HardCase& tested, int limit) {
   std::vector<int> dimensions;
   for (const int n : {2, 3, 5, 8, 20, 50}) {

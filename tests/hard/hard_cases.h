@@ -21,6 +21,9 @@ struct HardCase {
 /// Every hard family with an exact distance, in the variants that differ in kind.
 std::vector<HardCase> hard_cases();
 
+/// Families whose distance no formula gives, meant for dimensions up to 8 and more.
+std::vector<HardCase> hard_cases_of_unknown_distance();
+
 /// The dimensions among 2, 3, 5, 8, 20, 50 that the case goes up to, as far as `limit`.
 std::vector<int> dimensions_of(const HardCase& tested, int limit);
 

@@ -72,14 +72,7 @@ TEST_P(UnknownDistance, LiesWithinTheBoundsOfBothMethods) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, UnknownDistance,
-                         testing::Values(HardCase{"hard_moment_curve", {}}, HardCase{"hard_polygons", {}},
-                                         HardCase{"hard_minkowski_difference", {}},
-                                         HardCase{"hard_low_rank", {{"rank", std::int64_t{0}}}},
-                                         HardCase{"hard_low_rank", {{"rank", std::int64_t{1}}}},
-                                         HardCase{"hard_low_rank", {{"rank", std::int64_t{2}}}},
-                                         HardCase{"hard_needle", {{"aspect", 1e9}, {"sheared", true}}},
-                                         HardCase{"clustered", {}}, HardCase{"needle", {{"aspect", 1e10}}}),
+INSTANTIATE_TEST_SUITE_P(Families, UnknownDistance, testing::ValuesIn(hard_cases_of_unknown_distance()),
                          [](const auto& test) { return label(test.param); });
 
 }  // namespace

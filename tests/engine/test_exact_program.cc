@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/exact_program.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/kernel/kernel.h"
+
+namespace raygauge {
+namespace {
+
+Eigen::MatrixXd cross_polytope(int n) {
+  Eigen::MatrixXd points(n, 2 * n);
+  points << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+  return points;
+}
+
+struct Solved {
+  ExactProgram program;
+  ExactProgram::End end = ExactProgram::End::stopped;
+};
+
+Solved solve(const Eigen::MatrixXd& points_A, const Eigen::MatrixXd& points_Q,
+             const std::vector<std::int64_t>& start = {}) {
+  const PointSet A(points_A);
+  const PointSet Q(points_Q);
+  Solved solved;
+  const Stopwatch stopwatch;
+  solved.end = solved.program.solve({&A, {}}, {&Q, {}}, start, stopwatch);
+  return solved;
+}
+
+TEST(ExactProgram, RoundsTheNormOfAPointToItsNeighbours) {
+  const Eigen::Vector3d point(1, -0x1p-300, 7);
+  const Solved solved = solve(point, cross_polytope(3));
+  ASSERT_EQ(solved.end, ExactProgram::End::solved);
+  EXPECT_EQ(solved.program.distance().below, 8);
+  EXPECT_EQ(solved.program.distance().above, std::nextafter(8.0, 9.0));
+  EXPECT_EQ(solved.program.distance().nearest, 8);
+}
+
+TEST(ExactProgram, ReachesTheSameAnswerFromAnyStart) {
+  const Eigen::MatrixXd Q = cross_polytope(4);
+  Eigen::MatrixXd A(4, 3);
+  A << 1, 2, 3, 1, 1, 5, 1, -1, 0, 2, 1, 1;
+  const double expected = solve(A, Q).program.distance().nearest;
+  const std::vector<std::vector<std::int64_t>> starts = {
+      {id_of_A(2), id_of_Q(0), id_of_Q(1), id_of_Q(2), id_of_Q(3)},
+      {id_of_Q(0), id_of_Q(4), id_of_Q(1), id_of_Q(5), -1},
+      {id_of_A(0), id_of_A(1), id_of_A(2)}};
+  for (const auto& start : starts) {
+    const Solved solved = solve(A, Q, start);
+    EXPECT_EQ(solved.end, ExactProgram::End::solved);
+    EXPECT_EQ(solved.program.distance().nearest, expected);
+  }
+}
+
+TEST(ExactProgram, TellsContactFromARoundingErrorAwayFromIt) {
+  const double above = 1 + std::numeric_limits<double>::epsilon();
+  const double below = 1 - std::numeric_limits<double>::epsilon() / 2;
+  for (const double height : {below, 1.0, above}) {
+    Eigen::MatrixXd A(2, 3);
+    A << height, height, 3, 1, -1, 0;
+    const Solved solved = solve(A, cross_polytope(2));
+    ASSERT_EQ(solved.end, ExactProgram::End::solved);
+    EXPECT_EQ(solved.program.distance().below, height);
+    EXPECT_EQ(solved.program.distance().above, height);
+  }
+}
+
+TEST(ExactProgram, TellsTheOriginOnAFaceFromAFaceNearTheOrigin) {
+  for (const double height : {0.0, 1e-300, std::numeric_limits<double>::denorm_min()}) {
+    Eigen::MatrixXd A(3, 4);
+    A << height, height, height, 1, 1, -1, 0, 0, 1. / 3, 1. / 3, -1, 0;
+    const Solved solved = solve(A, cross_polytope(3));
+    ASSERT_EQ(solved.end, ExactProgram::End::solved);
+    EXPECT_EQ(solved.program.distance().below, height);
+    EXPECT_EQ(solved.program.distance().above, height);
+  }
+}
+
+TEST(ExactProgram, ProvesThatNothingReaches) {
+  Eigen::MatrixXd flat(2, 2);
+  flat << 1, -1, 0, 0;
+  const Solved solved = solve(Eigen::Vector2d(3, 1e-300), flat);
+  ASSERT_EQ(solved.end, ExactProgram::End::unreachable);
+  Eigen::Vector2d u;
+  solved.program.normal(u.data());
+  EXPECT_LT(u[1], 0);
+  EXPECT_EQ(u[0], 0);
+}
+
+TEST(ExactProgram, ReportsANormalAndAContactPoint) {
+  Eigen::MatrixXd A(2, 3);
+  A << 2, 4, 4, 0.5, -1, 3;
+  const PointSet points_A(A);
+  const PointSet points_Q(cross_polytope(2));
+  ExactProgram program;
+  ASSERT_EQ(program.solve({&points_A, {}}, {&points_Q, {}}, {}, {}), ExactProgram::End::solved);
+  EXPECT_EQ(program.distance().nearest, 2.5);
+  Eigen::Vector2d u;
+  program.normal(u.data());
+  Eigen::Vector2d contact;
+  program.contact_point(contact.data());
+  EXPECT_NEAR(-u.dot(contact), program.distance().nearest, 1e-15);
+  EXPECT_NEAR((u.transpose() * A).maxCoeff(), -program.distance().nearest, 1e-15);
+}
+
+TEST(ExactProgram, UsesOnlyTheChosenPoints) {
+  Eigen::MatrixXd A(2, 2);
+  A << 1, 5, 0, 0;
+  const PointSet points_A(A);
+  const PointSet points_Q(cross_polytope(2));
+  const std::array<std::int64_t, 1> second = {1};
+  ExactProgram program;
+  ASSERT_EQ(program.solve({&points_A, second}, {&points_Q, {}}, {}, {}), ExactProgram::End::solved);
+  EXPECT_EQ(program.distance().nearest, 5);
+}
+
+TEST(ExactProgram, StopsWhenTheTimeIsUp) {
+  Stopwatch stopwatch;
+  stopwatch.start(0);
+  const PointSet A(Eigen::MatrixXd::Constant(3, 1, 2));
+  const PointSet Q(cross_polytope(3));
+  ExactProgram program;
+  EXPECT_EQ(program.solve({&A, {}}, {&Q, {}}, {}, stopwatch), ExactProgram::End::stopped);
+}
+
+}  // namespace
+}  // namespace raygauge
