@@ -12,7 +12,6 @@
 #include "analysis/cell_ratio.h"
 #include "analysis/filter.h"
 #include "analysis/statistics.h"
-#include "analysis/table.h"
 #include "engine/sweep/record.h"
 #include "results/column.h"
 
@@ -62,9 +61,5 @@ struct Pivot {
 /// Throws UnknownNameError and InvalidParameterError for options that name what is not there, and
 /// EmptySetError if no record passes the filter.
 Pivot make_pivot(const std::vector<Record>& records, const PivotOptions& options);
-
-/// The pivot as a table: values with 3 significant digits, `intervals` beside them if wanted, footnotes for
-/// what is unsolved, disagrees or has no value.
-Table pivot_table(const Pivot& pivot, bool intervals = false);
 
 }  // namespace raygauge

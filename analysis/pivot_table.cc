@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "analysis/pivot_table.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/columns.h"
 #include "analysis/number_text.h"
-#include "analysis/pivot.h"
 
 namespace raygauge {
 namespace {
@@ -59,7 +60,7 @@ std::string title(const Pivot& pivot) {
   } else if (!pivot.value.counts()) {
     text += " " + pivot.value.quantity;
     const std::string unit = analysis_column(pivot.value.quantity).unit;
-    if (unit.size() > 0 && unit != "1" && pivot.value.quantity != "milliseconds" &&
+    if (!unit.empty() && unit != "1" && pivot.value.quantity != "milliseconds" &&
         pivot.value.quantity != "microseconds" && pivot.value.quantity != "seconds") {
       text += " in " + unit;
     }
@@ -134,7 +135,7 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
     const auto& key = pivot.row_keys[r];
     const bool has_groups = table.key_columns > 1;
     row.starts_group = r > 0 && has_groups && key.front() != pivot.row_keys[r - 1].front();
-    for (const Value& value : key) row.cells.push_back({text_of(value)});
+    for (const Value& value : key) row.cells.emplace_back(text_of(value));
     for (std::size_t c = 0; c < pivot.column_keys.size(); ++c)
       row.cells.push_back(table_cell(pivot, pivot.cell(r, c), intervals));
     table.rows.push_back(std::move(row));
@@ -143,7 +144,7 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
   if (!pivot.split_by.empty())
     table.notes.push_back("split by " + join(pivot.split_by, ", ") + ", which the value must not mix");
   if (intervals)
-    table.notes.push_back(
+    table.notes.emplace_back(
         "[lower, upper]: 95 % intervals; of medians by interpolated order statistics "
         "(Hettmansperger-Sheather), of ratios of medians by Zou-Donner from these");
   return table;

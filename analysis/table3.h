@@ -8,7 +8,6 @@
 
 #include "analysis/cell_ratio.h"
 #include "analysis/filter.h"
-#include "analysis/table.h"
 #include "engine/sweep/record.h"
 
 namespace raygauge {
@@ -42,12 +41,5 @@ struct Table3 {
 /// have several generators or sets of parameters, and as baseline_records().
 Table3 make_table3(const std::vector<Record>& records, const Filter& filter = {},
                    std::vector<std::string> baselines = {});
-
-/// For reading: for each method a table in the paper's layout (rows n, columns N, median milliseconds, the
-/// ratio in parentheses, the paper's own below), then a summary with the verdict.
-std::vector<Table> table3_tables(const Table3& table3);
-
-/// For CSV: one row a method and cell.
-Table table3_long_table(const Table3& table3);
 
 }  // namespace raygauge

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "analysis/table3_tables.h"
+
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -10,7 +12,6 @@
 #include "analysis/number_text.h"
 #include "analysis/paper.h"
 #include "analysis/statistics.h"
-#include "analysis/table3.h"
 
 namespace raygauge {
 namespace {

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "analysis/pivot.h"
+#include "analysis/pivot_table.h"
 #include "analysis/stability.h"
 #include "analysis/table.h"
 #include "analysis/table3.h"
+#include "analysis/table3_tables.h"
 #include "cli/analysis_options.h"
 #include "cli/commands.h"
 #include "cli/terminal.h"

@@ -67,8 +67,8 @@ struct Layout {
   std::size_t columns = 0;
   std::size_t panels = 0;
   static constexpr double kLeft = 0.45;
-  static constexpr double kRight = 0.72;
-  static constexpr double kTop = 0.22;
+  static constexpr double kRight = 0.58;
+  static constexpr double kTop = 0.42;
   static constexpr double kBottom = 0.4;
   static constexpr double kTitle = 0.24;
 
@@ -175,15 +175,13 @@ std::string panel(const Layout& layout, const Grid& grid, std::size_t index, con
          "unset colorbox\n";
 }
 
-std::string color_label(const std::vector<std::string>& baselines, const Layout& layout) {
-  std::string names;
-  for (const std::string& baseline : baselines) names += (names.empty() ? "" : ", ") + baseline;
-  const std::string best = baselines.size() > 1 ? "the best of " : "";
-  return "set label 9 " + figure_style::quoted("time, % of " + best + names) + " at screen " +
-         fraction((layout.width - 0.09) / layout.width) + ", screen " +
-         fraction((Layout::kBottom + (layout.height() - Layout::kBottom - Layout::kTop) / 2) /
-                  layout.height()) +
-         " center rotate by 90\n";
+/// What the numbers and colours are, above the panels.
+std::string heading(const std::vector<std::string>& baselines, const Layout& layout) {
+  std::string text = baselines.size() > 1 ? "time, % of the best of " : "time, % of ";
+  for (const std::string& baseline : baselines)
+    text += (&baseline == &baselines.front() ? "" : ", ") + baseline;
+  return "set label 9 " + figure_style::quoted(text) + " at screen 0.5, screen " +
+         fraction(1 - 0.1 / layout.height()) + " center\n";
 }
 
 }  // namespace
@@ -216,7 +214,7 @@ Drawing ratio_heatmap(const std::vector<Record>& records, const FigureOptions& o
   drawing.height = layout.height();
   for (std::size_t m = 0; m < methods.size(); ++m)
     drawing.script += data_block("ratios" + std::to_string(m), ratios, methods[m], grid, range);
-  drawing.script += common_settings(grid, range, layout) + color_label(baselines, layout);
+  drawing.script += common_settings(grid, range, layout) + heading(baselines, layout);
   for (std::size_t m = 0; m < methods.size(); ++m)
     drawing.script += panel(layout, grid, m, methods[m]) + "unset label 9\n";
   drawing.script += "unset multiplot\n";

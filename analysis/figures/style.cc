@@ -71,13 +71,17 @@ std::string quoted(const std::string& text) {
 
 std::string one_two_five_ticks(double low, double high) {
   std::string ticks;
+  int count = 0;
   for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high;
        ++exponent) {
     for (const int step : {1, 2, 5}) {
       const double tick = step * std::pow(10, exponent);
-      if (tick >= low && tick <= high) ticks += (ticks.empty() ? "" : ", ") + significant(tick, 12);
+      if (tick < low || tick > high) continue;
+      ticks += (ticks.empty() ? "" : ", ") + significant(tick, 12);
+      ++count;
     }
   }
+  if (count < 2) ticks = significant(low, 2) + ", " + significant(high, 2);
   return "(" + ticks + ")";
 }
 

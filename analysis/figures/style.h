@@ -23,7 +23,8 @@ std::string line_color(const std::string& method, const std::vector<std::string>
 /// `text` as it stands in a string of gnuplot's enhanced mode, with its quotes.
 std::string quoted(const std::string& text);
 
-/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)".
+/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)"; where there are fewer
+/// than two of them, the ends with two digits.
 std::string one_two_five_ticks(double low, double high);
 
 /// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in

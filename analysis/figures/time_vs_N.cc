@@ -36,8 +36,10 @@ struct Axes {
   double N_high = 0;
   double ms_low = std::numeric_limits<double>::infinity();
   double ms_high = 0;
+  std::set<int> N_values;
 
   void include(const Point& point) {
+    N_values.insert(point.N);
     N_low = std::min(N_low, static_cast<double>(point.N));
     N_high = std::max(N_high, static_cast<double>(point.N));
     ms_low = std::min(ms_low, point.interval.lower);
@@ -109,8 +111,8 @@ Layout layout_of(std::size_t panels, std::size_t methods, FigureSize size) {
   layout.columns = std::min(panels, most);
   layout.rows = (panels + layout.columns - 1) / layout.columns;
   constexpr double kLegendLine = 0.17;
-  layout.legend =
-      0.05 + kLegendLine * static_cast<double>((methods + layout.legend_columns - 1) / layout.legend_columns);
+  const std::size_t legend_lines = (methods + layout.legend_columns - 1) / layout.legend_columns;
+  layout.legend = 0.05 + kLegendLine * static_cast<double>(legend_lines);
   return layout;
 }
 
@@ -170,6 +172,15 @@ std::string legend_plot(const Layout& layout, const std::vector<std::string>& me
          "set grid ytics lc rgb '#CCCCCC' lw 0.5 dt 1\n";
 }
 
+/// Few values of N are marked themselves.
+std::string N_ticks(const Axes& axes) {
+  constexpr std::size_t kFew = 4;
+  if (axes.N_values.size() > kFew) return figure_style::one_two_five_ticks(axes.N_low, axes.N_high);
+  std::string ticks;
+  for (const int N : axes.N_values) ticks += (ticks.empty() ? "" : ", ") + std::to_string(N);
+  return "(" + ticks + ")";
+}
+
 std::string panel_settings(const Layout& layout, std::size_t index, std::size_t count, const Axes& axes) {
   const std::size_t column = index % layout.columns;
   const std::size_t row = index / layout.columns;
@@ -184,7 +195,7 @@ std::string panel_settings(const Layout& layout, std::size_t index, std::size_t 
                      fraction((top - layout.panel_height()) / height) + "\n";
   text += std::string("set format x ") + (lowest ? "'%g'" : "''") + "\n";
   text += std::string("set format y ") + (column == 0 ? "'10^{%T}'" : "''") + "\n";
-  return text + "set xtics nomirror " + figure_style::one_two_five_ticks(axes.N_low, axes.N_high) + "\n";
+  return text + "set xtics nomirror " + N_ticks(axes) + "\n";
 }
 
 std::string plot_command(const Panel& panel, std::size_t index, const std::vector<std::string>& methods) {

@@ -47,7 +47,7 @@ constexpr std::array<Replacement, 32> kReplacements = {{
 }};
 
 std::string cell_text(const TableCell& cell) {
-  const std::string text = latex_escaped(cell.text);
+  std::string text = latex_escaped(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
     case Emphasis::strong:

@@ -16,7 +16,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string cell_text(const TableCell& cell) {
-  const std::string text = escaped(cell.text);
+  std::string text = escaped(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
     case Emphasis::strong:

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/pivot_table.h"
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 

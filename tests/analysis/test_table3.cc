@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "analysis/table3_tables.h"
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// {x : |x - c| <= r}, the Euclidean ball of R^n; r = 0 is the point c.
+///
+///     h(u) = u·c + r|u|,      s(u) = c + r u/|u|  (c for u = 0).
+class Ball final : public ConvexSet {
+ public:
+  /// Throws InvalidParameterError (n < 1, r < 0) or NonFiniteError.
+  Ball(const ConstVectorRef& center, double radius);
+
+  double radius() const noexcept { return radius_; }
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+
+  Vector center_;
+  double radius_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/box.h"
+
+#include <string>
+
+#include "engine/exceptions.h"
+#include "engine/sets/parameters.h"
+
+namespace raygauge {
+
+Box::Box(const ConstVectorRef& lower, const ConstVectorRef& upper)
+    : ConvexSet(static_cast<int>(lower.size())),
+      lower_(checked_finite("box", "lower", lower)),
+      upper_(checked_finite("box", "upper", upper)) {
+  check_dimension("box", "upper", upper.size(), dimension());
+  for (int k = 0; k < dimension(); ++k) {
+    if (lower_[k] > upper_[k]) {
+      throw InvalidParameterError("box: coordinate " + std::to_string(k) + " of lower, " +
+                                  std::to_string(lower_[k]) + ", must not exceed that of upper, " +
+                                  std::to_string(upper_[k]));
+    }
+  }
+}
+
+double Box::do_support(const double* u, double* point) const {
+  double value = 0;
+  for (int k = 0; k < dimension(); ++k) {
+    point[k] = u[k] > 0 ? upper_[k] : lower_[k];
+    value += u[k] * point[k];
+  }
+  return value;
+}
+
+void Box::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * lower_ + 0.5 * upper_; }
+
+}  // namespace raygauge

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// {x : the distance of x to the segment from p to q is <= r}, a segment thickened by a ball, in any R^n. p =
+/// q is a ball, r = 0 a segment.
+///
+///     h(u) = max(u·p, u·q) + r|u|,      s(u) = (q where u·(q - p) > 0, else p) + r u/|u|.
+class Capsule final : public ConvexSet {
+ public:
+  /// Throws InvalidParameterError (n < 1, r < 0), DimensionMismatchError or NonFiniteError.
+  Capsule(const ConstVectorRef& p, const ConstVectorRef& q, double radius);
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+
+  Vector p_;
+  Vector q_;
+  double radius_;
+};
+
+}  // namespace raygauge

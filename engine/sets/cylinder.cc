@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/cylinder.h"
+
+#include "engine/sets/parameters.h"
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+
+Cylinder::Cylinder(const ConstVectorRef& p, const ConstVectorRef& q, double radius)
+    : ConvexSet(static_cast<int>(p.size())),
+      axis_("cylinder", p, q),
+      p_(p),
+      q_(q),
+      radius_(checked_nonnegative("cylinder", "radius", radius)) {}
+
+double Cylinder::do_support(const double* u, double* point) const {
+  const int n = dimension();
+  const double along_p = dot(u, p_.data(), n);
+  const double along_q = dot(u, q_.data(), n);
+  const Vector& end = along_q > along_p ? q_ : p_;
+  const double across = axis_.radial_part(u, point);
+  for (int k = 0; k < n; ++k) point[k] = end[k] + radius_ * point[k];
+  return std::max(along_p, along_q) + radius_ * across;
+}
+
+void Cylinder::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * p_ + 0.5 * q_; }
+
+}  // namespace raygauge

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// {c + L z : |z| <= 1}, an ellipsoid of any orientation, kept as its factor L (n × m). The shape matrix L Lᵀ
+/// is never formed: it would square the ratio of the axes. Semi-axes a along the columns of a rotation R are
+/// L = R diag(a); a factor of rank below n is a flat ellipsoid.
+///
+///     h(u) = u·c + |Lᵀu|,      s(u) = c + L z/|z|, z = Lᵀu  (c for z = 0).
+class Ellipsoid final : public ConvexSet {
+ public:
+  /// Throws InvalidParameterError (n < 1, m < 1), DimensionMismatchError (L does not have n rows) or
+  /// NonFiniteError.
+  Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen::MatrixXd>& factor);
+
+  const Eigen::MatrixXd& factor() const noexcept { return factor_; }
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+
+  Vector center_;
+  Eigen::MatrixXd factor_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/p_norm_ball.h"
+
+#include <limits>
+#include <string>
+
+#include "engine/exceptions.h"
+#include "engine/sets/parameters.h"
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+namespace {
+
+double checked_exponent(double p) {
+  if (std::isnan(p)) throw NonFiniteError("p-norm ball: p must be a number, got nan");
+  if (p < 1) throw InvalidParameterError("p-norm ball: p must be at least 1, got " + std::to_string(p));
+  return p;
+}
+
+// ‖v‖_∞, and v replaced by sign(v_k) e_k at the largest entry.
+double unit_maximiser_1(double* v, int n) {
+  int best = 0;
+  for (int k = 1; k < n; ++k) {
+    if (std::fabs(v[k]) > std::fabs(v[best])) best = k;
+  }
+  const double largest = v[best];
+  std::fill_n(v, n, 0.0);
+  if (largest != 0) v[best] = std::copysign(1.0, largest);
+  return std::fabs(largest);
+}
+
+// ‖v‖_1, and v replaced by its signs.
+double unit_maximiser_infinity(double* v, int n) {
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    sum += std::fabs(v[k]);
+    if (v[k] != 0) v[k] = std::copysign(1.0, v[k]);
+  }
+  return sum;
+}
+
+// ‖v‖_q, and v replaced by z. With S = Σ t_k^q: ‖v‖_q = max|v| S^(1/q) and |z_k| = t_k^(q-1) / S^(1/p), where
+// no error of t_k is raised to a power: rounded t_k are those of another direction nearby, whose z has the
+// p-norm 1 too.
+double unit_maximiser(double* v, int n, double p) {
+  const double largest = largest_magnitude(v, n);
+  if (largest == 0) return 0;
+  const double q_minus_1 = 1 / (p - 1);
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    const double t = std::fabs(v[k]) / largest;
+    const double power = std::pow(t, q_minus_1);
+    sum += t * power;
+    v[k] = std::copysign(power, v[k]);
+  }
+  const double scale = std::pow(sum, 1 / p);
+  for (int k = 0; k < n; ++k) v[k] /= scale;
+  return largest * std::pow(sum, (p - 1) / p);
+}
+
+}  // namespace
+
+PNormBall::PNormBall(const ConstVectorRef& center, const ConstVectorRef& semi_axes, double p)
+    : ConvexSet(static_cast<int>(center.size())),
+      center_(checked_finite("p-norm ball", "center", center)),
+      semi_axes_(semi_axes),
+      p_(checked_exponent(p)) {
+  check_dimension("p-norm ball", "semi_axes", semi_axes.size(), dimension());
+  for (int k = 0; k < dimension(); ++k) {
+    checked_nonnegative("p-norm ball", "coordinate " + std::to_string(k) + " of semi_axes", semi_axes_[k]);
+  }
+}
+
+double PNormBall::do_support(const double* u, double* point) const {
+  const int n = dimension();
+  for (int k = 0; k < n; ++k) point[k] = semi_axes_[k] * u[k];
+  double dual_norm = 0;
+  if (p_ == 1) {
+    dual_norm = unit_maximiser_1(point, n);
+  } else if (p_ == 2) {
+    dual_norm = normalize(point, n, point);
+  } else if (p_ == std::numeric_limits<double>::infinity()) {
+    dual_norm = unit_maximiser_infinity(point, n);
+  } else {
+    dual_norm = unit_maximiser(point, n, p_);
+  }
+  for (int k = 0; k < n; ++k) point[k] = center_[k] + semi_axes_[k] * point[k];
+  return dot(u, center_.data(), n) + dual_norm;
+}
+
+void PNormBall::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
+
+}  // namespace raygauge

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/truncated_cone.h"
+
+#include "engine/sets/parameters.h"
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+
+TruncatedCone::TruncatedCone(const ConstVectorRef& base, double base_radius, const ConstVectorRef& top,
+                             double top_radius)
+    : ConvexSet(static_cast<int>(base.size())),
+      axis_("truncated cone", base, top),
+      base_(base),
+      top_(top),
+      base_radius_(checked_nonnegative("truncated cone", "base_radius", base_radius)),
+      top_radius_(checked_nonnegative("truncated cone", "top_radius", top_radius)) {}
+
+double TruncatedCone::do_support(const double* u, double* point) const {
+  const int n = dimension();
+  const double across = axis_.radial_part(u, point);
+  const double base_value = dot(u, base_.data(), n) + base_radius_ * across;
+  const double top_value = dot(u, top_.data(), n) + top_radius_ * across;
+  const bool at_top = top_value > base_value;
+  const Vector& disc = at_top ? top_ : base_;
+  const double radius = at_top ? top_radius_ : base_radius_;
+  for (int k = 0; k < n; ++k) point[k] = disc[k] + radius * point[k];
+  return at_top ? top_value : base_value;
+}
+
+void TruncatedCone::do_center(double* point) const {
+  Vector::Map(point, dimension()) = 0.5 * base_ + 0.5 * top_;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/union_hull.h"
+
+#include <string>
+#include <utility>
+
+#include "engine/exceptions.h"
+#include "engine/sets/parameters.h"
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+namespace {
+
+int dimension_of_first(const std::vector<std::shared_ptr<const ConvexSet>>& sets) {
+  if (sets.empty()) throw EmptySetError("hull of a union: needs at least one set");
+  return checked_set("hull of a union", "set 0", sets.front())->dimension();
+}
+
+}  // namespace
+
+UnionHull::UnionHull(std::vector<std::shared_ptr<const ConvexSet>> sets)
+    : ConvexSet(dimension_of_first(sets)), sets_(std::move(sets)) {
+  for (std::size_t i = 1; i < sets_.size(); ++i) {
+    const std::string name = "set " + std::to_string(i);
+    check_dimension("hull of a union", name, checked_set("hull of a union", name, sets_[i])->dimension(),
+                    dimension());
+  }
+}
+
+double UnionHull::do_support(const double* u, double* point) const {
+  Scratch other(dimension());
+  double best = sets_.front()->support_unchecked(u, point);
+  for (std::size_t i = 1; i < sets_.size(); ++i) {
+    const double value = sets_[i]->support_unchecked(u, other.data());
+    if (value > best) {
+      best = value;
+      std::copy_n(other.data(), dimension(), point);
+    }
+  }
+  return best;
+}
+
+void UnionHull::do_center(double* point) const {
+  Scratch one(dimension());
+  const auto count = static_cast<double>(sets_.size());
+  std::fill_n(point, dimension(), 0.0);
+  for (const auto& set : sets_) {
+    set->center_unchecked(one.data());
+    for (int k = 0; k < dimension(); ++k) point[k] += one.data()[k] / count;
+  }
+}
+
+}  // namespace raygauge

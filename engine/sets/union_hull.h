@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// conv(S_1 ∪ … ∪ S_m), the convex hull of a union.
+///
+///     h(u) = max_i h_i(u),      s(u) = s_i(u) for the smallest maximising i,      centre: the mean of the
+///     c_i.
+class UnionHull final : public ConvexSet {
+ public:
+  /// Throws EmptySetError (m = 0), InvalidParameterError (null pointer) or DimensionMismatchError.
+  explicit UnionHull(std::vector<std::shared_ptr<const ConvexSet>> sets);
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+
+  std::vector<std::shared_ptr<const ConvexSet>> sets_;
+};
+
+}  // namespace raygauge

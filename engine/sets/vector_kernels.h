@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace raygauge {
+
+// Small vectors as raw arrays: what the support functions of the closed-form sets are made of. Nothing
+// allocates.
+
+/// u·v.
+inline double dot(const double* u, const double* v, int n) noexcept {
+  double sum = 0;
+  for (int k = 0; k < n; ++k) sum += u[k] * v[k];
+  return sum;
+}
+
+/// max_k |u_k|.
+inline double largest_magnitude(const double* u, int n) noexcept {
+  double largest = 0;
+  for (int k = 0; k < n; ++k) largest = std::max(largest, std::fabs(u[k]));
+  return largest;
+}
+
+/// |u|, and u/|u| in `unit` (zero for u = 0); `unit` may be u itself. Squares neither overflow nor underflow:
+/// where they would, u is first scaled by a power of two.
+inline double normalize(const double* u, int n, double* unit) noexcept {
+  constexpr double kTiny = 0x1p-900, kHuge = 0x1p900;
+  const double square = dot(u, u, n);
+  if (square > kTiny && square < kHuge) {
+    const double length = std::sqrt(square);
+    for (int k = 0; k < n; ++k) unit[k] = u[k] / length;
+    return length;
+  }
+  const double largest = largest_magnitude(u, n);
+  if (largest == 0) {
+    std::fill_n(unit, n, 0.0);
+    return 0;
+  }
+  const int exponent = std::ilogb(largest);
+  for (int k = 0; k < n; ++k) unit[k] = std::scalbn(u[k], -exponent);
+  const double length = std::sqrt(dot(unit, unit, n));
+  for (int k = 0; k < n; ++k) unit[k] /= length;
+  return std::scalbn(length, exponent);
+}
+
+/// An array of `size` doubles, not initialised: on the stack up to kOnStack, which is every dimension anybody
+/// has asked for; on the heap beyond.
+class Scratch {
+ public:
+  static constexpr int kOnStack = 128;
+
+  explicit Scratch(int size) {
+    if (size > kOnStack) heap_ = std::make_unique<double[]>(static_cast<std::size_t>(size));
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  double* data() noexcept { return heap_ ? heap_.get() : stack_; }
+
+ private:
+  double stack_[kOnStack];
+  std::unique_ptr<double[]> heap_;
+};
+
+}  // namespace raygauge
