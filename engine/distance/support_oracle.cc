@@ -21,7 +21,19 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
     std::fill_n(unit_.data(), n, 1.0);
   }
   factor_ = factor != nullptr ? factor : unit_.data();
-  if (points_ == nullptr) return;
+  if (points_ == nullptr) {
+    magnitude_.reserve(n);
+    S.magnitude_unchecked(magnitude_.data());
+    double largest = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      magnitude_[k] *= factor_[k];
+      largest = std::max(largest, magnitude_[k]);
+    }
+    coordinate_error_ =
+        ConvexSet::rounding_error(S.dimension()) * largest + std::numeric_limits<double>::denorm_min();
+    return;
+  }
+  coordinate_error_ = 0;
   working_.choose(*points_, factor_, factor == nullptr);
   if (working_.is_complete()) return;
   const auto growth = static_cast<std::size_t>(WorkingSet::growth(*points_));
@@ -50,9 +62,10 @@ SupportValue SupportOracle::verify(const double* u, double sign, double known, d
   if (points_ != nullptr) return verify_points(u, sign, known, point);
   SupportValue result;
   result.value = query(u, sign, point);
+  const int n = set_->dimension();
   double magnitude = 0;
-  for (int k = 0; k < set_->dimension(); ++k) magnitude += std::fabs(u[k] * point[k]);
-  result.error = (set_->dimension() + 4) * (std::numeric_limits<double>::epsilon() / 2) * magnitude;
+  for (int k = 0; k < n; ++k) magnitude += std::fabs(u[k]) * magnitude_[static_cast<std::size_t>(k)];
+  result.error = ConvexSet::rounding_error(n) * magnitude + n * std::numeric_limits<double>::denorm_min();
   return result;
 }
 

@@ -26,9 +26,12 @@ class SupportOracle {
 
   /// h_S'(sign · u) over the whole set with a bound on its error, the maximiser in `point`. Points of a large
   /// set that beat `known` join the working set (pass what `query` returned). For a point set the error is
-  /// proven; for any other set it is the accuracy asked of a support function: (n + 4) rounding units of
-  /// Σ|u_k s_k|.
+  /// proven; any other set answers for ConvexSet::magnitude_unchecked: rounding_error(n) Σ|u_k| m_k.
   SupportValue verify(const double* u, double sign, double known, double* point);
+
+  /// A bound on how far, in any coordinate, a support point is from the nearest point of S': 0 for a point
+  /// set, whose support points are its own; rounding_error(n) max_k m_k for any other.
+  double coordinate_error() const noexcept { return coordinate_error_; }
 
   /// The scaled centre of S'.
   void center(double* point);
@@ -41,8 +44,10 @@ class SupportOracle {
   const double* factor_ = nullptr;
   const Kernels* kernels_ = nullptr;
   WorkingSet working_;
+  double coordinate_error_ = 0;
   AlignedBuffer<double> unit_;  // n ones, where no scaling is asked for
   AlignedBuffer<double> direction_;
+  AlignedBuffer<double> magnitude_;  // of a set that is no point set, scaled
   AlignedBuffer<std::int64_t> better_;
   AlignedBuffer<double> better_value_;
 };

@@ -86,4 +86,15 @@ void AffineImage::do_center(double* point) const {
   map(x.data(), point);
 }
 
+void AffineImage::do_magnitude(double* magnitude) const {
+  // Twice: the products with M lose as much again as S does.
+  const int n = dimension();
+  Scratch inner(n);
+  S_->magnitude_unchecked(inner.data());
+  for (int k = 0; k < n; ++k) {
+    magnitude[k] = std::fabs(t_[k]);
+    for (int j = 0; j < n; ++j) magnitude[k] += 2 * std::fabs(M_(k, j)) * inner.data()[j];
+  }
+}
+
 }  // namespace raygauge

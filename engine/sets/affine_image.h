@@ -27,6 +27,7 @@ class AffineImage final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
   void map(const double* x, double* image) const noexcept;
 
   std::shared_ptr<const ConvexSet> S_;

@@ -19,6 +19,8 @@ class Axis {
   /// orthogonal to the axis even for u nearly along it.
   double radial_part(const double* u, double* radial) const noexcept;
 
+  const Vector& direction() const noexcept { return direction_; }
+
  private:
   Vector direction_;
 };

@@ -20,4 +20,8 @@ double Ball::do_support(const double* u, double* point) const {
 
 void Ball::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
+void Ball::do_magnitude(double* magnitude) const {
+  Vector::Map(magnitude, dimension()) = center_.cwiseAbs().array() + radius_;
+}
+
 }  // namespace raygauge

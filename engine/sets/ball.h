@@ -19,6 +19,7 @@ class Ball final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Vector center_;
   double radius_;

@@ -34,4 +34,8 @@ double Box::do_support(const double* u, double* point) const {
 
 void Box::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * lower_ + 0.5 * upper_; }
 
+void Box::do_magnitude(double* magnitude) const {
+  Vector::Map(magnitude, dimension()) = lower_.cwiseAbs().cwiseMax(upper_.cwiseAbs());
+}
+
 }  // namespace raygauge

@@ -21,6 +21,7 @@ class Box final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Vector lower_;
   Vector upper_;

@@ -27,4 +27,8 @@ double Capsule::do_support(const double* u, double* point) const {
 
 void Capsule::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * p_ + 0.5 * q_; }
 
+void Capsule::do_magnitude(double* magnitude) const {
+  Vector::Map(magnitude, dimension()) = p_.cwiseAbs().cwiseMax(q_.cwiseAbs()).array() + radius_;
+}
+
 }  // namespace raygauge

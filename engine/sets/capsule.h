@@ -18,6 +18,7 @@ class Capsule final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Vector p_;
   Vector q_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/exceptions.h"
+#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 namespace {
@@ -36,6 +37,21 @@ Vector ConvexSet::support_mapping(const ConstVectorRef& u) const {
   Vector point(dimension_);
   do_support(u.data(), point.data());
   return point;
+}
+
+void ConvexSet::do_magnitude(double* magnitude) const {
+  Scratch axis(dimension_), point(dimension_);
+  do_center(magnitude);
+  std::fill_n(axis.data(), dimension_, 0.0);
+  for (int k = 0; k < dimension_; ++k) {
+    magnitude[k] = std::fabs(magnitude[k]);
+    for (const double sign : {1.0, -1.0}) {
+      axis.data()[k] = sign;
+      do_support(axis.data(), point.data());
+      magnitude[k] = std::max(magnitude[k], std::fabs(point.data()[k]));
+    }
+    axis.data()[k] = 0;
+  }
 }
 
 Vector ConvexSet::center() const {

@@ -47,6 +47,17 @@ class ConvexSet {
   /// center() written to `point`, dimension() doubles; nothing is allocated.
   void center_unchecked(double* point) const { do_center(point); }
 
+  /// Writes the sizes m_k of the numbers that coordinate k of a support point is computed from, dimension()
+  /// doubles: for c + r u/|u| that is |c_k| + r, however small the sum of the two may be. It is the scale of
+  /// rounding errors,
+  ///
+  ///     |computed h(u) - h(u)| <= rounding_error(n) Σ_k |u_k| m_k,
+  ///     each coordinate of the computed s(u) within rounding_error(n) m_k of that of a point of S.
+  void magnitude_unchecked(double* magnitude) const { do_magnitude(magnitude); }
+
+  /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
+  static constexpr double rounding_error(int n) noexcept { return (2 * n + 8) * 0x1p-53; }
+
  protected:
   /// Throws InvalidParameterError unless dimension >= 1.
   explicit ConvexSet(int dimension);
@@ -54,6 +65,10 @@ class ConvexSet {
  private:
   virtual double do_support(const double* u, double* point) const = 0;
   virtual void do_center(double* point) const = 0;
+
+  /// By default max |x_k| over S, from 2n support queries, and that of the centre: right where nothing larger
+  /// than the set itself cancels.
+  virtual void do_magnitude(double* magnitude) const;
 
   int dimension_;
 };

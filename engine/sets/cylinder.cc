@@ -26,4 +26,11 @@ double Cylinder::do_support(const double* u, double* point) const {
 
 void Cylinder::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * p_ + 0.5 * q_; }
 
+void Cylinder::do_magnitude(double* magnitude) const {
+  const Vector& a = axis_.direction();
+  const double share = 4 * a.lpNorm<1>();  // of the axis in the rounding errors of u_⊥
+  Vector::Map(magnitude, dimension()) =
+      p_.cwiseAbs().cwiseMax(q_.cwiseAbs()).array() + radius_ * (2 + share * a.array().abs());
+}
+
 }  // namespace raygauge

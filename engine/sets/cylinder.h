@@ -20,6 +20,7 @@ class Cylinder final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Axis axis_;
   Vector p_;

@@ -34,4 +34,10 @@ double Ellipsoid::do_support(const double* u, double* point) const {
 
 void Ellipsoid::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
+void Ellipsoid::do_magnitude(double* magnitude) const {
+  const double columns = static_cast<double>(factor_.cols()) / dimension();
+  Vector::Map(magnitude, dimension()) =
+      center_.cwiseAbs() + std::max(1.0, columns) * factor_.cwiseAbs().rowwise().sum();
+}
+
 }  // namespace raygauge

@@ -22,6 +22,7 @@ class Ellipsoid final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Vector center_;
   Eigen::MatrixXd factor_;

@@ -34,4 +34,11 @@ void MinkowskiDifference::do_center(double* point) const {
   for (int k = 0; k < dimension(); ++k) point[k] -= a1.data()[k];
 }
 
+void MinkowskiDifference::do_magnitude(double* magnitude) const {
+  Scratch a1(dimension());
+  A2_->magnitude_unchecked(magnitude);
+  A1_->magnitude_unchecked(a1.data());
+  for (int k = 0; k < dimension(); ++k) magnitude[k] += a1.data()[k];
+}
+
 }  // namespace raygauge

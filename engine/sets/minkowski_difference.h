@@ -20,6 +20,7 @@ class MinkowskiDifference final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   std::shared_ptr<const ConvexSet> A2_;
   std::shared_ptr<const ConvexSet> A1_;

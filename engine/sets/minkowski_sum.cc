@@ -28,4 +28,11 @@ void MinkowskiSum::do_center(double* point) const {
   for (int k = 0; k < dimension(); ++k) point[k] += b.data()[k];
 }
 
+void MinkowskiSum::do_magnitude(double* magnitude) const {
+  Scratch b(dimension());
+  A_->magnitude_unchecked(magnitude);
+  B_->magnitude_unchecked(b.data());
+  for (int k = 0; k < dimension(); ++k) magnitude[k] += b.data()[k];
+}
+
 }  // namespace raygauge

@@ -19,6 +19,7 @@ class MinkowskiSum final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   std::shared_ptr<const ConvexSet> A_;
   std::shared_ptr<const ConvexSet> B_;

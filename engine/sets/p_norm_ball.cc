@@ -91,4 +91,8 @@ double PNormBall::do_support(const double* u, double* point) const {
 
 void PNormBall::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
+void PNormBall::do_magnitude(double* magnitude) const {
+  Vector::Map(magnitude, dimension()) = center_.cwiseAbs() + semi_axes_;
+}
+
 }  // namespace raygauge

@@ -24,6 +24,7 @@ class PNormBall final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Vector center_;
   Vector semi_axes_;

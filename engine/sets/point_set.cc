@@ -83,4 +83,6 @@ double PointSet::do_support(const double* u, double* point) const {
 
 void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
+void PointSet::do_magnitude(double* magnitude) const { Vector::Map(magnitude, dimension()) = magnitude_; }
+
 }  // namespace raygauge

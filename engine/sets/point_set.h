@@ -68,6 +68,7 @@ class PointSet final : public ConvexSet {
 
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   std::ptrdiff_t size_;
   std::ptrdiff_t block_count_;

@@ -33,4 +33,8 @@ void Simplex::do_center(double* point) const {
   Vector::Map(point, dimension()) = corner_ + legs_ / (dimension() + 1.0);
 }
 
+void Simplex::do_magnitude(double* magnitude) const {
+  Vector::Map(magnitude, dimension()) = corner_.cwiseAbs() + legs_.cwiseAbs();
+}
+
 }  // namespace raygauge

@@ -32,4 +32,11 @@ void TruncatedCone::do_center(double* point) const {
   Vector::Map(point, dimension()) = 0.5 * base_ + 0.5 * top_;
 }
 
+void TruncatedCone::do_magnitude(double* magnitude) const {
+  const Vector& a = axis_.direction();
+  const double share = 4 * a.lpNorm<1>();  // of the axis in the rounding errors of u_⊥
+  Vector::Map(magnitude, dimension()) = base_.cwiseAbs().cwiseMax(top_.cwiseAbs()).array() +
+                                        std::max(base_radius_, top_radius_) * (2 + share * a.array().abs());
+}
+
 }  // namespace raygauge

@@ -21,6 +21,7 @@ class TruncatedCone final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   Axis axis_;
   Vector base_;

@@ -51,4 +51,13 @@ void UnionHull::do_center(double* point) const {
   }
 }
 
+void UnionHull::do_magnitude(double* magnitude) const {
+  Scratch one(dimension());
+  std::fill_n(magnitude, dimension(), 0.0);
+  for (const auto& set : sets_) {
+    set->magnitude_unchecked(one.data());
+    for (int k = 0; k < dimension(); ++k) magnitude[k] = std::max(magnitude[k], one.data()[k]);
+  }
+}
+
 }  // namespace raygauge

@@ -21,6 +21,7 @@ class UnionHull final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
 
   std::vector<std::shared_ptr<const ConvexSet>> sets_;
 };

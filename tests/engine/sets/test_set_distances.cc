@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Distances with a closed form: for A = c - rK and Q = sK, K convex with 0 in its interior,
+//
+//     d_Q(A) = max(0, (gauge_K(c) - r) / s).
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "engine/sets/affine_image.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/box.h"
+#include "engine/sets/capsule.h"
+#include "engine/sets/cylinder.h"
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/minkowski_difference.h"
+#include "engine/sets/p_norm_ball.h"
+#include "engine/sets/simplex.h"
+#include "engine/sets/truncated_cone.h"
+#include "engine/sets/union_hull.h"
+#include "tests/engine/both_methods.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge {
+namespace {
+
+using Set = std::shared_ptr<const ConvexSet>;
+
+constexpr double kTolerance = 1e-6;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Body {
+  std::string name;
+  Set K;
+  std::function<double(const Vector&)> gauge;
+};
+
+double p_norm(const Vector& x, double p) {
+  const double largest = x.cwiseAbs().maxCoeff();
+  return p == kInfinity ? largest : largest * std::pow((x.cwiseAbs() / largest).array().pow(p).sum(), 1 / p);
+}
+
+// max(z/z_t, -z/z_b, (ρ + kz)/R) for the frustum about e_n between z = -z_b and z = z_t, of radius R - kz.
+Body frustum(const std::string& name, int n, double r_b, double r_t) {
+  const double z_b = 1, z_t = 2, k = (r_b - r_t) / (z_b + z_t), R = r_b - k * z_b;
+  const Vector axis = Vector::Unit(n, n - 1);
+  return {name, std::make_shared<TruncatedCone>(-z_b * axis, r_b, z_t * axis, r_t), [=](const Vector& x) {
+            const double z = x[n - 1], rho = x.head(n - 1).norm();
+            return std::max({z / z_t, -z / z_b, (rho + k * z) / R});
+          }};
+}
+
+// The gauge of the capsule of half-length h and radius r along e_n: ρ/r beside the cylinder, else the root of
+// |x - λ(±h e_n)| = λr, in the form that does not divide by r² - h².
+Body capsule(const std::string& name, int n, double h, double r) {
+  const Vector axis = h * Vector::Unit(n, n - 1);
+  return {name, std::make_shared<Capsule>(-axis, axis, r), [=](const Vector& x) {
+            const double z = std::fabs(x[n - 1]), rho = x.head(n - 1).norm();
+            if (z * r <= rho * h) return rho / r;
+            const double square = x.squaredNorm();
+            return square / (z * h + std::sqrt(z * z * h * h + (r * r - h * h) * square));
+          }};
+}
+
+std::vector<Body> bodies(int n) {
+  Random random(31);
+  const Vector w = gaussian_points(n, 1, random).cwiseAbs() + Vector::Constant(n, 0.2);
+  const Eigen::MatrixXd L = gaussian_points(n, n, random) + 3 * Eigen::MatrixXd::Identity(n, n);
+  const Vector zero = Vector::Zero(n), axis = Vector::Unit(n, n - 1);
+  std::vector<Body> all = {
+      {"ball", std::make_shared<Ball>(zero, 2), [](const Vector& x) { return x.norm() / 2; }},
+      {"ellipsoid", std::make_shared<Ellipsoid>(zero, L),
+       [L](const Vector& x) { return L.fullPivLu().solve(x).norm(); }},
+      {"box", std::make_shared<Box>(-w, 2 * w),
+       [w](const Vector& x) {
+         return x.cwiseQuotient(w).cwiseMax(0).maxCoeff() / 2 < (-x).cwiseQuotient(w).maxCoeff()
+                    ? (-x).cwiseQuotient(w).maxCoeff()
+                    : x.cwiseQuotient(w).maxCoeff() / 2;
+       }},
+      {"simplex", std::make_shared<Simplex>(-Vector::Ones(n), Vector::Constant(n, n + 1.0)),
+       [n](const Vector& x) { return std::max(x.sum(), -x.minCoeff()); }},
+      {"cylinder", std::make_shared<Cylinder>(-axis, axis, 0.5),
+       [n](const Vector& x) { return std::max(std::fabs(x[n - 1]), 2 * x.head(n - 1).norm()); }},
+      frustum("truncated_cone", n, 2, 0.5),
+      frustum("cone", n, 1, 0),
+      frustum("inverted_cone", n, 0.5, 2),
+      frustum("straight_cone", n, 1, 1),
+      capsule("capsule", n, 1, 0.5),
+      capsule("capsule_radius_is_half_length", n, 1, 1),
+  };
+  for (const double p : {1.0, 1 + 1e-6, 1.3, 2.0, 4.0, 1e6, kInfinity}) {
+    all.push_back({"p_norm_ball_" + std::to_string(p), std::make_shared<PNormBall>(zero, w, p),
+                   [w, p](const Vector& x) { return p_norm(x.cwiseQuotient(w), p); }});
+  }
+  return all;
+}
+
+class SetDistances : public BothMethods {
+ protected:
+  static Set scaled(const Set& K, double factor) {
+    const int n = K->dimension();
+    return std::make_shared<AffineImage>(K, factor * Eigen::MatrixXd::Identity(n, n), Vector::Zero(n));
+  }
+
+  static DistanceResult solve(const ConvexSet& A, const ConvexSet& Q) {
+    return DistanceSolver(options(kTolerance)).solve(A, Q);
+  }
+};
+RAYGAUGE_BOTH_METHODS(SetDistances);
+
+TEST_P(SetDistances, OfHomothetsAreThoseOfTheirGauge) {
+  constexpr double r = 0.5, s = 0.75;
+  for (const int n : {2, 3, 5}) {
+    Random random(32);
+    for (const Body& body : bodies(n)) {
+      for (int repetition = 0; repetition < 5; ++repetition) {
+        const Vector c = 6 * sphere_points(n, 1, random);
+        const MinkowskiDifference A(std::make_shared<PointSet>(c), scaled(body.K, r));
+        const DistanceResult result = solve(A, *scaled(body.K, s));
+        const double truth = (body.gauge(c) - r) / s;
+        SCOPED_TRACE(body.name + ", n = " + std::to_string(n));
+        ASSERT_GT(truth, 0);
+        EXPECT_EQ(result.status, DistanceStatus::optimal) << to_string(result.status);
+        EXPECT_LE(result.lower, truth) << (result.lower - truth) / truth;
+        EXPECT_GE(result.upper, truth) << (result.upper - truth) / truth;
+        EXPECT_LE(result.upper - result.lower, kTolerance * result.upper);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge
