@@ -110,6 +110,16 @@ void Basis::refresh_duals() {
   for (int i = 0; i < view_.m; ++i) view_.objective += view_.cost[i] * view_.x()[i];
 }
 
+double Basis::drift() const {
+  double largest = 0;
+  for (int k = 0; k < view_.m; ++k) {
+    double residual = b_[static_cast<std::size_t>(k)];
+    for (int i = 0; i < view_.m; ++i) residual -= column(i)[k] * view_.x()[i];
+    largest = std::max(largest, std::fabs(residual));
+  }
+  return largest;
+}
+
 Enclosure Basis::refine_and_enclose() {
   // ‖E‖ as computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these
   // bounds.

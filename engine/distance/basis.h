@@ -33,6 +33,9 @@ class Basis {
   /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y; the objective too.
   void refresh_duals();
 
+  /// |b - B x|∞ as computed: how far the updates of x have drifted.
+  double drift() const;
+
   /// One step of refinement of x = R b, and a proven enclosure of B⁻¹ b around the refined x by Rump's
   /// theorem: with E = I - R B and ‖E‖∞ < 1,  |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞), every rounding error
   /// bounded.

@@ -20,6 +20,9 @@ constexpr double kArtificialZero = 1e-13;          // weight of artificial colum
 constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
+constexpr double kDrift = 1e-9;      // of the equations, after which the inverse is computed afresh
+constexpr double kProgress = 1e-12;  // of the objective, relative, between two looks
+constexpr int kIdleLooks = 4;        // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
 
@@ -118,12 +121,17 @@ DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q
   BasisView& view = basis_.view();
   loop_.A = A.view();
   loop_.Q = Q.view();
+  idle_looks_ = 0;
+  least_objective_ = kInfinity;
   for (;;) {
     loop_.pivot_limit = std::min(max_pivots_, view.pivots + kPivotsBetweenLooks);
     const LoopEnd end = kernels_->direct_loop(&view, &loop_);
     if (end == LoopEnd::pivot_limit) {
       const bool out_of_pivots = view.pivots >= max_pivots_;
-      if (!out_of_pivots && !stopwatch.expired()) continue;
+      if (!out_of_pivots && !stopwatch.expired()) {
+        if (!look_after_basis()) return End::failed;
+        continue;
+      }
       basis_.refresh_duals();
       return out_of_pivots ? End::pivot_limit : End::time_limit;
     }
@@ -142,6 +150,19 @@ DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q
       enter_stage(Stage::optimise);
     }
   }
+}
+
+// Now and then in a long solve. False where going on is useless.
+bool DirectProgram::look_after_basis() {
+  if (!(basis_.drift() <= kDrift)) {
+    ++refactorisations_;
+    if (!basis_.refactor()) return false;
+  }
+  const double objective = basis_.view().objective;
+  const bool better = objective < least_objective_ * (1 - kProgress);
+  idle_looks_ = better ? 0 : idle_looks_ + 1;
+  least_objective_ = std::min(least_objective_, objective);
+  return idle_looks_ < kIdleLooks;
 }
 
 bool DirectProgram::repair() {

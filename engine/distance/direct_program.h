@@ -89,6 +89,7 @@ class DirectProgram {
   enum class Stage : std::uint8_t { optimise, reach };  // phase 2 with bounded duals; phase 1
 
   void set_artificial_costs(const double* guess, double slack);
+  bool look_after_basis();
   double artificial_weight() const;
   void enter_stage(Stage stage);
   double exact_upper() const;
@@ -98,6 +99,8 @@ class DirectProgram {
   Stage stage_ = Stage::optimise;
   int raises_ = 0;
   int repairs_ = 0;
+  int idle_looks_ = 0;
+  double least_objective_ = 0;
   std::int64_t max_pivots_ = 0;
   std::int64_t refactorisations_ = 0;
   Basis basis_;

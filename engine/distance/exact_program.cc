@@ -16,10 +16,18 @@ bool is_from_Q(std::int64_t id) { return id % 2 == 1; }
 std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
 
 // Degenerate basis changes in a row after which Bland's rule takes over: it cannot cycle.
-int patience(int m) { return 2 * m + 10; }
+int patience(int m) { return 10 * m + 100; }
 std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }
 
 constexpr int kLowestTop = -1000;  // 2^1000 is a double
+
+// SplitMix64: fixed, so that a solve is reproducible.
+std::uint64_t scrambled(std::int64_t id, std::int64_t pivot) {
+  auto x = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(pivot + 1);
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31);
+}
 
 // For exponents that may leave the range of int: beyond ±kFarOut every double is 0 or infinite anyway.
 int clamped(std::int64_t exponent) {
@@ -266,14 +274,19 @@ int ExactProgram::leaving_row() const {
   return row;
 }
 
-// x_i / w_i < x_r / w_r; among ties artificial variables go first, then the smallest identity.
+// x_i / w_i < x_r / w_r. Among ties artificial variables go first, then the smallest identity (Bland), or
+// before that a pseudo-random one: at degenerate vertices chance finds the way out much sooner.
 bool ExactProgram::ratio_is_less(int i, int r) const {
   BigInteger left;
   BigInteger right;
   left.assign_product(x(i), w_[static_cast<std::size_t>(r)]);
   right.assign_product(x(r), w_[static_cast<std::size_t>(i)]);
   if (left != right) return left < right;
-  return basic_[static_cast<std::size_t>(i)].id < basic_[static_cast<std::size_t>(r)].id;
+  const Basic& basic_i = basic_[static_cast<std::size_t>(i)];
+  const Basic& basic_r = basic_[static_cast<std::size_t>(r)];
+  if (basic_i.artificial != basic_r.artificial) return basic_i.artificial;
+  if (bland_) return basic_i.id < basic_r.id;
+  return scrambled(basic_i.id, pivots_) < scrambled(basic_r.id, pivots_);
 }
 
 void ExactProgram::replace(int r, std::int64_t id) {

@@ -84,7 +84,9 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
     // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
     const double estimate = program_.objective();
-    const bool violated = violators_A_.count + violators_Q_.count > 0;
+    // Working sets as large as the sets hold points twice: rounding makes them price out again and again.
+    const bool growing = working_A_.size() + working_Q_.size() < A_->size() + Q_->size();
+    const bool violated = growing && violators_A_.count + violators_Q_.count > 0;
     if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
       add_violators();
       program_.encourage();
