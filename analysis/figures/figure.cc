@@ -4,6 +4,7 @@
 
 #include "analysis/figures/ratio_heatmap.h"
 #include "analysis/figures/time_vs_N.h"
+#include "analysis/figures/true_error.h"
 
 namespace raygauge {
 
@@ -25,6 +26,8 @@ const std::vector<Figure>& figures() {
        time_vs_N},
       {"ratio_heatmap", "ratio of time to the best baseline over (n, N), a panel for each method",
        ratio_heatmap},
+      {"true_error", "largest true error against conditioning or scale, a panel for each hard family",
+       true_error_figure},
   };
   return kFigures;
 }

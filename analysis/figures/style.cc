@@ -86,14 +86,14 @@ std::string one_two_five_ticks(double low, double high) {
 }
 
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
-                                       const Filter& filter) {
+                                       const Filter& filter, const std::vector<std::string>& same) {
   std::vector<Record> kept = filtered(records, filter);
   if (kept.empty()) {
     throw FigureNeedsError("figure " + figure + ": " +
                            (records.empty() ? std::string("no records")
                                             : "no record passes the filter '" + filter.expression() + "'"));
   }
-  for (const char* name : {"generator", "generator_parameters", "tolerance"}) require_one(figure, kept, name);
+  for (const std::string& name : same) require_one(figure, kept, name);
   return kept;
 }
 

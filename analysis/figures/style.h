@@ -27,9 +27,11 @@ std::string quoted(const std::string& text);
 /// than two of them, the ends with two digits.
 std::string one_two_five_ticks(double low, double high);
 
-/// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in
-/// generator, its parameters or tolerance: `figure` shows one of each.
+/// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in one of
+/// the columns `same`: `figure` shows one of each.
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
-                                       const Filter& filter);
+                                       const Filter& filter,
+                                       const std::vector<std::string>& same = {
+                                           "generator", "generator_parameters", "tolerance"});
 
 }  // namespace raygauge::figure_style

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "analysis/cell_ratio.h"
+#include "analysis/figures/panel_grid.h"
 #include "analysis/figures/style.h"
 #include "analysis/number_text.h"
 #include "analysis/statistics.h"
@@ -82,42 +83,6 @@ Axes axes_of(const std::vector<Panel>& panels) {
   return axes;
 }
 
-/// Where things are, in inches.
-struct Layout {
-  std::size_t columns = 1;
-  std::size_t rows = 1;
-  std::size_t legend_columns = 1;
-  double width = 0;
-  double legend = 0;
-  static constexpr double kLeft = 0.52;
-  static constexpr double kRight = 0.08;
-  static constexpr double kBottom = 0.42;
-  static constexpr double kTitle = 0.2;
-  static constexpr double kGap = 0.12;
-
-  double panel_width() const {
-    const auto count = static_cast<double>(columns);
-    return (width - kLeft - kRight - (count - 1) * kGap) / count;
-  }
-  double panel_height() const { return columns == 1 ? 0.66 * panel_width() : 0.8 * panel_width(); }
-  double height() const { return legend + kBottom + static_cast<double>(rows) * (panel_height() + kTitle); }
-};
-
-Layout layout_of(std::size_t panels, std::size_t methods, FigureSize size) {
-  const std::size_t most = size == FigureSize::single ? 2 : 4;
-  Layout layout;
-  layout.legend_columns = size == FigureSize::single ? 2 : 4;
-  layout.width = width_of(size);
-  layout.columns = std::min(panels, most);
-  layout.rows = (panels + layout.columns - 1) / layout.columns;
-  constexpr double kLegendLine = 0.17;
-  const std::size_t legend_lines = (methods + layout.legend_columns - 1) / layout.legend_columns;
-  layout.legend = 0.05 + kLegendLine * static_cast<double>(legend_lines);
-  return layout;
-}
-
-std::string fraction(double value) { return significant(value, 6); }
-
 std::string data_block(const std::string& name, const std::vector<Point>& points) {
   std::string text = name + " << EOD\n";
   for (const Point& point : points) {
@@ -131,45 +96,11 @@ std::string block_name(std::size_t panel, std::size_t method) {
   return "$panel" + std::to_string(panel) + "curve" + std::to_string(method);
 }
 
-std::string common_settings(const Axes& axes, const Layout& layout) {
-  const double height = layout.height();
-  return "set multiplot\n"
-         "set logscale xy\n"
-         "set xrange [" +
-         significant(axes.N_low, 6) + ":" + significant(axes.N_high, 6) +
-         "]\n"
-         "set yrange [" +
-         significant(axes.ms_low, 6) + ":" + significant(axes.ms_high, 6) +
-         "]\n"
-         "set label 1 'N, points in each set' at screen " +
-         fraction((Layout::kLeft + (layout.width - Layout::kLeft - Layout::kRight) / 2) / layout.width) +
-         ", screen " + fraction(0.09 / height) +
-         " center\n"
-         "set label 2 'median time of a solve (ms)' at screen " +
-         fraction(0.1 / layout.width) + ", screen " +
-         fraction((Layout::kBottom + (height - Layout::kBottom - layout.legend) / 2) / height) +
-         " center rotate by 90\n";
-}
-
-/// The legend is a plot of its own across the whole width: inside a panel it would have to fit there.
-std::string legend_plot(const Layout& layout, const std::vector<std::string>& methods) {
-  const double height = layout.height();
-  std::string text =
-      "unset border\nunset tics\nset lmargin at screen 0.01\nset rmargin at screen 0.99\n"
-      "set tmargin at screen 1\nset bmargin at screen " +
-      fraction(1 - layout.legend / height) + "\nset key at screen 0.5, screen " +
-      fraction(1 - 0.5 * layout.legend / height) +
-      " center center horizontal Left reverse samplen 2.5 spacing 1 width 3 maxcols " +
-      std::to_string(layout.legend_columns) + "\n";
-  for (const std::string& method : methods) {
-    text += method == methods.front() ? "plot " : ", \\\n  ";
-    text += "NaN with linespoints " + figure_style::line_style(method, methods) + " title " +
-            figure_style::quoted(method);
-  }
-  return text +
-         "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "
-         "scale 0.5\n"
-         "set grid ytics lc rgb '#CCCCCC' lw 0.5 dt 1\n";
+std::string common_settings(const Axes& axes, const PanelGrid& grid) {
+  return "set multiplot\nset logscale xy\nset xrange [" + significant(axes.N_low, 6) + ":" +
+         significant(axes.N_high, 6) + "]\nset yrange [" + significant(axes.ms_low, 6) + ":" +
+         significant(axes.ms_high, 6) + "]\n" +
+         grid.axis_labels("N, points in each set", "median time of a solve (ms)");
 }
 
 /// Few values of N are marked themselves.
@@ -181,20 +112,10 @@ std::string N_ticks(const Axes& axes) {
   return "(" + ticks + ")";
 }
 
-std::string panel_settings(const Layout& layout, std::size_t index, std::size_t count, const Axes& axes) {
-  const std::size_t column = index % layout.columns;
-  const std::size_t row = index / layout.columns;
-  const double height = layout.height();
-  const double left = Layout::kLeft + static_cast<double>(column) * (layout.panel_width() + Layout::kGap);
-  const double top = height - layout.legend - Layout::kTitle -
-                     static_cast<double>(row) * (layout.panel_height() + Layout::kTitle);
-  const bool lowest = index + layout.columns >= count;
-  std::string text = "set lmargin at screen " + fraction(left / layout.width) + "\nset rmargin at screen " +
-                     fraction((left + layout.panel_width()) / layout.width) + "\nset tmargin at screen " +
-                     fraction(top / height) + "\nset bmargin at screen " +
-                     fraction((top - layout.panel_height()) / height) + "\n";
-  text += std::string("set format x ") + (lowest ? "'%g'" : "''") + "\n";
-  text += std::string("set format y ") + (column == 0 ? "'10^{%T}'" : "''") + "\n";
+std::string panel_settings(const PanelGrid& grid, std::size_t index, std::size_t count, const Axes& axes) {
+  std::string text = grid.margins(index);
+  text += std::string("set format x ") + (grid.is_lowest(index, count) ? "'%g'" : "''") + "\n";
+  text += std::string("set format y ") + (grid.is_left(index) ? "'10^{%T}'" : "''") + "\n";
   return text + "set xtics nomirror " + N_ticks(axes) + "\n";
 }
 
@@ -218,20 +139,21 @@ Drawing time_vs_N(const std::vector<Record>& records, const FigureOptions& optio
   const std::vector<Panel> panels = panels_of(kept);
   const std::vector<std::string> methods = methods_of(kept);
   const Axes axes = axes_of(panels);
-  const Layout layout = layout_of(panels.size(), methods.size(), options.size);
+  const PanelGrid grid =
+      panel_grid(panels.size(), methods.size(), options.size, options.size == FigureSize::single ? 2 : 4);
 
   Drawing drawing;
-  drawing.width = layout.width;
-  drawing.height = layout.height();
+  drawing.width = grid.width;
+  drawing.height = grid.height();
   for (std::size_t p = 0; p < panels.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const auto curve = panels[p].curves.find(methods[m]);
       if (curve != panels[p].curves.end()) drawing.script += data_block(block_name(p, m), curve->second);
     }
   }
-  drawing.script += common_settings(axes, layout) + legend_plot(layout, methods);
+  drawing.script += common_settings(axes, grid) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    drawing.script += panel_settings(layout, p, panels.size(), axes) +
+    drawing.script += panel_settings(grid, p, panels.size(), axes) +
                       "set title 'n = " + std::to_string(panels[p].n) + "' offset 0,-0.7\n" +
                       plot_command(panels[p], p, methods);
   }

@@ -91,6 +91,43 @@ TEST(RatioHeatmap, WritesThePercentageIntoEachCell) {
   EXPECT_EQ(texts.count("time, % of glpk_dual"), 1U);
 }
 
+/// Two families with a parameter that makes them harder, one without; direct is right, glpk_dual is off by
+/// the parameter's millionth, and by an infinity once.
+std::vector<Record> hard_records() {
+  std::vector<Record> records;
+  for (const char* family : {"thin aspect", "big offset", "plain kind"}) {
+    const std::string words = family;
+    for (const double value : {1.0, 100.0, 10000.0}) {
+      add_records(records, "direct", 3, 200, {1});
+      add_records(records, "glpk_dual", 3, 200, {1});
+      add_records(records, "exact", 3, 200, {1});
+      records.end()[-2].distance = 2 + 1e-6 * value;
+      for (auto record = records.end() - 3; record != records.end(); ++record) {
+        record->generator = words.substr(0, words.find(' '));
+        record->generator_parameters = words.substr(words.find(' ') + 1) + "=" + std::to_string(value);
+      }
+    }
+  }
+  records[1].status = DistanceStatus::unreachable;
+  return records;
+}
+
+TEST(TrueError, HasAPanelForEachFamilyWithAConditioningAndACurveForEachMethodButExact) {
+  const std::string picture = svg("true_error", hard_records());
+  const std::multiset<std::string> texts = labels(picture);
+  for (const char* once : {"big: offset", "thin: aspect", "direct", "glpk_dual", "largest true error"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+  EXPECT_EQ(texts.count("exact"), 0U);
+  // A marker for each point of 2 panels × 2 methods × 3 values, and one for each method in the legend.
+  EXPECT_EQ(markers(picture), 2 * 2 * 3 + 2);
+}
+
+TEST(TrueError, HasNoPointWhereAMethodCameToNoAnswer) {
+  std::vector<Record> records = hard_records();
+  records[0].status = DistanceStatus::precision_limit;
+  EXPECT_EQ(markers(svg("true_error", records)), 2 * 2 * 3 + 2 - 1);
+}
+
 TEST(Figures, SayWhatTheyNeed) {
   const auto complaint = [](const std::string& figure, const std::vector<Record>& records,
                             const FigureOptions& options = {}) {
@@ -103,6 +140,10 @@ TEST(Figures, SayWhatTheyNeed) {
   EXPECT_EQ(
       complaint("ratio_heatmap", records),
       "figure ratio_heatmap needs a baseline, a method that begins with glpk; or name one with --baseline");
+  EXPECT_EQ(complaint("true_error", records),
+            "figure true_error needs answers of known truth at two or more values of a generator's parameter "
+            "aspect, "
+            "delta, entry, exponent or offset");
   EXPECT_EQ(complaint("time_vs_N", {}), "figure time_vs_N: no records");
   FigureOptions options;
   options.filter = Filter("n==7");
@@ -116,9 +157,9 @@ TEST(Figures, SayWhatTheyNeed) {
 
 TEST(Figures, AreFoundByName) {
   EXPECT_EQ(figure_named("time_vs_N").name, "time_vs_N");
-  EXPECT_NE(message_of<UnknownNameError>([] {
-              figure_named("time_vs_n");
-            }).find("unknown figure 'time_vs_n'; did you mean 'time_vs_N'? (known: time_vs_N ratio_heatmap)"),
+  EXPECT_NE(message_of<UnknownNameError>([] { figure_named("time_vs_n"); })
+                .find("unknown figure 'time_vs_n'; did you mean 'time_vs_N'? (known: time_vs_N ratio_heatmap "
+                      "true_error)"),
             std::string::npos);
   EXPECT_EQ(figure_size_from_string("double"), FigureSize::double_wide);
   EXPECT_THROW(figure_size_from_string("huge"), UnknownNameError);

@@ -127,13 +127,16 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
   const ProgramResult outcome = run_raygauge({"plot", "r.h5", "-o", "pictures", "--where", "N==200"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "pictures/ratio_heatmap.svg\npictures/ratio_heatmap.png\n");
-  EXPECT_EQ(outcome.err, "skipped: figure time_vs_N needs solved records at two or more values of N\n");
+  EXPECT_EQ(outcome.err,
+            "skipped: figure time_vs_N needs solved records at two or more values of N\n"
+            "skipped: figure true_error needs answers of known truth at two or more values of a generator's "
+            "parameter aspect, delta, entry, exponent or offset\n");
   EXPECT_TRUE(read("pictures/ratio_heatmap.png").starts_with("\x89PNG"));
 }
 
 TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
-                   "raygauge: unknown figure 'heatmap' (known: time_vs_N ratio_heatmap)");
+                   "raygauge: unknown figure 'heatmap' (known: time_vs_N ratio_heatmap true_error)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
                    "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
   expect_complaint(
