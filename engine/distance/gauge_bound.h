@@ -25,6 +25,10 @@ class GaugeBound {
   /// +infinity where nothing is proven.
   double compute(const WorkingSet& Q, int n, const Kernels& kernels, const Stopwatch& stopwatch);
 
+  /// After compute() proved nothing: no multiple of the points of Q reaches the target, and all of them lie
+  /// behind the plane of this normal. A point of Q along its opposite, if there is one, is what was missing.
+  const double* normal() const noexcept { return program_.normal(); }
+
  private:
   double gauge_of_target(const WorkingSet& Q, double sign, const Stopwatch& stopwatch);
 

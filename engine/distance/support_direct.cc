@@ -13,6 +13,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kGuessError = 0.25;  // of the first normal, relative
 
+// Points of Q per dimension that are tried, beyond those along the axes, to surround the origin.
+constexpr int kSurroundingPoints = 2;
+
 // Rounds without a better bound after which rounding has the last word.
 int patience(int n) { return 16 + 4 * n; }
 
@@ -58,7 +61,7 @@ void SupportDirect::ask(const double* u) {
 // At a degenerate optimum some weights are zero and cannot be proven nonnegative: what that leaves of the
 // equations is paid for. The support points along the axes make sure that the known part of Q surrounds the
 // origin if Q does.
-double SupportDirect::upper_despite_residual(const Stopwatch& stopwatch) {
+double SupportDirect::gauge_per_residual(const Stopwatch& stopwatch) {
   if (gauge_per_residual_ == 0) {
     double* axis = axis_.data();
     double* point = axis + n_;
@@ -71,11 +74,49 @@ double SupportDirect::upper_despite_residual(const Stopwatch& stopwatch) {
     }
     counters_.support_queries += 2 * n_;
     gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
+    // Ties can leave the origin outside the hull of those points (a box answers with corners of its own
+    // choice).
+    for (int more = 0; more < kSurroundingPoints * n_ && gauge_per_residual_ == kInfinity; ++more) {
+      Q_->query(gauge_bound_.normal(), -1.0, point);
+      offer_Q(point);
+      ++counters_.support_queries;
+      gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
+    }
   }
-  return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
+  return gauge_per_residual_;
+}
+
+double SupportDirect::upper_despite_residual(const Stopwatch& stopwatch) {
+  const double gauge = gauge_per_residual(stopwatch);
+  return gauge < kInfinity ? program_.upper_with_residual(gauge) : kInfinity;
+}
+
+// Σβ is proven for the support points as computed. Those of A and Q themselves lie within e_A and e_Q of
+// them, in any coordinate; with them the equations keep a residual |r|∞ <= e_A + Σβ e_Q, which costs G |r|∞.
+// G is known for the computed points of Q: for Q itself it is G / (1 - G e_Q).
+double SupportDirect::upper_of_the_sets(double upper_of_the_points, const Stopwatch& stopwatch) {
+  const double error_A = A_->coordinate_error();
+  const double error_Q = Q_->coordinate_error();
+  if (!(upper_of_the_points < kInfinity) || (error_A == 0 && error_Q == 0)) return upper_of_the_points;
+  const double gauge = gauge_per_residual(stopwatch);
+  const double left = 1 - gauge * error_Q;
+  if (!(gauge < kInfinity) || !(left > 0.5)) return kInfinity;
+  constexpr double kRoundedUp = 1 + 16 * std::numeric_limits<double>::epsilon();
+  return (upper_of_the_points + gauge / left * (error_A + upper_of_the_points * error_Q)) * kRoundedUp;
+}
+
+bool SupportDirect::is_closed(double upper) const noexcept {
+  return upper < kInfinity && upper - lower_ <= tolerance_ * upper;
 }
 
 DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
+  const DistanceStatus status = iterate(stopwatch);
+  if (status != DistanceStatus::contains_origin) upper_ = upper_of_the_sets(upper_, stopwatch);
+  return status;
+}
+
+// Works with the support points as computed: upper_ is theirs until run() pays for the difference.
+DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
   double* guess = normal_.data();
   A_->center(guess);
   bool zero = true;
@@ -101,7 +142,7 @@ DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
       upper_ = std::min(upper_, upper_despite_residual(stopwatch));
     }
     if (upper_ == 0) return DistanceStatus::contains_origin;
-    if (upper_ < kInfinity && upper_ - lower_ <= tolerance_ * upper_) return DistanceStatus::optimal;
+    if (is_closed(upper_) && is_closed(upper_of_the_sets(upper_, stopwatch))) return DistanceStatus::optimal;
     if (is_final(end)) return status_of(end);
 
     const bool better = lower_ > best_lower || upper_ < best_upper || program_.objective() < best_objective;
@@ -133,7 +174,8 @@ void SupportDirect::solve_offered(const double* guess, const Stopwatch& stopwatc
     program_.raise_bounds();
     end = program_.solve(points_A_, points_Q_, stopwatch);
   }
-  if (end == DirectProgram::End::solved) upper_ = std::min(upper_, program_.proven_upper());
+  if (end != DirectProgram::End::solved) return;
+  upper_ = std::min(upper_, upper_of_the_sets(program_.proven_upper(), stopwatch));
 }
 
 const DistanceCounters& SupportDirect::counters() {

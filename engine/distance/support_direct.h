@@ -48,7 +48,11 @@ class SupportDirect {
 
  private:
   void ask(const double* u);
+  DistanceStatus iterate(const Stopwatch& stopwatch);
+  bool is_closed(double upper) const noexcept;
+  double gauge_per_residual(const Stopwatch& stopwatch);
   double upper_despite_residual(const Stopwatch& stopwatch);
+  double upper_of_the_sets(double upper_of_the_points, const Stopwatch& stopwatch);
 
   SupportOracle* A_ = nullptr;
   SupportOracle* Q_ = nullptr;

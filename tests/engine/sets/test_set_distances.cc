@@ -134,5 +134,35 @@ TEST_P(SetDistances, OfHomothetsAreThoseOfTheirGauge) {
   }
 }
 
+// A ball or capsule of about its own distance from the origin: nearly all of c + r u/|u| cancels, and what
+// rounding leaves of it must not enter the bounds. The truth is |c| - r in long double, correct to 1e-13
+// here.
+TEST_P(SetDistances, AreBoundedRightlyWhereLargeNumbersCancel) {
+  constexpr double kTruthError = 1e-13;
+  Random random(33);
+  for (const int n : {2, 3, 5}) {
+    for (const double size : {1e3, 1e5}) {
+      for (int repetition = 0; repetition < 8; ++repetition) {
+        const Vector c = size * gaussian_points(n, 1, random);
+        long double square = 0;
+        for (const double x : c) square += static_cast<long double>(x) * x;
+        const double radius = static_cast<double>(std::sqrt(square)) - 0.5;
+        const auto truth = static_cast<double>((std::sqrt(square) - radius) / 2);
+        for (const Set& A :
+             {Set(std::make_shared<Ball>(c, radius)), Set(std::make_shared<Capsule>(c, 3 * c, radius)),
+              Set(std::make_shared<PNormBall>(c, Vector::Constant(n, radius), 2))}) {
+          for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+            const DistanceResult result =
+                DistanceSolver(options(tolerance)).solve(*A, Ball(Vector::Zero(n), 2));
+            SCOPED_TRACE("n = " + std::to_string(n) + ", tolerance " + std::to_string(tolerance));
+            EXPECT_LE(result.lower, truth + kTruthError);
+            EXPECT_GE(result.upper, truth - kTruthError);
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raygauge
