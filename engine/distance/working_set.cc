@@ -18,9 +18,6 @@ std::uint64_t scramble(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Sets of up to this many numbers are priced whole: they stay in the first-level cache.
-constexpr std::ptrdiff_t kWholeNumbers = 3000;
-
 // Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
 // the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
 std::ptrdiff_t sample_blocks(const PointSet& S) {
@@ -32,7 +29,8 @@ std::ptrdiff_t sample_blocks(const PointSet& S) {
 
 void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial) {
   const std::ptrdiff_t sample = sample_blocks(S);
-  const bool whole = S.block_count() * kLanes * S.dimension() <= kWholeNumbers || sample >= S.block_count();
+  // Sets small enough to carry a single-precision copy are priced from the first-level cache.
+  const bool whole = S.single_data() != nullptr || sample >= S.block_count();
   if (whole) {
     take_all(S, factor, trivial);
   } else {
@@ -42,12 +40,17 @@ void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial) {
 
 std::ptrdiff_t WorkingSet::growth(const PointSet& S) { return 16 * sample_blocks(S); }
 
-double* WorkingSet::grow_to(std::ptrdiff_t size) {
+void WorkingSet::grow_to(std::ptrdiff_t size) {
   const std::ptrdiff_t blocks = (size + kLanes - 1) / kLanes;
   const auto needed = static_cast<std::size_t>(blocks * n_ * kLanes);
   if (needed > copy_.capacity()) copy_.reserve(std::max(needed, 2 * copy_.capacity()));
   blocks_ = copy_.data();
-  return copy_.data();
+  single_blocks_ = nullptr;
+}
+
+PricedPoints WorkingSet::view() const noexcept {
+  return {blocks_, (size_ + kLanes - 1) / kLanes, single_blocks_,
+          (size_ + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes};
 }
 
 void WorkingSet::take_all(const PointSet& S, const double* factor, bool trivial) {
@@ -56,9 +59,11 @@ void WorkingSet::take_all(const PointSet& S, const double* factor, bool trivial)
   complete_ = true;
   if (trivial) {
     blocks_ = S.data();
+    single_blocks_ = S.single_data();
     return;
   }
-  double* copy = grow_to(size_);
+  grow_to(size_);
+  double* copy = copy_.data();
   for (std::ptrdiff_t b = 0; b < S.block_count(); ++b) {
     for (int k = 0; k < n_; ++k) {
       const std::ptrdiff_t offset = (b * n_ + k) * kLanes;
@@ -71,7 +76,8 @@ void WorkingSet::take_sample(const PointSet& S, const double* factor, std::ptrdi
   n_ = S.dimension();
   size_ = blocks * kLanes;
   complete_ = false;
-  double* copy = grow_to(size_);
+  grow_to(size_);
+  double* copy = copy_.data();
   for (std::ptrdiff_t s = 0; s < blocks; ++s) {
     const std::ptrdiff_t first = s * S.block_count() / blocks;
     const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;

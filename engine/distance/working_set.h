@@ -33,7 +33,7 @@ class WorkingSet {
 
   bool is_complete() const noexcept { return complete_; }
   std::ptrdiff_t size() const noexcept { return size_; }
-  PricedPoints view() const noexcept { return {blocks_, (size_ + PointSet::kLanes - 1) / PointSet::kLanes}; }
+  PricedPoints view() const noexcept;
 
   /// The smallest index in S, whose points these are, of the point at position i. Compares coordinates: not
   /// for the hot path.
@@ -45,13 +45,14 @@ class WorkingSet {
  private:
   void take_all(const PointSet& S, const double* factor, bool trivial);
   void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
-  double* grow_to(std::ptrdiff_t size);
+  void grow_to(std::ptrdiff_t size);
   void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
 
   int n_ = 0;
   std::ptrdiff_t size_ = 0;
   bool complete_ = false;
   const double* blocks_ = nullptr;
+  const float* single_blocks_ = nullptr;
   AlignedBuffer<double> copy_;
 };
 

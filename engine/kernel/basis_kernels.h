@@ -79,7 +79,7 @@ inline int ratio_test(const BasisView& basis) {
     const IndexPack blocks =
         (load(x + p * kWidth) <= bound * w) & (w > broadcast(kPivotTolerance)) & (w > largest);
     largest = blocks ? w : largest;
-    where = blocks ? lane_numbers() + static_cast<long long>(p) * kWidth : where;
+    where = blocks ? lane_numbers<IndexPack>() + static_cast<long long>(p) * kWidth : where;
   }
   const double pivot = largest_lane(largest);
   return static_cast<int>(smallest_lane(largest == broadcast(pivot) ? where : broadcast_index(kNoIndex)));

@@ -27,7 +27,7 @@ struct BasisView {
   double* cost = nullptr;      ///< m costs c_B, padded
   std::int64_t* id = nullptr;  ///< m identities, meaning chosen by the caller
   double* w = nullptr;         ///< scratch, P
-  double* row = nullptr;       ///< scratch, padded_rows(m + 1) + 2 P
+  double* row = nullptr;       ///< scratch, padded_rows(m + 1) + 3 P
   double* scratch = nullptr;   ///< 3 P, for the certificate
   double objective = 0;        ///< c_B·x
   std::int64_t pivots = 0;
@@ -35,10 +35,14 @@ struct BasisView {
   double* x() const { return R + static_cast<std::ptrdiff_t>(m) * P; }
 };
 
-/// Points in the blocked layout of PointSet, scaled for the solver, with the index of each in its own set.
+/// Points to be priced, scaled for the solver: in the blocked layout of PointSet, and rounded to single
+/// precision in blocks of 16 (nullptr: not to be had). Single precision only ever chooses a column; nothing
+/// is concluded from it.
 struct PricedPoints {
   const double* blocks = nullptr;
   std::ptrdiff_t block_count = 0;
+  const float* single_blocks = nullptr;
+  std::ptrdiff_t single_block_count = 0;
 };
 
 /// How a run of the simplex loop over priced points ended.

@@ -14,25 +14,56 @@ constexpr int kLanes = 8;  // points in a block
 constexpr int kPacksPerBlock = kLanes / kWidth;
 constexpr double kInfinity = __builtin_inf();
 
-typedef double Pack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
-typedef long long IndexPack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
+// A register of Real (double or float) and one of integers as wide as Real.
+template <class Real>
+struct Vec;
+
+template <>
+struct Vec<double> {
+  static constexpr int kCount = kWidth;
+  static constexpr int kPoints = kLanes;  // points in a block
+  static constexpr long long kNoIndex = 0x7fffffffffffffff;
+  using Integer = long long;
+  typedef double Pack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
+  typedef long long Index __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
+};
+
+template <>
+struct Vec<float> {
+  static constexpr int kCount = 2 * kWidth;
+  static constexpr int kPoints = 2 * kLanes;
+  static constexpr int kNoIndex = 0x7fffffff;
+  using Integer = int;
+  typedef float Pack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
+  typedef int Index __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
+};
+
+using Pack = Vec<double>::Pack;
+using IndexPack = Vec<double>::Index;
 
 inline Pack load(const double* p) { return *reinterpret_cast<const Pack*>(p); }
+inline Vec<float>::Pack load(const float* p) { return *reinterpret_cast<const Vec<float>::Pack*>(p); }
 inline void store(double* p, Pack v) { *reinterpret_cast<Pack*>(p) = v; }
 inline Pack broadcast(double a) { return Pack{} + a; }
+inline Vec<float>::Pack broadcast(float a) { return Vec<float>::Pack{} + a; }
 inline IndexPack broadcast_index(long long a) { return IndexPack{} + a; }
-inline Pack select(IndexPack mask, Pack a, Pack b) { return mask ? a : b; }
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
 inline double absolute(double a) { return __builtin_fabs(a); }
 
 // A reduction over the lanes by halving; every lane of the result holds the answer.
 template <class V, class Op>
 inline V reduce_lanes(V v, Op op) {
-  if constexpr (kWidth == 8) {
+  constexpr int kCount = sizeof(V) / sizeof(v[0]);
+  if constexpr (kCount == 16) {
+    v = op(v, __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    v = op(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+    v = op(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+    return op(v, __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
+  } else if constexpr (kCount == 8) {
     v = op(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
     v = op(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
     return op(v, __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6));
-  } else if constexpr (kWidth == 4) {
+  } else if constexpr (kCount == 4) {
     v = op(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
     return op(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
   } else {
@@ -40,20 +71,22 @@ inline V reduce_lanes(V v, Op op) {
   }
 }
 
-inline double largest_lane(Pack v) {
-  return reduce_lanes(v, [](Pack a, Pack b) { return a > b ? a : b; })[0];
+template <class V>
+inline auto largest_lane(V v) {
+  return reduce_lanes(v, [](V a, V b) { return a > b ? a : b; })[0];
 }
-inline double smallest_lane(Pack v) {
-  return reduce_lanes(v, [](Pack a, Pack b) { return a < b ? a : b; })[0];
-}
-inline long long smallest_lane(IndexPack v) {
-  return reduce_lanes(v, [](IndexPack a, IndexPack b) { return a < b ? a : b; })[0];
+
+template <class V>
+inline auto smallest_lane(V v) {
+  return reduce_lanes(v, [](V a, V b) { return a < b ? a : b; })[0];
 }
 
 // 0, 1, 2, …
-inline IndexPack lane_numbers() {
-  IndexPack lanes;
-  for (int lane = 0; lane < kWidth; ++lane) lanes[lane] = lane;
+template <class Index>
+inline Index lane_numbers() {
+  constexpr int kCount = sizeof(Index) / sizeof(Index{}[0]);
+  Index lanes;
+  for (int lane = 0; lane < kCount; ++lane) lanes[lane] = lane;
   return lanes;
 }
 

@@ -10,28 +10,33 @@ namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
 // Per-lane running maxima with the block each stems from.
+template <class Real>
 struct LaneMaxima {
+  using Pack = typename Vec<Real>::Pack;
+  using Index = typename Vec<Real>::Index;
+  using Integer = typename Vec<Real>::Integer;
+
   Pack value[kPacksPerBlock];
-  IndexPack block[kPacksPerBlock];
+  Index block[kPacksPerBlock];
 
   LaneMaxima() {
     for (int t = 0; t < kPacksPerBlock; ++t) {
-      value[t] = broadcast(-kInfinity);
-      block[t] = IndexPack{};
+      value[t] = Pack{} + static_cast<Real>(-kInfinity);
+      block[t] = Index{};
     }
   }
 
-  void take(const Pack* sum, long long b) {
+  void take(const Pack* sum, std::ptrdiff_t b) {
     for (int t = 0; t < kPacksPerBlock; ++t) {
-      const IndexPack better = sum[t] > value[t];
+      const Index better = sum[t] > value[t];
       value[t] = better ? sum[t] : value[t];
-      block[t] = better ? broadcast_index(b) : block[t];
+      block[t] = better ? Index{} + static_cast<Integer>(b) : block[t];
     }
   }
 
   void merge(const LaneMaxima& other) {
     for (int t = 0; t < kPacksPerBlock; ++t) {
-      const IndexPack better =
+      const Index better =
           (other.value[t] > value[t]) | ((other.value[t] == value[t]) & (other.block[t] < block[t]));
       value[t] = better ? other.value[t] : value[t];
       block[t] = better ? other.block[t] : block[t];
@@ -39,14 +44,15 @@ struct LaneMaxima {
   }
 
   // The maximum over all lanes, ties to the smallest point index.
-  double reduce(std::ptrdiff_t* index) const {
+  Real reduce(std::ptrdiff_t* index) const {
     Pack top = value[0];
-    for (int t = 1; t < kPacksPerBlock; ++t) top = maximum(top, value[t]);
-    const double best = largest_lane(top);
-    IndexPack where = broadcast_index(kNoIndex);
+    for (int t = 1; t < kPacksPerBlock; ++t) top = value[t] > top ? value[t] : top;
+    const Real best = largest_lane(top);
+    const Index none = Index{} + Vec<Real>::kNoIndex;
+    Index where = none;
     for (int t = 0; t < kPacksPerBlock; ++t) {
-      const IndexPack points = block[t] * kLanes + (lane_numbers() + t * kWidth);
-      const IndexPack winners = value[t] == broadcast(best) ? points : broadcast_index(kNoIndex);
+      const Index points = block[t] * Vec<Real>::kPoints + (lane_numbers<Index>() + t * Vec<Real>::kCount);
+      const Index winners = value[t] == Pack{} + best ? points : none;
       where = winners < where ? winners : where;
     }
     *index = smallest_lane(where);
@@ -54,32 +60,37 @@ struct LaneMaxima {
   }
 };
 
-template <int N>
-inline void dot_block(const double* p, int n, const double* u, Pack* sum) {
-  for (int t = 0; t < kPacksPerBlock; ++t) sum[t] = Pack{};
+template <int N, class Real>
+inline void dot_block(const Real* p, int n, const Real* u, typename Vec<Real>::Pack* sum) {
+  using V = Vec<Real>;
+  for (int t = 0; t < kPacksPerBlock; ++t) sum[t] = typename V::Pack{};
   const int dimension = N > 0 ? N : n;
   for (int k = 0; k < dimension; ++k) {
-    const Pack uk = broadcast(u[k]);
-    for (int t = 0; t < kPacksPerBlock; ++t) sum[t] += uk * load(p + k * kLanes + t * kWidth);
+    const auto uk = broadcast(u[k]);
+    for (int t = 0; t < kPacksPerBlock; ++t) sum[t] += uk * load(p + k * V::kPoints + t * V::kCount);
   }
 }
 
 // Products of C consecutive blocks. For a dimension that is known only at run time they advance together, so
 // that the chains of additions overlap and each u_k is broadcast once.
-template <int N, int C>
-inline void dot_blocks(const double* p, int n, const double* u, Pack (*sum)[kPacksPerBlock]) {
+template <int N, int C, class Real>
+inline void dot_blocks(const Real* p, int n, const Real* u, typename Vec<Real>::Pack (*sum)[kPacksPerBlock]) {
+  using V = Vec<Real>;
   if constexpr (N > 0) {
 #pragma GCC unroll 8
-    for (int c = 0; c < C; ++c) dot_block<N>(p + static_cast<std::ptrdiff_t>(c) * N * kLanes, n, u, sum[c]);
+    for (int c = 0; c < C; ++c) {
+      dot_block<N>(p + static_cast<std::ptrdiff_t>(c) * N * V::kPoints, n, u, sum[c]);
+    }
   } else {
-    Pack local[C][kPacksPerBlock] = {};
-    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
+    typename V::Pack local[C][kPacksPerBlock] = {};
+    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * V::kPoints;
     for (int k = 0; k < n; ++k) {
-      const Pack uk = broadcast(u[k]);
+      const auto uk = broadcast(u[k]);
 #pragma GCC unroll 8
       for (int c = 0; c < C; ++c) {
-        for (int t = 0; t < kPacksPerBlock; ++t)
-          local[c][t] += uk * load(p + c * stride + k * kLanes + t * kWidth);
+        for (int t = 0; t < kPacksPerBlock; ++t) {
+          local[c][t] += uk * load(p + c * stride + k * V::kPoints + t * V::kCount);
+        }
       }
     }
 #pragma GCC unroll 8
@@ -91,20 +102,19 @@ inline void dot_blocks(const double* p, int n, const double* u, Pack (*sum)[kPac
 
 // Several chains of maxima side by side: one alone would wait for its own comparison and blend at every
 // block.
-template <int N>
-double price_n(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
-               std::ptrdiff_t* index) {
+template <int N, class Real>
+Real price_n(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u, std::ptrdiff_t* index) {
   constexpr int kChains = N <= 6 ? 4 : 2;
-  LaneMaxima maxima[kChains];
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * kLanes;
+  LaneMaxima<Real> maxima[kChains];
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * Vec<Real>::kPoints;
   std::ptrdiff_t b = 0;
   for (; b + kChains <= block_count; b += kChains) {
-    Pack sum[kChains][kPacksPerBlock];
+    typename Vec<Real>::Pack sum[kChains][kPacksPerBlock];
     dot_blocks<N, kChains>(blocks + b * stride, n, u, sum);
     for (int c = 0; c < kChains; ++c) maxima[c].take(sum[c], b + c);
   }
   for (int c = 0; b < block_count; ++b, ++c) {
-    Pack sum[kPacksPerBlock];
+    typename Vec<Real>::Pack sum[kPacksPerBlock];
     dot_block<N>(blocks + b * stride, n, u, sum);
     maxima[c].take(sum, b);
   }

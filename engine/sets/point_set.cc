@@ -30,7 +30,7 @@ void check_points(const Eigen::Ref<const Eigen::MatrixXd>& points) {
 
 }  // namespace
 
-void PointSet::AlignedDelete::operator()(double* p) const noexcept { ::operator delete[](p, kAlignment); }
+void PointSet::AlignedDelete::operator()(void* p) const noexcept { ::operator delete[](p, kAlignment); }
 
 PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
     : ConvexSet(static_cast<int>(points.rows())),
@@ -46,6 +46,7 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
     double* block = data_.get() + (slot / kLanes) * n * kLanes + slot % kLanes;
     for (std::ptrdiff_t k = 0; k < n; ++k) block[k * kLanes] = points(k, i);
   }
+  round_to_single();
   magnitude_ = points.cwiseAbs().rowwise().maxCoeff();
   const auto nonzero = [](double x) {
     return x != 0 ? std::fabs(x) : std::numeric_limits<double>::infinity();
@@ -57,6 +58,20 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
 }
 
 PointSet::~PointSet() = default;
+
+void PointSet::round_to_single() {
+  const std::ptrdiff_t n = dimension();
+  const std::ptrdiff_t count = single_block_count() * kSingleLanes * n;
+  if (size_ * n > kSingleNumbers) return;
+  single_data_.reset(
+      static_cast<float*>(::operator new[](static_cast<std::size_t>(count) * sizeof(float), kAlignment)));
+  for (std::ptrdiff_t slot = 0; slot < single_block_count() * kSingleLanes; ++slot) {
+    const std::ptrdiff_t i = std::min(slot, size_ - 1);
+    const double* from = data_.get() + (i / kLanes) * n * kLanes + i % kLanes;
+    float* to = single_data_.get() + (slot / kSingleLanes) * n * kSingleLanes + slot % kSingleLanes;
+    for (std::ptrdiff_t k = 0; k < n; ++k) to[k * kSingleLanes] = static_cast<float>(from[k * kLanes]);
+  }
+}
 
 Vector PointSet::point(std::ptrdiff_t i) const {
   if (i < 0 || i >= size_) {

@@ -44,6 +44,14 @@ class PointSet final : public ConvexSet {
   std::ptrdiff_t block_count() const noexcept { return block_count_; }
   const double* data() const noexcept { return data_.get(); }
 
+  /// The points rounded to single precision in blocks of kSingleLanes = 16, otherwise as data(); only for
+  /// sets of up to kSingleNumbers coordinates, nullptr for larger ones. For choosing points, never for
+  /// concluding from them.
+  static constexpr int kSingleLanes = 16;
+  static constexpr std::ptrdiff_t kSingleNumbers = 6000;
+  const float* single_data() const noexcept { return single_data_.get(); }
+  std::ptrdiff_t single_block_count() const noexcept { return (size_ + kSingleLanes - 1) / kSingleLanes; }
+
   /// max_i |coordinate k of p_i|, dimension() doubles: the scale of rounding errors in u·p_i.
   const double* coordinate_magnitude() const noexcept { return magnitude_.data(); }
 
@@ -63,8 +71,10 @@ class PointSet final : public ConvexSet {
 
  private:
   struct AlignedDelete {
-    void operator()(double* p) const noexcept;
+    void operator()(void* p) const noexcept;
   };
+
+  void round_to_single();
 
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
@@ -73,6 +83,7 @@ class PointSet final : public ConvexSet {
   std::ptrdiff_t size_;
   std::ptrdiff_t block_count_;
   std::unique_ptr<double[], AlignedDelete> data_;
+  std::unique_ptr<float[], AlignedDelete> single_data_;
   Eigen::VectorXd magnitude_;
   Eigen::VectorXd smallest_magnitude_;
   Eigen::VectorXd center_;
