@@ -70,6 +70,9 @@ class Parser {
   }
 
  private:
+  /// One nested condition takes one frame of the stack to parse and one to ask.
+  static constexpr int kDeepest = 200;
+
   const Token& peek() const { return tokens_[next_]; }
 
   const Token& take() { return tokens_[next_ + 1 < tokens_.size() ? next_++ : next_]; }
@@ -85,22 +88,34 @@ class Parser {
   }
 
   Predicate any() {
-    Predicate left = all();
-    while (accept("||")) {
-      left = [a = std::move(left), b = all()](const Record& record) { return a(record) || b(record); };
-    }
-    return left;
+    std::vector<Predicate> terms = {all()};
+    while (accept("||")) terms.push_back(all());
+    if (terms.size() == 1) return terms.front();
+    return [terms = std::move(terms)](const Record& record) {
+      return std::any_of(terms.begin(), terms.end(), [&](const Predicate& term) { return term(record); });
+    };
   }
 
   Predicate all() {
-    Predicate left = one();
-    while (accept("&&")) {
-      left = [a = std::move(left), b = one()](const Record& record) { return a(record) && b(record); };
-    }
-    return left;
+    std::vector<Predicate> terms = {one()};
+    while (accept("&&")) terms.push_back(one());
+    if (terms.size() == 1) return terms.front();
+    return [terms = std::move(terms)](const Record& record) {
+      return std::all_of(terms.begin(), terms.end(), [&](const Predicate& term) { return term(record); });
+    };
   }
 
   Predicate one() {
+    if (depth_ == kDeepest) {
+      fail(peek(), "more than " + std::to_string(kDeepest) + " negations and parentheses within each other");
+    }
+    ++depth_;
+    Predicate result = inner_one();
+    --depth_;
+    return result;
+  }
+
+  Predicate inner_one() {
     if (accept("!")) return [inner = one()](const Record& record) { return !inner(record); };
     if (peek().kind == TokenKind::symbol && peek().text == "(") {
       const Token opening = take();
@@ -111,11 +126,16 @@ class Parser {
     return comparison();
   }
 
+  const AnalysisColumn& known_column(const Token& name) const {
+    const AnalysisColumn* column = find_analysis_column(name.text);
+    return column != nullptr ? *column : analysis_column(name.text, filter_place(expression_, name.position));
+  }
+
   Predicate comparison() {
     const Token name = take();
     if (name.kind != TokenKind::word)
       fail(name, "expected a column, found " + (name.text.empty() ? "the end" : "'" + name.text + "'"));
-    const AnalysisColumn& column = analysis_column(name.text, filter_place(expression_, name.position));
+    const AnalysisColumn& column = known_column(name);
     if (!at_comparison()) return truth(column, name);
     const std::string symbol = take().text;
     const Token value = take();
@@ -167,6 +187,7 @@ class Parser {
   const std::string& expression_;
   std::vector<Token> tokens_;
   std::size_t next_ = 0;
+  int depth_ = 0;
 };
 
 }  // namespace

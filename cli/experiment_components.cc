@@ -60,6 +60,9 @@ void check_value(const toml::node& node, const std::string& kind, const Componen
            {{parameter, value}});
 }
 
+/// More variants of one generator than any sweep has use for; a slip in a range ends here, not in memory.
+constexpr std::size_t kMaxCombinations = 100'000;
+
 /// Every combination of one more parameter's values with those chosen so far.
 std::vector<Parameters> combine(const std::vector<Parameters>& chosen, const std::string& name,
                                 const std::vector<ParameterValue>& values) {
@@ -99,6 +102,10 @@ std::vector<Parameters> swept_parameters(const toml::table& entry, const Compone
     if (is_key_of_sweep(name)) continue;
     const std::vector<ParameterValue> values = read_parameters(node, "generator." + name);
     for (const ParameterValue& value : values) check_value(node, "generator", component, name, value);
+    if (values.size() > kMaxCombinations / combinations.size()) {
+      throw InvalidParameterError(place_of(node) + ": more than " + std::to_string(kMaxCombinations) +
+                                  " combinations of parameters of generator '" + component.name + "'");
+    }
     combinations = combine(combinations, name, values);
   }
   return combinations;

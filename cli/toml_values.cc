@@ -151,7 +151,9 @@ std::vector<ParameterValue> read_parameters(const toml::node& node, const std::s
       [&](const toml::table& table) {
         std::vector<ParameterValue> values;
         const bool integers = is_integer_range(table);
-        for (const double value : range_values(table, key, {-1e300, 1e300})) {
+        // Beyond 2^53 the values of a range would not be the integers that were written.
+        constexpr Range kExactIntegers{-0x1p53, 0x1p53}, kReals{-1e300, 1e300};
+        for (const double value : range_values(table, key, integers ? kExactIntegers : kReals)) {
           if (integers) {
             values.emplace_back(static_cast<std::int64_t>(std::llround(value)));
           } else {

@@ -3,6 +3,7 @@
 option(RAYGAUGE_BUILD_PROGRAM "Build generators, baselines, results, analysis and the program" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_BUILD_TESTS "Build the test suite" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_BUILD_BENCH "Build the Google Benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(RAYGAUGE_FUZZ "Build the libFuzzer targets too (preset fuzz)" OFF)
 option(RAYGAUGE_INSTALL "Install the engine as a CMake package, and the program" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 

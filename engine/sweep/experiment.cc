@@ -12,6 +12,9 @@
 namespace raygauge {
 namespace {
 
+/// More cells than any sweep finishes; a slip in a range ends here, not in memory.
+constexpr double kMaxCells = 1e6;
+
 std::string text_of(double value) { return to_string(ParameterValue(value)); }
 
 void require(bool holds, const std::string& message) {
@@ -45,10 +48,30 @@ void validate_run(const Experiment& experiment) {
   require(experiment.time_limit > 0, "time_limit must be positive, got " + text_of(experiment.time_limit));
 }
 
+/// The axes n and N of a generator's part of the grid.
+const std::vector<int>& dimensions_of(const Experiment& experiment, const GeneratorSpec& generator) {
+  return generator.n.empty() ? experiment.n : generator.n;
+}
+const std::vector<int>& counts_of(const Experiment& experiment, const GeneratorSpec& generator) {
+  return generator.N.empty() ? experiment.N : generator.N;
+}
+
+void require_affordable(const Experiment& experiment) {
+  double cells = 0;
+  for (const GeneratorSpec& generator : experiment.generators) {
+    const auto dimensions = static_cast<double>(dimensions_of(experiment, generator).size());
+    const auto counts = static_cast<double>(counts_of(experiment, generator).size());
+    const double sizes = experiment.grid == GridMode::paired ? dimensions : dimensions * counts;
+    cells += sizes * static_cast<double>(experiment.tolerance.size());
+  }
+  require(cells <= kMaxCells,
+          "the grid has " + text_of(cells) + " cells, more than " + text_of(kMaxCells) + " are refused");
+}
+
 /// The pairs (n, N) of a generator's part of the grid, in its order.
 std::vector<std::pair<int, int>> sizes_of(const Experiment& experiment, const GeneratorSpec& generator) {
-  const std::vector<int>& dimensions = generator.n.empty() ? experiment.n : generator.n;
-  const std::vector<int>& counts = generator.N.empty() ? experiment.N : generator.N;
+  const std::vector<int>& dimensions = dimensions_of(experiment, generator);
+  const std::vector<int>& counts = counts_of(experiment, generator);
   std::vector<std::pair<int, int>> sizes;
   if (experiment.grid == GridMode::paired) {
     require(dimensions.size() == counts.size(), "a paired grid needs lists n and N of one length, got " +
@@ -82,6 +105,7 @@ void validate(const Experiment& experiment) {
 }
 
 std::vector<Cell> grid_of(const Experiment& experiment) {
+  require_affordable(experiment);
   std::vector<Cell> cells;
   std::set<std::tuple<std::size_t, int, int, double>> seen;
   for (std::size_t generator = 0; generator < experiment.generators.size(); ++generator) {

@@ -75,7 +75,8 @@ struct Cell {
 void validate(const Experiment& experiment);
 
 /// The grid in its natural order: generator slowest, then n, N, tolerance. Throws InvalidParameterError for
-/// an experiment without cells, a cell that appears twice, or paired lists of different lengths.
+/// an experiment without cells or with more than a million, a cell that appears twice, or paired lists of
+/// different lengths.
 std::vector<Cell> grid_of(const Experiment& experiment);
 
 /// The label of a component in results: `label`, or else `name`.

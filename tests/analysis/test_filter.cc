@@ -98,6 +98,19 @@ TEST(Filter, PassesEverythingByDefaultAndKeepsTheOrder) {
   EXPECT_EQ(kept[1].method, "c");
 }
 
+TEST(Filter, RefusesEndlessNestingAndTakesEndlessChains) {
+  constexpr int kMany = 100'000;
+  EXPECT_THROW(Filter(std::string(kMany, '!') + "agrees"), InvalidParameterError);
+  EXPECT_THROW(Filter(std::string(kMany, '(')), InvalidParameterError);
+  std::string disjunction = "agrees", conjunction = "agrees";
+  for (int i = 0; i < kMany; ++i) {
+    disjunction += "||agrees";
+    conjunction += "&&agrees";
+  }
+  EXPECT_TRUE(Filter(disjunction)(Record()));
+  EXPECT_TRUE(Filter(conjunction)(Record()));
+}
+
 TEST(Filter, ListsTheKnownColumnsForAnUnknownOne) {
   const std::string message = message_of<UnknownNameError>([] { Filter("n==3 && metod==direct"); });
   EXPECT_EQ(

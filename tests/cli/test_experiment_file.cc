@@ -269,6 +269,17 @@ TEST_F(ExperimentFile, ContradictionsOfTheWholeAreRejected) {
             "x.toml:3: generator 'ray' appears twice with shift=0");
 }
 
+TEST_F(ExperimentFile, RangesThatOnlyASlipCanMeanAreRejected) {
+  EXPECT_EQ(error("[[generator]]\nname = \"ray\"\nshift = {from = 0.0, to = 100.0, step = 0.0005}\n"),
+            "x.toml:3: more than 100000 combinations of parameters of generator 'ray'");
+  EXPECT_TRUE(
+      error("[[generator]]\nname = \"ray\"\nshift = {from = 9223372036854775807, to = 9223372036854775807}\n")
+          .starts_with("x.toml:3: generator.shift.from must lie in [-9007199254740992, 9007199254740992]"));
+  EXPECT_EQ(error(std::string("[sweep]\nn = {from = 1, to = 90000}\nN = {from = 1, to = 90000}\n") +
+                  kGeneratorAndMethod),
+            "x.toml:1: the grid has 8.1e+09 cells, more than 1e+06 are refused");
+}
+
 TEST_F(ExperimentFile, SyntaxErrorsAreNamedWithFileAndLine) {
   EXPECT_TRUE(error("name = \"x\"\n[sweep\n").starts_with("x.toml:2: "));
   EXPECT_TRUE(error("n = [1, 2\n").starts_with("x.toml:"));

@@ -56,6 +56,13 @@ TEST(Grid, AnEmptyAxisAndARepeatedCellAreRejected) {
   EXPECT_THROW(grid_of(repeated), InvalidParameterError);
 }
 
+TEST(Grid, MoreThanAMillionCellsAreRejectedBeforeTheyTakeMemory) {
+  Experiment huge = grid_experiment();
+  huge.n.resize(600'000);
+  huge.N.resize(600'000);
+  EXPECT_THROW(grid_of(huge), InvalidParameterError);
+}
+
 TEST(Validation, AcceptsTheDefaults) { EXPECT_NO_THROW(validate(grid_experiment())); }
 
 TEST(Grid, AGeneratorMayHaveAxesOfItsOwn) {

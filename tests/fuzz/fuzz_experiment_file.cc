@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// An experiment in TOML: what is accepted has a grid whose cells lie within their documented ranges.
+#include "cli/experiment_file.h"
+#include "cli/registries.h"
+#include "tests/fuzz/harness.h"
+#include "tests/fuzz/scratch_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace raygauge;
+  static const GeneratorRegistry generators = cli::all_generators();
+  static const MethodRegistry methods = cli::all_methods();
+  static const fuzz::ScratchFile file(".toml");
+  file.write(fuzz::as_text(data, size));
+  fuzz::expect_success_or_error([&] {
+    const Experiment experiment = cli::read_experiment(file.path(), {}, generators, methods);
+    validate(experiment);
+    const std::vector<Cell> grid = grid_of(experiment);
+    fuzz::require(!grid.empty(), "an accepted experiment has cells");
+    for (const Cell& cell : grid) {
+      fuzz::require(cell.n >= 1 && cell.N >= 1, "cells have n >= 1 and N >= 1");
+      fuzz::require(cell.tolerance > 0 && cell.tolerance < 1, "cells have a tolerance in (0, 1)");
+    }
+  });
+  return 0;
+}

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// The expression of --where: what is accepted can be asked of any record, and twice with one answer.
+#include <limits>
+#include <string>
+
+#include "analysis/filter.h"
+#include "tests/fuzz/harness.h"
+
+namespace raygauge::fuzz {
+namespace {
+
+Record limited_record() {
+  Record record;
+  record.status = DistanceStatus::time_limit;
+  record.lower = record.distance = std::numeric_limits<double>::quiet_NaN();
+  record.upper = std::numeric_limits<double>::infinity();
+  record.agrees = false;
+  return record;
+}
+
+}  // namespace
+}  // namespace raygauge::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace raygauge;
+  static const Record plain, limited = fuzz::limited_record();
+  fuzz::expect_success_or_error([&] {
+    const std::string expression(fuzz::as_text(data, size));
+    const Filter filter(expression), negated("!(" + expression + ")");
+    for (const Record& record : {plain, limited}) {
+      fuzz::require(filter(record) != negated(record), "a record passes a condition or its negation");
+    }
+  });
+  return 0;
+}

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Overrides as --set takes them, one a line, upon an experiment that is right: what is accepted is an
+// experiment whose stored text, read again, is the same one.
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/experiment_file.h"
+#include "cli/registries.h"
+#include "tests/fuzz/harness.h"
+#include "tests/fuzz/scratch_file.h"
+
+namespace raygauge::fuzz {
+namespace {
+
+constexpr std::string_view kExperiment = R"(name = "base"
+[sweep]
+n = [2, 3]
+N = {from = 10, to = 40, factor = 2.0}
+[[generator]]
+name = "example2"
+separation = [1.0, 2.0]
+[[method]]
+name = "direct"
+[[method]]
+name = "glpk_dual"
+label = "dual"
+[run]
+time_limit = 5
+)";
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+void expect_same(const Experiment& a, const Experiment& b) {
+  const auto components = [](const std::vector<ComponentSpec>& specs) {
+    std::string text;
+    for (const ComponentSpec& spec : specs) {
+      text.append(spec.name + '|' + spec.label + '|' + to_string(spec.parameters) + '\n');
+    }
+    return text;
+  };
+  require(a.name == b.name && a.description == b.description && a.n == b.n && a.N == b.N &&
+              a.tolerance == b.tolerance && a.seed == b.seed && a.repetitions == b.repetitions &&
+              a.time_limit == b.time_limit && components(a.generators) == components(b.generators) &&
+              components(a.methods) == components(b.methods),
+          "the stored text of an overridden experiment is that experiment");
+}
+
+}  // namespace
+}  // namespace raygauge::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace raygauge;
+  static const GeneratorRegistry generators = cli::all_generators();
+  static const MethodRegistry methods = cli::all_methods();
+  static const fuzz::ScratchFile base(".base.toml"), stored(".stored.toml");
+  base.write(fuzz::kExperiment);
+  const std::vector<std::string> overrides = fuzz::lines_of(fuzz::as_text(data, size));
+  std::string text;
+  Experiment experiment;
+  fuzz::expect_success_or_error([&] {
+    experiment = cli::read_experiment(base.path(), overrides, generators, methods);
+    text = experiment.text;
+  });
+  if (text.empty()) return 0;
+  stored.write(text);
+  fuzz::expect_same(experiment, cli::read_experiment(stored.path(), {}, generators, methods));
+  return 0;
+}
