@@ -116,7 +116,9 @@ std::int64_t read_integer(const toml::node& node, const std::string& key, const 
 
 double read_real(const toml::node& node, const std::string& key, const Range& range) {
   if (!node.is_number()) reject(node, key, "a number");
-  const double value = *node.value<double>();
+  // toml++ converts no integer that a double cannot hold exactly.
+  const double value =
+      node.is_integer() ? static_cast<double>(*node.value<std::int64_t>()) : *node.value<double>();
   check_range(node, key, value, range);
   return value;
 }
