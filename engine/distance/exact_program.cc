@@ -15,15 +15,13 @@ namespace {
 bool is_from_Q(std::int64_t id) { return id % 2 == 1; }
 std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
 
-// Degenerate basis changes in a row after which Bland's rule takes over: it cannot cycle.
-int patience(int m) { return 10 * m + 100; }
 std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }
 
 constexpr int kLowestTop = -1000;  // 2^1000 is a double
 
 // SplitMix64: fixed, so that a solve is reproducible.
-std::uint64_t scrambled(std::int64_t id, std::int64_t pivot) {
-  auto x = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15U * static_cast<std::uint64_t>(pivot + 1);
+std::uint64_t scrambled(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
   return x ^ (x >> 31);
@@ -58,7 +56,6 @@ ExactProgram::End ExactProgram::solve(const Points& A, const Points& Q, std::spa
   n_ = A.set->dimension();
   m_ = n_ + 1;
   pivots_ = 0;
-  bland_ = false;
   scaling_.compute(*A.set, *Q.set);
   const auto size = static_cast<std::size_t>(m_);
   column_.resize(size);
@@ -66,6 +63,7 @@ ExactProgram::End ExactProgram::solve(const Points& A, const Points& Q, std::spa
   Y_.resize(size);
   start_from(start);
   make_nonnegative();
+  perturb();
   phase_ = reached() ? Phase::optimise : Phase::reach;
   return run(stopwatch);
 }
@@ -74,7 +72,7 @@ ExactProgram::End ExactProgram::solve(const Points& A, const Points& Q, std::spa
 // out.
 void ExactProgram::start_from(std::span<const std::int64_t> start) {
   basic_.assign(static_cast<std::size_t>(m_), {});
-  M_.assign(static_cast<std::size_t>(m_) * static_cast<std::size_t>(m_), {});
+  M_.assign(static_cast<std::size_t>(m_) * static_cast<std::size_t>(m_ + 1), {});
   D_.assign_scaled(1, 0);
   for (int i = 0; i < m_; ++i) M(i, i).assign_scaled(1, 0);
   for (const std::int64_t id : start) {
@@ -103,6 +101,14 @@ void ExactProgram::make_nonnegative() {
   }
 }
 
+void ExactProgram::perturb() {
+  constexpr std::uint64_t kDistinct = 1U << 20;
+  for (int i = 0; i < m_; ++i) {
+    product_.assign_scaled(static_cast<double>(1 + scrambled(static_cast<std::uint64_t>(i)) % kDistinct), 0);
+    perturbed(i).assign_product(D_, product_);
+  }
+}
+
 bool ExactProgram::reached() const {
   for (int i = 0; i < m_; ++i) {
     if (basic_[static_cast<std::size_t>(i)].artificial && !x(i).is_zero()) return false;
@@ -111,7 +117,6 @@ bool ExactProgram::reached() const {
 }
 
 ExactProgram::End ExactProgram::run(const Stopwatch& stopwatch) {
-  int idle = 0;
   const std::int64_t limit = pivots_ + pivot_limit(m_);
   for (;;) {
     compute_duals();
@@ -126,14 +131,11 @@ ExactProgram::End ExactProgram::run(const Stopwatch& stopwatch) {
     form_column(entering.id);
     compute_w();
     const int row = leaving_row();
-    const bool degenerate = x(row).is_zero();
-    idle = degenerate ? idle + 1 : 0;
-    bland_ = idle > patience(m_);
+    // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
+    const bool out_of_turn = basic_[static_cast<std::size_t>(row)].artificial;
     replace(row, entering.id);
-    if (phase_ == Phase::reach && reached()) {
-      phase_ = Phase::optimise;
-      idle = 0;
-    }
+    if (out_of_turn) perturb();
+    if (phase_ == Phase::reach && reached()) phase_ = Phase::optimise;
   }
 }
 
@@ -223,9 +225,9 @@ void ExactProgram::price_set(const Points& points, bool from_Q, Candidate& best)
   }
 }
 
-// Dantzig takes the most negative reduced cost, Bland the smallest identity of a negative one.
+// Dantzig: the most negative reduced cost.
 void ExactProgram::consider(std::int64_t id, double reduced_cost, double error, Candidate& best) {
-  if (best.id >= 0 && (bland_ ? id > best.id : reduced_cost >= best.reduced_cost)) return;
+  if (best.id >= 0 && reduced_cost >= best.reduced_cost) return;
   if (reduced_cost >= -error && exact_reduced_cost_sign(id) >= 0) return;
   best = {id, reduced_cost};
 }
@@ -274,19 +276,21 @@ int ExactProgram::leaving_row() const {
   return row;
 }
 
-// x_i / w_i < x_r / w_r. Among ties artificial variables go first, then the smallest identity (Bland), or
-// before that a pseudo-random one: at degenerate vertices chance finds the way out much sooner.
+// x_i / w_i < x_r / w_r; among equals artificial variables go first, then the perturbation decides.
 bool ExactProgram::ratio_is_less(int i, int r) const {
+  const BigInteger& w_i = w_[static_cast<std::size_t>(i)];
+  const BigInteger& w_r = w_[static_cast<std::size_t>(r)];
   BigInteger left;
   BigInteger right;
-  left.assign_product(x(i), w_[static_cast<std::size_t>(r)]);
-  right.assign_product(x(r), w_[static_cast<std::size_t>(i)]);
+  left.assign_product(x(i), w_r);
+  right.assign_product(x(r), w_i);
   if (left != right) return left < right;
-  const Basic& basic_i = basic_[static_cast<std::size_t>(i)];
-  const Basic& basic_r = basic_[static_cast<std::size_t>(r)];
-  if (basic_i.artificial != basic_r.artificial) return basic_i.artificial;
-  if (bland_) return basic_i.id < basic_r.id;
-  return scrambled(basic_i.id, pivots_) < scrambled(basic_r.id, pivots_);
+  const bool artificial_i = basic_[static_cast<std::size_t>(i)].artificial;
+  const bool artificial_r = basic_[static_cast<std::size_t>(r)].artificial;
+  if (artificial_i != artificial_r) return artificial_i;
+  left.assign_product(perturbed(i), w_r);
+  right.assign_product(perturbed(r), w_i);
+  return left < right;
 }
 
 void ExactProgram::replace(int r, std::int64_t id) {
@@ -295,7 +299,7 @@ void ExactProgram::replace(int r, std::int64_t id) {
   for (int i = 0; i < m_; ++i) {
     if (i == r) continue;
     const BigInteger& w = w_[static_cast<std::size_t>(i)];
-    for (int k = 0; k < m_; ++k) {
+    for (int k = 0; k <= m_; ++k) {
       product_.assign_product(p, M(i, k));
       other_product_.assign_product(w, M(r, k));
       product_.subtract(other_product_);

@@ -20,8 +20,10 @@ namespace raygauge {
 ///
 ///     M_i <- (p M_i - w_i M_r) / D  for i ≠ r,      D <- p,
 ///
-/// divisions that leave no remainder. The last floating-point basis is the start, so that few changes remain;
-/// columns are priced in double-double arithmetic first and exactly only where that leaves a sign in doubt.
+/// divisions that leave no remainder. Degenerate vertices are left by way of a symbolic perturbation: beside
+/// x = B⁻¹ b goes B⁻¹ b' with random b' that was positive at the start, and decides among equal ratios. The
+/// last floating-point basis is the start, so that few changes remain; columns are priced in double-double
+/// arithmetic first and exactly only where that leaves a sign in doubt.
 class ExactProgram {
  public:
   enum class End : std::uint8_t {
@@ -69,6 +71,7 @@ class ExactProgram {
 
   void start_from(std::span<const std::int64_t> start);
   void make_nonnegative();
+  void perturb();
   End run(const Stopwatch& stopwatch);
   bool reached() const;
   void compute_duals();
@@ -82,10 +85,13 @@ class ExactProgram {
   int leaving_row() const;
   bool ratio_is_less(int i, int r) const;
   void replace(int r, std::int64_t id);
+  std::size_t place(int i, int k) const { return static_cast<std::size_t>(i * (m_ + 1) + k); }
 
-  BigInteger& M(int i, int k) { return M_[static_cast<std::size_t>(i * m_ + k)]; }
-  const BigInteger& M(int i, int k) const { return M_[static_cast<std::size_t>(i * m_ + k)]; }
+  BigInteger& M(int i, int k) { return M_[place(i, k)]; }
+  const BigInteger& M(int i, int k) const { return M_[place(i, k)]; }
   const BigInteger& x(int i) const { return M(i, m_ - 1); }  // D x_i: b is the last unit vector
+  BigInteger& perturbed(int i) { return M(i, m_); }          // D (B⁻¹ b')_i
+  const BigInteger& perturbed(int i) const { return M(i, m_); }
   bool is_basic_from_Q(int i) const;
 
   Points A_;
@@ -94,9 +100,8 @@ class ExactProgram {
   int n_ = 0;
   int m_ = 0;
   Phase phase_ = Phase::reach;
-  bool bland_ = false;
   std::int64_t pivots_ = 0;
-  std::vector<BigInteger> M_;
+  std::vector<BigInteger> M_;  // m rows of m + 1: M and the perturbation
   BigInteger D_;
   std::vector<Basic> basic_;
   std::vector<BigInteger> column_;
