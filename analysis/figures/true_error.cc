@@ -118,7 +118,8 @@ std::string decade_ticks(double low, double high) {
   const int last = static_cast<int>(std::floor(std::log10(high)));
   const int step = std::max(1, static_cast<int>(std::ceil((last - first) / kMost)));
   std::string ticks;
-  for (int exponent = first; exponent <= last; exponent += step) {
+  for (int exponent = first; exponent <= last; ++exponent) {
+    if (exponent % step != 0) continue;
     const std::string power = std::to_string(exponent);
     ticks += (ticks.empty() ? "'10^{" : ", '10^{") + power + "}' 1e" + power;
   }
