@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 void expect_same(const Experiment& a, const Experiment& b) {
-  const auto components = [](const std::vector<ComponentSpec>& specs) {
+  const auto components = [](const auto& specs) {
     std::string text;
     for (const ComponentSpec& spec : specs) {
       text.append(spec.name + '|' + spec.label + '|' + to_string(spec.parameters) + '\n');
