@@ -76,7 +76,8 @@ class PointParser {
       if (at == end || !is_separator(*at)) continue;
       at = skip_blanks(at + 1);
       if (at == end || *at == '#') {
-        throw InvalidParameterError(place(at - begin + 1) + "a coordinate is missing after the last separator");
+        throw InvalidParameterError(place(at - begin + 1) +
+                                    "a coordinate is missing after the last separator");
       }
     }
     if (values_.size() > size_before) check_length(static_cast<std::ptrdiff_t>(values_.size() - size_before));

@@ -215,8 +215,9 @@ TEST_F(ExperimentFile, UnknownComponentsListTheKnownOnes) {
             "x.toml:2: unknown generator 'rya'; did you mean 'ray'? (known: ray)");
   EXPECT_EQ(error("[[generator]]\nname = \"ray\"\n[[method]]\nname = \"simplex\"\n"),
             "x.toml:4: unknown method 'simplex' (known: ray)");
-  EXPECT_EQ(error("[[generator]]\nname = \"ray\"\nshfit = 2\n"),
-            "x.toml:3: unknown key of generator 'ray' 'shfit'; did you mean 'shift'? (known: name n N shift)");
+  EXPECT_EQ(
+      error("[[generator]]\nname = \"ray\"\nshfit = 2\n"),
+      "x.toml:3: unknown key of generator 'ray' 'shfit'; did you mean 'shift'? (known: name n N shift)");
 }
 
 TEST_F(ExperimentFile, MissingComponentsAreAskedFor) {

@@ -9,7 +9,6 @@
 #include "engine/exceptions.h"
 #include "engine/sets/affine_image.h"
 #include "engine/sets/axis.h"
-#include "engine/sets/axis.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
 #include "engine/sets/capsule.h"
