@@ -27,7 +27,8 @@ double PanelGrid::height() const {
 
 std::string PanelGrid::margins(std::size_t panel) const {
   const auto column = static_cast<double>(panel % columns);
-  const auto row = static_cast<double>(panel / columns);
+  const std::size_t above = panel / columns;
+  const auto row = static_cast<double>(above);
   const double left = kLeft + column * (panel_width() + kGap);
   const double top = height() - legend - kTitle - row * (panel_height() + kTitle + x_labels);
   return "set lmargin at screen " + fraction(left / width) + "\nset rmargin at screen " +

@@ -94,7 +94,7 @@ void BigInteger::add_signed(const BigInteger& other, bool other_negative) {
     add_magnitude(limbs_, other.limbs_);
     return;
   }
-  if (compare_magnitudes(limbs_, other.limbs_) >= 0) {
+  if (std::is_gteq(compare_magnitudes(limbs_, other.limbs_))) {
     subtract_magnitudes(limbs_, other.limbs_, limbs_);
   } else {
     subtract_magnitudes(other.limbs_, limbs_, limbs_);
@@ -158,7 +158,8 @@ ScaledDouble BigInteger::approximate() const {
 std::strong_ordering operator<=>(const BigInteger& a, const BigInteger& b) noexcept {
   if (a.sign() != b.sign()) return a.sign() <=> b.sign();
   const std::strong_ordering order = compare_magnitudes(a.limbs_, b.limbs_);
-  return a.negative_ ? 0 <=> order : order;
+  if (!a.negative_ || std::is_eq(order)) return order;
+  return std::is_lt(order) ? std::strong_ordering::greater : std::strong_ordering::less;
 }
 
 void ExactDivisor::assign(const BigInteger& divisor) {

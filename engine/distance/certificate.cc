@@ -73,8 +73,9 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
   if (index != nullptr) *index = best_index;
   if (well_resolved(result.value, result.error)) return result;
 
-  std::array<std::int64_t, kDoubtful> doubtful;
-  std::array<double, kDoubtful> value;
+  // Filled by the collection as far as it counts; clearing 8 kB at every doubtful query would be waste.
+  std::array<std::int64_t, kDoubtful> doubtful;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<double, kDoubtful> value;           // NOLINT(cppcoreguidelines-pro-type-member-init)
   const double threshold = std::nextafter(result.value - 2 * result.error, -kInfinity);
   Collection collection{doubtful.data(), value.data(), kDoubtful, 0, threshold};
   kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);

@@ -85,7 +85,9 @@ class ExactProgram {
   int leaving_row() const;
   bool ratio_is_less(int i, int r) const;
   void replace(int r, std::int64_t id);
-  std::size_t place(int i, int k) const { return static_cast<std::size_t>(i * (m_ + 1) + k); }
+  std::size_t place(int i, int k) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(m_ + 1) + static_cast<std::size_t>(k);
+  }
 
   BigInteger& M(int i, int k) { return M_[place(i, k)]; }
   const BigInteger& M(int i, int k) const { return M_[place(i, k)]; }

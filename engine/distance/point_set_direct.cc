@@ -215,8 +215,9 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
 
   // u in the sets' own units, with h_Q(-u) = 1.
   const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
+  const double* v = direction_.data() + n_;
   result.normal.resize(n_);
-  for (int k = 0; k < n_; ++k) result.normal[k] = -direction_[static_cast<std::size_t>(n_ + k)] * length;
+  for (int k = 0; k < n_; ++k) result.normal[k] = -v[k] * length;
 
   if (has_effect(effects, Effects::witness) && upper < kInfinity) {
     result.contact_point.resize(n_);

@@ -72,7 +72,7 @@ double SupportDirect::gauge_per_residual(const Stopwatch& stopwatch) {
       axis[k / 2] = 0.0;
       offer_Q(point);
     }
-    counters_.support_queries += 2 * n_;
+    counters_.support_queries += std::int64_t{2} * n_;
     gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
     // Ties can leave the origin outside the hull of those points (a box answers with corners of its own
     // choice).
