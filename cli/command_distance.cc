@@ -17,7 +17,7 @@
 namespace raygauge::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDistanceFooter =
     "A and Q are the convex hulls of points: a text file with one point a line (commas or blanks, # "
     "comments), - for\n"
     "standard input, FILE.h5:/DATASET (rows are points), or a mesh (.obj .off .stl .ply: its vertices).\n"
@@ -161,7 +161,7 @@ void add_distance_command(CLI::App& app, int& status) {
                                      ->add_option("--instruction-set", arguments->instruction_set,
                                                   "Vector kernels: " + joined(names_of(kInstructionSets)))
                                      ->type_name("NAME");
-  command->footer(kFooter);
+  command->footer(kDistanceFooter);
   command->callback([=, &status] {
     arguments->query.engine_options_set =
         iterations->count() + stop_rule->count() + instruction_set->count() > 0;

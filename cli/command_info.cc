@@ -12,7 +12,7 @@
 namespace raygauge::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kInfoFooter =
     "Examples:\n"
     "  raygauge info\n"
     "  raygauge info out/example2.h5\n"
@@ -45,7 +45,7 @@ void add_info_command(CLI::App& app, int& status) {
           "generators")
       ->type_name("FILE.h5");
   command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->footer(kFooter);
+  command->footer(kInfoFooter);
   command->callback([arguments, &status] {
     std::fputs(report(*arguments).c_str(), stdout);
     status = kAnswered;

@@ -38,7 +38,7 @@ std::string value_text(const GeneratorSpec& generator) {
   return text;
 }
 
-std::string line(const std::string& heading, const std::string& text) {
+std::string grid_line(const std::string& heading, const std::string& text) {
   constexpr std::size_t kWidth = 13;
   return "  " + heading + std::string(kWidth - heading.size(), ' ') + text + "\n";
 }
@@ -51,23 +51,23 @@ std::string dry_run_text(const Experiment& experiment, const SweepEstimate& esti
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n";
-  text += line("n", list_text(experiment.n, " "));
-  text += line("N", list_text(experiment.N, " ") + (paired ? "  (paired with n)" : ""));
-  text += line("tolerance", list_text(experiment.tolerance, " "));
-  text += line("generators", list_text(experiment.generators, ", "));
-  text += line("methods", list_text(experiment.methods, ", "));
-  text += line("cells", std::to_string(estimate.cells));
-  text +=
-      line("instances", std::to_string(estimate.instances) + " (" + std::to_string(experiment.repetitions) +
-                            " a cell, seed " + std::to_string(experiment.seed) + ")");
-  text += line("solves", std::to_string(estimate.records) + " timed, each limited to " +
-                             duration_text(experiment.time_limit));
-  text +=
-      line("timing", std::string(serial ? "serial" : "parallel") + ", " + std::to_string(estimate.threads) +
-                         (estimate.threads == 1 ? " thread" : " threads"));
-  text += line("estimate", "about " + duration_text(estimate.seconds) + ", from probing " +
-                               std::to_string(estimate.probed_cells) + " of the cells for " +
-                               duration_text(estimate.probing_seconds));
+  text += grid_line("n", list_text(experiment.n, " "));
+  text += grid_line("N", list_text(experiment.N, " ") + (paired ? "  (paired with n)" : ""));
+  text += grid_line("tolerance", list_text(experiment.tolerance, " "));
+  text += grid_line("generators", list_text(experiment.generators, ", "));
+  text += grid_line("methods", list_text(experiment.methods, ", "));
+  text += grid_line("cells", std::to_string(estimate.cells));
+  text += grid_line("instances", std::to_string(estimate.instances) + " (" +
+                                     std::to_string(experiment.repetitions) + " a cell, seed " +
+                                     std::to_string(experiment.seed) + ")");
+  text += grid_line("solves", std::to_string(estimate.records) + " timed, each limited to " +
+                                  duration_text(experiment.time_limit));
+  text += grid_line("timing", std::string(serial ? "serial" : "parallel") + ", " +
+                                  std::to_string(estimate.threads) +
+                                  (estimate.threads == 1 ? " thread" : " threads"));
+  text += grid_line("estimate", "about " + duration_text(estimate.seconds) + ", from probing " +
+                                    std::to_string(estimate.probed_cells) + " of the cells for " +
+                                    duration_text(estimate.probing_seconds));
   return text;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kOverrideMark = "--set ";
 
-std::string place_of(const toml::source_region& source) {
+std::string region_text(const toml::source_region& source) {
   std::string path = source.path ? *source.path : std::string();
   if (path.starts_with(kOverrideMark)) return path;
   return path + ":" + std::to_string(source.begin.line);
@@ -27,7 +27,7 @@ toml::table parse(const std::string& text, const std::string& path) {
   } catch (const toml::parse_error& error) {
     std::string message(error.description());
     for (char& c : message) c = c == '\n' ? ' ' : c;
-    throw InvalidParameterError(place_of(error.source()) + ": " + message);
+    throw InvalidParameterError(region_text(error.source()) + ": " + message);
   }
 }
 
@@ -145,10 +145,10 @@ std::string effective_text(const toml::table& root, const std::string& path,
 
 }  // namespace
 
-std::string place_of(const toml::node& node) { return place_of(node.source()); }
+std::string place_of(const toml::node& node) { return region_text(node.source()); }
 
 std::string place_of(const toml::key& key, const toml::node& value) {
-  return place_of(key.source().begin.line > 0 ? key.source() : value.source());
+  return region_text(key.source().begin.line > 0 ? key.source() : value.source());
 }
 
 TomlSource read_toml(const std::string& path, const std::vector<std::string>& overrides) {

@@ -20,6 +20,12 @@ if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
+# The other half goes into compiling the same templates in file after file: the command line's files and the tests are
+# compiled several as one. Off (-DRAYGAUGE_UNITY_BUILD=OFF) while one of them is edited again and again. The other rooms
+# compile fast enough, and their files keep short names to themselves.
+option(RAYGAUGE_UNITY_BUILD "Compile several files of cli/ and of tests/ as one" ON)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 # Usage requirements of our own code only; never exported to users of the package.
 add_library(raygauge_warnings INTERFACE)
 target_compile_options(raygauge_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi

@@ -7,7 +7,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_aggregate {
 namespace {
 
 using testing::message_of;
@@ -55,4 +55,4 @@ TEST(Aggregate, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_aggregate

@@ -9,7 +9,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_bootstrap {
 namespace {
 
 double median_of(const std::vector<double>& values) { return median(values); }
@@ -74,4 +74,4 @@ TEST(Bootstrap, RefusesWhatMakesNoInterval) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_bootstrap

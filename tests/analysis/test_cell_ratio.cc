@@ -9,7 +9,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_cell_ratio {
 namespace {
 
 using testing::add_records;
@@ -113,4 +113,4 @@ TEST(Competitors, AreKnownByTheirLabels) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_cell_ratio

@@ -12,7 +12,7 @@
 #include "results/schema.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_columns {
 namespace {
 
 using testing::record;
@@ -101,4 +101,4 @@ TEST(Columns, ShowValuesAsShortText) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_columns

@@ -11,7 +11,7 @@
 #include "analysis/figures/figure.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_figures {
 namespace {
 
 using testing::add_records;
@@ -166,4 +166,4 @@ TEST(Figures, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_figures

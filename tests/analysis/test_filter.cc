@@ -10,7 +10,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_filter {
 namespace {
 
 using testing::message_of;
@@ -152,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"n==method", "character 4: 'n' is a number, 'method' is not"}));
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_filter

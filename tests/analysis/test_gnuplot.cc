@@ -9,7 +9,7 @@
 
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_gnuplot {
 namespace {
 
 using testing::message_of;
@@ -65,4 +65,4 @@ TEST(ImageFormat, FollowsTheExtension) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_gnuplot

@@ -10,7 +10,7 @@
 #include "tests/analysis/records.h"
 #include "tests/results/support.h"
 
-namespace raygauge {
+namespace raygauge::test_merge {
 namespace {
 
 using testing::message_of;
@@ -76,4 +76,4 @@ TEST_F(Merge, NamesAFileThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_merge

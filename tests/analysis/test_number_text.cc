@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raygauge {
+namespace raygauge::test_number_text {
 namespace {
 
 TEST(NumberText, IsAsShortAsItsDigitsAllow) {
@@ -42,4 +42,4 @@ TEST(NumberText, SurvivesARoundTrip) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_number_text

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace raygauge {
+namespace raygauge::test_paper {
 namespace {
 
 // Transcriptions are checked by what a typing slip would break: spot values read off the paper, sums, and the
@@ -63,4 +63,4 @@ TEST(PaperTable1And2, HaveErrorsBelowTheToleranceAndCostsThatRise) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_paper

@@ -11,7 +11,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_pivot {
 namespace {
 
 using testing::add_records;
@@ -176,4 +176,4 @@ TEST(Pivot, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_pivot

@@ -9,7 +9,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_power_law {
 namespace {
 
 TEST(PowerLaw, FindsAnExactOne) {
@@ -69,4 +69,4 @@ TEST(PowerLaw, RefusesWhatHasNoLogarithmOrNoSlope) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_power_law

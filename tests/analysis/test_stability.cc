@@ -10,7 +10,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_stability {
 namespace {
 
 using testing::message_of;
@@ -185,4 +185,4 @@ TEST(StabilityTables, AsCsvHaveARowForEachToleranceFamilyAndMethod) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_stability

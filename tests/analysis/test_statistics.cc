@@ -10,7 +10,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -148,4 +148,4 @@ TEST(RatioOfMedians, RefusesTimesThatAreNotPositive) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_statistics

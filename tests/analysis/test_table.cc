@@ -7,7 +7,7 @@
 #include "analysis/formats/latex_table.h"
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_table {
 namespace {
 
 Table sample() {
@@ -129,4 +129,4 @@ TEST(TableFormat, IsChosenByName) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_table

@@ -10,7 +10,7 @@
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_table3 {
 namespace {
 
 using testing::add_records;
@@ -141,4 +141,4 @@ TEST(Table3, SaysWhatItLacks) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_table3

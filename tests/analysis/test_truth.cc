@@ -9,7 +9,7 @@
 
 #include "tests/analysis/records.h"
 
-namespace raygauge {
+namespace raygauge::test_truth {
 namespace {
 
 using testing::record;
@@ -77,4 +77,4 @@ TEST(TrueError, IsThatOfTheClaim) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_truth

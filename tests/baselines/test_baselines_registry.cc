@@ -9,7 +9,7 @@
 
 #include "tests/baselines/point_set_instances.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_baselines_registry {
 namespace {
 
 MethodRegistry baselines() {
@@ -62,4 +62,4 @@ TEST(BaselinesRegistry, EveryMethodAgreesOnRandomSpheres) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_baselines_registry

@@ -8,7 +8,7 @@
 
 #include "tests/baselines/closed_forms.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_certify {
 namespace {
 
 /// Relative width that certified bounds of well-conditioned data keep, outward rounding included.
@@ -72,4 +72,4 @@ TEST(CertifiedResult, AnUnreachableClaimIsAnInfiniteDistance) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_certify

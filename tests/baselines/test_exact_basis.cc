@@ -6,7 +6,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_exact_basis {
 namespace {
 
 /// D·e_row·B⁻¹.
@@ -70,4 +70,4 @@ TEST(ExactBasis, ReportsAColumnWithoutLeavingVariable) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_basis

@@ -7,7 +7,7 @@
 #include "engine/exceptions.h"
 #include "tests/baselines/point_set_instances.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_exact_columns {
 namespace {
 
 IntegerVector column(const ExactColumns& columns, std::ptrdiff_t j) {
@@ -76,4 +76,4 @@ TEST(ExactProduct, OfTheZeroVectorIsZero) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_exact_columns

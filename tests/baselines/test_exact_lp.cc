@@ -11,7 +11,7 @@
 #include "engine/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_exact_lp {
 namespace {
 
 const PointSet& set_A(const Instance& sets) { return dynamic_cast<const PointSet&>(*sets.A); }
@@ -188,4 +188,4 @@ TEST(ExactLp, RefusesSetsOfDifferentDimension) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_exact_lp

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raygauge {
+namespace raygauge::test_exact_number {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -78,4 +78,4 @@ RC_GTEST_PROP(ExactNumber, NeighboursEncloseAnyQuotient, (unsigned p, unsigned q
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_number

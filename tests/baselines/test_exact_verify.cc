@@ -10,7 +10,7 @@
 #include "engine/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_exact_verify {
 namespace {
 
 struct Proof {
@@ -105,4 +105,4 @@ TEST(ExactVerify, RefusesSetsOfDifferentDimension) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_exact_verify

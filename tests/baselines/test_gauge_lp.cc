@@ -7,7 +7,7 @@
 #include "engine/exceptions.h"
 #include "tests/baselines/point_set_instances.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_gauge_lp {
 namespace {
 
 class Disc final : public ConvexSet {
@@ -56,4 +56,4 @@ TEST(GaugeLp, RefusesSetsOfDifferentDimension) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_gauge_lp

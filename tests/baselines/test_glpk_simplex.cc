@@ -10,7 +10,7 @@
 
 #include "tests/baselines/point_set_instances.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_glpk_simplex {
 namespace {
 
 std::unique_ptr<SolveMethod> make(const std::string& name, const Parameters& parameters = {}) {
@@ -71,4 +71,4 @@ TEST_P(GlpkSimplex, SurvivesAnInternalErrorOfGlpk) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_glpk_simplex

@@ -9,7 +9,7 @@
 #include "tests/baselines/closed_forms.h"
 
 // What every simplex of this build is held to; what only one of them has is tested in its own file.
-namespace raygauge::testing {
+namespace raygauge::testing::test_simplex_baselines {
 namespace {
 
 /// The tolerance of a default SolveRequest: all that a simplex which perturbs its bounds (Clp) promises.
@@ -145,4 +145,4 @@ TEST_P(SimplexBaseline, RefusesToSolveBeforeLoading) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_simplex_baselines

@@ -12,7 +12,7 @@
 #include "tests/analysis/records.h"
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge {
+namespace raygauge::test_analysis_commands {
 namespace {
 
 using testing::expect_complaint;
@@ -148,4 +148,4 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_analysis_commands

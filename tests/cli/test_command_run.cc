@@ -13,7 +13,7 @@
 #include "tests/cli/program.h"
 #include "tests/results/support.h"
 
-namespace raygauge {
+namespace raygauge::test_command_run {
 namespace {
 
 using testing::ProgramResult;
@@ -253,4 +253,4 @@ TEST_F(RunCommand, InterruptedItFinishesTheCellInFlightAndTellsHowToGoOn) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_command_run

@@ -9,7 +9,7 @@
 #include "cli/registries.h"
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_distance_command {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -179,4 +179,4 @@ TEST_F(DistanceCommand, ThePublishedStopRuleAndEveryKernelAnswer) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_distance_command

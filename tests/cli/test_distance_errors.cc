@@ -4,7 +4,7 @@
 
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_distance_errors {
 namespace {
 
 class DistanceErrors : public DistanceProgram {};
@@ -98,4 +98,4 @@ TEST_F(DistanceErrors, AnHdf5FileNeedsADataset) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_distance_errors

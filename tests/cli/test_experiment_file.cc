@@ -10,7 +10,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_experiment_file {
 namespace {
 
 constexpr const char* kGeneratorAndMethod = R"(
@@ -308,4 +308,4 @@ TEST_F(ExperimentFile, FilesThatCannotBeReadAreNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_experiment_file

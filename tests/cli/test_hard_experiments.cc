@@ -13,7 +13,7 @@
 #include "cli/registries.h"
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge {
+namespace raygauge::test_hard_experiments {
 namespace {
 
 std::string shipped(const std::string& name) { return std::string(RAYGAUGE_EXPERIMENTS) + "/" + name; }
@@ -75,4 +75,4 @@ TEST_F(HardExperiments, FindNoWrongAnswerOfOursAndKnowEveryTruth) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_hard_experiments

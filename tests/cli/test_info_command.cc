@@ -12,7 +12,7 @@
 #include "results/results_file.h"
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_info_command {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -147,4 +147,4 @@ TEST_F(InfoCommand, AFileThatIsMissingOrDamagedIsNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_info_command

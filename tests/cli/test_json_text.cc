@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_json_text {
 namespace {
 
 TEST(JsonText, RealNumbersHaveSeventeenSignificantDigits) {
@@ -39,4 +39,4 @@ TEST(JsonText, StringsAreEscapedAndBrokenUtf8IsReplaced) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_json_text

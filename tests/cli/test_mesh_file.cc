@@ -9,7 +9,7 @@
 #include "engine/exceptions.h"
 #include "tests/results/support.h"
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_mesh_file {
 namespace {
 
 constexpr const char* kObj = "v 1 0 0\nv 0 2 0\nv 0 0 4\nf 1 2 3\n";
@@ -96,4 +96,4 @@ TEST_F(MeshFile, AMissingFileIsNamedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_mesh_file

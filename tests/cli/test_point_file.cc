@@ -8,7 +8,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_point_file {
 namespace {
 
 Eigen::MatrixXd matrix(std::initializer_list<std::initializer_list<double>> rows) {
@@ -107,4 +107,4 @@ TEST(PointFile, AFileThatCannotBeReadIsNamedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_point_file

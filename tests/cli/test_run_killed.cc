@@ -15,7 +15,7 @@
 #include "tests/cli/program.h"
 #include "tests/results/support.h"
 
-namespace raygauge {
+namespace raygauge::test_run_killed {
 namespace {
 
 constexpr int kKills = 20;
@@ -126,4 +126,4 @@ TEST_F(KilledRun, OnTwoThreadsGivesTheSameRecordsEachOnce) { expect_survival(2, 
 TEST_F(KilledRun, InShuffledOrderGivesTheSameRecordsEachOnce) { expect_survival(2, true); }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_run_killed

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_run_summary {
 namespace {
 
 Record record(const std::string& method, int repetition, DistanceStatus status, bool agrees) {
@@ -51,4 +51,4 @@ TEST(RunSummary, ProvenAnswersAreNoFailures) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_run_summary

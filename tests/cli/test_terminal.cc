@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace raygauge::cli {
+namespace raygauge::cli::test_terminal {
 namespace {
 
 TEST(DurationText, SaysItAsOneWould) {
@@ -34,4 +34,4 @@ TEST(Terminal, AFileIsNoneAndGetsNoColour) {
 }
 
 }  // namespace
-}  // namespace raygauge::cli
+}  // namespace raygauge::cli::test_terminal

@@ -6,7 +6,7 @@
 
 #include "tests/cli/program_fixture.h"
 
-namespace raygauge::testing {
+namespace raygauge::testing::test_usage {
 namespace {
 
 class Usage : public ProgramTest {
@@ -83,4 +83,4 @@ TEST_F(Usage, AnOptionOfTheWrongTypeIsNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge::testing
+}  // namespace raygauge::testing::test_usage

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace raygauge {
+namespace raygauge::test_agreement {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -114,4 +114,4 @@ TEST(Agreement, TheExactDistanceMustLieInsideEveryProof) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_agreement

@@ -14,7 +14,7 @@
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_basis {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -218,4 +218,4 @@ TEST_P(BasisOnEveryKernel, ClaimsNothingFalseOfAnInverseThatHasDrifted) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_basis

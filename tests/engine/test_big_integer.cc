@@ -11,7 +11,7 @@
 
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_big_integer {
 namespace {
 
 using Integer = boost::multiprecision::mpz_int;
@@ -174,4 +174,4 @@ TEST(RoundedRatio, LeavesTheRangeOfDoublesOnTheRightSide) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_big_integer

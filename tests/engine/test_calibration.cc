@@ -6,7 +6,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge {
+namespace raygauge::test_calibration {
 namespace {
 
 class Calibrations : public ::testing::Test {
@@ -52,4 +52,4 @@ TEST_F(Calibrations, AFailureWhileMeasuringIsRethrown) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_calibration

@@ -9,7 +9,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge {
+namespace raygauge::test_cell_runner {
 namespace {
 
 class Cells : public ::testing::Test {
@@ -75,4 +75,4 @@ TEST_F(Cells, TheExactDistanceIsTheGenerators) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_cell_runner

@@ -12,7 +12,7 @@
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_certificate {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -203,4 +203,4 @@ TEST(ScaledBounds, RoundOutwardsBelowAndAboveTheNormalRange) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_certificate

@@ -13,7 +13,7 @@
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_certified_bounds {
 namespace {
 
 using Indices = std::vector<std::ptrdiff_t>;
@@ -90,4 +90,4 @@ TEST_F(PointAgainstTheCrossPolytope, RefusesIndicesOutsideTheSetsAndSpansOfDiffe
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_certified_bounds

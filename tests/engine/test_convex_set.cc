@@ -8,7 +8,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_convex_set {
 namespace {
 
 // {x : |x| <= radius}.
@@ -54,4 +54,4 @@ TEST(ConvexSet, RefusesADirectionThatIsNotFinite) {
 TEST(ConvexSet, RefusesToLiveInNoDimension) { EXPECT_THROW(Ball(0, 1), InvalidParameterError); }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_convex_set

@@ -7,7 +7,7 @@
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_double_double {
 namespace {
 
 Rational exact(const DoubleDouble& value) { return Rational(value.high) + Rational(value.low); }
@@ -58,4 +58,4 @@ TEST(DoubleDouble, KeepsWhatCancellationLeaves) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_double_double

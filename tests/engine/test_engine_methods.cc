@@ -8,7 +8,7 @@
 #include "engine/sets/point_set.h"
 #include "engine/sweep/method.h"
 
-namespace raygauge {
+namespace raygauge::test_engine_methods {
 namespace {
 
 /// A = the segment from (3, -1) to (3, 2), Q = the square [-1, 1]²: d = 3.
@@ -97,4 +97,4 @@ TEST_F(EngineMethods, AResultNobodySolvedForIsAnError) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_engine_methods

@@ -6,7 +6,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge {
+namespace raygauge::test_estimate {
 namespace {
 
 class Estimate : public ::testing::Test {
@@ -58,4 +58,4 @@ TEST_F(Estimate, RejectsWhatTheSweepWouldReject) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_estimate

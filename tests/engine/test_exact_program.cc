@@ -11,7 +11,7 @@
 
 #include "engine/kernel/kernel.h"
 
-namespace raygauge {
+namespace raygauge::test_exact_program {
 namespace {
 
 Eigen::MatrixXd cross_polytope(int n) {
@@ -132,4 +132,4 @@ TEST(ExactProgram, StopsWhenTheTimeIsUp) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_program

@@ -11,7 +11,7 @@
 
 #include "tests/engine/rational.h"
 
-namespace raygauge {
+namespace raygauge::test_exact_sum {
 namespace {
 
 TEST(ExactSum, OfNothingIsZero) { EXPECT_TRUE(ExactSum().is_zero()); }
@@ -68,4 +68,4 @@ RC_GTEST_PROP(ExactSumProperty, ComesBackToZeroWhenEveryProductIsTakenOff,
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_sum

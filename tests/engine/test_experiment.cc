@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace raygauge {
+namespace raygauge::test_experiment {
 namespace {
 
 Experiment grid_experiment() {
@@ -116,4 +116,4 @@ TEST(Validation, TwoMethodsOfOneNameAreFineUnderDifferentLabels) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_experiment

@@ -9,7 +9,7 @@
 #include "engine/distance/solver.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_gauge_bound {
 namespace {
 
 double gauge_bound(const Eigen::MatrixXd& points) {
@@ -56,4 +56,4 @@ TEST(GaugeBound, IsInfiniteWhereThePointsDoNotSurroundTheOrigin) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_gauge_bound

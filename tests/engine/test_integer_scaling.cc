@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace raygauge {
+namespace raygauge::test_integer_scaling {
 namespace {
 
 TEST(IntegerScaling, MakesEveryCoordinateAnInteger) {
@@ -40,4 +40,4 @@ TEST(IntegerScaling, LeavesNoFactorInSetsOfDifferentSize) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_integer_scaling

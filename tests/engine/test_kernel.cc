@@ -15,7 +15,7 @@
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_kernel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -166,4 +166,4 @@ TEST(Kernels, RefuseAnInstructionSetThatTheMachineLacks) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_kernel

@@ -11,7 +11,7 @@
 #include "engine/exceptions.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_point_set {
 namespace {
 
 constexpr double kRoundoff = std::numeric_limits<double>::epsilon();
@@ -162,4 +162,4 @@ TEST(PointSet, RefusesAnIndexOutsideItsRange) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_point_set

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace raygauge {
+namespace raygauge::test_registry {
 namespace {
 
 const std::vector<ParameterInfo> kDeclared = {
@@ -38,4 +38,4 @@ TEST(Parameters, WrongTypeAndRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_registry

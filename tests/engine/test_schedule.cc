@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace raygauge {
+namespace raygauge::test_schedule {
 namespace {
 
 /// Costs 20, 40, …, 100, each of them 8 times.
@@ -45,4 +45,4 @@ TEST(Schedule, ShufflingDependsOnTheSeedAndLosesNoCell) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_schedule

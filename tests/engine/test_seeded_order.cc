@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace raygauge {
+namespace raygauge::test_seeded_order {
 namespace {
 
 TEST(SeededOrder, IsAPermutation) {
@@ -40,4 +40,4 @@ TEST(SeededOrder, PutsEveryElementEverywhere) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_seeded_order

@@ -10,7 +10,7 @@
 #include "engine/exceptions.h"
 #include "engine/sets/point_set.h"
 
-namespace raygauge {
+namespace raygauge::test_solver {
 namespace {
 
 Eigen::MatrixXd sphere_points(int n, int N, std::mt19937_64& engine) {
@@ -147,4 +147,4 @@ TEST(DistanceSolver, RefusesOptionsOutsideTheirRange) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver

@@ -64,7 +64,7 @@ int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
 }
 #endif
 
-namespace raygauge {
+namespace raygauge::test_solver_allocations {
 namespace {
 
 // The points behind the general interface.
@@ -158,4 +158,4 @@ TEST_P(RepeatedSolve, OfScaledSetsAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_allocations

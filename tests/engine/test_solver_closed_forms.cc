@@ -9,7 +9,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_closed_forms {
 namespace {
 
 // Coordinates are multiples of 1/4, so that the closed forms below are computed without rounding.
@@ -100,4 +100,4 @@ TEST_P(ClosedForms, OfContactIsOneWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_closed_forms

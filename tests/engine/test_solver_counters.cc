@@ -7,7 +7,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_counters {
 namespace {
 
 class Counters : public BothMethods {
@@ -71,4 +71,4 @@ TEST(DirectCounters, HaveOneOuterIterationAndNoSigma) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_counters

@@ -5,7 +5,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_degenerate {
 namespace {
 
 // Optimal solutions in which weights vanish: no basis proves them nonnegative.
@@ -57,4 +57,4 @@ TEST_P(Degenerate, FacesNearTheOriginKeepHonestBounds) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_degenerate

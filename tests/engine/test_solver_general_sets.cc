@@ -7,7 +7,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_general_sets {
 namespace {
 
 // {x : |x - c| <= r}, as a user would write it.
@@ -115,4 +115,4 @@ TEST_P(GeneralSets, SayThatAGaugeCannotReach) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_general_sets

@@ -12,7 +12,7 @@
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_instruction_sets {
 namespace {
 
 class InstructionSets : public BothMethods {
@@ -83,4 +83,4 @@ TEST_P(InstructionSets, RefuseToBeForcedOnAMachineThatLacksThem) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_instruction_sets

@@ -11,7 +11,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_invariance {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -174,4 +174,4 @@ TEST_P(Invariance, ASolverRemembersNothingOfEarlierSolves) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_invariance

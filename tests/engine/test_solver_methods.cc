@@ -7,7 +7,7 @@
 #include "engine/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_methods {
 namespace {
 
 DistanceResult solve(DistanceMethod method, const PointSet& A, const PointSet& Q) {
@@ -44,4 +44,4 @@ RC_GTEST_PROP(Methods, AgreeWhereQMayMissTheOrigin, ()) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_methods

@@ -12,7 +12,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_threads {
 namespace {
 
 using Threads = BothMethods;
@@ -61,4 +61,4 @@ TEST_P(Threads, SharingTheSameSetsGetTheBitsOfASerialRun) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_threads

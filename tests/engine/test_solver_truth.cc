@@ -12,7 +12,7 @@
 #include "tests/engine/rational.h"
 #include "tests/generators/hard/brute_force.h"
 
-namespace raygauge {
+namespace raygauge::test_solver_truth {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -158,4 +158,4 @@ TEST_P(Truth, ShowsAFarkasDirectionWhereNoMultipleOfQReaches) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_solver_truth

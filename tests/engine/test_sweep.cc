@@ -8,7 +8,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge {
+namespace raygauge::test_sweep {
 namespace {
 
 using testing::MemorySink;
@@ -305,4 +305,4 @@ TEST_F(Sweep, NothingLeftToDoIsNoError) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_sweep

@@ -9,7 +9,7 @@
 
 #include "engine/sweep/thread_pin.h"
 
-namespace raygauge {
+namespace raygauge::test_team {
 namespace {
 
 TEST(Team, EveryMemberWorksOnce) {
@@ -48,4 +48,4 @@ TEST(Team, NobodyIsPinnedWhereThreadsOutnumberCpus) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_team

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace raygauge {
+namespace raygauge::test_thread_pin {
 namespace {
 
 std::set<int> current_mask() {
@@ -47,4 +47,4 @@ TEST(ThreadPin, ACpuThatDoesNotExistLeavesTheThreadFree) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_thread_pin

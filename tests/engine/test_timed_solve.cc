@@ -6,7 +6,7 @@
 
 #include "tests/engine/fake_components.h"
 
-namespace raygauge {
+namespace raygauge::test_timed_solve {
 namespace {
 
 class TimedSolves : public ::testing::Test {
@@ -41,4 +41,4 @@ TEST_F(TimedSolves, TheDecidingSolveIsNotPartOfARepeatedSample) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_timed_solve

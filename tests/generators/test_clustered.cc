@@ -6,7 +6,7 @@
 
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_clustered {
 namespace {
 
 TEST(Clustered, PointsOfOneClusterAreNearEachOtherAndThoseOfItsPartnerOpposite) {
@@ -28,4 +28,4 @@ TEST(Clustered, SeparatesTheSpheresAsExample2Does) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_clustered

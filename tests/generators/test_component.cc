@@ -6,7 +6,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_component {
 namespace {
 
 Instance no_sets(const InstanceKey& key, const Parameters& parameters) {
@@ -39,4 +39,4 @@ TEST(GeneratorComponent, NamesTheGeneratorAndTheValueInItsMessage) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_component

@@ -8,7 +8,7 @@
 
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_example2 {
 namespace {
 
 // Of coordinates of size 1.
@@ -55,4 +55,4 @@ TEST(Example2, ClaimsNoExactDistance) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_example2

@@ -8,7 +8,7 @@
 
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_needle {
 namespace {
 
 TEST(Needle, AspectOneLeavesUnitSpheres) {
@@ -33,4 +33,4 @@ TEST(Needle, StretchesBothSetsByOneMapAlongOneDirection) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_needle

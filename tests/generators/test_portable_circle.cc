@@ -9,7 +9,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_portable_circle {
 namespace {
 
 TEST(PortableCircle, AgreesWithCosineAndSine) {
@@ -38,4 +38,4 @@ TEST(PortableCircle, RefusesWhatIsNoPointOfTheCircle) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_portable_circle

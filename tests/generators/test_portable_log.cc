@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raygauge {
+namespace raygauge::test_portable_log {
 namespace {
 
 // The documented accuracy: 4 units in the last place of the result.
@@ -30,4 +30,4 @@ TEST(PortableLog, KeepsItsRelativeAccuracyNextToOne) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_portable_log

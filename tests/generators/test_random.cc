@@ -12,7 +12,7 @@
 
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::test_random {
 namespace {
 
 constexpr int kSamples = 100000;
@@ -161,4 +161,4 @@ TEST(RandomStream, VectorsOfNoDimensionAreRefused) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_random

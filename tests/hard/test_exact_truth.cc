@@ -12,7 +12,7 @@
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 
-namespace raygauge {
+namespace raygauge::test_exact_truth {
 namespace {
 
 constexpr int kPoints = 40;
@@ -76,4 +76,4 @@ INSTANTIATE_TEST_SUITE_P(Families, UnknownDistance, testing::ValuesIn(hard_cases
                          [](const auto& test) { return label(test.param); });
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_truth

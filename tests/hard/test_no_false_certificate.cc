@@ -12,7 +12,7 @@
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 
-namespace raygauge {
+namespace raygauge::test_no_false_certificate {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(Families, NoFalseCertificate, testing::ValuesIn(hard_ca
                          [](const auto& test) { return label(test.param); });
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_no_false_certificate

@@ -7,7 +7,7 @@
 #include "results/exceptions.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_atomic_file {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -41,4 +41,4 @@ TEST(AtomicFile, AFolderIsNotReplaced) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_atomic_file

@@ -13,7 +13,7 @@
 #include "results/schema.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_csv {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -103,4 +103,4 @@ TEST_F(Csv, AFolderThatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_csv

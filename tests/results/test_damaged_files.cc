@@ -11,7 +11,7 @@
 #include "results/schema.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_damaged_files {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -133,4 +133,4 @@ TEST_F(DamagedFile, Hdf5ItselfPrintsNothing) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_damaged_files

@@ -10,7 +10,7 @@
 #include "results/exceptions.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_dataset {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -101,4 +101,4 @@ TEST(DatasetReference, IsAFileAColonAndAPath) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_dataset

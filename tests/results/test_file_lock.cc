@@ -13,7 +13,7 @@
 #include "results/exceptions.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_file_lock {
 namespace {
 
 class FileLockTest : public ::testing::Test {
@@ -62,4 +62,4 @@ TEST_F(FileLockTest, AMissingFolderIsNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_file_lock

@@ -8,7 +8,7 @@
 
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_identity {
 namespace {
 
 using testing::small_experiment;
@@ -89,4 +89,4 @@ TEST(IdentityDifference, SeesKeysThatOneSideLacks) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_identity

@@ -15,7 +15,7 @@
 #include "results/run_writer.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_kill {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -103,4 +103,4 @@ TEST_P(Kill, AgainAndAgainInOneRunGivesTheSameRecords) {
 INSTANTIATE_TEST_SUITE_P(Threads, Kill, ::testing::Values(1, 2), ::testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_kill

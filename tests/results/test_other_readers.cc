@@ -11,7 +11,7 @@
 #include "results/schema.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_other_readers {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -108,4 +108,4 @@ TEST_F(OtherReaders, H5pyReadsThePartsOfAnUnfinishedRun) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_other_readers

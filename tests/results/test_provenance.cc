@@ -9,7 +9,7 @@
 
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_provenance {
 namespace {
 
 TEST(Provenance, TheBuildIsKnown) {
@@ -52,4 +52,4 @@ TEST(Provenance, ASessionTellsThreadsTimingAndStart) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_provenance

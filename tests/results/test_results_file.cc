@@ -7,7 +7,7 @@
 #include "results/exceptions.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_results_file {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -61,4 +61,4 @@ TEST(ResultsFile, ARunWithoutRecordsIsAFileToo) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_results_file

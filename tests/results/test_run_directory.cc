@@ -7,7 +7,7 @@
 #include "results/exceptions.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_run_directory {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -61,4 +61,4 @@ TEST_F(RunDirectoryTest, OneWithPartsStaysWithoutItsLock) {
 TEST_F(RunDirectoryTest, NoFolderMeansNoParts) { EXPECT_TRUE(list_parts(target_).empty()); }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_run_directory

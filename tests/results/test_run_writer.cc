@@ -12,7 +12,7 @@
 #include "results/results_file.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_run_writer {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -242,4 +242,4 @@ TEST_F(RunWriterTest, TwoWritersOfOneRunAreRefused) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_run_writer

@@ -8,7 +8,7 @@
 
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_schema {
 namespace {
 
 /// The row that docs/file-format.md owes to a column.
@@ -70,4 +70,4 @@ TEST(Schema, SettingWhatWasReadCopiesEveryColumn) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_schema

@@ -16,7 +16,7 @@
 #include "results/run_writer.h"
 #include "support.h"
 
-namespace raygauge {
+namespace raygauge::test_storage_failures {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
@@ -109,4 +109,4 @@ TEST_F(StorageFailure, AFolderWithoutPermissionIsNamed) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_storage_failures

@@ -26,7 +26,7 @@
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge {
+namespace raygauge::test_set_distances {
 namespace {
 
 using Set = std::shared_ptr<const ConvexSet>;
@@ -165,4 +165,4 @@ TEST_P(SetDistances, AreBoundedRightlyWhereLargeNumbersCancel) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_set_distances

@@ -21,7 +21,7 @@
 #include "engine/sets/truncated_cone.h"
 #include "engine/sets/union_hull.h"
 
-namespace raygauge {
+namespace raygauge::test_set_parameters {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -154,4 +154,4 @@ TEST(SetParameters, GrossMistakesOfAMappingAreFoundAtOnce) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_set_parameters

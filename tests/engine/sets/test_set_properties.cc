@@ -9,7 +9,7 @@
 
 #include "tests/engine/sets/set_cases.h"
 
-namespace raygauge {
+namespace raygauge::test_set_properties {
 namespace {
 
 // Values are sums of a few dozen rounded terms of size |u|₁ · 10 at most.
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, EverySet, testing::ValuesIn(set_cases()),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_set_properties

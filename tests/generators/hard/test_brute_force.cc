@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace raygauge {
+namespace raygauge::test_brute_force {
 namespace {
 
 TEST(BruteForce, FindsTheGaugeOfAPointInATriangle) {
@@ -35,4 +35,4 @@ TEST(BruteForce, KnowsTheNearestDouble) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_brute_force

@@ -10,7 +10,7 @@
 #include "tests/generators/hard/brute_force.h"
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_exact_distances {
 namespace {
 
 struct Case {
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return label(test.param); });
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_exact_distances

@@ -11,7 +11,7 @@
 #include "tests/generators/hard/brute_force.h"
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_families {
 namespace {
 
 TEST(HardPlantedTies, AllPointsLieOnTheOptimalHyperplaneIfAsked) {
@@ -109,4 +109,4 @@ TEST(HardFamilies, WithoutAClosedFormClaimNoDistance) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_families

@@ -9,7 +9,7 @@
 
 #include "tests/generators/hard/brute_force.h"
 
-namespace raygauge {
+namespace raygauge::test_maps {
 namespace {
 
 RandomStream stream_of(int repetition) {
@@ -62,4 +62,4 @@ TEST(Maps, ScalingByAPowerOfTwoIsUndoneByItsInverse) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_maps

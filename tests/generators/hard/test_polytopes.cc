@@ -8,7 +8,7 @@
 #include "generators/random.h"
 #include "tests/generators/hard/brute_force.h"
 
-namespace raygauge {
+namespace raygauge::test_polytopes {
 namespace {
 
 TEST(Polytopes, TheGaugeOfIntegerPointsIsThatOfTheVertices) {
@@ -42,4 +42,4 @@ TEST(Polytopes, AFacetStandsOnItsPlaneUnderItsApex) {
 }
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_polytopes

@@ -11,7 +11,7 @@
 
 #include "tests/generators/points_of.h"
 
-namespace raygauge {
+namespace raygauge::test_generator_registry {
 namespace {
 
 const GeneratorRegistry& all_generators() {
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(Room, PairOfClouds,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace raygauge
+}  // namespace raygauge::test_generator_registry
