@@ -22,20 +22,27 @@ namespace {
 // Ratios of one row, with their geometric mean and the worst cell.
 class Summary {
  public:
+  enum class Worst { largest, smallest };
+
+  explicit Summary(const char* what, Worst worst = Worst::largest)
+      : what_(what), sense_(worst == Worst::largest ? 1.0 : -1.0) {}
+
   void add(double ratio, int n, int N) {
     sum_of_logs_ += std::log(ratio);
     ++cells_;
-    if (ratio <= worst_) return;
+    if (cells_ > 1 && sense_ * (ratio - worst_) <= 0) return;
     worst_ = ratio;
     worst_n_ = n;
     worst_N_ = N;
   }
-  void print(const char* what) const {
-    std::printf("%-22s geometric mean %.4g, worst %.4g (n = %d, N = %d), %d cells\n", what,
+  void print() const {
+    std::printf("%-22s geometric mean %.4g, worst %.4g (n = %d, N = %d), %d cells\n", what_,
                 std::exp(sum_of_logs_ / cells_), worst_, worst_n_, worst_N_, cells_);
   }
 
  private:
+  const char* what_;
+  double sense_;
   double sum_of_logs_ = 0;
   double worst_ = 0;
   int cells_ = 0;
@@ -78,6 +85,30 @@ double against_pass(const Variant& variant, int n, int N, int instances) {
       passes.push_back(seconds_of(pass));
     }
     ratios.push_back(median(solves) / median(passes));
+  }
+  return median(ratios);
+}
+
+// Median over instances of (solve by one thread / by two), the two timed in turns.
+double gain_of_two_threads(const Variant& variant, int n, int N, int instances) {
+  DistanceSolver one;
+  DistanceOptions options;
+  options.threads = 2;
+  DistanceSolver two(options);
+  std::vector<double> ratios;
+  volatile double sink = 0;
+  for (int repetition = 0; repetition < instances; ++repetition) {
+    const Instance instance = make_instance(variant, n, N, repetition);
+    const auto solve_by = [&](DistanceSolver& solver) {
+      return seconds_of([&] { sink = solver.solve(*instance.A, *instance.Q).distance; });
+    };
+    std::vector<double> by_one;
+    std::vector<double> by_two;
+    for (int turn = 0; turn < 6; ++turn) {
+      by_one.push_back(solve_by(one));
+      by_two.push_back(solve_by(two));
+    }
+    ratios.push_back(median(by_one) / median(by_two));
   }
   return median(ratios);
 }
@@ -125,8 +156,8 @@ double heap_in_use() {
 }  // namespace
 
 void print_grid(const Variant& variant, const Effort& effort) {
-  Summary direct;
-  Summary published;
+  Summary direct("direct / best LP");
+  Summary published("zheng_yamane / best LP");
   for (int n = 3; n <= 10; n += effort.quick ? 7 : 1) {
     for (int N = 200; N <= 2000; N += effort.quick ? 900 : 200) {
       const LpCell cell = against_lp({"direct", "zheng_yamane"}, variant, n, N, effort.instances);
@@ -140,13 +171,13 @@ void print_grid(const Variant& variant, const Effort& effort) {
       std::fflush(stdout);
     }
   }
-  direct.print("direct / best LP");
-  published.print("zheng_yamane / best LP");
+  direct.print();
+  published.print();
 }
 
 void print_large(const Variant& variant, const Effort& effort) {
-  Summary all;
-  Summary largest;
+  Summary all("direct / pass");
+  Summary largest("  at N >= 2e5");
   for (const int N :
        effort.quick ? std::vector<int>{20000, 200000} : std::vector<int>{20000, 200000, 1000000}) {
     for (const int n : {5, 10, 20}) {
@@ -155,8 +186,21 @@ void print_large(const Variant& variant, const Effort& effort) {
       if (N >= 200000) largest.add(ratio, n, N);
     }
   }
-  all.print("direct / pass");
-  largest.print("  at N >= 2e5");
+  all.print();
+  largest.print();
+}
+
+void print_threads(const Variant& variant, const Effort& effort) {
+  Summary all("one thread / two", Summary::Worst::smallest);
+  for (const int N : effort.quick ? std::vector<int>{200000} : std::vector<int>{200000, 1000000}) {
+    for (const int n : {5, 10, 20}) {
+      const double gain = gain_of_two_threads(variant, n, N, effort.instances);
+      std::printf("n = %3d  N = %7d  one thread / two %6.2f\n", n, N, gain);
+      std::fflush(stdout);
+      all.add(gain, n, N);
+    }
+  }
+  all.print();
 }
 
 void print_n50(const Variant& variant, const Effort& effort) {

@@ -20,6 +20,8 @@ void print_n50(const Variant& variant, const Effort& effort);    ///< direct / p
 void print_n100(const Variant& variant, const Effort& effort);   ///< direct / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10
+void print_threads(const Variant& variant,
+                   const Effort& effort);  ///< one solve by one thread / by two; N = 2e5, 1e6
 void print_growth(const Variant& variant, const Effort& effort);  ///< exponents of N and n, 95 % confidence
 
 }  // namespace raygauge::bench

@@ -18,8 +18,8 @@ namespace {
 
 using PrintRow = void (*)(const Variant&, const Effort&);
 const std::vector<std::pair<std::string, PrintRow>> kRows = {
-    {"grid", print_grid}, {"large", print_large},   {"n50", print_n50},
-    {"n100", print_n100}, {"memory", print_memory}, {"growth", print_growth}};
+    {"grid", print_grid},       {"large", print_large},   {"n50", print_n50},      {"n100", print_n100},
+    {"threads", print_threads}, {"memory", print_memory}, {"growth", print_growth}};
 
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;
@@ -42,8 +42,8 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;
 
-  std::printf("variant %s, %d instances a cell, one thread, %s, tolerance 1e-6\n", variant.c_str(),
-              effort.instances, std::string(to_string(best_instruction_set())).c_str());
+  std::printf("variant %s, %d instances a cell, %s, tolerance 1e-6\n", variant.c_str(), effort.instances,
+              std::string(to_string(best_instruction_set())).c_str());
   for (const auto& [name, print] : kRows) {
     if (std::find(rows.begin(), rows.end(), name) == rows.end()) continue;
     std::printf("\n== %s ==\n", name.c_str());

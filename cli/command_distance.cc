@@ -82,6 +82,10 @@ void check_options(const DistanceOptions& options) {
     throw InvalidParameterError("--max-iterations must not be negative, got " +
                                 std::to_string(options.max_iterations));
   }
+  if (options.threads < 1 || options.threads > kMostThreads) {
+    throw InvalidParameterError("--threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
+                                std::to_string(options.threads));
+  }
 }
 
 void check_dimensions(const DistanceArguments& arguments, const Eigen::MatrixXd& A,
@@ -161,10 +165,15 @@ void add_distance_command(CLI::App& app, int& status) {
                                      ->add_option("--instruction-set", arguments->instruction_set,
                                                   "Vector kernels: " + joined(names_of(kInstructionSets)))
                                      ->type_name("NAME");
+  CLI::Option* threads =
+      command
+          ->add_option("--threads", options.threads,
+                       "Threads of the solve; direct shares its passes over large point sets")
+          ->type_name("K");
   command->footer(kDistanceFooter);
   command->callback([=, &status] {
     arguments->query.engine_options_set =
-        iterations->count() + stop_rule->count() + instruction_set->count() > 0;
+        iterations->count() + stop_rule->count() + instruction_set->count() + threads->count() > 0;
     status = run(*arguments);
   });
 }

@@ -45,8 +45,8 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
   }
   if (query.engine_options_set) {
     throw InvalidParameterError(
-        "--max-iterations, --stop-rule and --instruction-set are for direct and zheng_yamane; " + name +
-        " has no such options");
+        "--max-iterations, --stop-rule, --instruction-set and --threads are for direct and zheng_yamane; " +
+        name + " has no such options");
   }
   method.load(instance);
   report.seconds = seconds_of([&] { method.solve({query.options.tolerance, query.options.time_limit}); });

@@ -31,8 +31,9 @@ add_library(raygauge_warnings INTERFACE)
 target_compile_options(raygauge_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi
                        $<$<BOOL:${RAYGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # False alarms of GCC 12 inside std::string (its bug 105651 and the like); AddressSanitizer finds the real ones.
-  target_compile_options(raygauge_warnings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+  # False alarms of GCC 12 inside std::string (its bug 105651 and the like) and Eigen; AddressSanitizer finds the real ones.
+  target_compile_options(raygauge_warnings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+                         -Wno-maybe-uninitialized)
 endif()
 
 # raygauge_room(NAME SOURCES... ) declares the library of one top-level folder.

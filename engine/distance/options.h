@@ -38,6 +38,9 @@ constexpr bool has_effect(Effects asked, Effects effect) noexcept {
   return (static_cast<unsigned>(asked) & static_cast<unsigned>(effect)) != 0;
 }
 
+/// Most threads that one solve may use.
+inline constexpr int kMostThreads = 64;
+
 /// Tunables of a DistanceSolver; the defaults below are the only ones.
 struct DistanceOptions {
   DistanceMethod method = DistanceMethod::direct;
@@ -51,8 +54,14 @@ struct DistanceOptions {
   /// only).
   std::int64_t max_iterations = 0;
 
-  /// Seconds of wall time; checked between basis changes.
+  /// Seconds of wall time; looked at every few hundred basis changes, so that a solve of fewer may end in its
+  /// answer all the same.
   double time_limit = std::numeric_limits<double>::infinity();
+
+  /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `direct` over point sets of 2^17
+  /// coordinates and more; everything else is done by the caller's thread. Leave it at 1 where other solves
+  /// keep the cores busy.
+  int threads = 1;
 
   /// Kernels to run; anything but `automatic` throws InvalidParameterError where the machine lacks the
   /// instructions.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/distance/shared_pass.h"
+
 namespace raygauge {
 namespace {
 
@@ -43,6 +45,7 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   Q_ = &Q;
   n_ = A.dimension();
   tolerance_ = options.tolerance;
+  threads_ = options.threads;
   pivots_are_limited_ = options.max_iterations > 0;
   kernels_ = &kernels_for(options.instruction_set);
   stopwatch_.start(options.time_limit);
@@ -185,7 +188,7 @@ SupportValue PointSetDirect::price_set(const PointSet& S, const WorkingSet& work
   counters_.points_priced += S.size();
   if (working.is_complete()) return support_value(*kernels_, S, direction);
   violators.threshold = threshold;
-  const double value = kernels_->collect(S.data(), 0, S.block_count(), n_, direction, &violators);
+  const double value = shared_pass(*kernels_, S, direction, violators, threads_);
   const double error = dot_error(S, direction);
   return well_resolved(value, error) ? SupportValue{value, error} : support_value(*kernels_, S, direction);
 }

@@ -54,6 +54,7 @@ class PointSetDirect {
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
   double tolerance_ = 0;
+  int threads_ = 1;
   bool pivots_are_limited_ = false;  // by the caller
   Scaling scaling_;
   WorkingSet working_A_;

@@ -25,6 +25,10 @@ void check_options(const DistanceOptions& options) {
   if (!(options.time_limit >= 0)) {
     throw InvalidParameterError("time_limit must not be negative, got " + std::to_string(options.time_limit));
   }
+  if (options.threads < 1 || options.threads > kMostThreads) {
+    throw InvalidParameterError("threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
+                                std::to_string(options.threads));
+  }
   if (options.stop_rule == StopRule::published_sigma && options.method != DistanceMethod::zheng_yamane) {
     throw InvalidParameterError("stop_rule published_sigma belongs to method zheng_yamane");
   }

@@ -84,9 +84,18 @@ DistanceOptions options_from(DistanceMethod method, const Parameters& parameters
 }  // namespace
 
 void register_engine_methods(MethodRegistry& registry) {
+  std::vector<ParameterInfo> direct = common_parameters();
+  direct.push_back({"threads",
+                    std::int64_t{1},
+                    1.0,
+                    static_cast<double>(kMostThreads),
+                    "threads of one solve, for its passes over very large point sets",
+                    {}});
   registry.add({"direct", "the linear program of Example 2 by column generation over support mappings",
-                common_parameters(), [](const Parameters& parameters) {
-                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::direct, parameters));
+                std::move(direct), [](const Parameters& parameters) {
+                  DistanceOptions options = options_from(DistanceMethod::direct, parameters);
+                  options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
+                  return std::make_unique<EngineMethod>(options);
                 }});
   std::vector<ParameterInfo> published = common_parameters();
   published.push_back(

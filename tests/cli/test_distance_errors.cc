@@ -69,6 +69,8 @@ TEST_F(DistanceErrors, OptionsOutsideTheirRangeAreNamed) {
                    "raygauge: --time-limit must not be negative, got -1");
   expect_complaint(run("3 0\n", kSquare, {"--max-iterations", "-1"}),
                    "raygauge: --max-iterations must not be negative, got -1");
+  expect_complaint(run("3 0\n", kSquare, {"--threads", "0"}),
+                   "raygauge: --threads must lie in 1 … 64, got 0");
 }
 
 #ifdef RAYGAUGE_HAS_GLPK
@@ -76,10 +78,10 @@ TEST_F(DistanceErrors, OptionsThatAMethodDoesNotHaveAreRefused) {
   expect_complaint(
       run("3 0\n", kSquare, {"--method", "glpk", "--witness"}),
       "raygauge: method 'glpk_dual' computes no contact point: --witness needs direct or zheng_yamane");
-  expect_complaint(
-      run("3 0\n", kSquare, {"--method", "glpk", "--max-iterations", "5"}),
-      "raygauge: --max-iterations, --stop-rule and --instruction-set are for direct and zheng_yamane; "
-      "method 'glpk_dual' has no such options");
+  expect_complaint(run("3 0\n", kSquare, {"--method", "glpk", "--max-iterations", "5"}),
+                   "raygauge: --max-iterations, --stop-rule, --instruction-set and --threads are for direct "
+                   "and zheng_yamane; "
+                   "method 'glpk_dual' has no such options");
 }
 #endif
 
