@@ -63,15 +63,15 @@ double dot_error(const PointSet& S, const double* u) {
          S.dimension() * std::numeric_limits<double>::denorm_min();
 }
 
-SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u,
-                           std::ptrdiff_t* index) {
+SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u, std::ptrdiff_t* index,
+                           double resolution) {
   std::ptrdiff_t best_index = 0;
   SupportValue result;
   result.value = kernels.price(S.data(), S.block_count(), S.dimension(), u, &best_index);
   result.error = dot_error(S, u);
   best_index = std::min(best_index, S.size() - 1);
   if (index != nullptr) *index = best_index;
-  if (well_resolved(result.value, result.error)) return result;
+  if (well_resolved(result.value, result.error, resolution)) return result;
 
   // Filled by the collection as far as it counts; clearing 8 kB at every doubtful query would be waste.
   std::array<std::int64_t, kDoubtful> doubtful;  // NOLINT(cppcoreguidelines-pro-type-member-init)

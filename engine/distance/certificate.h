@@ -16,10 +16,17 @@ struct SupportValue {
   double above() const noexcept { return value + error; }
 };
 
-/// Whether rounding hides so little of a support value that a longer evaluation is not worth its pass over
-/// the set.
-inline bool well_resolved(double value, double error) noexcept {
-  return error <= 0x1p-40 * (value < 0 ? -value : value);
+/// The share of a support value that rounding may hide before a longer evaluation is worth its pass over the
+/// set.
+inline constexpr double kResolution = 0x1p-40;
+
+/// The same for a solve that need not close its gap below `tolerance`: a sixteenth of it.
+inline double resolution_for(double tolerance) noexcept {
+  return tolerance > 16 * kResolution ? tolerance / 16 : kResolution;
+}
+
+inline bool well_resolved(double value, double error, double resolution = kResolution) noexcept {
+  return error <= resolution * (value < 0 ? -value : value);
 }
 
 /// value · 2^shift, rounded towards zero resp. +infinity where the result is not a normal number. value >= 0.
@@ -30,10 +37,10 @@ double scaled_up(double value, int shift) noexcept;
 /// γ_n Σ_k |u_k| max_i |p_ik|, γ_n = n ε / (1 - n ε), itself rounded up.
 double dot_error(const PointSet& S, const double* u);
 
-/// h_S(u) with its error bound; one pass over S. Where rounding hides more than 2⁻⁴⁰ of the value, the points
-/// that may attain the maximum are evaluated again in double-double arithmetic.
+/// h_S(u) with its error bound; one pass over S. Where rounding hides more than `resolution` of the value,
+/// the points that may attain the maximum are evaluated again in double-double arithmetic.
 SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u,
-                           std::ptrdiff_t* index = nullptr);
+                           std::ptrdiff_t* index = nullptr, double resolution = kResolution);
 
 /// Weak duality, equation (10): d_Q(A) >= -h_A(u) / h_Q(-u) wherever h_A(u) < 0, rounded down. 0 where h_A(u)
 /// < 0 is not certain; +infinity where moreover h_Q(-u) <= 0 is certain (u is a Farkas direction).

@@ -121,6 +121,8 @@ DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q
   BasisView& view = basis_.view();
   loop_.A = A.view();
   loop_.Q = Q.view();
+  loop_.noise_A = kUnitRoundoff * A.magnitude();
+  loop_.noise_Q = kUnitRoundoff * Q.magnitude();
   idle_looks_ = 0;
   least_objective_ = kInfinity;
   for (;;) {
@@ -208,10 +210,18 @@ void DirectProgram::enter_stage(Stage stage) {
 
 double DirectProgram::threshold_A() const noexcept {
   const double t = basis_.view().y[n_];
-  return -t + 2 * loop_.cost_tolerance * std::fabs(t);
+  return -t + 2 * loop_.cost_tolerance * std::fabs(t) + dual_length() * loop_.noise_A;
 }
 
-double DirectProgram::threshold_Q() const noexcept { return loop_.cost_of_Q + loop_.cost_tolerance; }
+double DirectProgram::threshold_Q() const noexcept {
+  return loop_.cost_of_Q + loop_.cost_tolerance + dual_length() * loop_.noise_Q;
+}
+
+double DirectProgram::dual_length() const noexcept {
+  double sum = 0;
+  for (int k = 0; k < n_; ++k) sum += std::fabs(basis_.view().y[k]);
+  return sum;
+}
 
 double DirectProgram::proven_upper() {
   if (stage_ == Stage::reach) return kInfinity;

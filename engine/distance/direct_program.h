@@ -80,6 +80,10 @@ class DirectProgram {
   double threshold_A() const noexcept;  ///< points of A with u·a above price out
   double threshold_Q() const noexcept;  ///< points of Q with -u·q above price out
   double objective() const noexcept { return basis_.view().objective; }
+
+  /// How many artificial columns are basic: bounds on the normal that are active.
+  int artificials() const noexcept { return loop_.artificials; }
+
   std::int64_t pivots() const noexcept { return basis_.view().pivots; }
   std::int64_t pricings() const noexcept { return loop_.pricings; }
   std::int64_t points_priced() const noexcept { return loop_.points_priced; }
@@ -91,6 +95,7 @@ class DirectProgram {
   void set_artificial_costs(const double* guess, double slack);
   bool look_after_basis();
   double artificial_weight() const;
+  double dual_length() const noexcept;  // Σ|y_k| over the coordinates
   void enter_stage(Stage stage);
   double exact_upper() const;
 

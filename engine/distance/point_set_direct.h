@@ -37,10 +37,16 @@ class PointSetDirect {
   void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options);
   void start();
   void run(bool restricted, Effects effects, DistanceResult& result);
+  bool bounds_mislead() const noexcept;
   void price_everything();
   double upper_despite_residual();
+  struct Violators {
+    Collection points;  // those above the threshold, and those as near below it as `reach`
+    bool any = false;   // whether one is above
+    double reach = 0;
+  };
   SupportValue price_set(const PointSet& S, const WorkingSet& working, const double* direction,
-                         double threshold, Collection& violators);
+                         double threshold, Violators& violators);
   void add_violators();
   void settle(DirectProgram::End end, double lower, double upper, Effects effects, DistanceResult& result);
   bool settle_exactly(double lower, Effects effects, DistanceResult& result);
@@ -74,8 +80,8 @@ class PointSetDirect {
   // The last pricing of the whole sets, in scaled units, and what priced out.
   SupportValue h_A_;
   SupportValue h_Q_;
-  Collection violators_A_;
-  Collection violators_Q_;
+  Violators violators_A_;
+  Violators violators_Q_;
 
   AlignedBuffer<double> direction_;  // u for A, then -u for Q, in the sets' own units: 2n
   AlignedBuffer<std::int64_t> collected_;

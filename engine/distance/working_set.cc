@@ -29,6 +29,10 @@ std::ptrdiff_t sample_blocks(const PointSet& S) {
 
 void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial) {
   const std::ptrdiff_t sample = sample_blocks(S);
+  magnitude_ = 0;
+  for (int k = 0; k < S.dimension(); ++k) {
+    magnitude_ = std::max(magnitude_, factor[k] * S.coordinate_magnitude()[k]);
+  }
   // Sets small enough to carry a single-precision copy are priced from the first-level cache.
   const bool whole = S.single_data() != nullptr || sample >= S.block_count();
   if (whole) {
@@ -100,6 +104,7 @@ void WorkingSet::place(std::ptrdiff_t position, const double* point, std::ptrdif
   for (int k = 0; k < n_; ++k) {
     const double value = (factor != nullptr ? factor[k] : 1.0) * point[k * stride];
     for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) slot[k * kLanes + lane] = value;
+    magnitude_ = std::max(magnitude_, std::fabs(value));
   }
 }
 
@@ -114,6 +119,7 @@ void WorkingSet::clear(int n) {
   n_ = n;
   size_ = 0;
   complete_ = false;
+  magnitude_ = 0;
   grow_to(kLanes);
 }
 

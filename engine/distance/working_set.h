@@ -35,6 +35,9 @@ class WorkingSet {
   std::ptrdiff_t size() const noexcept { return size_; }
   PricedPoints view() const noexcept;
 
+  /// max |coordinate| of the points, scaled as they are: the scale of rounding errors in u·p.
+  double magnitude() const noexcept { return magnitude_; }
+
   /// The smallest index in S, whose points these are, of the point at position i. Compares coordinates: not
   /// for the hot path.
   std::int64_t index_in(const PointSet& S, const double* factor, std::ptrdiff_t i) const noexcept;
@@ -51,6 +54,7 @@ class WorkingSet {
   int n_ = 0;
   std::ptrdiff_t size_ = 0;
   bool complete_ = false;
+  double magnitude_ = 0;
   const double* blocks_ = nullptr;
   const float* single_blocks_ = nullptr;
   AlignedBuffer<double> copy_;

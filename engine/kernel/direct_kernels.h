@@ -41,6 +41,12 @@ inline void form_column(const Candidate& candidate, int n, double* column) {
   }
 }
 
+inline double dual_length(const BasisView& basis) {
+  double sum = 0;
+  for (int k = 0; k < basis.m - 1; ++k) sum += absolute(basis.y[k]);
+  return sum;
+}
+
 inline double reduced_cost(const BasisView& basis, const double* column, double cost) {
   double sum = 0;
   for (int k = 0; k < basis.m; ++k) sum += basis.y[k] * column[k];
@@ -96,9 +102,12 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
     const double cost_tolerance = single ? kSingleTolerance : loop->cost_tolerance;
     const double d_A = -(best.h_A + t);
     const double d_Q = loop->cost_of_Q - best.h_Q;
-    const double tolerance_A = cost_tolerance * (absolute(t) + absolute(best.h_A));
+    // A column that enters for a reduced cost made of rounding can lead the pivots in circles.
+    const double length = dual_length(*basis);
+    const double tolerance_A = cost_tolerance * (absolute(t) + absolute(best.h_A)) + length * loop->noise_A;
+    const double tolerance_Q = cost_tolerance + length * loop->noise_Q;
     const bool A_enters = d_A < -tolerance_A;
-    const bool Q_enters = d_Q < -cost_tolerance;
+    const bool Q_enters = d_Q < -tolerance_Q;
     if (!A_enters && !Q_enters) {
       if (!single) return LoopEnd::optimal;
       single = false;
@@ -121,7 +130,7 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
       double d = take_A ? d_A : d_Q;
       if (turn == 1) {
         d = reduced_cost(*basis, column, cost);
-        if (!(d < -(take_A ? tolerance_A : cost_tolerance))) continue;
+        if (!(d < -(take_A ? tolerance_A : tolerance_Q))) continue;
       }
       std::int64_t left = 0;
       double theta = 0;

@@ -61,7 +61,9 @@ struct DirectLoop {
   double gap_tolerance =
       0;  ///< stop when objective + h_A/h_Q <= gap_tolerance * objective and no artificial is left
   double cost_tolerance =
-      1e-12;  ///< a column prices out if its reduced cost is below -cost_tolerance * its scale
+      1e-12;           ///< a column prices out if its reduced cost is below -cost_tolerance * its scale
+  double noise_A = 0;  ///< times Σ|y_k|: what rounding may make of the reduced cost of a point of A
+  double noise_Q = 0;
   std::int64_t pivot_limit = 0;  ///< on BasisView::pivots
   double cost_of_Q = 1;          ///< 0 in phase 1, where only artificial columns cost
   int artificials = 0;           ///< basic artificial columns (in/out)
