@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "analysis/columns.h"
+#include "analysis/outliers.h"
 #include "analysis/statistics.h"
 #include "engine/exceptions.h"
 
@@ -28,7 +29,8 @@ const std::map<std::string, std::function<double(const Values&)>>& functions() {
       {"max", [](const Values& values) { return quantile(values, 1); }},
       {"sum", [](const Values& values) { return std::accumulate(values.begin(), values.end(), 0.0); }},
       {"q1", [](const Values& values) { return quantile(values, 0.25); }},
-      {"q3", [](const Values& values) { return quantile(values, 0.75); }}};
+      {"q3", [](const Values& values) { return quantile(values, 0.75); }},
+      {"outliers", [](const Values& values) { return static_cast<double>(outlier_count(values)); }}};
   return kFunctions;
 }
 
@@ -54,9 +56,9 @@ void require_known(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& aggregate_names() {
-  static const std::vector<std::string> kNames = {"median", "mean",     "geomean", "min",
-                                                  "max",    "sum",      "q1",      "q3",
-                                                  "count",  "failures", "p90",     "disagreements"};
+  static const std::vector<std::string> kNames = {
+      "median", "mean",  "geomean",  "min", "max",           "sum",     "q1",
+      "q3",     "count", "failures", "p90", "disagreements", "outliers"};
   return kNames;
 }
 

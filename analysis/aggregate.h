@@ -21,7 +21,7 @@ struct Aggregate {
 /// InvalidParameterError where the quantity is missing, superfluous or a text.
 Aggregate parse_aggregate(const std::string& text);
 
-/// median, mean, geomean, min, max, sum, q1, q3, count, failures, disagreements.
+/// median, mean, geomean, min, max, sum, q1, q3, outliers, count, failures, disagreements, p90.
 const std::vector<std::string>& aggregate_names();
 
 /// The aggregate of `values`, of which there is at least one and none is NaN.

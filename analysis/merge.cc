@@ -64,6 +64,7 @@ MergedResults read_merged(const std::vector<std::string>& paths) {
     for (const Session& session : file.provenance.sessions) machines.insert(session.machine.cpu_model);
     merged.records.insert(merged.records.end(), std::make_move_iterator(file.records.begin()),
                           std::make_move_iterator(file.records.end()));
+    merged.files.push_back({path, std::move(file.provenance)});
   }
   if (machines.size() > 1) {
     std::string note = "times from different processors are mixed:";

@@ -6,12 +6,20 @@
 #include <vector>
 
 #include "engine/sweep/record.h"
+#include "results/provenance.h"
 
 namespace raygauge {
 
+/// Where some of the records come from.
+struct MergedFile {
+  std::string path;
+  Provenance provenance;
+};
+
 /// The records of one or several results files.
 struct MergedResults {
-  std::vector<Record> records;     ///< in the order of the files
+  std::vector<Record> records;  ///< in the order of the files
+  std::vector<MergedFile> files;
   std::vector<std::string> notes;  ///< what a reader of any table of them should know: unfinished runs,
                                    ///< parallel timing and how much it inflates, different machines
 };

@@ -51,8 +51,9 @@ struct Ratio {
 /// combines the two median_interval()s of the logarithms by the method of variance estimates recovery (Zou
 /// and Donner 2008): with log medians a, b and their intervals [l_a, u_a], [l_b, u_b],
 /// log lower = a - b - √((a - l_a)² + (u_b - b)²), log upper = a - b + √((u_a - a)² + (b - l_b)²).
-/// Conservative for small samples: measured coverage 97.3 % with 10 and 15 lognormal values, 95 to 97 % from
-/// 20 on. Where the samples are positively correlated (the same instances) it is wider than need be. Infinite
+/// Conservative: simulated coverage of lognormal samples is 97.7 % with 6 values each, 97.2 % with 10 to 15,
+/// 97.0 % with 20, 96.4 % with 40 and 96.1 % with 100. Where the samples are positively correlated (the same
+/// instances) it is wider than need be, and paired_ratio() the one to take. Infinite
 /// values (unsolved) give infinite ends. Throws as median_interval(), and InvalidParameterError for a value
 /// that is not positive.
 Ratio ratio_of_medians(const std::vector<double>& numerator, const std::vector<double>& denominator,

@@ -116,7 +116,8 @@ void add_pivot_options(CLI::App& command, TableArguments& arguments) {
   command
       .add_option(
           "--value", arguments.value,
-          "What a cell shows: median, mean, geomean, min, max, sum, q1, q3 or p90 of a column or of "
+          "What a cell shows: median, mean, geomean, min, max, sum, q1, q3, p90 or outliers of a column or "
+          "of "
           "\"ratio\" "
           "(time over the best baseline's), as in \"median ratio\"; or count, failures, disagreements; "
           "default: median milliseconds")

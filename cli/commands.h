@@ -23,6 +23,8 @@ void add_distance_command(CLI::App& app, int& status);
 void add_table_command(CLI::App& app, int& status);
 void add_plot_command(CLI::App& app, int& status);
 void add_export_command(CLI::App& app, int& status);
+void add_compare_command(CLI::App& app, int& status);
+void add_report_command(CLI::App& app, int& status);
 void add_info_command(CLI::App& app, int& status);
 
 }  // namespace raygauge::cli

@@ -36,6 +36,8 @@ int run_program(int argc, char** argv) {
   add_table_command(app, status);
   add_plot_command(app, status);
   add_export_command(app, status);
+  add_compare_command(app, status);
+  add_report_command(app, status);
   add_info_command(app, status);
   try {
     app.parse(argc, argv);

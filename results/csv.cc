@@ -12,31 +12,39 @@
 namespace raygauge {
 namespace {
 
-std::string field(bool value) { return value ? "true" : "false"; }
+constexpr int kAllDigits = 17;
 
-std::string field(double value) {
+std::string real_field(double value, int digits) {
   if (std::isnan(value)) return "nan";
   std::array<char, 32> buffer{};
   const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17).ptr;
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
+          .ptr;
   return {buffer.data(), end};
 }
 
-std::string field(const std::string& text) {
+std::string text_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }
 
-template <class Integer>
-std::string field(Integer value) {
-  return std::to_string(value);
-}
+/// A value of a column as it stands in CSV.
+struct Field {
+  int digits = kAllDigits;
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return real_field(value, digits); }
+  std::string operator()(const std::string& text) const { return text_field(text); }
+  template <class Integer>
+  std::string operator()(Integer value) const {
+    return std::to_string(value);
+  }
+};
 
 }  // namespace
 
-void write_csv(const std::string& path, const std::vector<Record>& records) {
+std::string csv_text(const std::vector<Record>& records, int time_digits) {
   const std::vector<Column<Record>>& columns = record_columns();
   std::string text;
   for (const Column<Record>& column : columns) text += (text.empty() ? "" : ",") + column.name;
@@ -44,11 +52,15 @@ void write_csv(const std::string& path, const std::vector<Record>& records) {
   for (const Record& record : records) {
     for (const Column<Record>& column : columns) {
       if (&column != &columns.front()) text += ',';
-      text += std::visit([](const auto& value) { return field(value); }, column.get(record));
+      text += std::visit(Field{column.unit == "s" ? time_digits : kAllDigits}, column.get(record));
     }
     text += '\n';
   }
-  write_atomically(path, text);
+  return text;
+}
+
+void write_csv(const std::string& path, const std::vector<Record>& records) {
+  write_atomically(path, csv_text(records));
 }
 
 }  // namespace raygauge

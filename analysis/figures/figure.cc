@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/figures/figure.h"
 
+#include "analysis/figures/crossover_map.h"
+#include "analysis/figures/performance_profile.h"
 #include "analysis/figures/ratio_heatmap.h"
-#include "analysis/figures/time_vs_N.h"
+#include "analysis/figures/time_vs_size.h"
 #include "analysis/figures/true_error.h"
 
 namespace raygauge {
@@ -24,8 +26,13 @@ const std::vector<Figure>& figures() {
   static const std::vector<Figure> kFigures = {
       {"time_vs_N", "median time of a solve against N, a panel for each n, a curve for each method",
        time_vs_N},
+      {"time_vs_n", "median time of a solve against n, a panel for each N, a curve for each method",
+       time_vs_n},
       {"ratio_heatmap", "ratio of time to the best baseline over (n, N), a panel for each method",
        ratio_heatmap},
+      {"performance_profile", "share of the instances solved within a multiple of the fastest method's time",
+       performance_profile_figure},
+      {"crossover", "the fastest method over (n, N), and by how much", crossover_figure},
       {"true_error", "largest true error against conditioning or scale, a panel for each hard family",
        true_error_figure},
   };

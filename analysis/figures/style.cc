@@ -54,6 +54,11 @@ std::string line_style(const std::string& method, const std::vector<std::string>
          std::to_string(look.point) + " ps 0.45";
 }
 
+std::string step_style(const std::string& method, const std::vector<std::string>& methods) {
+  const Look look = look_of(method, methods);
+  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1.4";
+}
+
 std::string line_color(const std::string& method, const std::vector<std::string>& methods) {
   return look_of(method, methods).color;
 }

@@ -17,6 +17,9 @@ namespace raygauge::figure_style {
 /// differ in grey. `methods` are all of the figure.
 std::string line_style(const std::string& method, const std::vector<std::string>& methods);
 
+/// The same without markers, for step functions.
+std::string step_style(const std::string& method, const std::vector<std::string>& methods);
+
 /// "#D55E00": the colour in line_style().
 std::string line_color(const std::string& method, const std::vector<std::string>& methods);
 

@@ -81,6 +81,26 @@ TEST(TimeVsN, HasTheWidthOfThePagesColumns) {
   EXPECT_NE(svg("time_vs_N", grid(), options).find("width=\"336\""), std::string::npos);
 }
 
+TEST(TimeVsDimension, HasAPanelForEachNumberOfPoints) {
+  const std::string picture = svg("time_vs_n", grid());
+  const std::multiset<std::string> texts = labels(picture);
+  for (const char* once : {"N = 200", "N = 400", "N = 800", "n, dimension"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+  EXPECT_EQ(markers(picture), 3 * 2 * 3 + 3);
+}
+
+TEST(PerformanceProfileFigure, NamesEveryMethodAndDrawsTheShareFromZeroToOne) {
+  const std::multiset<std::string> texts = labels(svg("performance_profile", grid()));
+  for (const char* once : {"direct", "zheng_yamane", "glpk_dual", "share of instances solved"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+}
+
+TEST(CrossoverFigure, WritesTheWinnersLetterAndLeadIntoEachCell) {
+  const std::multiset<std::string> texts = labels(svg("crossover", grid()));
+  EXPECT_EQ(texts.count("a 3.0"), 6U) << "direct leads zheng_yamane by the median of 2.2, 3 and 3.6 times";
+  EXPECT_EQ(texts.count("fastest: a direct; second takes so many times longer"), 1U);
+}
+
 TEST(RatioHeatmap, WritesThePercentageIntoEachCell) {
   const std::string picture = svg("ratio_heatmap", grid());
   const std::multiset<std::string> texts = labels(picture);
@@ -144,6 +164,11 @@ TEST(Figures, SayWhatTheyNeed) {
             "figure true_error needs answers of known truth at two or more values of a generator's parameter "
             "aspect, "
             "delta, entry, exponent or offset");
+  EXPECT_EQ(complaint("time_vs_n", records),
+            "figure time_vs_n needs solved records at two or more values of n");
+  EXPECT_EQ(complaint("performance_profile", records),
+            "figure performance_profile needs records of two or more methods");
+  EXPECT_EQ(complaint("crossover", records), "figure crossover needs solved records of two or more methods");
   EXPECT_EQ(complaint("time_vs_N", {}), "figure time_vs_N: no records");
   FigureOptions options;
   options.filter = Filter("n==7");
@@ -157,9 +182,9 @@ TEST(Figures, SayWhatTheyNeed) {
 
 TEST(Figures, AreFoundByName) {
   EXPECT_EQ(figure_named("time_vs_N").name, "time_vs_N");
-  EXPECT_NE(message_of<UnknownNameError>([] { figure_named("time_vs_n"); })
-                .find("unknown figure 'time_vs_n'; did you mean 'time_vs_N'? (known: time_vs_N ratio_heatmap "
-                      "true_error)"),
+  EXPECT_NE(message_of<UnknownNameError>([] { figure_named("ratio_heat_map"); })
+                .find("unknown figure 'ratio_heat_map'; did you mean 'ratio_heatmap'? (known: time_vs_N "
+                      "time_vs_n ratio_heatmap performance_profile crossover true_error)"),
             std::string::npos);
   EXPECT_EQ(figure_size_from_string("double"), FigureSize::double_wide);
   EXPECT_THROW(figure_size_from_string("huge"), UnknownNameError);

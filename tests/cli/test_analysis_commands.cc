@@ -126,17 +126,22 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
   std::filesystem::create_directory(folder_.file("pictures"));
   const ProgramResult outcome = run_raygauge({"plot", "r.h5", "-o", "pictures", "--where", "N==200"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "pictures/ratio_heatmap.svg\npictures/ratio_heatmap.png\n");
+  EXPECT_EQ(outcome.out,
+            "pictures/ratio_heatmap.svg\npictures/ratio_heatmap.png\npictures/performance_profile.svg\n"
+            "pictures/performance_profile.png\npictures/crossover.svg\npictures/crossover.png\n");
   EXPECT_EQ(outcome.err,
             "skipped: figure time_vs_N needs solved records at two or more values of N\n"
+            "skipped: figure time_vs_n needs solved records at two or more values of n\n"
             "skipped: figure true_error needs answers of known truth at two or more values of a generator's "
             "parameter aspect, delta, entry, exponent or offset\n");
   EXPECT_TRUE(read("pictures/ratio_heatmap.png").starts_with("\x89PNG"));
 }
 
 TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
-  expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
-                   "raygauge: unknown figure 'heatmap' (known: time_vs_N ratio_heatmap true_error)");
+  expect_complaint(
+      run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
+      "raygauge: unknown figure 'heatmap' (known: time_vs_N time_vs_n ratio_heatmap performance_profile "
+      "crossover true_error)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
                    "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
   expect_complaint(
@@ -145,6 +150,85 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
   expect_complaint(run_raygauge({"plot", "r.h5", "-o", "nowhere"}),
                    "raygauge: nowhere is no folder; without --figure, -o is the folder for all figures");
   EXPECT_FALSE(exists("x.svg"));
+}
+
+/// Two runs of one grid with simulated times, the second of which may be slower.
+class CompareCommand : public testing::ProgramTest {
+ protected:
+  void write_run(const std::string& name, double factor, const std::string& processor = "a processor") const {
+    ResultsFile results;
+    for (const int N : {200, 400, 800, 1600}) {
+      std::vector<double> times;
+      for (int i = 0; i < 20; ++i) times.push_back((1 + 0.1 * i) * N / 200 * (1 + 0.01 * ((i * 7) % 5 - 2)));
+      testing::add_records(results.records, "glpk_dual", 3, N, times);
+      for (double& time : times) time *= factor;
+      testing::add_records(results.records, "direct", 3, N, times);
+    }
+    for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 40;
+    results.provenance.cell_count = 4;
+    results.provenance.sessions = {testing::sample_session()};
+    results.provenance.sessions[0].machine.cpu_model = processor;
+    write_results(folder_.file(name), results);
+  }
+};
+
+TEST_F(CompareCommand, EndsWithOneWhereAMethodGotSlower) {
+  write_run("base.h5", 1);
+  write_run("new.h5", 1.1, "another processor");
+  const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nREGRESSION: of 8 cells 4 slower, 0 faster; direct slower over all cells\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("warning: processor: a processor; now another processor"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("1.10 [1.10, 1.10]"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CompareCommand, EndsWithZeroForEqualRunsAndChangesBelowTheThreshold) {
+  write_run("base.h5", 1);
+  write_run("new.h5", 1.1);
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5"}).status, 0);
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "new.h5", "--threshold", "0.2"}).status, 0);
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "new.h5", "--where", "method==glpk_dual"}).status, 0);
+  EXPECT_EQ(run_raygauge({"compare", "new.h5", "base.h5"}).status, 0);
+}
+
+TEST_F(CompareCommand, PrintsJson) {
+  write_run("base.h5", 1);
+  write_run("new.h5", 1.1);
+  const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5", "--json"});
+  EXPECT_EQ(outcome.status, 1);
+  const auto json = nlohmann::ordered_json::parse(outcome.out);
+  EXPECT_TRUE(json["regression"].get<bool>());
+  EXPECT_EQ(json["correction"], "Holm");
+  EXPECT_EQ(json["cells"].size(), 8U);
+  EXPECT_NEAR(json["cells"][1]["ratio"].get<double>() * json["cells"][0]["ratio"].get<double>(), 1.1, 1e-9);
+}
+
+TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
+  write_run("base.h5", 1);
+  expect_complaint(run_raygauge({"compare", "base.h5", "base.h5", "--where", "n==9"}),
+                   "raygauge: the two runs have no cell (generator, n, N, tolerance) and method in common");
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "nowhere.h5"}).status, 2);
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--threshold", "-1"}).status, 2);
+  EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--significance", "2"}).status, 2);
+}
+
+TEST_F(AnalysisCommands, ReportWritesOnePage) {
+  const ProgramResult outcome = run_raygauge({"report", "r.h5", "-o", "r.html", "--where", "N==200"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "r.html\n");
+  EXPECT_TRUE(read("r.html").starts_with("<!doctype html>"));
+  EXPECT_NE(read("r.html").find("Only records for which N==200."), std::string::npos);
+}
+
+TEST_F(AnalysisCommands, ReportWritesNothingWhereItHasNothingToSay) {
+  expect_complaint(run_raygauge({"report", "r.h5", "-o", "r.html", "--where", "n==9"}),
+                   "raygauge: no record passes the filter 'n==9'");
+  expect_complaint(run_raygauge({"report", "r.h5", "-o", "r.html", "--baseline", "simplex"}),
+                   "raygauge: unknown baseline 'simplex' (known: direct glpk_dual)");
+  EXPECT_FALSE(exists("r.html"));
 }
 
 }  // namespace

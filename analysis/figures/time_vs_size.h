@@ -13,4 +13,7 @@ namespace raygauge {
 /// the median solve is unsolved are not drawn. Needs one generator, one tolerance and two values of N.
 Drawing time_vs_N(const std::vector<Record>& records, const FigureOptions& options);
 
+/// The same against n, a panel for each N.
+Drawing time_vs_n(const std::vector<Record>& records, const FigureOptions& options);
+
 }  // namespace raygauge

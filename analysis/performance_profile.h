@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// ρ(τ) of one method: the fraction of all instances that it solved within τ times the time of the method
+/// that was fastest on the instance.
+struct ProfileCurve {
+  std::string method;
+  std::vector<double> ratios;  ///< time / fastest time of the instances that it solved, sorted
+  std::size_t instances = 0;   ///< all of them, whether anyone solved them or not
+  double rho(double tau) const;
+};
+
+/// Performance profiles of Dolan and Moré (2002, "Benchmarking optimization software with performance
+/// profiles") over instances (cell of the grid, seed, repetition). A solve that stopped at a limit, that
+/// disagrees with the others or that is missing counts as unsolved: its ratio is infinite. One curve a
+/// method, in order of first appearance. Throws EmptySetError without records.
+std::vector<ProfileCurve> performance_profiles(const std::vector<Record>& records);
+
+}  // namespace raygauge

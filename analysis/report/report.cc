@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/report/report.h"
+
+#include "analysis/cell_ratio.h"
+#include "analysis/report/page_assets.h"
+#include "engine/exceptions.h"
+#include "results/provenance.h"
+
+namespace raygauge::report {
+namespace {
+
+/// The methods with what their look depends on: raygauge's own or not, and the place among those.
+Json methods_json(const std::vector<Record>& records) {
+  Json methods = Json::array();
+  int own = 0;
+  int competitors = 0;
+  for (const std::string& method : methods_of(records)) {
+    const bool competitor = is_competitor(method);
+    methods.push_back(
+        {{"name", method}, {"competitor", competitor}, {"rank", competitor ? competitors++ : own++}});
+  }
+  return methods;
+}
+
+std::string title_of(const std::vector<MergedFile>& files) {
+  std::string title = "raygauge";
+  for (const MergedFile& file : files) {
+    const std::size_t slash = file.path.find_last_of('/');
+    title += (&file == &files.front() ? ": " : ", ") +
+             (slash == std::string::npos ? file.path : file.path.substr(slash + 1));
+  }
+  return title;
+}
+
+std::string escaped_html(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// JSON that may stand inside a script element: no "<" begins a tag there.
+std::string script_json(const Json& value) {
+  std::string result;
+  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+void replace_mark(std::string& page, const std::string& mark, const std::string& text) {
+  const std::size_t place = page.find(mark);
+  if (place != std::string::npos) page.replace(place, mark.size(), text);
+}
+
+Input input_of(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines) {
+  Input input;
+  input.records = filtered(merged.records, filter);
+  if (input.records.empty()) {
+    throw EmptySetError(merged.records.empty() ? "the files hold no record yet"
+                                               : "no record passes the filter '" + filter.expression() + "'");
+  }
+  input.all_records = merged.records;
+  input.files = merged.files;
+  input.notes = merged.notes;
+  input.filter = filter;
+  input.baselines = baselines.empty() ? default_baselines(merged.records) : baselines;
+  if (!baselines.empty()) baseline_records(merged.records, filter, baselines);  // refuses unknown ones
+  return input;
+}
+
+}  // namespace
+
+std::string make_page(const MergedResults& merged, const Filter& filter,
+                      const std::vector<std::string>& baselines) {
+  const Input input = input_of(merged, filter, baselines);
+  Json data = {{"title", title_of(input.files)},
+               {"version", build_info().raygauge_version},
+               {"methods", methods_json(input.records)},
+               {"sections", Json::array()}};
+  for (const SectionMaker& make : section_makers()) {
+    const std::optional<Section> section = make(input);
+    if (!section) continue;
+    data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", section->blocks}});
+  }
+  std::string page = page_template();
+  replace_mark(page, "<!--TITLE-->", escaped_html(data["title"]));
+  replace_mark(page, "/*STYLE*/", page_style());
+  replace_mark(page, "/*DATA*/", script_json(data));
+  replace_mark(page, "/*CHARTJS*/", chart_library());
+  replace_mark(page, "/*SCRIPT*/", page_script());
+  return page;
+}
+
+}  // namespace raygauge::report

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/blocks.h"
+#include "analysis/report/sections/sections.h"
+#include "analysis/stability.h"
+#include "analysis/truth.h"
+
+namespace raygauge::report {
+
+std::optional<Section> stability_section(const Input& input) {
+  const Truth truth(input.all_records);
+  const bool known = std::any_of(input.records.begin(), input.records.end(),
+                                 [&](const Record& record) { return !std::isnan(truth(record)); });
+  if (!known) return std::nullopt;
+  Section section{"stability", "Stability", {}};
+  for (const Table& table : stability_tables(make_stability(input.all_records, input.filter)))
+    section.blocks.push_back(table_block(table));
+  return section;
+}
+
+}  // namespace raygauge::report

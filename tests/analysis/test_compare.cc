@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "analysis/compare_circumstances.h"
+#include "analysis/compare_tables.h"
+#include "engine/exceptions.h"
+#include "tests/analysis/records.h"
+
+namespace raygauge::test_compare {
+namespace {
+
+using raygauge::testing::add_records;
+
+/// How long the instances of a grid take: instances differ by a factor of 1.3 (one standard deviation), which
+/// both runs share; each measurement by 5 %, and each cell of each run by `drift` (of the machine).
+class SimulatedMachine {
+ public:
+  explicit SimulatedMachine(std::uint64_t seed, double drift = 0.01) : bits_(seed), drift_(drift) {
+    for (double& x : instances_) x = std::exp(0.26 * normal_(bits_));
+  }
+
+  /// A run in which `slow_method` takes `factor` times as long.
+  std::vector<Record> run(const std::string& slow_method = "", double factor = 1) {
+    std::vector<Record> records;
+    for (const std::string method : {"direct", "zheng_yamane", "glpk_dual"}) {
+      for (int cell = 0; cell < kCells; ++cell) {
+        const double drift = std::exp(drift_ * normal_(bits_)) * (method == slow_method ? factor : 1);
+        std::vector<double> times;
+        for (int i = 0; i < kRepetitions; ++i)
+          times.push_back(instances_[cell * kRepetitions + i] * drift * std::exp(0.05 * normal_(bits_)));
+        add_records(records, method, 3 + cell % 4, 200 * (1 + cell / 4), times);
+      }
+    }
+    return records;
+  }
+
+ private:
+  static constexpr int kCells = 16;
+  static constexpr int kRepetitions = 20;
+  std::mt19937_64 bits_;
+  double drift_;
+  std::normal_distribution<double> normal_;
+  std::vector<double> instances_ = std::vector<double>(kCells * kRepetitions);
+};
+
+constexpr int kTries = 20;
+constexpr int kEnough = 19;
+
+TEST(Compare, ReportsNoRegressionBetweenTwoRunsOfOneBuildIn19Of20Tries) {
+  int silent = 0;
+  for (int attempt = 0; attempt < kTries; ++attempt) {
+    SimulatedMachine machine(100 + attempt);
+    const std::vector<Record> base = machine.run();
+    silent += compare_runs(base, machine.run()).regressed() ? 0 : 1;
+  }
+  EXPECT_GE(silent, kEnough);
+}
+
+TEST(Compare, KeepsTheFamilyWiseLevelWithoutAThreshold) {
+  CompareOptions options;
+  options.threshold = 0;
+  int alarms = 0;
+  constexpr int kMany = 100;
+  for (int attempt = 0; attempt < kMany; ++attempt) {
+    SimulatedMachine machine(1000 + attempt, 0);
+    const std::vector<Record> base = machine.run();
+    alarms += compare_runs(base, machine.run(), options).regressed() ? 1 : 0;
+  }
+  EXPECT_LE(alarms, kMany / 20 + 5);  // 5 % and two standard errors
+}
+
+TEST(Compare, FindsAPlantedSlowdownOfTenPercentIn19Of20Tries) {
+  int found = 0;
+  for (int attempt = 0; attempt < kTries; ++attempt) {
+    SimulatedMachine machine(200 + attempt);
+    const std::vector<Record> base = machine.run();
+    const Comparison comparison = compare_runs(base, machine.run("direct", 1.1));
+    bool right = comparison.regressed();
+    for (const MethodChange& method : comparison.methods)
+      right = right && (method.change == Change::slower) == (method.method == "direct");
+    found += right ? 1 : 0;
+  }
+  EXPECT_GE(found, kEnough);
+}
+
+TEST(Compare, TellsFasterFromSlower) {
+  SimulatedMachine machine(7);
+  const std::vector<Record> base = machine.run();
+  const Comparison comparison = compare_runs(base, machine.run("zheng_yamane", 0.5));
+  EXPECT_FALSE(comparison.regressed());
+  EXPECT_EQ(comparison.methods[1].change, Change::faster);
+  EXPECT_NEAR(comparison.methods[1].ratio.ratio.ratio, 0.5, 0.03);
+  EXPECT_NE(comparison_verdict(comparison)
+                .find("no regression: of 48 cells 0 slower, 16 faster; zheng_yamane "
+                      "faster over all cells"),
+            std::string::npos)
+      << comparison_verdict(comparison);
+}
+
+TEST(Compare, RegressesWhereAnInstanceIsNoLongerSolved) {
+  SimulatedMachine machine(8);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  fresh[5].status = DistanceStatus::time_limit;
+  const Comparison comparison = compare_runs(base, fresh);
+  EXPECT_TRUE(comparison.regressed());
+  EXPECT_EQ(comparison.cells[0].lost + comparison.methods[0].lost, 2U);
+  EXPECT_FALSE(compare_runs(fresh, base).regressed());
+}
+
+TEST(Compare, RegressesWhereBoundsContradict) {
+  SimulatedMachine machine(8);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  fresh[5].lower = fresh[5].distance = fresh[5].upper = 3;
+  EXPECT_EQ(compare_runs(base, fresh).contradictions, 1U);
+  EXPECT_TRUE(compare_runs(base, fresh).regressed());
+}
+
+TEST(Compare, TakesIndependentSamplesWhereNoInstanceIsShared) {
+  SimulatedMachine machine(9);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  for (Record& record : fresh) record.seed = 2;
+  const CellChange cell = compare_runs(base, fresh).cells.front();
+  EXPECT_EQ(cell.pairs, 0U);
+  EXPECT_DOUBLE_EQ(cell.ratio.ratio.ratio, 1);
+  EXPECT_DOUBLE_EQ(cell.ratio.p, 1);
+}
+
+TEST(Compare, RefusesRunsWithNothingInCommon) {
+  SimulatedMachine machine(9);
+  const std::vector<Record> base = machine.run();
+  CompareOptions options;
+  options.filter = Filter("n==99");
+  EXPECT_THROW(compare_runs(base, base, options), EmptySetError);
+  options = {};
+  options.threshold = -1;
+  EXPECT_THROW(compare_runs(base, base, options), InvalidParameterError);
+}
+
+TEST(Compare, PutsTheLargestSlowdownFirstInItsTable) {
+  SimulatedMachine machine(10);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  for (Record& record : fresh)
+    if (record.method == "glpk_dual" && record.n == 4) record.seconds *= record.N == 400 ? 3 : 2;
+  const std::vector<Table> tables = comparison_tables(compare_runs(base, fresh), {"processor: a; now b"}, 2);
+  ASSERT_EQ(tables.size(), 2U);
+  ASSERT_EQ(tables[1].rows.size(), 2U);
+  EXPECT_EQ(tables[1].rows[0].cells[3].text, "400");
+  EXPECT_EQ(tables[1].rows[0].cells[7].text, "3.00 [3.00, 3.00]");
+  EXPECT_EQ(tables[1].notes.front(), "2 more; --all shows them");
+  EXPECT_EQ(tables[1].notes.back(), "warning: processor: a; now b");
+}
+
+TEST(Circumstances, AreToldWhereTheyDiffer) {
+  Provenance base;
+  base.sessions.resize(1);
+  base.sessions[0].machine.cpu_model = "fast";
+  Provenance fresh = base;
+  EXPECT_TRUE(circumstance_differences(base, fresh).empty());
+  fresh.sessions[0].machine.cpu_model = "slow";
+  fresh.sessions[0].build.build_type = "Debug";
+  EXPECT_EQ(circumstance_differences(base, fresh),
+            (std::vector<std::string>{"processor: fast; now slow", "build type: unknown; now Debug"}));
+}
+
+}  // namespace
+}  // namespace raygauge::test_compare
