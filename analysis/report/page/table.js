@@ -21,7 +21,8 @@ raygauge.blocks.table = (block) => {
   const notes = block.notes.map((note) => raygauge.element("li", {}, note));
   return {
     node: raygauge.element("div", { class: "block" },
-      raygauge.element("div", { class: "scroll" }, table), raygauge.element("ul", { class: "notes" }, ...notes)),
+      raygauge.element("div", { class: block.rows.length > 40 ? "scroll long" : "scroll" }, table),
+      raygauge.element("ul", { class: "notes" }, ...notes)),
   };
 };
 
