@@ -115,7 +115,8 @@ double Basis::drift() const {
   for (int k = 0; k < view_.m; ++k) {
     double residual = b_[static_cast<std::size_t>(k)];
     for (int i = 0; i < view_.m; ++i) residual -= column(i)[k] * view_.x()[i];
-    largest = std::max(largest, std::fabs(residual));
+    if (!(std::fabs(residual) <= largest)) largest = std::fabs(residual);  // NaN stays
+    if (std::isnan(largest)) break;
   }
   return largest;
 }
@@ -128,6 +129,7 @@ Enclosure Basis::refine_and_enclose() {
   if (!(E < 0.5)) return {};
   kernels_->refine(&view_, b_.data(), true);
   const double error = kernels_->refine(&view_, b_.data(), false);
+  if (!std::isfinite(error)) return {};
   return {true, 1.02 * error / (1.0 - E)};
 }
 

@@ -228,6 +228,7 @@ double DirectProgram::proven_upper() {
   const Enclosure enclosure = basis_.refine_and_enclose();
   if (!enclosure.valid) return exact_upper();
   const BasisView& view = basis_.view();
+  left_out_ = 0;
   double sum = 0;
   for (int i = 0; i < view.m; ++i) {
     if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return exact_upper();
@@ -238,7 +239,8 @@ double DirectProgram::proven_upper() {
 
 // Degenerate: some basic variables are zero. If leaving them out solves the equations exactly, that is a
 // proof too.
-double DirectProgram::exact_upper() const {
+double DirectProgram::exact_upper() {
+  left_out_ = kArtificialZero;
   const BasisView& view = basis_.view();
   const double* x = view.x();
   double sum = 0;
@@ -279,7 +281,9 @@ double DirectProgram::upper_with_residual(double gauge_bound) const {
       magnitude += std::fabs(term.high);
     }
     const double lost = view.m * (0x1p-99 * magnitude + std::numeric_limits<double>::denorm_min());
-    residual = std::max(residual, std::fabs(sum.rounded()) + lost);
+    const double row = std::fabs(sum.rounded()) + lost;
+    if (!(row < kInfinity)) return kInfinity;  // an overflow, of which a maximum might lose sight
+    residual = std::max(residual, row);
   }
   const double rounding = 4 * (view.m + 4) * kUnitRoundoff;
   return (beta + gauge_bound * residual) / alpha * (1 + rounding);
@@ -304,6 +308,15 @@ double DirectProgram::cone_radius() {
   if (points_of_Q != n_ || !(smallest > enclosure.error)) return 0;
   // |B⁻¹ r|∞ <= |R r|∞ / (1 - ‖E‖) <= 2 ‖R‖ |r|∞, and that must not exceed the smallest weight.
   return 0.49 * (smallest - enclosure.error) / norm;
+}
+
+void DirectProgram::origin_weights(std::vector<PointWeight>& weights) const {
+  const BasisView& view = basis_.view();
+  weights.clear();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i]) || !(view.x()[i] > left_out_)) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(view.id[i] / 2), view.x()[i]});
+  }
 }
 
 void DirectProgram::contact_point(double* point) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/distance/aligned_buffer.h"
 #include "engine/distance/basis.h"
@@ -73,6 +74,9 @@ class DirectProgram {
   /// Σα_i a_i of the basic solution: an (approximate) point of A ∩ dQ.
   void contact_point(double* point) const;
 
+  /// After proven_upper() found 0: the points of A that combine to the origin, as (position, weight).
+  void origin_weights(std::vector<PointWeight>& weights) const;
+
   /// Identities of the basic columns (see id_of_A), n + 1 of them; negative where artificial.
   const std::int64_t* basic_ids() const noexcept { return basis_.view().id; }
 
@@ -97,7 +101,7 @@ class DirectProgram {
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
   void enter_stage(Stage stage);
-  double exact_upper() const;
+  double exact_upper();
 
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
@@ -110,6 +114,7 @@ class DirectProgram {
   std::int64_t refactorisations_ = 0;
   Basis basis_;
   DirectLoop loop_;
+  double left_out_ = 0;  // weights up to this have no part in what proven_upper() proved
   AlignedBuffer<double> column_;
   AlignedBuffer<double> guess_;
 };

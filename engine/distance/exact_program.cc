@@ -328,6 +328,15 @@ void ExactProgram::normal(double* u) const {
   for (int k = 0; k < n_; ++k) u[k] = ratio(Y_[static_cast<std::size_t>(k)], D_, scaling_.shift_Q(k));
 }
 
+void ExactProgram::weights_of_A(std::vector<PointWeight>& weights) const {
+  weights.clear();
+  for (int i = 0; i < m_; ++i) {
+    const Basic& basic = basic_[static_cast<std::size_t>(i)];
+    if (basic.artificial || is_from_Q(basic.id) || x(i).sign() == 0) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(index_of(basic.id)), ratio(x(i), D_, 0)});
+  }
+}
+
 void ExactProgram::contact_point(double* p) const {
   std::fill_n(p, n_, 0.0);
   for (int i = 0; i < m_; ++i) {

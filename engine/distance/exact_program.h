@@ -8,6 +8,7 @@
 
 #include "engine/distance/big_integer.h"
 #include "engine/distance/integer_scaling.h"
+#include "engine/distance/result.h"
 #include "engine/distance/stopwatch.h"
 #include "engine/sets/point_set.h"
 
@@ -47,6 +48,8 @@ class ExactProgram {
   RoundedRatio distance() const;        ///< Σβ of the last basis
   void normal(double* u) const;         ///< rounded; scaled to h_Q(-u) = 1 where that is positive
   void contact_point(double* p) const;  ///< Σα_i a_i of the last basis, rounded
+  /// The points of A in the last basis with positive weights, as (index, weight rounded).
+  void weights_of_A(std::vector<PointWeight>& weights) const;
   std::int64_t pivots() const noexcept { return pivots_; }
 
  private:

@@ -88,19 +88,22 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       program_.raise_bounds();
       continue;
     }
+    const double estimate = program_.objective();
+    const bool trusted = trusts_simplex_ && end == DirectProgram::End::solved;
+    if (trusted && complete) return finish(DistanceStatus::optimal, estimate, estimate, effects, result);
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
-    // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
-    const double estimate = program_.objective();
     // Working sets as large as the sets hold points twice: rounding makes them price out again and again.
     const bool growing = working_A_.size() + working_Q_.size() < A_->size() + Q_->size();
     const bool violated = growing && (violators_A_.any || violators_Q_.any);
+    // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
     if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
       add_violators();
       program_.encourage();
       continue;
     }
+    if (trusted) return finish(DistanceStatus::optimal, estimate, estimate, effects, result);
     double upper = program_.proven_upper();
     const bool solved = end == DirectProgram::End::solved && !violated;
     if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
@@ -242,6 +245,13 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) result.normal[k] = -v[k] * length;
 
+  result.origin_weights.clear();
+  if (status == DistanceStatus::contains_origin) {
+    program_.origin_weights(result.origin_weights);
+    for (PointWeight& weight : result.origin_weights) {
+      weight.index = working_A_.index_in(*A_, scaling_.factor_A(), weight.index);
+    }
+  }
   if (has_effect(effects, Effects::witness) && upper < kInfinity) {
     result.contact_point.resize(n_);
     program_.contact_point(result.contact_point.data());
@@ -262,6 +272,8 @@ void PointSetDirect::finish_exactly(DistanceStatus status, const RoundedRatio& d
   result.distance = distance.nearest;
   result.normal.resize(n_);
   exact_.normal(result.normal.data());
+  result.origin_weights.clear();
+  if (status == DistanceStatus::contains_origin) exact_.weights_of_A(result.origin_weights);
   if (has_effect(effects, Effects::witness) && distance.above < kInfinity) {
     result.contact_point.resize(n_);
     exact_.contact_point(result.contact_point.data());

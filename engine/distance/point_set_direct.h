@@ -33,6 +33,10 @@ class PointSetDirect {
                         std::ptrdiff_t count_A, const std::int64_t* index_Q, std::ptrdiff_t count_Q,
                         const DistanceOptions& options, DistanceResult& result);
 
+  /// For measuring what proofs cost (bench/safety_cost.cc) and for nothing else: a solve that the simplex
+  /// calls solved then ends there, with bounds that claim what nobody has checked.
+  void trust_simplex(bool trust) noexcept { trusts_simplex_ = trust; }
+
  private:
   void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options);
   void start();
@@ -61,6 +65,7 @@ class PointSetDirect {
   int n_ = 0;
   double tolerance_ = 0;
   int threads_ = 1;
+  bool trusts_simplex_ = false;
   bool pivots_are_limited_ = false;  // by the caller
   Scaling scaling_;
   WorkingSet working_A_;

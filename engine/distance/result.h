@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "engine/sets/convex_set.h"
 
@@ -40,6 +42,12 @@ struct DistanceCounters {
   friend bool operator==(const DistanceCounters&, const DistanceCounters&) = default;
 };
 
+/// A point of a set, by its index, with its weight in a convex combination.
+struct PointWeight {
+  std::ptrdiff_t index = 0;
+  double weight = 0;
+};
+
 /// The answer to one distance query. Values that were not computed are NaN or empty.
 struct DistanceResult {
   static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +64,12 @@ struct DistanceResult {
   /// h_Q(-normal) = 1 (for `unreachable`: the Farkas direction, h_A(normal) < 0 and h_Q(-normal) <= 0).
   Vector normal;
   Vector contact_point;  ///< v of (15): a point of A ∩ dQ; only with Effects::witness
+
+  /// `contains_origin` of a point set: what proves it. These points of A are affinely independent, and the
+  /// one solution of Σ_i α_i a_i = 0, Σ_i α_i = 1 over them has α >= 0; the weights are that solution,
+  /// rounded.
+  std::vector<PointWeight> origin_weights;
+
   DistanceCounters counters;
 };
 

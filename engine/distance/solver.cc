@@ -76,6 +76,7 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   result.sigma = DistanceResult::kUnset;
   result.seconds = stopwatch.seconds();
   result.normal = Vector::Map(support_direct.normal(), n);
+  result.origin_weights.clear();
   result.counters = support_direct.counters();
   if (has_effect(effects, Effects::witness) && std::isfinite(result.upper)) {
     result.contact_point.resize(n);

@@ -37,10 +37,17 @@ inline void multiply(const double* M, int P, int columns, const double* v, doubl
 
 inline Pack unchanged(Pack v) { return v; }
 
+// The largest entry; NaN if one of them is NaN or infinite, which the maximum alone may pass over: bounds on
+// rounding must not forget an overflow.
 inline double largest_entry(const double* v, int P) {
   Pack top = load(v);
-  for (int p = kWidth; p < P; p += kWidth) top = maximum(top, load(v + p));
-  return largest_lane(top);
+  Pack zero = top - top;
+  for (int p = kWidth; p < P; p += kWidth) {
+    const Pack entry = load(v + p);
+    top = maximum(top, entry);
+    zero += entry - entry;
+  }
+  return largest_lane(top) + reduce_lanes(zero, [](Pack a, Pack c) { return a + c; })[0];
 }
 
 template <int V>

@@ -4,6 +4,7 @@
 
 // The whole public interface of the library: sets, the distance between them, and sweeps over many of them.
 #include "engine/distance/options.h"
+#include "engine/distance/origin_in_interior.h"
 #include "engine/distance/result.h"
 #include "engine/distance/solver.h"
 #include "engine/exceptions.h"

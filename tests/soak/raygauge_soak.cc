@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Solves random variants of every hard family and checks every certificate against a distance known exactly:
+// docs/soak.md.
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <string>
+
+#include "results/provenance.h"
+#include "tests/soak/run.h"
+
+namespace raygauge::soak {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void note_interrupt(int /*signal*/) { interrupted = 1; }
+
+struct CommandLine {
+  RunOptions run;
+  std::string log;
+};
+
+// To standard output and, if there is one, to the log.
+class Log {
+ public:
+  explicit Log(const std::string& path) {
+    if (path.empty()) return;
+    file_.open(path, std::ios::app);
+    if (!file_) throw std::runtime_error("cannot write " + path);
+  }
+  void write(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+    if (file_.is_open()) file_ << text << std::flush;
+  }
+
+ private:
+  std::ofstream file_;
+};
+
+std::string headline(const RunOptions& options) {
+  const BuildInfo build = build_info();
+  return "raygauge_soak " + build.raygauge_version + ", commit " + build.git_commit +
+         (build.git_dirty ? " (changed)" : "") + ", " + build.compiler + ", seed " +
+         std::to_string(options.seed) + ", first base " + std::to_string(options.first_base) + ", threads " +
+         std::to_string(options.threads) + "\n";
+}
+
+std::string line(const Progress& progress, const RunOptions& options) {
+  const FamilyTally total = progress.tally.total();
+  const double rate = static_cast<double>(total.solves) / std::max(progress.seconds, 1e-3);
+  const double left = static_cast<double>(options.solves - total.solves) / rate;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+                "%9.0f s  %12lld solves  %9lld bases  %8.4f %% certified  %8.0f solves/s  %s\n",
+                progress.seconds, static_cast<long long>(total.solves),
+                static_cast<long long>(progress.bases),
+                100.0 * static_cast<double>(total.certified()) /
+                    static_cast<double>(std::max<std::int64_t>(1, total.solves)),
+                rate, left < 1e7 ? (std::to_string(static_cast<long long>(left)) + " s left").c_str() : "");
+  return text.data();
+}
+
+int soak(const CommandLine& asked) {
+  Log log(asked.log);
+  log.write(headline(asked.run));
+  const RunResult result = run(
+      asked.run, [] { return interrupted != 0; },
+      [&](const Progress& progress) { log.write(line(progress, asked.run)); });
+  log.write(line(result.progress, asked.run) + "\n" + to_string(result.progress.tally) + "\n");
+  if (!result.violation) {
+    log.write("violations: 0\n");
+    return 0;
+  }
+  const std::string folder = (asked.log.empty() ? std::string("raygauge_soak") : asked.log) + ".violation";
+  save(*result.violation, asked.run, folder);
+  log.write("violation: " + result.violation->what + " (" + result.violation->family + "), saved in " +
+            folder + "\n");
+  return 1;
+}
+
+void declare(CLI::App& app, CommandLine& asked) {
+  app.add_option("--solves", asked.run.solves, "end after so many solves")->check(CLI::PositiveNumber);
+  app.add_option("--seconds", asked.run.seconds, "end after so many seconds")->check(CLI::PositiveNumber);
+  app.add_option("--threads", asked.run.threads, "threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--seed", asked.run.seed, "seed of all random numbers")->capture_default_str();
+  app.add_option("--first-base", asked.run.first_base, "number of the first base instance")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--report-every", asked.run.seconds_between_reports, "seconds between lines of progress")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--log", asked.log, "append what is printed to this file");
+}
+
+}  // namespace
+}  // namespace raygauge::soak
+
+int main(int count, char** arguments) {
+  CLI::App app("Solves random hard instances and checks every certificate; stops at the first false one.");
+  raygauge::soak::CommandLine asked;
+  raygauge::soak::declare(app, asked);
+  CLI11_PARSE(app, count, arguments);
+  std::signal(SIGINT, raygauge::soak::note_interrupt);
+  std::signal(SIGTERM, raygauge::soak::note_interrupt);
+  try {
+    return raygauge::soak::soak(asked);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "raygauge_soak: %s\n", error.what());
+    return 2;
+  }
+}

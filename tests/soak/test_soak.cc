@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// The soak's own judgement: its variants keep the distance that it claims, and its checks see what is false.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "baselines/exact_verify.h"
+#include "engine/distance/solver.h"
+#include "generators/registry.h"
+#include "tests/soak/certificate_check.h"
+#include "tests/soak/run.h"
+#include "tests/soak/variant.h"
+
+namespace raygauge::test_soak {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+GeneratorRegistry all_generators() {
+  GeneratorRegistry registry("generator");
+  register_generators(registry);
+  return registry;
+}
+
+soak::Truth truth(double d) {
+  const auto status = d == 0          ? DistanceStatus::contains_origin
+                      : std::isinf(d) ? DistanceStatus::unreachable
+                                      : DistanceStatus::optimal;
+  return {status, {d, d, d}};
+}
+
+DistanceResult claim(DistanceStatus status, double lower, double distance, double upper) {
+  DistanceResult result;
+  result.status = status;
+  result.lower = lower;
+  result.distance = distance;
+  result.upper = upper;
+  return result;
+}
+
+TEST(SoakVariant, KeepsTheDistanceThatItClaims) {
+  const GeneratorRegistry registry = all_generators();
+  const auto names = soak::point_set_generators(registry);
+  ASSERT_GE(names.size(), 24u);
+  soak::Variant variant;
+  for (int base = 0; base < 150; ++base) {
+    const InstanceKey key{4, 1, 0, base};
+    RandomStream shape(key, "test_soak", RandomPurpose::shape);
+    RandomStream stream(key, "test_soak", RandomPurpose::order);
+    const soak::ProvenInstance proven = soak::draw_proven_instance(registry, names, shape);
+    if (proven.A.rows() > 6) continue;
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      variant.make(proven, stream);
+      SCOPED_TRACE(proven.label + ", base " + std::to_string(base));
+      const ExactLpResult exact = solve_exact_lp(PointSet(variant.A()), PointSet(variant.Q()));
+      ASSERT_EQ(exact.status, proven.truth.status);
+      if (exact.status != DistanceStatus::unreachable) {
+        ASSERT_EQ(exact.value, scaled_rational(proven.truth.value, variant.shift()));
+      }
+    }
+  }
+}
+
+TEST(SoakVariant, ChangesTheInstance) {
+  const GeneratorRegistry registry = all_generators();
+  const InstanceKey key{5, 1, 0, 0};
+  RandomStream shape(key, "test_soak", RandomPurpose::shape);
+  RandomStream stream(key, "test_soak", RandomPurpose::order);
+  const soak::ProvenInstance proven = soak::draw_proven_instance(registry, {"example2"}, shape);
+  soak::Variant first, second;
+  first.make(proven, stream);
+  second.make(proven, stream);
+  const bool same_A = first.A().size() == second.A().size() && first.A() == second.A();
+  const bool same_Q = first.Q().size() == second.Q().size() && first.Q() == second.Q();
+  EXPECT_FALSE(same_A && same_Q);
+}
+
+TEST(SoakFalsehood, AcceptsWhatHolds) {
+  constexpr double kTolerance = 1e-6;
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::optimal, 2, 2, 2), truth(2), kTolerance), "");
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::precision_limit, 1, 1, kInfinity), truth(2), kTolerance),
+            "");
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::contains_origin, 0, 0, 0), truth(0), kTolerance), "");
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::unreachable, kInfinity, kInfinity, kInfinity),
+                            truth(kInfinity), kTolerance),
+            "");
+}
+
+TEST(SoakFalsehood, SeesBoundsThatMissTheTruthByOneDouble) {
+  constexpr double kTolerance = 1e-6;
+  const double above = std::nextafter(2.0, 3.0), below = std::nextafter(2.0, 1.0);
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::optimal, above, above, above), truth(2), kTolerance),
+            "lower > d");
+  EXPECT_EQ(soak::falsehood(claim(DistanceStatus::optimal, below, below, below), truth(2), kTolerance),
+            "upper < d");
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::optimal, above, above, below), truth(2), kTolerance), "");
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::optimal, NAN, 2, 2), truth(2), kTolerance), "");
+}
+
+TEST(SoakFalsehood, SeesStatusesThatAreNotEarned) {
+  constexpr double kTolerance = 1e-6;
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::optimal, 1, 2, 3), truth(2), kTolerance), "");
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::contains_origin, 0, 0, 0), truth(1e-300), kTolerance), "");
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::unreachable, kInfinity, kInfinity, kInfinity), truth(2),
+                            kTolerance),
+            "");
+  EXPECT_NE(soak::falsehood(claim(DistanceStatus::optimal, 1, 3, 2), truth(1.5), 0.5), "");
+}
+
+TEST(SoakDualValue, EnclosesTheBoundOfTheNormal) {
+  Eigen::MatrixXd A(2, 2), Q(2, 4);
+  A << 3, 4, 1, 7;
+  Q << 1, -1, 0, 0, 0, 0, 1, -1;
+  const Vector u = (Vector(2) << -1, -0.5).finished();  // h_A(u) = -3.5, h_Q(-u) = 1
+  const soak::DualValue dual = soak::dual_value(A, Q, u);
+  ASSERT_TRUE(dual.known);
+  EXPECT_LE(dual.below, 3.5);
+  EXPECT_GE(dual.above, 3.5);
+  EXPECT_LT(dual.above - dual.below, 1e-14);
+  EXPECT_FALSE(soak::dual_value(A, Q, -u).known);
+}
+
+TEST(SoakRun, DoesTheSolvesAskedForOnAnyNumberOfThreads) {
+  soak::RunOptions options;
+  options.solves = 3000;
+  options.seed = 7;
+  const auto counted = [&](int threads) {
+    options.threads = threads;
+    return soak::run(
+        options, [] { return false; }, [](const soak::Progress&) {});
+  };
+  const soak::RunResult one = counted(1), three = counted(3);
+  EXPECT_FALSE(one.violation.has_value());
+  EXPECT_GE(one.progress.tally.total().solves, options.solves);
+  EXPECT_GE(three.progress.tally.total().solves, options.solves);
+  EXPECT_FALSE(three.violation.has_value());
+}
+
+}  // namespace
+}  // namespace raygauge::test_soak
