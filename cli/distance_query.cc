@@ -53,6 +53,13 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
   report.result = method.result();
 }
 
+// An unreachable A has settled it: its Farkas direction has all of Q on one side.
+OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& result, double time_limit) {
+  if (result.status == DistanceStatus::unreachable)
+    return {OriginInInterior::Answer::violated, result.normal};
+  return origin_in_interior(dynamic_cast<const PointSet&>(Q), time_limit);
+}
+
 }  // namespace
 
 std::string resolved_method(const std::string& name) { return name == "glpk" ? "glpk_dual" : name; }
@@ -72,6 +79,7 @@ DistanceReport answer(const DistanceQuery& query, const Eigen::MatrixXd& A, cons
   } else {
     solve_by_baseline(query, *methods.make(report.method, {}), instance, report);
   }
+  report.precondition = precondition_of(*instance.Q, report.result, query.options.time_limit);
   return report;
 }
 

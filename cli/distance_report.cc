@@ -27,6 +27,18 @@ Json json_counters(const DistanceCounters& counters) {
           {"witness_evaluations", counters.witness_evaluations}};
 }
 
+std::vector<std::string> violated_preconditions(const DistanceReport& report) {
+  if (report.precondition.answer != OriginInInterior::Answer::violated) return {};
+  return {"origin_in_interior_of_Q"};
+}
+
+Json json_weights(const std::vector<PointWeight>& weights) {
+  Json array = Json::array();
+  for (const PointWeight& point : weights)
+    array.push_back({{"point", point.index}, {"weight", point.weight}});
+  return array;
+}
+
 std::string vector_text(const Vector& vector) {
   std::string text;
   for (const double value : vector) text += fmt::format("{}{:.10g}", text.empty() ? "" : " ", value);
@@ -52,6 +64,28 @@ std::string line(const char* label, const std::string& text) {
 std::string normal_line(const DistanceResult& r) {
   if (r.normal.size() == 0 || r.normal.isZero(0)) return "";
   return line(r.status == DistanceStatus::unreachable ? "direction" : "normal", vector_text(r.normal));
+}
+
+// The combination of A's points, counted from 0, that is the origin.
+std::string weights_line(const DistanceResult& r) {
+  std::string text;
+  for (const PointWeight& point : r.origin_weights) {
+    text += fmt::format("{}{:.10g} a_{}", text.empty() ? "0 = " : " + ", point.weight, point.index);
+  }
+  return text.empty() ? "" : line("weights", text);
+}
+
+std::string precondition_line(const DistanceReport& report) {
+  // Of an unreachable A the status says it already.
+  if (report.precondition.answer != OriginInInterior::Answer::violated ||
+      report.result.status == DistanceStatus::unreachable) {
+    return "";
+  }
+  return line("violated",
+              "the origin is not in the interior of Q, which a gauge needs: u·q >= 0 for every point q of "
+              "Q with u = " +
+                  vector_text(report.precondition.direction) +
+                  "; other sets A may have an infinite distance");
 }
 
 std::string contact_line(const DistanceReport& report) {
@@ -100,12 +134,14 @@ Json distance_json(const DistanceReport& report) {
                {"lower", r.lower},
                {"upper", r.upper},
                {"status", std::string(to_string(r.status))},
+               {"violated_preconditions", violated_preconditions(report)},
                {"method", report.method},
                {"n", report.n},
                {"n_points_A", report.n_points_A},
                {"n_points_Q", report.n_points_Q},
                {"normal", json_array(r.normal)}};
   if (report.witness) json["contact_point"] = json_array(r.contact_point);
+  if (r.status == DistanceStatus::contains_origin) json["origin_weights"] = json_weights(r.origin_weights);
   json["counters"] = json_counters(r.counters);
   return json;
 }
@@ -124,8 +160,8 @@ std::string verdict(const DistanceResult& r) {
 std::string distance_text(const DistanceReport& report) {
   const DistanceResult& r = report.result;
   return line("distance", fmt::format("{:.17g}", r.distance)) + line("bounds", bounds_text(report)) +
-         line("status", fmt::format("{}: {}", to_string(r.status), verdict(r))) + normal_line(r) +
-         contact_line(report) +
+         line("status", fmt::format("{}: {}", to_string(r.status), verdict(r))) + precondition_line(report) +
+         normal_line(r) + weights_line(r) + contact_line(report) +
          line("sets", fmt::format("n = {}, {} in A, {} in Q", report.n, count(report.n_points_A, "point"),
                                   count(report.n_points_Q, "point"))) +
          line("method", fmt::format("{}, {:.3g} ms", report.method, report.seconds * 1e3)) +

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/json_text.h"
+#include "engine/distance/origin_in_interior.h"
 #include "engine/distance/result.h"
 
 namespace raygauge::cli {
@@ -20,10 +21,15 @@ struct DistanceReport {
   std::ptrdiff_t n_points_A = 0;
   std::ptrdiff_t n_points_Q = 0;
   bool witness = false;  ///< whether the contact point was asked for
+
+  /// Whether the origin lies in the interior of Q, as a gauge needs, and if not a direction with all of Q on
+  /// one side.
+  OriginInInterior precondition;
 };
 
-/// The object that --json prints: distance, lower, upper, status, method, n, n_points_A, n_points_Q, normal,
-/// contact_point (with --witness: empty where there is none), counters.
+/// The object that --json prints: distance, lower, upper, status, violated_preconditions
+/// ("origin_in_interior_of_Q" where that is proven false), method, n, n_points_A, n_points_Q, normal,
+/// contact_point (with --witness: empty where there is none), origin_weights (of contains_origin), counters.
 Json distance_json(const DistanceReport& report);
 
 /// Several lines for people.
