@@ -14,7 +14,8 @@ namespace raygauge::cli {
 namespace {
 
 std::optional<DistanceMethod> engine_method(const std::string& name) {
-  constexpr std::array<DistanceMethod, 2> kMethods = {DistanceMethod::direct, DistanceMethod::zheng_yamane};
+  constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::direct, DistanceMethod::zheng_yamane,
+                                                      DistanceMethod::newton};
   for (const DistanceMethod method : kMethods) {
     if (to_string(method) == name) return method;
   }
@@ -41,11 +42,13 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
                        DistanceReport& report) {
   const std::string name = "method '" + report.method + "'";
   if (query.witness) {
-    throw InvalidParameterError(name + " computes no contact point: --witness needs direct or zheng_yamane");
+    throw InvalidParameterError(name +
+                                " computes no contact point: --witness needs direct, zheng_yamane or newton");
   }
   if (query.engine_options_set) {
     throw InvalidParameterError(
-        "--max-iterations, --stop-rule, --instruction-set and --threads are for direct and zheng_yamane; " +
+        "--max-iterations, --stop-rule, --instruction-set and --threads are for direct, zheng_yamane and "
+        "newton; " +
         name + " has no such options");
   }
   method.load(instance);

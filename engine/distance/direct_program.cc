@@ -328,4 +328,12 @@ void DirectProgram::contact_point(double* point) const {
   }
 }
 
+void DirectProgram::points_of_A(WeightedPoints& points) const {
+  const BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    points.add(basis_.column(i), view.x()[i]);
+  }
+}
+
 }  // namespace raygauge

@@ -9,6 +9,7 @@
 #include "engine/distance/basis.h"
 #include "engine/distance/result.h"
 #include "engine/distance/stopwatch.h"
+#include "engine/distance/weighted_points.h"
 #include "engine/distance/working_set.h"
 #include "engine/kernel/kernel.h"
 
@@ -76,6 +77,8 @@ class DirectProgram {
 
   /// After proven_upper() found 0: the points of A that combine to the origin, as (position, weight).
   void origin_weights(std::vector<PointWeight>& weights) const;
+  /// The a_i of that combination with their weights α_i.
+  void points_of_A(WeightedPoints& points) const;
 
   /// Identities of the basic columns (see id_of_A), n + 1 of them; negative where artificial.
   const std::int64_t* basic_ids() const noexcept { return basis_.view().id; }

@@ -8,10 +8,12 @@
 
 namespace raygauge {
 
-/// How d_Q(A) is computed. Both methods end in the same certificate.
+/// How d_Q(A) is computed. All methods end in the same certificate.
 enum class DistanceMethod : std::uint8_t {
   direct,  ///< the linear program of Example 2 by column generation over the support mappings: no outer loop
   zheng_yamane,  ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
+  newton,  ///< Newton steps on the dual with the Hessians of the support functions; `direct` where there are
+           ///< none
 };
 
 std::string_view to_string(DistanceMethod method) noexcept;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/distance/newton.h"
 #include "engine/distance/point_set_direct.h"
 #include "engine/distance/support_direct.h"
 #include "engine/distance/zheng_yamane.h"
@@ -38,6 +39,8 @@ void check_options(const DistanceOptions& options) {
 }  // namespace
 
 struct DistanceSolver::Workspace {
+  enum class Concluded : std::uint8_t { point_set_direct, support_direct, zheng_yamane, newton };
+
   DistanceOptions options;
   DistanceResult result;
   PointSetDirect point_set_direct;
@@ -45,8 +48,11 @@ struct DistanceSolver::Workspace {
   SupportOracle oracle_A;
   SupportOracle oracle_Q;
   ZhengYamane zheng_yamane;
+  Newton newton;
+  Concluded concluded = Concluded::point_set_direct;
 
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
 };
 
@@ -55,12 +61,14 @@ void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet
   const auto* points_Q = dynamic_cast<const PointSet*>(&Q);
   if (points_A != nullptr && points_Q != nullptr) {
     point_set_direct.solve(*points_A, *points_Q, options, effects, result);
+    concluded = Concluded::point_set_direct;
   } else {
     solve_by_support(A, Q, effects);
   }
 }
 
 void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  concluded = Concluded::support_direct;
   const int n = A.dimension();
   const Kernels& kernels = kernels_for(options.instruction_set);
   Stopwatch stopwatch;
@@ -87,6 +95,24 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   }
 }
 
+// The solve once more by `newton`, unless that was tried before; if it does not conclude it either, the
+// better of the two pairs of bounds. The counters are those of both.
+void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  const DistanceCounters before = result.counters;
+  const bool tried = options.method == DistanceMethod::newton;
+  if (tried || !newton.solve(A, Q, options, effects, result)) {
+    if (!(newton.gap() < result.upper - result.lower)) return;
+    newton.report(DistanceStatus::precision_limit, effects, result);
+  }
+  concluded = Concluded::newton;
+  result.counters.outer_iterations = before.outer_iterations;
+  result.counters.ray_iterations += before.ray_iterations;
+  result.counters.pivots += before.pivots;
+  result.counters.support_queries += before.support_queries;
+  result.counters.points_priced += before.points_priced;
+  result.counters.refactorisations += before.refactorisations;
+}
+
 DistanceSolver::DistanceSolver(const DistanceOptions& options) : workspace_(std::make_unique<Workspace>()) {
   set_options(options);
 }
@@ -109,11 +135,46 @@ const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet&
   }
   Workspace& workspace = *workspace_;
   if (workspace.options.method == DistanceMethod::zheng_yamane) {
-    if (workspace.zheng_yamane.solve(A, Q, workspace.options, effects, workspace.result))
+    if (workspace.zheng_yamane.solve(A, Q, workspace.options, effects, workspace.result)) {
+      workspace.concluded = Workspace::Concluded::zheng_yamane;
       return workspace.result;
+    }
+  }
+  if (workspace.options.method == DistanceMethod::newton) {
+    if (workspace.newton.solve(A, Q, workspace.options, effects, workspace.result)) {
+      workspace.concluded = Workspace::Concluded::newton;
+      return workspace.result;
+    }
   }
   workspace.solve_direct(A, Q, effects);
+  // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
+  if (workspace.result.status == DistanceStatus::precision_limit) workspace.refine(A, Q, effects);
   return workspace.result;
+}
+
+void DistanceSolver::keep_combination(bool keep) { workspace_->newton.keep_combination(keep); }
+
+bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
+  combination.clear(static_cast<int>(workspace_->result.normal.size()));
+  switch (workspace_->concluded) {
+    case Workspace::Concluded::point_set_direct:
+      break;
+    case Workspace::Concluded::support_direct:
+      workspace_->support_direct.contact_combination(combination);
+      break;
+    case Workspace::Concluded::zheng_yamane:
+      workspace_->zheng_yamane.contact_combination(combination);
+      break;
+    case Workspace::Concluded::newton:
+      workspace_->newton.contact_combination(combination);
+      break;
+  }
+  return combination.count() > 0;
+}
+
+void DistanceSolver::set_threshold(double threshold) {
+  workspace_->newton.set_threshold(threshold);
+  workspace_->support_direct.set_threshold(threshold);
 }
 
 }  // namespace raygauge

@@ -6,6 +6,7 @@
 
 #include "engine/distance/options.h"
 #include "engine/distance/result.h"
+#include "engine/distance/weighted_points.h"
 #include "engine/sets/convex_set.h"
 
 namespace raygauge {
@@ -32,6 +33,20 @@ class DistanceSolver {
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q, Effects effects = Effects::none);
 
  private:
+  friend class ObjectDistanceSolver;
+  friend class GrowthDistanceSolver;
+
+  /// From now on, whether solves of general sets keep what contact_combination() gives.
+  void keep_combination(bool keep);
+
+  /// The points of A and their weights in the combination that proves the upper bound of the last solve;
+  /// false if none was kept.
+  bool contact_combination(WeightedPoints& combination) const;
+
+  /// From now on solves of general sets also end, as `optimal`, when the bounds exclude this value; NaN:
+  /// none.
+  void set_threshold(double threshold);
+
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
 };

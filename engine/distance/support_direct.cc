@@ -62,7 +62,12 @@ void SupportDirect::ask(const double* u) {
 // equations is paid for. The support points along the axes make sure that the known part of Q surrounds the
 // origin if Q does.
 double SupportDirect::gauge_per_residual(const Stopwatch& stopwatch) {
-  if (gauge_per_residual_ == 0) {
+  if (gauge_per_residual_ > 0) return gauge_per_residual_;
+  // |r| <= √n |r|∞, and a ball around the origin of which the set itself knows makes the search unnecessary.
+  const double radius = Q_->inner_radius();
+  if (radius > 0) {
+    gauge_per_residual_ = std::sqrt(n_) / radius * (1 + 4 * std::numeric_limits<double>::epsilon());
+  } else {
     double* axis = axis_.data();
     double* point = axis + n_;
     std::fill_n(axis, n_, 0.0);
@@ -106,6 +111,7 @@ double SupportDirect::upper_of_the_sets(double upper_of_the_points, const Stopwa
 }
 
 bool SupportDirect::is_closed(double upper) const noexcept {
+  if (lower_ > threshold_ || upper < threshold_) return true;
   return upper < kInfinity && upper - lower_ <= tolerance_ * upper;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "engine/distance/aligned_buffer.h"
 #include "engine/distance/direct_program.h"
 #include "engine/distance/gauge_bound.h"
@@ -44,7 +46,11 @@ class SupportDirect {
   double objective() const noexcept { return program_.objective(); }
   const double* normal() const noexcept { return normal_.data(); }  ///< direction of `lower`
   void contact_point(double* point) const { program_.contact_point(point); }
+  void contact_combination(WeightedPoints& combination) const { program_.points_of_A(combination); }
   const DistanceCounters& counters();
+
+  /// See DistanceSolver::set_threshold.
+  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
 
  private:
   void ask(const double* u);
@@ -59,6 +65,7 @@ class SupportDirect {
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
   double tolerance_ = 0;
+  double threshold_ = std::numeric_limits<double>::quiet_NaN();
   DirectProgram program_;
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed

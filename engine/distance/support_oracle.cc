@@ -91,6 +91,12 @@ SupportValue SupportOracle::verify_points(const double* u, double sign, double k
   return result;
 }
 
+double SupportOracle::inner_radius() {
+  if (points_ != nullptr || factor_ != unit_.data()) return 0;
+  std::fill_n(direction_.data(), set_->dimension(), 0.0);
+  return set_->inner_radius_unchecked(direction_.data());
+}
+
 void SupportOracle::center(double* point) {
   set_->center_unchecked(point);
   for (int k = 0; k < set_->dimension(); ++k) point[k] *= factor_[k];

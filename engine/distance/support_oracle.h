@@ -33,6 +33,9 @@ class SupportOracle {
   /// set, whose support points are its own; rounding_error(n) max_k m_k for any other.
   double coordinate_error() const noexcept { return coordinate_error_; }
 
+  /// The radius of a ball around the origin inside S'; 0 where none is known.
+  double inner_radius();
+
   /// The scaled centre of S'.
   void center(double* point);
 

@@ -29,6 +29,10 @@ class ZhengYamane {
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, Effects effects,
              DistanceResult& result);
 
+  void contact_combination(WeightedPoints& combination) const {
+    last_vertices_.contact_combination(combination);
+  }
+
  private:
   enum class Step : std::uint8_t { go_on, done, give_up };
 

@@ -3,6 +3,9 @@
 #include "engine/sets/affine_image.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -41,6 +44,7 @@ AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<co
   check_dimension("affine image", "t", t_.size(), dimension());
   check_finite_matrix("affine image", "M", M_);
   if (is_singular(M_)) throw InvalidParameterError("affine image: M must be invertible, but it is singular");
+  inverse_ = BoundedInverse(M_);
 }
 
 std::shared_ptr<const AffineImage> AffineImage::rigid(std::shared_ptr<const ConvexSet> S,
@@ -95,6 +99,82 @@ void AffineImage::do_magnitude(double* magnitude) const {
     magnitude[k] = std::fabs(t_[k]);
     for (int j = 0; j < n; ++j) magnitude[k] += 2 * std::fabs(M_(k, j)) * inner.data()[j];
   }
+}
+
+// The ball around the preimage x0 of c, computed as x, is the ball around x less |x0 - x| = |M⁻¹(c - M x -
+// t)|.
+double AffineImage::do_inner_radius(const double* c) const {
+  const int n = dimension();
+  if (inverse_.inverse().size() == 0) return 0;
+  Scratch x(n), image(n);
+  for (int i = 0; i < n; ++i) {
+    x.data()[i] = 0;
+    for (int k = 0; k < n; ++k) x.data()[i] += inverse_.inverse()(i, k) * (c[k] - t_[k]);
+  }
+  map(x.data(), image.data());
+  double rounding = 0;  // of the image
+  for (int k = 0; k < n; ++k) {
+    rounding += std::fabs(t_[k]) + std::fabs(c[k]);
+    for (int j = 0; j < n; ++j) rounding += std::fabs(M_(k, j) * x.data()[j]);
+  }
+  rounding *= (n + 4) * std::numeric_limits<double>::epsilon();
+  const double astray = inverse_.image_length(c, image.data()) + 2 * rounding / inverse_.least_stretch();
+  const double radius = S_->inner_radius_unchecked(x.data()) - astray;
+  return radius > 0 ? radius * inverse_.least_stretch() * (1 - 0x1p-50) : 0.0;
+}
+
+SupportStructure AffineImage::do_structure() const noexcept { return S_->structure(); }
+
+void AffineImage::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  const int n = dimension();
+  Scratch direction(n), column(n);
+  double* v = column.data();
+  for (int j = 0; j < n; ++j) direction.data()[j] = dot(M_.col(j).data(), u, n);
+  S_->support_pieces_unchecked(direction.data(), pieces, SupportPieces::kCapacity - capacity);
+  const double shift = dot(u, t_.data(), n);
+  for (int i = 0; i < pieces.count; ++i) {
+    pieces.value[static_cast<std::size_t>(i)] += shift;
+    std::copy_n(pieces.point(i), n, v);
+    map(v, pieces.point(i));
+    Eigen::Map<Eigen::MatrixXd> H(pieces.hessian(i), n, n);  // becomes M H Mᵀ: columns first, then rows
+    Eigen::Map<Vector> w(v, n);
+    for (int j = 0; j < n; ++j) {
+      w.noalias() = M_.lazyProduct(H.col(j));
+      H.col(j) = w;
+    }
+    for (int j = 0; j < n; ++j) {
+      w.noalias() = M_.lazyProduct(H.row(j).transpose());
+      H.row(j) = w.transpose();
+    }
+  }
+}
+
+// A direction u of the image is Mᵀu for S; a normal v of S is M⁻ᵀv for the image.
+bool AffineImage::do_facet_normal(const double* u, const double* v, double* normal) const {
+  const int n = dimension();
+  if (inverse_.inverse().size() == 0) return false;
+  Scratch from(n), to(n), inner(n);
+  for (int j = 0; j < n; ++j) {
+    from.data()[j] = dot(M_.col(j).data(), u, n);
+    to.data()[j] = dot(M_.col(j).data(), v, n);
+  }
+  if (!S_->facet_normal_unchecked(from.data(), to.data(), inner.data())) return false;
+  for (int k = 0; k < n; ++k) normal[k] = dot(inverse_.inverse().col(k).data(), inner.data(), n);
+  return true;
+}
+
+// Nearest before the map, not after it.
+void AffineImage::do_facet_point(const double* normal, const double* target, double* point) const {
+  const int n = dimension();
+  Scratch inner_normal(n), inner_target(n);
+  for (int j = 0; j < n; ++j) {
+    inner_normal.data()[j] = dot(M_.col(j).data(), normal, n);
+    inner_target.data()[j] = 0;
+    for (int k = 0; k < n; ++k) inner_target.data()[j] += inverse_.inverse()(j, k) * (target[k] - t_[k]);
+  }
+  S_->facet_point_unchecked(inner_normal.data(), inner_target.data(), point);
+  std::copy_n(point, n, inner_target.data());
+  map(inner_target.data(), point);
 }
 
 }  // namespace raygauge

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/convex_set.h"
 
 namespace raygauge {
@@ -28,11 +29,17 @@ class AffineImage final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  bool do_facet_normal(const double* u, const double* v, double* normal) const override;
+  void do_facet_point(const double* normal, const double* target, double* point) const override;
   void map(const double* x, double* image) const noexcept;
 
   std::shared_ptr<const ConvexSet> S_;
   Eigen::MatrixXd M_;
   Vector t_;
+  BoundedInverse inverse_;  // of M
 };
 
 }  // namespace raygauge

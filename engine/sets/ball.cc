@@ -24,4 +24,22 @@ void Ball::do_magnitude(double* magnitude) const {
   Vector::Map(magnitude, dimension()) = center_.cwiseAbs().array() + radius_;
 }
 
+double Ball::do_inner_radius(const double* c) const {
+  const double away = distance_between(center_.data(), c, dimension());
+  return proven_length(radius_ - away, radius_ + 2 * away + center_.lpNorm<1>(), dimension());
+}
+
+SupportStructure Ball::do_structure() const noexcept { return SupportStructure::smooth; }
+
+void Ball::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  if (capacity < 1) return;
+  const int n = dimension();
+  double* point = pieces.point(0);
+  const double length = normalize(u, n, point);
+  norm_hessian(point, radius_ / length, n, pieces.hessian(0));
+  for (int k = 0; k < n; ++k) point[k] = center_[k] + radius_ * point[k];
+  pieces.value[0] = dot(u, center_.data(), n) + radius_ * length;
+  pieces.count = 1;
+}
+
 }  // namespace raygauge

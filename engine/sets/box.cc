@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/box.h"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 #include "engine/exceptions.h"
@@ -37,5 +39,13 @@ void Box::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5
 void Box::do_magnitude(double* magnitude) const {
   Vector::Map(magnitude, dimension()) = lower_.cwiseAbs().cwiseMax(upper_.cwiseAbs());
 }
+
+double Box::do_inner_radius(const double* c) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < dimension(); ++k) least = std::min({least, upper_[k] - c[k], c[k] - lower_[k]});
+  return std::max(0.0, least * (1 - std::numeric_limits<double>::epsilon()));
+}
+
+SupportStructure Box::do_structure() const noexcept { return SupportStructure::polytope; }
 
 }  // namespace raygauge

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/capsule.h"
 
+#include <algorithm>
+
 #include "engine/sets/parameters.h"
 #include "engine/sets/vector_kernels.h"
 
@@ -29,6 +31,37 @@ void Capsule::do_center(double* point) const { Vector::Map(point, dimension()) =
 
 void Capsule::do_magnitude(double* magnitude) const {
   Vector::Map(magnitude, dimension()) = p_.cwiseAbs().cwiseMax(q_.cwiseAbs()).array() + radius_;
+}
+
+double Capsule::do_inner_radius(const double* c) const {
+  const int n = dimension();
+  Scratch nearest(n);
+  double length_squared = 0, along = 0, size = radius_;
+  for (int k = 0; k < n; ++k) {
+    const double axis_k = q_[k] - p_[k];
+    length_squared += axis_k * axis_k;
+    along += axis_k * (c[k] - p_[k]);
+    size += std::fabs(c[k]) + std::fabs(p_[k]) + std::fabs(q_[k]);
+  }
+  const double t = length_squared > 0 ? std::clamp(along / length_squared, 0.0, 1.0) : 0.0;
+  for (int k = 0; k < n; ++k) nearest.data()[k] = (1 - t) * p_[k] + t * q_[k];
+  return proven_length(radius_ - distance_between(nearest.data(), c, n), size, n);
+}
+
+SupportStructure Capsule::do_structure() const noexcept { return SupportStructure::smooth; }
+
+void Capsule::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  if (capacity < 2) return;
+  const int n = dimension();
+  double* unit = pieces.point(0);
+  const double length = normalize(u, n, unit);
+  norm_hessian(unit, radius_ / length, n, pieces.hessian(0));
+  std::copy_n(pieces.hessian(0), n * n, pieces.hessian(1));
+  for (int k = 0; k < n; ++k) pieces.point(1)[k] = q_[k] + radius_ * unit[k];
+  for (int k = 0; k < n; ++k) unit[k] = p_[k] + radius_ * unit[k];
+  pieces.value[0] = dot(u, p_.data(), n) + radius_ * length;
+  pieces.value[1] = dot(u, q_.data(), n) + radius_ * length;
+  pieces.count = 2;
 }
 
 }  // namespace raygauge

@@ -54,6 +54,18 @@ void ConvexSet::do_magnitude(double* magnitude) const {
   }
 }
 
+double ConvexSet::do_inner_radius(const double* /*c*/) const { return 0; }
+
+void ConvexSet::do_support_pieces(const double* /*u*/, SupportPieces& /*pieces*/, int /*capacity*/) const {}
+
+bool ConvexSet::do_facet_normal(const double* /*u*/, const double* /*v*/, double* /*normal*/) const {
+  return false;
+}
+
+void ConvexSet::do_facet_point(const double* normal, const double* /*target*/, double* point) const {
+  do_support(normal, point);
+}
+
 Vector ConvexSet::center() const {
   Vector point(dimension_);
   do_center(point.data());

@@ -3,12 +3,53 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace raygauge {
 
 using Vector = Eigen::VectorXd;
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using VectorRef = Eigen::Ref<Eigen::VectorXd>;
+
+/// What is known of a support function beyond its values.
+enum class SupportStructure : std::uint8_t {
+  unknown,   ///< nothing
+  point,     ///< the set is one point: it has what the other two have
+  polytope,  ///< piecewise linear: support points are vertices, of which there are finitely many
+  smooth,    ///< the maximum of a few twice differentiable pieces, which support_pieces_unchecked gives
+};
+
+/// What is known of the support function of a sum or a difference.
+constexpr SupportStructure structure_of_sum(SupportStructure a, SupportStructure b) noexcept {
+  if (a == b || b == SupportStructure::point) return a;
+  return a == SupportStructure::point ? b : SupportStructure::unknown;
+}
+
+/// The smooth pieces h_i of a support function h(u) = max_i h_i(u) at one direction u: value h_i(u), gradient
+/// (a point of S) and Hessian, n × n. A gradient's Hessian times u is zero, since h_i is homogeneous.
+struct SupportPieces {
+  static constexpr int kCapacity = 8;
+
+  int dimension = 0;
+  int count = 0;
+  std::array<double, kCapacity> value{};
+  double* points = nullptr;    ///< room for kCapacity points, n doubles each
+  double* hessians = nullptr;  ///< room for kCapacity Hessians, n² doubles each
+
+  double* point(int i) const noexcept { return points + std::ptrdiff_t{i} * dimension; }
+  double* hessian(int i) const noexcept { return hessians + std::ptrdiff_t{i} * dimension * dimension; }
+
+  /// The pieces from number `first` on, as a list of their own.
+  SupportPieces rest(int first) const noexcept {
+    SupportPieces view;
+    view.dimension = dimension;
+    view.points = point(first);
+    view.hessians = hessian(first);
+    return view;
+  }
+};
 
 /// A nonempty compact convex set S in R^n, known through its support function and support mapping, equation
 /// (6) of Zheng & Yamane:
@@ -55,6 +96,32 @@ class ConvexSet {
   ///     each coordinate of the computed s(u) within rounding_error(n) m_k of that of a point of S.
   void magnitude_unchecked(double* magnitude) const { do_magnitude(magnitude); }
 
+  /// R with {x : |x - c| <= R} inside S, proven, rounding errors of its computation included; 0 where nothing
+  /// is known, as by default. It need not be the largest; it turns a residual into a bound: gauge_S(r) <=
+  /// |r|/R for c = 0.
+  double inner_radius_unchecked(const double* c) const { return do_inner_radius(c); }
+
+  SupportStructure structure() const noexcept { return do_structure(); }
+
+  /// Second-order information at u != 0 for `smooth` sets; the greatest value is h_S(u). count = 0 where
+  /// there is none. At most pieces.kCapacity - `used` pieces are written.
+  void support_pieces_unchecked(const double* u, SupportPieces& pieces, int used = 0) const {
+    pieces.count = 0;
+    do_support_pieces(u, pieces, SupportPieces::kCapacity - used);
+  }
+
+  /// A `smooth` set may have flat faces, at whose normals its pieces have a kink. If the way from u to v
+  /// passes near such a normal, writes it and returns true.
+  bool facet_normal_unchecked(const double* u, const double* v, double* normal) const {
+    return do_facet_normal(u, v, normal);
+  }
+
+  /// The point of the face across `normal`, one that facet_normal_unchecked gave, that is nearest to
+  /// `target`.
+  void facet_point_unchecked(const double* normal, const double* target, double* point) const {
+    do_facet_point(normal, target, point);
+  }
+
   /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
   static constexpr double rounding_error(int n) noexcept { return (2 * n + 8) * 0x1p-53; }
 
@@ -69,6 +136,12 @@ class ConvexSet {
   /// By default max |x_k| over S, from 2n support queries, and that of the centre: right where nothing larger
   /// than the set itself cancels.
   virtual void do_magnitude(double* magnitude) const;
+
+  virtual double do_inner_radius(const double* c) const;
+  virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
+  virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
+  virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;
+  virtual void do_facet_point(const double* normal, const double* target, double* point) const;
 
   int dimension_;
 };

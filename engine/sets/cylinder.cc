@@ -33,4 +33,20 @@ void Cylinder::do_magnitude(double* magnitude) const {
       p_.cwiseAbs().cwiseMax(q_.cwiseAbs()).array() + radius_ * (2 + share * a.array().abs());
 }
 
+double Cylinder::do_inner_radius(const double* c) const { return frustum().inner_radius(c); }
+
+SupportStructure Cylinder::do_structure() const noexcept { return SupportStructure::smooth; }
+
+void Cylinder::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  if (capacity >= 2) frustum().support_pieces(u, pieces);
+}
+
+bool Cylinder::do_facet_normal(const double* u, const double* v, double* normal) const {
+  return frustum().facet_normal(u, v, normal);
+}
+
+void Cylinder::do_facet_point(const double* normal, const double* target, double* point) const {
+  frustum().facet_point(normal, target, point);
+}
+
 }  // namespace raygauge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/convex_set.h"
 
 namespace raygauge {
@@ -23,9 +24,14 @@ class Ellipsoid final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
   Vector center_;
   Eigen::MatrixXd factor_;
+  Eigen::MatrixXd shape_;   // L Lᵀ, for Hessians alone: no bound depends on it
+  BoundedInverse inverse_;  // of L, where L is square
 };
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/sets/parameters.h"
+#include "engine/sets/piece_sums.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -39,6 +40,29 @@ void MinkowskiDifference::do_magnitude(double* magnitude) const {
   A2_->magnitude_unchecked(magnitude);
   A1_->magnitude_unchecked(a1.data());
   for (int k = 0; k < dimension(); ++k) magnitude[k] += a1.data()[k];
+}
+
+// A ball of A2 around its centre and one of A1 around that centre less c.
+double MinkowskiDifference::do_inner_radius(const double* c) const {
+  Scratch center(dimension()), rest(dimension());
+  A2_->center_unchecked(center.data());
+  for (int k = 0; k < dimension(); ++k) rest.data()[k] = center.data()[k] - c[k];
+  return sum_of_radii(A2_->inner_radius_unchecked(center.data()), A1_->inner_radius_unchecked(rest.data()), c,
+                      center.data(), dimension());
+}
+
+SupportStructure MinkowskiDifference::do_structure() const noexcept {
+  return structure_of_sum(A2_->structure(), A1_->structure());
+}
+
+void MinkowskiDifference::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  const int n = dimension();
+  Scratch opposite(n);
+  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
+  A2_->support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
+  SupportPieces of_A1 = pieces.rest(pieces.count);
+  A1_->support_pieces_unchecked(opposite.data(), of_A1, SupportPieces::kCapacity - capacity + pieces.count);
+  add_pieces(pieces, of_A1, -1.0, capacity);
 }
 
 }  // namespace raygauge

@@ -21,6 +21,9 @@ class MinkowskiDifference final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
   std::shared_ptr<const ConvexSet> A2_;
   std::shared_ptr<const ConvexSet> A1_;

@@ -20,6 +20,9 @@ class MinkowskiSum final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
   std::shared_ptr<const ConvexSet> A_;
   std::shared_ptr<const ConvexSet> B_;

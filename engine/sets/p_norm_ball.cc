@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/p_norm_ball.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -93,6 +95,50 @@ void PNormBall::do_center(double* point) const { Vector::Map(point, dimension())
 
 void PNormBall::do_magnitude(double* magnitude) const {
   Vector::Map(magnitude, dimension()) = center_.cwiseAbs() + semi_axes_;
+}
+
+// With g = ‖(x - c)/w‖_p < 1, every x + (1 - g) diag(w) z, ‖z‖_p <= 1, is in the set; and |z| <= 1 in the
+// Euclidean norm has ‖z‖_p <= 1 for p >= 2, <= n^(1/p - 1/2) below.
+double PNormBall::do_inner_radius(const double* x) const {
+  const int n = dimension();
+  double shift = 0;  // the sum of magnitudes, never below g
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < n; ++k) {
+    if (semi_axes_[k] == 0) return 0;
+    shift += std::fabs(x[k] - center_[k]) / semi_axes_[k];
+    least = std::min(least, semi_axes_[k]);
+  }
+  const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
+  return shift < 1 ? (1 - shift) * least / norm * (1 - 1e-12) * (1 - 1e-12 * (shift > 0)) : 0.0;
+}
+
+SupportStructure PNormBall::do_structure() const noexcept {
+  return p_ > 1 && p_ < std::numeric_limits<double>::infinity() ? SupportStructure::smooth
+                                                                : SupportStructure::polytope;
+}
+
+// With v = diag(w) u, N = ‖v‖_q, t = |v|/N and g = diag(w) sign(v) t^(q-1), the gradient less c, the Hessian
+// is (q - 1)/N (diag(w² t^(q-2)) - g gᵀ). Where u_k is not about zero w_k² t_k^(q-2) = N g_k/u_k, with N =
+// g·u: so the Hessian of a ball with p near 1 takes u to zero in spite of q - 1 = 1/(p - 1).
+void PNormBall::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  constexpr double kSmallest = 1e-10;  // of t; for q < 2 the curvature at t = 0 is infinite
+  if (capacity < 1) return;
+  const int n = dimension();
+  double* point = pieces.point(0);
+  double* hessian = pieces.hessian(0);
+  pieces.value[0] = do_support(u, point);
+  pieces.count = 1;
+  double norm = 0;
+  for (int k = 0; k < n; ++k) norm += (point[k] - center_[k]) * u[k];
+  const double q_minus_1 = 1 / (p_ - 1);
+  const double curvature = norm > 0 ? q_minus_1 / norm : 0.0;
+  for (int j = 0; j < n; ++j) {
+    const double g_j = point[j] - center_[j], w_j = semi_axes_[j];
+    for (int k = 0; k < n; ++k) hessian[j * n + k] = -curvature * g_j * (point[k] - center_[k]);
+    const bool zero = !(std::fabs(w_j * u[j]) > kSmallest * norm);
+    hessian[j * n + j] +=
+        curvature * (zero ? w_j * w_j * std::pow(kSmallest, q_minus_1 - 1) : norm * g_j / u[j]);
+  }
 }
 
 }  // namespace raygauge

@@ -100,4 +100,15 @@ void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) 
 
 void PointSet::do_magnitude(double* magnitude) const { Vector::Map(magnitude, dimension()) = magnitude_; }
 
+SupportStructure PointSet::do_structure() const noexcept {
+  return size_ == 1 ? SupportStructure::point : SupportStructure::polytope;
+}
+
+void PointSet::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  if (capacity < 1 || size_ != 1) return;
+  pieces.value[0] = do_support(u, pieces.point(0));
+  std::fill_n(pieces.hessian(0), static_cast<std::ptrdiff_t>(dimension()) * dimension(), 0.0);
+  pieces.count = 1;
+}
+
 }  // namespace raygauge

@@ -79,6 +79,8 @@ class PointSet final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
   std::ptrdiff_t size_;
   std::ptrdiff_t block_count_;

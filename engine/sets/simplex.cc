@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/simplex.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "engine/sets/parameters.h"
 #include "engine/sets/vector_kernels.h"
 
@@ -36,5 +40,24 @@ void Simplex::do_center(double* point) const {
 void Simplex::do_magnitude(double* magnitude) const {
   Vector::Map(magnitude, dimension()) = corner_.cwiseAbs() + legs_.cwiseAbs();
 }
+
+// The faces are x_k = o_k and Σ (x_k - o_k)/a_k = 1, each kept on the side of the simplex.
+double Simplex::do_inner_radius(const double* c) const {
+  double least = std::numeric_limits<double>::infinity();
+  double across = 1, steepness = 0, size = 0;
+  for (int k = 0; k < dimension(); ++k) {
+    if (legs_[k] == 0) return 0;
+    const double along = (c[k] - corner_[k]) / legs_[k];
+    least = std::min(least, along * std::fabs(legs_[k]));
+    across -= along;
+    steepness += 1 / (legs_[k] * legs_[k]);
+    size += std::fabs(c[k]) + std::fabs(corner_[k]) + std::fabs(legs_[k]);
+  }
+  least = std::min(
+      least, (across - 4 * dimension() * std::numeric_limits<double>::epsilon()) / std::sqrt(steepness));
+  return proven_length(least, size, dimension());
+}
+
+SupportStructure Simplex::do_structure() const noexcept { return SupportStructure::polytope; }
 
 }  // namespace raygauge

@@ -39,4 +39,20 @@ void TruncatedCone::do_magnitude(double* magnitude) const {
                                         std::max(base_radius_, top_radius_) * (2 + share * a.array().abs());
 }
 
+double TruncatedCone::do_inner_radius(const double* c) const { return frustum().inner_radius(c); }
+
+SupportStructure TruncatedCone::do_structure() const noexcept { return SupportStructure::smooth; }
+
+void TruncatedCone::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  if (capacity >= 2) frustum().support_pieces(u, pieces);
+}
+
+bool TruncatedCone::do_facet_normal(const double* u, const double* v, double* normal) const {
+  return frustum().facet_normal(u, v, normal);
+}
+
+void TruncatedCone::do_facet_point(const double* normal, const double* target, double* point) const {
+  frustum().facet_point(normal, target, point);
+}
+
 }  // namespace raygauge

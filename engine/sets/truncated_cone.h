@@ -4,6 +4,7 @@
 
 #include "engine/sets/axis.h"
 #include "engine/sets/convex_set.h"
+#include "engine/sets/frustum.h"
 
 namespace raygauge {
 
@@ -22,6 +23,13 @@ class TruncatedCone final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  bool do_facet_normal(const double* u, const double* v, double* normal) const override;
+  void do_facet_point(const double* normal, const double* target, double* point) const override;
+
+  Frustum frustum() const noexcept { return {axis_, base_, base_radius_, top_, top_radius_}; }
 
   Axis axis_;
   Vector base_;

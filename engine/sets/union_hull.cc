@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/union_hull.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -57,6 +58,34 @@ void UnionHull::do_magnitude(double* magnitude) const {
   for (const auto& set : sets_) {
     set->magnitude_unchecked(one.data());
     for (int k = 0; k < dimension(); ++k) magnitude[k] = std::max(magnitude[k], one.data()[k]);
+  }
+}
+
+double UnionHull::do_inner_radius(const double* c) const {
+  double radius = 0;
+  for (const auto& set : sets_) radius = std::max(radius, set->inner_radius_unchecked(c));
+  return radius;
+}
+
+SupportStructure UnionHull::do_structure() const noexcept {
+  SupportStructure hull = sets_.front()->structure();
+  for (const auto& set : sets_) hull = structure_of_sum(hull, set->structure());
+  return hull == SupportStructure::point ? SupportStructure::polytope : hull;
+}
+
+void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  for (const auto& set : sets_) {
+    const int before = pieces.count;
+    SupportPieces more = pieces.rest(before);
+    set->support_pieces_unchecked(u, more, SupportPieces::kCapacity - capacity + before);
+    if (more.count == 0) {
+      pieces.count = 0;
+      return;
+    }
+    for (int i = 0; i < more.count; ++i) {
+      pieces.value[static_cast<std::size_t>(before + i)] = more.value[static_cast<std::size_t>(i)];
+    }
+    pieces.count = before + more.count;
   }
 }
 

@@ -97,6 +97,11 @@ void register_engine_methods(MethodRegistry& registry) {
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
                   return std::make_unique<EngineMethod>(options);
                 }});
+  registry.add({"newton",
+                "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
+                common_parameters(), [](const Parameters& parameters) {
+                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::newton, parameters));
+                }});
   std::vector<ParameterInfo> published = common_parameters();
   published.push_back(
       {"stop_rule",

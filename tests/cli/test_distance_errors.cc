@@ -75,12 +75,12 @@ TEST_F(DistanceErrors, OptionsOutsideTheirRangeAreNamed) {
 
 #ifdef RAYGAUGE_HAS_GLPK
 TEST_F(DistanceErrors, OptionsThatAMethodDoesNotHaveAreRefused) {
-  expect_complaint(
-      run("3 0\n", kSquare, {"--method", "glpk", "--witness"}),
-      "raygauge: method 'glpk_dual' computes no contact point: --witness needs direct or zheng_yamane");
+  expect_complaint(run("3 0\n", kSquare, {"--method", "glpk", "--witness"}),
+                   "raygauge: method 'glpk_dual' computes no contact point: --witness needs direct, "
+                   "zheng_yamane or newton");
   expect_complaint(run("3 0\n", kSquare, {"--method", "glpk", "--max-iterations", "5"}),
-                   "raygauge: --max-iterations, --stop-rule, --instruction-set and --threads are for direct "
-                   "and zheng_yamane; "
+                   "raygauge: --max-iterations, --stop-rule, --instruction-set and --threads are for direct, "
+                   "zheng_yamane and newton; "
                    "method 'glpk_dual' has no such options");
 }
 #endif

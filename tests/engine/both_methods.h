@@ -45,4 +45,9 @@ class BothMethods : public ::testing::TestWithParam<DistanceMethod> {
                            ::testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane), \
                            [](const auto& instance) { return std::string(to_string(instance.param)); })
 
+/// The same for `newton`, where sets are concerned that have second-order information.
+#define RAYGAUGE_NEWTON_TOO(suite)                                                   \
+  INSTANTIATE_TEST_SUITE_P(Newton, suite, ::testing::Values(DistanceMethod::newton), \
+                           [](const auto& instance) { return std::string(to_string(instance.param)); })
+
 }  // namespace raygauge

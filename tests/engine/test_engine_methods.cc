@@ -27,8 +27,8 @@ class EngineMethods : public ::testing::Test {
   MethodRegistry registry_{"method"};
 };
 
-TEST_F(EngineMethods, BothAreRegistered) {
-  EXPECT_EQ(registry_.names(), (std::vector<std::string>{"direct", "zheng_yamane"}));
+TEST_F(EngineMethods, AllAreRegistered) {
+  EXPECT_EQ(registry_.names(), (std::vector<std::string>{"direct", "newton", "zheng_yamane"}));
 }
 
 TEST_F(EngineMethods, SolveToTheRequestedTolerance) {

@@ -9,6 +9,11 @@
 #include <string>
 #include <tuple>
 
+#include "engine/distance/growth_distance.h"
+#include "engine/distance/object_distance.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/truncated_cone.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
@@ -104,11 +109,13 @@ std::string name_of(const ::testing::TestParamInfo<Case>& instance) {
 }
 
 // N = 200 is priced whole, N = 5000 through a sample.
-INSTANTIATE_TEST_SUITE_P(
-    Sizes, RepeatedSolve,
-    ::testing::Combine(::testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane),
-                       ::testing::Values(200, 5000), ::testing::Values(Effects::none, Effects::witness)),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(Sizes, RepeatedSolve,
+                         ::testing::Combine(::testing::Values(DistanceMethod::direct,
+                                                              DistanceMethod::zheng_yamane,
+                                                              DistanceMethod::newton),
+                                            ::testing::Values(200, 5000),
+                                            ::testing::Values(Effects::none, Effects::witness)),
+                         name_of);
 
 #if RAYGAUGE_COUNTS_ALLOCATIONS
 TEST(AllocationCounter, SeesOperatorNewAndEigen) {
@@ -155,6 +162,40 @@ TEST_P(RepeatedSolve, OfScaledSetsAllocatesNothing) {
   const PointSet A(0x1p100 * a);
   const PointSet Q(0x1p80 * sphere_points(4, N, random));
   EXPECT_EQ(allocations_of_second_solve(A, Q), 0);
+}
+
+TEST_P(RepeatedSolve, OfSmoothSetsAllocatesNothing) {
+  Random random(104);
+  for (const int n : {2, 3, 5, 10}) {
+    const Vector away = 5 * Vector::Unit(n, 0);
+    const Eigen::MatrixXd L = 0.2 * gaussian_points(n, n, random) + Eigen::MatrixXd::Identity(n, n);
+    const Ellipsoid Q(Vector::Zero(n), L);
+    EXPECT_EQ(allocations_of_second_solve(Ball(away, 1), Q), 0) << "n = " << n;
+    const TruncatedCone cone(away, 1, away + Vector::Unit(n, 1), 0.5);
+    EXPECT_EQ(allocations_of_second_solve(cone, Q), 0) << "n = " << n;
+  }
+}
+
+TEST(RepeatedObjectDistance, AllocatesNothing) {
+  const Ball A1(Vector::Zero(3), 1), Q(Vector::Zero(3), 1);
+  const TruncatedCone A2(Vector::Constant(3, 3), 1, Vector::Constant(3, 5), 0.5);
+  for (const DistanceMethod method : {DistanceMethod::direct, DistanceMethod::newton}) {
+    DistanceOptions options;
+    options.method = method;
+    ObjectDistanceSolver solver(options);
+    constexpr ObjectEffects kAll = ObjectEffects::closest_points | ObjectEffects::gradient;
+    EXPECT_EQ(solver.solve(A1, A2, Q, kAll).distance.status, DistanceStatus::optimal);
+    const long before = allocations;
+    solver.solve(A1, A2, Q, kAll);
+    EXPECT_EQ(allocations - before, 0) << to_string(method);
+  }
+  GrowthDistanceSolver growth;
+  growth.solve(A2, Q);
+  growth.separation(A1, A2);
+  const long before = allocations;
+  growth.solve(A2, Q);
+  growth.separation(A1, A2);
+  EXPECT_EQ(allocations - before, 0);
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ class GeneralSets : public BothMethods {
   }
 };
 RAYGAUGE_BOTH_METHODS(GeneralSets);
+RAYGAUGE_NEWTON_TOO(GeneralSets);
 
 TEST_P(GeneralSets, OfTwoBallsAreAtTheDistanceOfTheirCentersLessOneRadius) {
   Random random(91);

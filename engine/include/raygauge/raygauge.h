@@ -3,6 +3,9 @@
 #pragma once
 
 // The whole public interface of the library: sets, the distance between them, and sweeps over many of them.
+#include "engine/distance/gradient.h"
+#include "engine/distance/growth_distance.h"
+#include "engine/distance/object_distance.h"
 #include "engine/distance/options.h"
 #include "engine/distance/origin_in_interior.h"
 #include "engine/distance/result.h"

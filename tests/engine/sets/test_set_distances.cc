@@ -112,6 +112,7 @@ class SetDistances : public BothMethods {
   }
 };
 RAYGAUGE_BOTH_METHODS(SetDistances);
+RAYGAUGE_NEWTON_TOO(SetDistances);
 
 TEST_P(SetDistances, OfHomothetsAreThoseOfTheirGauge) {
   constexpr double r = 0.5, s = 0.75;

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// B = (Q - c_Q) - (A - c_A), the set that the rays of the growth distance are shot at: A and Q, each scaled
+/// by σ about its own centre, meet if and only if c_A - c_Q is in σB. A view of two sets for the time of a
+/// solve.
+///
+///     h(u) = h_Q(u) - u·c_Q + h_A(-u) + u·c_A,      s(u) = s_Q(u) - c_Q - s_A(-u) + c_A,      centre 0.
+class GrowthBody final : public ConvexSet {
+ public:
+  /// The sets must outlive the object; c_A and c_Q are points of theirs, n = dimension() doubles.
+  GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q);
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+
+  const ConvexSet& A_;
+  const ConvexSet& Q_;
+  const double* c_A_;
+  const double* c_Q_;
+};
+
+/// {p}: a point as a set, seen where it stands.
+class PointView final : public ConvexSet {
+ public:
+  PointView(const double* p, int n) : ConvexSet(n), p_(p) {}
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  SupportStructure do_structure() const noexcept override { return SupportStructure::point; }
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+
+  const double* p_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/options.h"
+#include "engine/distance/piece_oracle.h"
+#include "engine/distance/piece_program.h"
+#include "engine/distance/result.h"
+#include "engine/distance/stopwatch.h"
+#include "engine/distance/weighted_points.h"
+
+namespace raygauge {
+
+/// The method `newton`: sequential quadratic programming on the dual
+///
+///     d_Q(A) = max_u -h_A(u) / h_Q(-u),
+///
+/// for sets that are maxima of smooth pieces (ConvexSet::structure). At u with ratio ρ one step d minimises
+/// the second-order model of φ(u) = h_A(u) + ρ h_Q(-u), which is zero at u and negative wherever the ratio is
+/// larger (Dinkelbach); steps that do not raise the ratio are shortened. Convergence is quadratic, across
+/// edges where several pieces meet too. Where a step passes the normal of a flat face, that normal is tried.
+///
+/// Certificates at every u: the ratio itself, rounded down, and with the weights α, β of the pieces
+///
+///     d <= ρ + |Σ α_i s_i - ρ Σ β_j s_j| / R,      R the radius of a ball around 0 in Q,
+///
+/// rounding errors of the sets and of the sum added to the residual. From a start with h_A(u) >= 0 the ratio
+/// -a_c·u / (h_A(u) - a_c·u + h_Q(-u)) of the growth distance (8) leads to where h_A(u) < 0.
+class Newton {
+ public:
+  /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
+  /// and the caller turns to `direct`.
+  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, Effects effects,
+             DistanceResult& result);
+
+  /// upper - lower of the last solve, +infinity where it proved nothing.
+  double gap() const noexcept { return upper_ - lower_; }
+
+  /// Writes the bounds of the last solve and what belongs to them.
+  void report(DistanceStatus status, Effects effects, DistanceResult& result) const;
+
+  /// See DistanceSolver.
+  void keep_combination(bool keep) noexcept { keeps_combination_ = keep; }
+  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
+  void contact_combination(WeightedPoints& combination) const;
+
+ private:
+  struct Point {
+    PieceList A, Q;
+    AlignedBuffer<double> u;
+    double ratio = 0;  ///< of the phase: of `newton` or of the growth distance
+  };
+
+  bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
+  void evaluate(Point& point);
+  void bound_from_below(const Point& point);
+  void bound_from_above();
+  bool is_closed() const noexcept;
+  PieceProgram::Objective objective();
+  const double* leave_facet();
+  bool advance(const double* step);
+  bool try_facet(const double* step);
+  bool accepts(const Point& candidate) const;
+  void keep(bool weights);
+  DistanceStatus iterate(const Stopwatch& stopwatch);
+
+  int n_ = 0;
+  double tolerance_ = 0;
+  std::int64_t max_evaluations_ = 0;
+  std::int64_t evaluations_ = 0;
+  PieceOracle oracle_A_, oracle_Q_;
+  PieceProgram program_;
+  Point points_[2];
+  Point* now_ = nullptr;
+  Point* next_ = nullptr;
+  bool growing_ = false;  // still in search of h_A(u) < 0
+  int facets_tried_ = 0;
+  bool keeps_combination_ = false;
+  WeightedPoints combination_;
+  double threshold_ = std::numeric_limits<double>::quiet_NaN();
+  double inner_radius_ = 0;
+  double lower_ = 0;
+  double upper_ = 0;
+  double residual_ = 0;    // |r|, r = Σ α s - ρ Σ β s at now_
+  bool on_facet_ = false;  // now_ is the normal of a flat face
+  AlignedBuffer<double> center_, linear_, target_, normal_, contact_, residual_vector_, descent_;
+};
+
+}  // namespace raygauge

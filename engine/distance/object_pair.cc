@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/object_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/exceptions.h"
+#include "engine/sets/parameters.h"
+#include "engine/sets/piece_sums.h"
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+
+void SupportPairs::add(const double* difference, const double* a1) {
+  const auto size = static_cast<std::size_t>(n_);
+  const auto needed = static_cast<std::size_t>(count_ + 1) * 2 * size;
+  if (needed > pairs_.capacity()) pairs_.reserve(2 * needed);
+  double* pair = pairs_.data() + static_cast<std::size_t>(count_++) * 2 * size;
+  std::copy_n(difference, n_, pair);
+  std::copy_n(a1, n_, pair + n_);
+}
+
+const double* SupportPairs::partner(const double* difference) const {
+  const double* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::ptrdiff_t i = count_ - 1; i >= 0 && least > 0; --i) {
+    const double* pair = pairs_.data() + 2 * i * n_;
+    double away = 0;
+    for (int k = 0; k < n_; ++k) away = std::max(away, std::fabs(pair[k] - difference[k]));
+    if (away < least) {
+      least = away;
+      nearest = pair + n_;
+    }
+  }
+  return nearest;
+}
+
+ObjectPair::ObjectPair(const ConvexSet& A2, const ConvexSet& A1, SupportPairs* pairs)
+    : ConvexSet(A2.dimension()), A2_(A2), A1_(A1), pairs_(pairs) {
+  check_dimension("object distance", "A1", A1.dimension(), dimension());
+}
+
+double ObjectPair::do_support(const double* u, double* point) const {
+  const int n = dimension();
+  Scratch opposite(n), a1(n);
+  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
+  const double value = A2_.support_unchecked(u, point) + A1_.support_unchecked(opposite.data(), a1.data());
+  for (int k = 0; k < n; ++k) point[k] -= a1.data()[k];
+  if (pairs_ != nullptr) pairs_->add(point, a1.data());
+  return value;
+}
+
+void ObjectPair::do_center(double* point) const {
+  Scratch a1(dimension());
+  A2_.center_unchecked(point);
+  A1_.center_unchecked(a1.data());
+  for (int k = 0; k < dimension(); ++k) point[k] -= a1.data()[k];
+}
+
+void ObjectPair::do_magnitude(double* magnitude) const {
+  Scratch a1(dimension());
+  A2_.magnitude_unchecked(magnitude);
+  A1_.magnitude_unchecked(a1.data());
+  for (int k = 0; k < dimension(); ++k) magnitude[k] += a1.data()[k];
+}
+
+SupportStructure ObjectPair::do_structure() const noexcept {
+  return structure_of_sum(A2_.structure(), A1_.structure());
+}
+
+void ObjectPair::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  const int n = dimension();
+  Scratch opposite(n), points_1(SupportPieces::kCapacity * n);
+  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
+  A2_.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
+  SupportPieces of_A1 = pieces.rest(pieces.count);
+  A1_.support_pieces_unchecked(opposite.data(), of_A1, SupportPieces::kCapacity - capacity + pieces.count);
+  std::copy_n(of_A1.points, of_A1.count * n, points_1.data());
+  add_pieces(pieces, of_A1, -1.0, capacity);
+  if (pairs_ == nullptr) return;
+  for (int i = 0; i < pieces.count; ++i) {
+    pairs_->add(pieces.point(i), points_1.data() + std::ptrdiff_t{i % of_A1.count} * n);
+  }
+}
+
+}  // namespace raygauge

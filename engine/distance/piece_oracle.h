@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/certificate.h"
+#include "engine/distance/support_oracle.h"
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+/// The pieces of h_S(sign · u) at one u: values, points of S, and their weights in a combination.
+struct PieceList {
+  int n = 0;
+  int count = 0;
+  bool curved = false;   ///< whether Hessians belong to it; those of a polytope are zero
+  int best = 0;          ///< the piece of greatest value
+  bool warm = false;     ///< whether `weight` holds those of the step before
+  SupportValue support;  ///< h_S(sign · u)
+  AlignedBuffer<double> value, weight, points, hessians;
+  AlignedBuffer<int> active;  ///< the pieces that carry weight, or may; the first is the reference
+  int active_count = 0;
+
+  const double* point(int i) const noexcept { return points.data() + std::ptrdiff_t{i} * n; }
+  double* point(int i) noexcept { return points.data() + std::ptrdiff_t{i} * n; }
+  const double* hessian(int i) const noexcept { return hessians.data() + std::ptrdiff_t{i} * n * n; }
+};
+
+/// One set of a pair as a maximum of smooth pieces. A `smooth` set has its pieces at any u; a `polytope` is
+/// known through the vertices met so far, which are remembered.
+class PieceOracle {
+ public:
+  /// `sign` is that of h_S(sign · u). False if the set has no pieces to offer.
+  bool bind(const ConvexSet& S, double sign, const Kernels& kernels);
+
+  /// One support query: the pieces at u.
+  void evaluate(const double* u, PieceList& list);
+
+  /// Replaces the pieces at u, the normal of a flat face, by the point of that face nearest to `target`.
+  void settle_on_facet(const double* u, const double* target, PieceList& list);
+
+  /// ConvexSet::facet_normal_unchecked in terms of u.
+  bool facet_normal(const double* u, const double* v, double* normal);
+
+  double coordinate_error() const noexcept { return coordinate_error_; }
+  const ConvexSet& set() const noexcept { return *set_; }
+
+ private:
+  void evaluate_smooth(const double* u, PieceList& list);
+  void evaluate_polytope(const double* u, PieceList& list);
+  void remember(const double* vertex);
+  void make_room(PieceList& list, int count);
+
+  const ConvexSet* set_ = nullptr;
+  double sign_ = 1;
+  int n_ = 0;
+  bool curved_ = false;
+  SupportOracle vertices_;
+  int remembered_ = 0;
+  int next_ = 0;  // slot of the vertex to forget once all are taken
+  double coordinate_error_ = 0;
+  AlignedBuffer<double> memory_;
+  AlignedBuffer<double> direction_;
+  AlignedBuffer<double> other_;
+  AlignedBuffer<double> magnitude_;
+};
+
+}  // namespace raygauge

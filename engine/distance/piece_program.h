@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/distance/aligned_buffer.h"
+#include "engine/distance/piece_oracle.h"
+
+namespace raygauge {
+
+/// The convex function that a Newton step minimises over u,
+///
+///     φ(u) = w_A h_A(u) + w_Q h_Q(-u) + l·u,
+///
+/// homogeneous of degree one. Its minimum over a plane {u + d : u·d = 0} is modelled by one step of
+/// sequential quadratic programming: with the pieces h_i of A and h_j of Q at u,
+///
+///     minimize  ½ dᵀHd + w_A max_i (h_i + s_i·d) + w_Q max_j (h_j - s_j·d) + l·d,
+///     H = w_A Σ α_i ∇²h_i + w_Q Σ β_j ∇²h_j,     α, β the weights of the step before.
+///
+/// The pieces that attain the two maxima form the active set; their multipliers are the weights α, β, with
+/// which Σ α_i s_i is a point of A and Σ β_j s_j one of Q.
+class PieceProgram {
+ public:
+  struct Objective {
+    double weight_A = 1;
+    double weight_Q = 1;
+    const double* linear = nullptr;  ///< l; nullptr for zero
+  };
+
+  /// Writes the weights of both lists and returns the step d, n doubles; nullptr if no active set was found.
+  const double* solve(const double* u, const Objective& objective, PieceList& A, PieceList& Q);
+
+  std::int64_t systems() const noexcept { return systems_; }
+  void begin(int n);
+
+ private:
+  void warm_start(PieceList& list);
+  bool solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q);
+  void add_curvature(const PieceList& list, double weight);
+  void add_differences(const PieceList& list, double sign, int row);
+  bool eliminate(int size);
+  void exchange_rows(int p, int size);
+  void read_weights(PieceList& list, double scale, int row) const;
+  bool drop_negative(PieceList& list) const;
+  bool add_violated(PieceList& list, double sign) const;
+  double model(const PieceList& list, int i, double sign) const;
+
+  int n_ = 0;
+  int columns_ = 0;
+  std::int64_t systems_ = 0;
+  AlignedBuffer<double> system_;  // rows of the KKT system, right-hand side last
+  AlignedBuffer<double> step_;    // d, then the scaled multipliers
+};
+
+}  // namespace raygauge

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/distance/aligned_buffer.h"
+
+namespace raygauge {
+
+/// Points with weights, whose combination Σ w_i p_i is of interest as well as its parts.
+class WeightedPoints {
+ public:
+  void clear(int n) noexcept {
+    n_ = n;
+    count_ = 0;
+  }
+  void add(const double* point, double weight) {
+    const auto size = static_cast<std::size_t>(n_);
+    points_.reserve(static_cast<std::size_t>(count_ + 1) * size);
+    weights_.reserve(static_cast<std::size_t>(count_ + 1));
+    std::copy_n(point, n_, points_.data() + static_cast<std::size_t>(count_) * size);
+    weights_[static_cast<std::size_t>(count_++)] = weight;
+  }
+  int count() const noexcept { return count_; }
+  const double* point(int i) const noexcept { return points_.data() + std::ptrdiff_t{i} * n_; }
+  double weight(int i) const noexcept { return weights_[static_cast<std::size_t>(i)]; }
+
+ private:
+  int n_ = 0;
+  int count_ = 0;
+  AlignedBuffer<double> points_;
+  AlignedBuffer<double> weights_;
+};
+
+}  // namespace raygauge

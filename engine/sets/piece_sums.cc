@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/piece_sums.h"
+
+#include <cmath>
+
+#include "engine/sets/vector_kernels.h"
+
+namespace raygauge {
+namespace {
+
+// Entry by entry, in place: every value of the operands is read before its slot is written.
+void add_arrays(double* base, int stride, int size, int first, int second, double sign) {
+  for (int e = 0; e < size; ++e) {
+    double a[2], b[SupportPieces::kCapacity];
+    double* entry = base + e;
+    const int pairs_first = first == 2 && second == 2 ? 2 : 1;
+    for (int i = 0; i < pairs_first; ++i) a[i] = entry[static_cast<std::ptrdiff_t>(i) * stride];
+    if (pairs_first == 2) {
+      for (int j = 0; j < 2; ++j) b[j] = sign * entry[static_cast<std::ptrdiff_t>(2 + j) * stride];
+      for (int i = 0; i < 4; ++i) entry[static_cast<std::ptrdiff_t>(i) * stride] = a[i / 2] + b[i % 2];
+    } else if (first == 1) {
+      for (int j = 0; j < second; ++j) b[j] = sign * entry[static_cast<std::ptrdiff_t>(1 + j) * stride];
+      for (int j = 0; j < second; ++j) entry[static_cast<std::ptrdiff_t>(j) * stride] = a[0] + b[j];
+    } else {
+      const double only = sign * entry[static_cast<std::ptrdiff_t>(first) * stride];
+      for (int i = 0; i < first; ++i) entry[static_cast<std::ptrdiff_t>(i) * stride] += only;
+    }
+  }
+}
+
+}  // namespace
+
+void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, int capacity) {
+  const int m = first.count;
+  const int l = second.count;
+  if (m < 1 || l < 1 || m * l > capacity || (m > 1 && l > 1 && m + l != 4)) {
+    first.count = 0;
+    return;
+  }
+  for (int j = 0; j < l; ++j) {
+    first.value[static_cast<std::size_t>(m + j)] = second.value[static_cast<std::size_t>(j)];
+  }
+  const int n = first.dimension;
+  add_arrays(first.value.data(), 1, 1, m, l, 1.0);
+  add_arrays(first.points, n, n, m, l, sign);
+  add_arrays(first.hessians, n * n, n * n, m, l, 1.0);
+  first.count = m * l;
+}
+
+double sum_of_radii(double first, double second, const double* c, const double* part, int n) {
+  if (!(first > 0) || !(second > 0)) return 0;
+  double size = first + second;
+  for (int k = 0; k < n; ++k) size += std::fabs(c[k]) + std::fabs(part[k]);
+  return proven_length(first + second, size, n);
+}
+
+}  // namespace raygauge
