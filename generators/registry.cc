@@ -3,6 +3,7 @@
 #include "generators/registry.h"
 
 #include "generators/clustered.h"
+#include "generators/example1.h"
 #include "generators/example2.h"
 #include "generators/hard/registry.h"
 #include "generators/needle.h"
@@ -11,6 +12,7 @@ namespace raygauge {
 
 void register_generators(GeneratorRegistry& registry) {
   registry.add(clustered_generator());
+  registry.add(example1_generator());
   registry.add(example2_generator());
   registry.add(needle_generator());
   register_hard_generators(registry);

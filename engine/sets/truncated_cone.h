@@ -19,6 +19,11 @@ class TruncatedCone final : public ConvexSet {
   /// NonFiniteError.
   TruncatedCone(const ConstVectorRef& base, double base_radius, const ConstVectorRef& top, double top_radius);
 
+  const Vector& base() const noexcept { return base_; }
+  const Vector& top() const noexcept { return top_; }
+  double base_radius() const noexcept { return base_radius_; }
+  double top_radius() const noexcept { return top_radius_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
