@@ -11,6 +11,9 @@
 #ifdef RAYGAUGE_HAS_EXACT
 #include "baselines/exact_method.h"
 #endif
+#ifdef RAYGAUGE_HAS_NLOPT
+#include "baselines/nlopt_method.h"
+#endif
 
 namespace raygauge {
 
@@ -24,6 +27,9 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
 #ifdef RAYGAUGE_HAS_EXACT
   register_exact_method(registry);
 #endif
+#ifdef RAYGAUGE_HAS_NLOPT
+  register_nlopt_methods(registry);
+#endif
 }
 
 std::vector<std::pair<std::string, std::string>> solver_versions() {
@@ -36,6 +42,9 @@ std::vector<std::pair<std::string, std::string>> solver_versions() {
 #endif
 #ifdef RAYGAUGE_HAS_EXACT
   versions.emplace_back("GMP", gmp_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_NLOPT
+  versions.emplace_back("NLopt", nlopt_library_version());
 #endif
   return versions;
 }

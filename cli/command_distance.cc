@@ -110,7 +110,7 @@ int exit_status(DistanceStatus status) {
 }
 
 int run(DistanceArguments arguments) {
-  const MethodRegistry methods = all_methods();
+  const MethodRegistry methods = methods_for_point_sets();
   DistanceQuery& query = arguments.query;
   query.options.stop_rule = chosen(kStopRules, "stop rule", arguments.stop_rule);
   query.options.instruction_set = chosen(kInstructionSets, "instruction set", arguments.instruction_set);
@@ -147,7 +147,7 @@ void add_distance_command(CLI::App& app, int& status) {
       ->type_name("EPS");
   command
       ->add_option("--method", arguments->query.method,
-                   "One of " + joined(all_methods().names()) + "; glpk stands for glpk_dual")
+                   "One of " + joined(methods_for_point_sets().names()) + "; glpk stands for glpk_dual")
       ->type_name("NAME");
   command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
   command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");

@@ -64,7 +64,7 @@ TEST_P(EveryMethod, AgreesWithTheDistanceOfTwoBoxes) {
   expect_answer(run_json(kBox, "2 1\n2 -1\n-2 1\n-2 -1\n", {"--method", GetParam()}), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Distance, EveryMethod, ::testing::ValuesIn(cli::all_methods().names()),
+INSTANTIATE_TEST_SUITE_P(Distance, EveryMethod, ::testing::ValuesIn(cli::methods_for_point_sets().names()),
                          [](const auto& method) { return method.param; });
 
 class DistanceCommand : public DistanceProgram {};
