@@ -1,11 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/accuracy_tables.h"
+#include "analysis/example1_table.h"
 #include "analysis/pivot.h"
 #include "analysis/pivot_table.h"
 #include "analysis/stability.h"
@@ -24,6 +27,7 @@ struct TableArguments {
   AnalysisArguments analysis;
   std::string paper;
   bool stability = false;
+  bool accuracy = false;
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   std::optional<std::string> value;
@@ -38,31 +42,50 @@ constexpr std::size_t kDefaultWidth = 200;
 
 void require_one_kind(const TableArguments& arguments) {
   const bool pivot = !arguments.rows.empty() || !arguments.columns.empty() || arguments.value;
-  const bool paper = !arguments.paper.empty();
-  if (!paper && !arguments.stability && !pivot)
+  std::vector<std::string> kinds;
+  if (!arguments.paper.empty()) kinds.emplace_back("--paper");
+  if (arguments.stability) kinds.emplace_back("--stability");
+  if (arguments.accuracy) kinds.emplace_back("--accuracy");
+  if (kinds.empty() && !pivot)
     throw InvalidParameterError(
-        "table: say which, --paper table3, --stability, or --rows, --cols and --value");
-  if (paper && arguments.stability) throw InvalidParameterError("table: --paper or --stability, not both");
-  if (pivot && (paper || arguments.stability))
-    throw InvalidParameterError(std::string("table: ") + (paper ? "--paper" : "--stability") +
+        "table: say which, --paper table1|table2|table3, --stability, --accuracy, or --rows, --cols and "
+        "--value");
+  if (kinds.size() > 1) throw InvalidParameterError("table: " + kinds[0] + " or " + kinds[1] + ", not both");
+  if (pivot && !kinds.empty())
+    throw InvalidParameterError("table: " + kinds[0] +
                                 " has its own rows, columns and value; drop --rows, --cols, --value");
-  if (paper && arguments.paper != "table3")
-    throw UnknownNameError("table of the paper", arguments.paper, {"table3"});
+}
+
+/// For CSV the long table of a kind alone, else its tables for reading.
+template <class Content>
+std::vector<Table> in_format(TableFormat format, const Content& content, Table (*long_table)(const Content&),
+                             std::vector<Table> (*tables)(const Content&)) {
+  if (format == TableFormat::csv) return {long_table(content)};
+  return tables(content);
+}
+
+std::vector<Table> paper_tables(const TableArguments& arguments, const std::vector<Record>& records,
+                                const Filter& filter, TableFormat format) {
+  static const std::map<std::string, Example1Roles> kExample1 = {{"table1", Example1Roles::cone_ellipsoid},
+                                                                 {"table2", Example1Roles::ellipsoid_cone}};
+  if (arguments.paper == "table3")
+    return in_format(format, make_table3(records, filter, arguments.baselines), table3_long_table,
+                     table3_tables);
+  const auto example1 = kExample1.find(arguments.paper);
+  if (example1 == kExample1.end())
+    throw UnknownNameError("table of the paper", arguments.paper, {"table1", "table2", "table3"});
+  return in_format(format, make_example1_table(records, example1->second, filter, arguments.baselines),
+                   example1_long_table, example1_tables);
 }
 
 std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<Record>& records,
                              TableFormat format) {
   const Filter filter = filter_of(arguments.analysis);
-  if (!arguments.paper.empty()) {
-    const Table3 table3 = make_table3(records, filter, arguments.baselines);
-    if (format == TableFormat::csv) return {table3_long_table(table3)};
-    return table3_tables(table3);
-  }
-  if (arguments.stability) {
-    const Stability stability = make_stability(records, filter);
-    if (format == TableFormat::csv) return {stability_long_table(stability)};
-    return stability_tables(stability);
-  }
+  if (!arguments.paper.empty()) return paper_tables(arguments, records, filter, format);
+  if (arguments.stability)
+    return in_format(format, make_stability(records, filter), stability_long_table, stability_tables);
+  if (arguments.accuracy)
+    return in_format(format, accuracy_groups(records, filter), accuracy_long_table, accuracy_tables);
   PivotOptions options;
   options.rows = arguments.rows;
   options.columns = arguments.columns;
@@ -133,11 +156,15 @@ void add_table_command(CLI::App& app, int& status) {
   add_analysis_options(*command, arguments->analysis);
   command
       ->add_option("--paper", arguments->paper,
-                   "The paper's table, measured, with the paper's own numbers: table3")
+                   "The paper's table, measured, with the paper's own numbers: table1, table2 or table3")
       ->type_name("NAME");
   command->add_flag("--stability", arguments->stability,
                     "For each family and method: certified share, worst width and true error, wrong answers, "
                     "failures, median time");
+  command->add_flag(
+      "--accuracy", arguments->accuracy,
+      "For each method and tolerance: error, certified gap, time and what the next digit costs; then where "
+      "each method stops getting better");
   add_pivot_options(*command, *arguments);
   add_baseline_option(*command, arguments->baselines);
   command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");
@@ -146,6 +173,8 @@ void add_table_command(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n"
       "  raygauge table out/example2.h5 --paper table3\n"
+      "  raygauge table out/example1.h5 --paper table1\n"
+      "  raygauge table out/accuracy.h5 --accuracy\n"
       "  raygauge table out/example2.h5 --rows n --cols N --value 'median ratio' --where 'method==direct'\n"
       "  raygauge table out/example2.h5 --rows method --cols status --value count\n"
       "\n"

@@ -4,9 +4,11 @@
 
 #include "analysis/figures/crossover_map.h"
 #include "analysis/figures/performance_profile.h"
+#include "analysis/figures/example1_figures.h"
 #include "analysis/figures/ratio_heatmap.h"
 #include "analysis/figures/time_vs_size.h"
 #include "analysis/figures/true_error.h"
+#include "analysis/figures/work_precision.h"
 
 namespace raygauge {
 
@@ -35,6 +37,10 @@ const std::vector<Figure>& figures() {
       {"crossover", "the fastest method over (n, N), and by how much", crossover_figure},
       {"true_error", "largest true error against conditioning or scale, a panel for each hard family",
        true_error_figure},
+      {"fig5", "Figure 5: error, time and N_rs of Example 1 against the tolerance, A a truncated cone",
+       figure5},
+      {"fig7", "Figure 7: the same with the roles swapped, A an ellipsoid", figure7},
+      {"work_precision", "true error and certified gap against time, tolerance by tolerance", work_precision},
   };
   return kFigures;
 }

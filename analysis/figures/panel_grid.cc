@@ -16,7 +16,7 @@ std::string fraction(double value) { return significant(value, 6); }
 
 double PanelGrid::panel_width() const {
   const auto count = static_cast<double>(columns);
-  return (width - kLeft - kRight - (count - 1) * kGap) / count;
+  return (width - kLeft - kRight - (count - 1) * gap) / count;
 }
 
 double PanelGrid::panel_height() const { return columns == 1 ? 0.66 * panel_width() : 0.8 * panel_width(); }
@@ -29,7 +29,7 @@ std::string PanelGrid::margins(std::size_t panel) const {
   const auto column = static_cast<double>(panel % columns);
   const std::size_t above = panel / columns;
   const auto row = static_cast<double>(above);
-  const double left = kLeft + column * (panel_width() + kGap);
+  const double left = kLeft + column * (panel_width() + gap);
   const double top = height() - legend - kTitle - row * (panel_height() + kTitle + x_labels);
   return "set lmargin at screen " + fraction(left / width) + "\nset rmargin at screen " +
          fraction((left + panel_width()) / width) + "\nset tmargin at screen " + fraction(top / height()) +

@@ -19,11 +19,11 @@ struct PanelGrid {
   double width = 0;
   double legend = 0;    ///< height of the legend
   double x_labels = 0;  ///< height of what stands below each row but the last
+  double gap = 0.12;    ///< between columns
   static constexpr double kLeft = 0.52;
   static constexpr double kRight = 0.08;
   static constexpr double kBottom = 0.42;
   static constexpr double kTitle = 0.2;
-  static constexpr double kGap = 0.12;
 
   double panel_width() const;
   double panel_height() const;

@@ -12,6 +12,9 @@ namespace raygauge::figure_style {
 
 // What figures have in common: looks, and the checks of what they need.
 
+/// In the place of a method: what the paper published. Grey, with crosses; the last of a figure's `methods`.
+inline constexpr const char* kPaperCurve = "paper";
+
 /// How a method's curve looks, for gnuplot: colours of Okabe and Ito, which colour-blind readers tell apart;
 /// methods of raygauge solid with filled markers, competitors dashed with open ones, so that the curves also
 /// differ in grey. `methods` are all of the figure.

@@ -115,13 +115,17 @@ class Folder:
         )
 
     def provide_results(self, command):
-        """Sweeps the shortened Example 2 into each results file that the command reads and that is not there."""
+        """Makes each results file that the command reads and that is not there, NAME.h5 from the shortened
+        experiment NAME, or else from Example 2."""
         if not READS_RESULTS.search(command):
             return
         for name in RESULTS_FILE.findall(command):
             if not (self.path / name).exists():
                 (self.path / name).parent.mkdir(parents=True, exist_ok=True)
-                made = self.shell(f"raygauge run experiments/example2.toml --quiet -o {name}")
+                experiment = f"experiments/{pathlib.Path(name).stem}.toml"
+                if not (self.path / experiment).exists():
+                    experiment = "experiments/example2.toml"
+                made = self.shell(f"raygauge run {experiment} --quiet -o {name}")
                 if made.returncode != 0:
                     sys.exit(f"cannot make {name}:\n{made.stdout}")
 

@@ -79,8 +79,10 @@ TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
 }
 
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
-  expect_complaint(run_raygauge({"table", "r.h5"}),
-                   "raygauge: table: say which, --paper table3, --stability, or --rows, --cols and --value");
+  expect_complaint(
+      run_raygauge({"table", "r.h5"}),
+      "raygauge: table: say which, --paper table1|table2|table3, --stability, --accuracy, or --rows, "
+      "--cols and --value");
   expect_complaint(
       run_raygauge({"table", "r.h5", "--paper", "table3", "--rows", "n"}),
       "raygauge: table: --paper has its own rows, columns and value; drop --rows, --cols, --value");
@@ -89,8 +91,14 @@ TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
       "raygauge: table: --stability has its own rows, columns and value; drop --rows, --cols, --value");
   expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table3", "--stability"}),
                    "raygauge: table: --paper or --stability, not both");
-  expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table9"}),
-                   "raygauge: unknown table of the paper 'table9'; did you mean 'table3'? (known: table3)");
+  expect_complaint(run_raygauge({"table", "r.h5", "--accuracy", "--stability"}),
+                   "raygauge: table: --stability or --accuracy, not both");
+  expect_complaint(run_raygauge({"table", "r.h5", "--paper", "table1"}),
+                   "raygauge: the tables of Example 1 need records of generator example1 with "
+                   "roles=cone_ellipsoid; there are none");
+  expect_complaint(
+      run_raygauge({"table", "r.h5", "--paper", "table9"}),
+      "raygauge: unknown table of the paper 'table9'; did you mean 'table1'? (known: table1 table2 table3)");
   expect_complaint(run_raygauge({"table", "r.h5", "--rows", "n", "--where", "n=3"}),
                    "raygauge: filter 'n=3', character 2: unexpected '='; did you mean '=='?");
   expect_complaint(run_raygauge({"table", "r.h5", "--rows", "n", "--format", "html"}),

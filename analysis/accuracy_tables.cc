@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/accuracy_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "analysis/number_text.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+using GroupKey = std::tuple<std::string, int, int>;
+
+GroupKey group_of(const Record& record) { return {record.generator, record.n, record.N}; }
+
+std::string name_of_group(const GroupKey& key) {
+  const auto& [generator, n, N] = key;
+  return generator + ", n = " + std::to_string(n) + ", N = " + std::to_string(N);
+}
+
+bool is_judged(const Record& record) { return !record.method.starts_with("exact"); }
+
+TableCell number_cell(double value, int digits) {
+  if (std::isnan(value)) return {"unknown"};
+  return {padded_significant(value, digits), value};
+}
+
+TableCell gap_cell(double gap) {
+  if (std::isinf(gap)) return {"none"};
+  return number_cell(gap, 2);
+}
+
+TableCell flaw_cell(std::size_t count) {
+  return {std::to_string(count), static_cast<double>(count), count == 0 ? Emphasis::none : Emphasis::alarm};
+}
+
+/// Time a digit from this tolerance to the next tighter one, in microseconds.
+double next_digit(const AccuracyCurve& curve, std::size_t i) {
+  if (i + 1 == curve.points.size()) return std::numeric_limits<double>::quiet_NaN();
+  const AccuracyPoint& here = curve.points[i];
+  const AccuracyPoint& next = curve.points[i + 1];
+  return 1e6 * (next.median_seconds - here.median_seconds) / std::log10(here.tolerance / next.tolerance);
+}
+
+Table group_table(const AccuracyGroup& group) {
+  Table table;
+  table.title = "Accuracy, " + group.name;
+  table.key_columns = 2;
+  table.header = {{"method", "ε", "error", "worst error", "gap", "worst gap", "median µs", "next digit µs",
+                   "failed", "wrong"}};
+  for (const AccuracyCurve& curve : group.curves) {
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const AccuracyPoint& point = curve.points[i];
+      const double cost = next_digit(curve, i);
+      TableRow row;
+      row.starts_group = i == 0;
+      row.cells = {{i == 0 ? curve.method : ""},
+                   {significant(point.tolerance, 6)},
+                   number_cell(point.mean_relative_error, 2),
+                   number_cell(point.largest_relative_error, 2),
+                   gap_cell(point.mean_relative_gap),
+                   gap_cell(point.largest_relative_gap),
+                   number_cell(1e6 * point.median_seconds, 3),
+                   std::isnan(cost) ? TableCell() : number_cell(cost, 2),
+                   flaw_cell(point.failures),
+                   flaw_cell(point.wrong)};
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+TableRow floor_row(const AccuracyGroup& group, const AccuracyCurve& curve, bool first) {
+  const AccuracyFloor floor = accuracy_floor(curve);
+  TableRow row;
+  row.starts_group = first;
+  row.cells = {
+      {first ? group.name : ""},
+      {curve.method},
+      number_cell(floor.reached.mean_relative_error, 2),
+      {significant(floor.reached.tolerance, 6) + (floor.still_improving ? " (the last)" : "")},
+      number_cell(1e6 * floor.reached.median_seconds, 3),
+      std::isnan(floor.seconds_a_digit) ? TableCell() : number_cell(1e6 * floor.seconds_a_digit, 2),
+      std::isnan(floor.certified) ? TableCell("nowhere") : TableCell(significant(floor.certified, 6))};
+  return row;
+}
+
+Table floor_table(const std::vector<AccuracyGroup>& groups) {
+  Table table;
+  table.title = "Where each method stops getting better";
+  table.key_columns = 2;
+  table.header = {
+      {"instances", "method", "error reached", "at ε", "median µs", "a digit µs", "certified to"}};
+  for (const AccuracyGroup& group : groups) {
+    for (const AccuracyCurve& curve : group.curves)
+      table.rows.push_back(floor_row(group, curve, &curve == &group.curves.front()));
+  }
+  table.notes = {
+      "errors and gaps are relative, and means over all solves but where they say worst; at ε: no tighter ε "
+      "halves the "
+      "error",
+      "a digit: (median time at that ε - at the loosest) / decades between; certified to: the tightest ε at "
+      "which every "
+      "solve has a proven gap of at most ε"};
+  return table;
+}
+
+}  // namespace
+
+std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter) {
+  const auto belongs = [&](const Record& record) { return is_judged(record) && filter(record); };
+  std::vector<GroupKey> keys;
+  for (const Record& record : records) {
+    const GroupKey key = group_of(record);
+    if (std::find(keys.begin(), keys.end(), key) == keys.end() && belongs(record)) keys.push_back(key);
+  }
+  if (keys.empty()) {
+    throw EmptySetError(filter.expression().empty()
+                            ? "accuracy of no records"
+                            : "no record passes the filter '" + filter.expression() + "'");
+  }
+  const Truth truth(records);
+  std::vector<AccuracyGroup> groups;
+  groups.reserve(keys.size());
+  for (const GroupKey& key : keys) {
+    groups.push_back({name_of_group(key), accuracy_curves(records, truth, [&](const Record& record) {
+                        return group_of(record) == key && belongs(record);
+                      })});
+  }
+  return groups;
+}
+
+std::vector<Table> accuracy_tables(const std::vector<AccuracyGroup>& groups) {
+  std::vector<Table> tables;
+  tables.reserve(groups.size() + 1);
+  for (const AccuracyGroup& group : groups) tables.push_back(group_table(group));
+  tables.push_back(floor_table(groups));
+  return tables;
+}
+
+Table accuracy_long_table(const std::vector<AccuracyGroup>& groups) {
+  Table table;
+  table.title = "Accuracy";
+  table.key_columns = 3;
+  table.header = {{"instances", "method", "tolerance", "solves", "mean_relative_error",
+                   "largest_relative_error", "mean_relative_gap", "largest_relative_gap",
+                   "median_microseconds", "failed", "wrong", "beyond_gap"}};
+  for (const AccuracyGroup& group : groups) {
+    for (const AccuracyCurve& curve : group.curves) {
+      for (const AccuracyPoint& point : curve.points) {
+        TableRow row{{{group.name}, {curve.method}}, false};
+        for (const double value :
+             {point.tolerance, static_cast<double>(point.solves), point.mean_relative_error,
+              point.largest_relative_error, point.mean_relative_gap, point.largest_relative_gap,
+              1e6 * point.median_seconds, static_cast<double>(point.failures),
+              static_cast<double>(point.wrong), static_cast<double>(point.beyond_gap)}) {
+          row.cells.emplace_back(significant(value, 6), value);
+        }
+        table.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/example1_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/cell_ratio.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+constexpr const char* kExample1 = "example1";
+
+std::string roles_parameter(Example1Roles roles) {
+  return roles == Example1Roles::cone_ellipsoid ? "roles=cone_ellipsoid" : "roles=ellipsoid_cone";
+}
+
+bool is_of_example1(const Record& record, const std::string& roles) {
+  return record.generator == kExample1 && record.generator_parameters.find(roles) != std::string::npos;
+}
+
+void require_methods(const std::vector<AccuracyCurve>& curves, const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const AccuracyCurve& curve : curves) known.push_back(curve.method);
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UnknownNameError("method", name, known, "--baseline");
+    }
+  }
+}
+
+}  // namespace
+
+double Example1Table::time_ratio(const AccuracyPoint& point) const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const AccuracyCurve& curve : curves) {
+    if (std::find(baselines.begin(), baselines.end(), curve.method) == baselines.end()) continue;
+    for (const AccuracyPoint& other : curve.points) {
+      if (other.tolerance == point.tolerance) best = std::min(best, other.mean_seconds);
+    }
+  }
+  return std::isfinite(best) ? point.mean_seconds / best : std::numeric_limits<double>::quiet_NaN();
+}
+
+Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,
+                                  const Filter& filter, std::vector<std::string> baselines) {
+  const std::string parameter = roles_parameter(roles);
+  Example1Table table;
+  table.roles = roles;
+  table.curves = accuracy_curves(records, Truth(records), [&](const Record& record) {
+    return is_of_example1(record, parameter) && filter(record);
+  });
+  if (table.curves.empty()) {
+    throw EmptySetError("the tables of Example 1 need records of generator example1 with " + parameter +
+                        (filter.expression().empty()
+                             ? "; there are none"
+                             : "; none passes the filter '" + filter.expression() + "'"));
+  }
+  require_methods(table.curves, baselines);
+  if (baselines.empty()) {
+    for (const AccuracyCurve& curve : table.curves) {
+      if (curve.method.starts_with("nlopt")) baselines.push_back(curve.method);
+    }
+  }
+  table.baselines = std::move(baselines);
+  return table;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/figures/curve_panel.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/cell_ratio.h"
+#include "analysis/figures/style.h"
+#include "analysis/number_text.h"
+
+namespace raygauge {
+namespace {
+
+std::string curve_block_name(std::size_t panel, std::size_t curve) {
+  return "$panel" + std::to_string(panel) + "curve" + std::to_string(curve);
+}
+
+std::string curve_block(const std::string& name, const PanelCurve& curve) {
+  std::string text = name + " << EOD\n";
+  for (const auto& [x, y] : curve.points) text += significant(x, 6) + " " + significant(y, 6) + "\n";
+  return text + "EOD\n";
+}
+
+/// The curves, competitors below those of raygauge.
+std::string plot_of(const CurvePanel& panel, std::size_t index, const std::vector<std::string>& methods) {
+  std::string text = "plot " + (panel.background.empty() ? "NaN notitle" : panel.background);
+  for (const bool competitors : {true, false}) {
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+      const std::string& method = panel.curves[c].method;
+      if (is_competitor(method) != competitors || panel.curves[c].points.empty()) continue;
+      text += ", \\\n  " + curve_block_name(index, c) + " using 1:2 with linespoints " +
+              figure_style::line_style(method, methods);
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
+                          const std::vector<std::string>& methods, const std::string& x,
+                          const std::string& y) {
+  Drawing drawing;
+  drawing.width = grid.width;
+  drawing.height = grid.height();
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    for (std::size_t c = 0; c < panels[p].curves.size(); ++c) {
+      if (panels[p].curves[c].points.empty()) continue;
+      drawing.script += curve_block(curve_block_name(p, c), panels[p].curves[c]);
+    }
+  }
+  drawing.script += "set encoding utf8\nset multiplot\n" + grid.axis_labels(x, y) + grid.legend_plot(methods);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    drawing.script += grid.margins(p) + panels[p].settings + "set title " +
+                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" +
+                      plot_of(panels[p], p, methods);
+  }
+  drawing.script += "unset multiplot\n";
+  return drawing;
+}
+
+std::pair<double, double> range_of(const std::vector<PanelCurve>& curves, bool of_y, double factor) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const PanelCurve& curve : curves) {
+    for (const auto& [x, y] : curve.points) {
+      low = std::min(low, of_y ? y : x);
+      high = std::max(high, of_y ? y : x);
+    }
+  }
+  if (low > high) return {1, 10};
+  return {low / factor, high * factor};
+}
+
+std::string range_setting(const char* name, double from, double to) {
+  return std::string("set ") + name + "range [" + significant(from, 6) + ":" + significant(to, 6) + "]\n";
+}
+
+}  // namespace raygauge

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// fig5, fig7 and work_precision.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "analysis/figures/figure.h"
+#include "tests/analysis/records.h"
+
+namespace raygauge::test_accuracy_figures {
+namespace {
+
+using testing::message_of;
+using testing::record;
+
+std::vector<Record> solves(const std::string& roles) {
+  std::vector<Record> records;
+  for (const char* method : {"zheng_yamane", "nlopt_slsqp"}) {
+    for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+      Record each = record(method, 3, 1, 0, 1e-3 / tolerance);
+      each.generator = "example1";
+      each.generator_parameters = "distance=2 roles=" + roles;
+      each.tolerance = tolerance;
+      each.distance = each.upper = 2 + tolerance;
+      each.lower = 2;
+      if (each.method == "zheng_yamane") each.counters.ray_iterations = 20;
+      records.push_back(each);
+    }
+  }
+  return records;
+}
+
+std::string picture_of(const std::string& figure, const std::vector<Record>& records) {
+  return draw(figure_named(figure), records, {}, ImageFormat::svg);
+}
+
+void expect_texts(const std::string& picture, std::initializer_list<const char*> texts) {
+  for (const char* text : texts) EXPECT_NE(picture.find(text), std::string::npos) << text;
+}
+
+TEST(Example1Figures, HaveThePapersThreePanelsAndItsNumbers) {
+  for (const auto& [figure, roles] : {std::pair{"fig5", "cone_ellipsoid"}, {"fig7", "ellipsoid_cone"}}) {
+    const std::string picture = picture_of(figure, solves(roles));
+    expect_texts(picture, {"(a) mean error", "(b) mean time, µs", "(c) mean N_rs", "tolerance ε",
+                           "zheng_yamane", "nlopt_slsqp", "paper"});
+  }
+}
+
+TEST(Example1Figures, SayWhatTheyNeed) {
+  EXPECT_EQ(message_of<FigureNeedsError>([] { picture_of("fig7", solves("cone_ellipsoid")); }),
+            "figure fig7 needs records of generator example1 in its roles at two tolerances");
+}
+
+TEST(WorkPrecision, DrawsErrorAndGapOfEachGroup) {
+  const std::string picture = picture_of("work_precision", solves("cone_ellipsoid"));
+  expect_texts(picture, {"example1, n = 3, N = 1: error", "example1, n = 3, N = 1: gap",
+                         "median time of a solve, µs", "zheng_yamane", "nlopt_slsqp"});
+}
+
+TEST(WorkPrecision, NeedsATruth) {
+  std::vector<Record> records = solves("cone_ellipsoid");
+  for (Record& each : records) each.exact_distance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(message_of<FigureNeedsError>([&] { picture_of("work_precision", records); }),
+            "no such exception");
+  EXPECT_NE(message_of<FigureNeedsError>([&] { picture_of("work_precision", {}); }), "no such exception");
+}
+
+}  // namespace
+}  // namespace raygauge::test_accuracy_figures
