@@ -50,7 +50,8 @@ Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& 
       drawing.script += curve_block(curve_block_name(p, c), panels[p].curves[c]);
     }
   }
-  drawing.script += "set encoding utf8\nset multiplot\n" + grid.axis_labels(x, y) + grid.legend_plot(methods);
+  drawing.script += "set encoding utf8\nset xrange [1:10]\nset yrange [1:10]\nset multiplot\n" +
+                    grid.axis_labels(x, y) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     drawing.script += grid.margins(p) + panels[p].settings + "set title " +
                       figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" +
