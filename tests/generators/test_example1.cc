@@ -36,6 +36,7 @@ const Ellipsoid& ellipsoid_of(const std::shared_ptr<const ConvexSet>& set) {
 
 TEST(Example1, HasTheDistanceThatItClaims) {
   DistanceOptions options;
+  options.method = DistanceMethod::zheng_yamane;
   options.tolerance = 1e-8;
   DistanceSolver solver(options);
   for (const int n : {2, 3, 5}) {
