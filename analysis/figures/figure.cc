@@ -3,8 +3,8 @@
 #include "analysis/figures/figure.h"
 
 #include "analysis/figures/crossover_map.h"
-#include "analysis/figures/performance_profile.h"
 #include "analysis/figures/example1_figures.h"
+#include "analysis/figures/performance_profile.h"
 #include "analysis/figures/ratio_heatmap.h"
 #include "analysis/figures/time_vs_size.h"
 #include "analysis/figures/true_error.h"

@@ -24,8 +24,8 @@ const DistanceResult& GrowthDistanceSolver::solve_about(const ConvexSet& A, cons
                                                         double threshold) {
   const int n = A.dimension();
   const auto size = static_cast<std::size_t>(n);
-  center_A_.reserve(size);
-  ray_.reserve(size);
+  center_A_.resize(size);
+  ray_.resize(size);
   A.center_unchecked(center_A_.data());
   for (std::size_t k = 0; k < size; ++k) ray_[k] = center_A_[k] - center_Q_[k];
   const GrowthBody body(A, center_A_.data(), Q, center_Q_.data());
@@ -38,7 +38,7 @@ const DistanceResult& GrowthDistanceSolver::solve(const ConvexSet& A, const Conv
     throw DimensionMismatchError("growth distance: A lives in R^" + std::to_string(A.dimension()) +
                                  ", Q in R^" + std::to_string(Q.dimension()));
   }
-  center_Q_.reserve(static_cast<std::size_t>(A.dimension()));
+  center_Q_.resize(static_cast<std::size_t>(A.dimension()));
   std::fill_n(center_Q_.data(), A.dimension(), 0.0);
   return solve_about(A, Q, std::numeric_limits<double>::quiet_NaN());
 }
@@ -48,7 +48,7 @@ const SeparationResult& GrowthDistanceSolver::separation(const ConvexSet& A1, co
     throw DimensionMismatchError("separation: A1 lives in R^" + std::to_string(A1.dimension()) +
                                  ", A2 in R^" + std::to_string(A2.dimension()));
   }
-  center_Q_.reserve(static_cast<std::size_t>(A1.dimension()));
+  center_Q_.resize(static_cast<std::size_t>(A1.dimension()));
   A1.center_unchecked(center_Q_.data());
   const DistanceResult& growth = solve_about(A2, A1, 1.0);
   separation_.lower = growth.lower;

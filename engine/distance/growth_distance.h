@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "engine/distance/aligned_buffer.h"
 #include "engine/distance/solver.h"
 
 namespace raygauge {
@@ -55,7 +55,7 @@ class GrowthDistanceSolver {
 
   DistanceSolver solver_;
   SeparationResult separation_;
-  AlignedBuffer<double> center_A_, center_Q_, ray_;
+  std::vector<double> center_A_, center_Q_, ray_;
 };
 
 }  // namespace raygauge

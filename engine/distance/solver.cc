@@ -9,6 +9,7 @@
 #include "engine/distance/newton.h"
 #include "engine/distance/point_set_direct.h"
 #include "engine/distance/support_direct.h"
+#include "engine/distance/weighted_points.h"
 #include "engine/distance/zheng_yamane.h"
 #include "engine/exceptions.h"
 

@@ -6,10 +6,11 @@
 
 #include "engine/distance/options.h"
 #include "engine/distance/result.h"
-#include "engine/distance/weighted_points.h"
 #include "engine/sets/convex_set.h"
 
 namespace raygauge {
+
+class WeightedPoints;
 
 /// Computes the generalized distance of Zheng & Yamane, equation (5),
 ///

@@ -38,14 +38,17 @@ INSTANTIATE_TEST_SUITE_P(Baselines, NloptMethod, ::testing::ValuesIn(nlopt_metho
 
 Instance two_balls() {
   return {std::make_shared<Ball>((Vector(3) << 3, 4, 0).finished(), 1.0),
-          std::make_shared<Ball>(Vector::Zero(3), 2.0),
+          std::make_shared<Ball>((Vector(3) << 0.5, 0, 0).finished(), 2.0),
           {}};
 }
+
+// ‖c_A - λ c_Q‖ = r_A + λ r_Q, a quadratic equation in λ: 3.75 λ² + 7 λ - 24 = 0.
+const double kTwoBalls = (std::sqrt(409.0) - 7) / 7.5;
 
 TEST_P(NloptMethod, FindsTheDistanceOfTwoBalls) {
   const DistanceResult result = run(two_balls());
   EXPECT_EQ(to_string(result.status), "optimal");
-  EXPECT_NEAR(result.distance, 2, 1e-5);
+  EXPECT_NEAR(result.distance, kTwoBalls, 1e-5);
 }
 
 TEST_P(NloptMethod, FindsTheDistanceOfABoxInTheGaugeOfABall) {

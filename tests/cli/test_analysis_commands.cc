@@ -141,7 +141,12 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
             "skipped: figure time_vs_N needs solved records at two or more values of N\n"
             "skipped: figure time_vs_n needs solved records at two or more values of n\n"
             "skipped: figure true_error needs answers of known truth at two or more values of a generator's "
-            "parameter aspect, delta, entry, exponent or offset\n");
+            "parameter aspect, delta, entry, exponent or offset\n"
+            "skipped: figure fig5 needs records of generator example1 in its roles at two tolerances\n"
+            "skipped: figure fig7 needs records of generator example1 in its roles at two tolerances\n"
+            "skipped: figure work_precision needs solves of known truth (a generator that knows it, or "
+            "records of the "
+            "method exact) at two or more tolerances\n");
   EXPECT_TRUE(read("pictures/ratio_heatmap.png").starts_with("\x89PNG"));
 }
 
@@ -149,7 +154,7 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
   expect_complaint(
       run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
       "raygauge: unknown figure 'heatmap' (known: time_vs_N time_vs_n ratio_heatmap performance_profile "
-      "crossover true_error)");
+      "crossover true_error fig5 fig7 work_precision)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
                    "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
   expect_complaint(

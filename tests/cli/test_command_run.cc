@@ -210,9 +210,8 @@ TEST_F(RunCommand, BadExperimentsAreRefusedWithFileAndLine) {
             "bad.toml:14: run.warmup must lie in [0, 2147483647], got -1");
   EXPECT_TRUE(refusal_of_text(text + "[[method]]\nname = \"directt\"\n")
                   .starts_with("bad.toml:15: unknown method 'directt'; did you mean 'direct'? (known: "));
-  EXPECT_TRUE(
-      refusal_of_text("[[generator]]\nname = \"example3\"\n")
-          .starts_with("bad.toml:2: unknown generator 'example3'; did you mean 'example2'? (known: "));
+  EXPECT_TRUE(refusal_of_text("[[generator]]\nname = \"needel\"\n")
+                  .starts_with("bad.toml:2: unknown generator 'needel'; did you mean 'needle'? (known: "));
   EXPECT_TRUE(refusal_of_text("[[generator]]\nname = \"example2\"\nseparation = 0.5\n")
                   .starts_with("bad.toml:3: generator 'example2': parameter 'separation' must lie in [1, "));
   EXPECT_TRUE(refusal_of_text(text + "[[[\n").starts_with("bad.toml:14: "));
