@@ -108,7 +108,8 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     const bool solved = end == DirectProgram::End::solved && !violated;
     if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
-    if (upper < kInfinity && upper - lower <= tolerance_ * upper) {
+    // Bounds that contradict each other prove nothing; none are known.
+    if (upper < kInfinity && lower <= upper && upper - lower <= tolerance_ * upper) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
     }
     if (is_final(end) || restricted) return settle(end, lower, upper, effects, result);
