@@ -18,6 +18,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // and the working set hardly grows (measured over 0 … 1).
 constexpr double kReach = 0.2;
 
+// Coordinates of both sets up to which a pass costs less than the pivots it may spare.
+constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
+
 }  // namespace
 
 void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
@@ -131,7 +134,8 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
 // sooner. Where most bounds are active or a pass has been spent on it, it is not, and raising them over the
 // sample costs next to nothing.
 bool PointSetDirect::bounds_mislead() const noexcept {
-  return counters_.support_queries > 0 || 5 * program_.artificials() > 3 * n_;
+  const bool passes_are_cheap = n_ * (A_->size() + Q_->size()) < kCheapNumbers;
+  return !passes_are_cheap && (counters_.support_queries > 0 || 5 * program_.artificials() > 3 * n_);
 }
 
 // At a degenerate optimum some weights are zero and cannot be proven nonnegative; and where a limit ended the

@@ -91,6 +91,9 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
   const int patience = 8 * basis->m + 64;
   while (basis->pivots < loop->pivot_limit) {
     const double t = basis->y[n];
+    // A column that enters for a reduced cost made of rounding can lead the pivots in circles. Summed before
+    // the pricing, whose loads hide it.
+    const double length = dual_length(*basis);
     const Pricing best = single
                              ? price_both<N>(*basis, *loop, loop->A.single_blocks, loop->A.single_block_count,
                                              loop->Q.single_blocks, loop->Q.single_block_count,
@@ -102,8 +105,6 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
     const double cost_tolerance = single ? kSingleTolerance : loop->cost_tolerance;
     const double d_A = -(best.h_A + t);
     const double d_Q = loop->cost_of_Q - best.h_Q;
-    // A column that enters for a reduced cost made of rounding can lead the pivots in circles.
-    const double length = dual_length(*basis);
     const double tolerance_A = cost_tolerance * (absolute(t) + absolute(best.h_A)) + length * loop->noise_A;
     const double tolerance_Q = cost_tolerance + length * loop->noise_Q;
     const bool A_enters = d_A < -tolerance_A;
