@@ -12,6 +12,7 @@
 #include "baselines/exact_columns.h"
 #include "baselines/float_start.h"
 #include "engine/exceptions.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
@@ -180,7 +181,6 @@ void read_farkas(const ExactColumns& columns, const ExactSimplex& simplex, Exact
 }
 
 ExactLpResult read_result(const ExactColumns& columns, const ExactSimplex& simplex, bool finished) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ExactLpResult result;
   result.pivots = simplex.pivots();
   const bool feasible = read_primal(columns, simplex.basis(), result) == 0;

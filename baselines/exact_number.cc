@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/floating_point.h"
+
 namespace raygauge {
 namespace {
 
@@ -41,7 +43,6 @@ Rational scaled_rational(const Rational& x, long shift) {
 
 RoundedDoubles round_nonnegative(const Rational& x) {
   constexpr double kMax = std::numeric_limits<double>::max();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (x > Rational(kMax)) {
     // Half a unit above the largest double is where rounding to nearest goes over to infinity.
     const Rational half_unit = (Rational(kMax) - Rational(std::nextafter(kMax, 0.0))) / 2;

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "engine/exceptions.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Σ w_i p_i, with the sum of weights; `valid` is false where a weight is negative or an index outside the
 /// set.

@@ -20,10 +20,10 @@ if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
-# The other half goes into compiling the same templates in file after file: the command line's files and the tests are
-# compiled several as one. Off (-DRAYGAUGE_UNITY_BUILD=OFF) while one of them is edited again and again. The other rooms
-# compile fast enough, and their files keep short names to themselves.
-option(RAYGAUGE_UNITY_BUILD "Compile several files of cli/ and of tests/ as one" ON)
+# The other half goes into compiling the same templates in file after file: several files of a room are compiled as one,
+# so that even names without linkage are unique within a room. Off (-DRAYGAUGE_UNITY_BUILD=OFF) while one of them is
+# edited again and again.
+option(RAYGAUGE_UNITY_BUILD "Compile several files of a room as one" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 
 # Usage requirements of our own code only; never exported to users of the package.
@@ -44,6 +44,9 @@ function(raygauge_room name)
   target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_warnings>)
   target_precompile_headers(raygauge_${name} PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
                                                      <Eigen/Core>)
+  if(NOT name STREQUAL "analysis")
+    set_target_properties(raygauge_${name} PROPERTIES UNITY_BUILD ${RAYGAUGE_UNITY_BUILD})
+  endif()
 endfunction()
 
 # raygauge_require(PACKAGE DEBIAN_PACKAGE ...) finds a package or says in one line what to install.

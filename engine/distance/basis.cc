@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
+
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
 
 // A pivot of the equilibrated column below this makes the matrix numerically singular.
 constexpr double kSingular = 1e-14;

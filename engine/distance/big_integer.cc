@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/floating_point.h"
+
 namespace raygauge {
 namespace {
 
@@ -233,7 +235,6 @@ RoundedRatio rounded_ratio(BigInteger numerator, BigInteger denominator, std::in
   const bool exact = numerator.is_zero() && std::ldexp(result, -scale) == quotient;
   if (exact) return {result, result, result};
   if (std::isinf(result)) return {std::numeric_limits<double>::max(), result, result};
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Below the normal range ldexp rounds to nearest, up or down.
   const double kept = std::ldexp(result, -scale);
   if (kept > quotient) return {std::nextafter(result, 0.0), result, result};

@@ -9,12 +9,11 @@
 
 #include "engine/distance/double_double.h"
 #include "engine/distance/exact_sum.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
 
-constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::ptrdiff_t kDoubtful = 512;  // points that are worth a second, longer evaluation
 

@@ -8,12 +8,10 @@
 
 #include "engine/distance/double_double.h"
 #include "engine/distance/exact_sum.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
 
 constexpr std::int64_t kPivotsBetweenLooks = 512;  // at the clock
 constexpr double kArtificialZero = 1e-13;          // weight of artificial columns that is rounding noise
@@ -27,7 +25,6 @@ constexpr int kIdleLooks = 4;        // without progress: rounding leads the piv
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
 
 bool is_artificial(std::int64_t id) { return id < 0; }
-bool is_from_Q(std::int64_t id) { return id >= 0 && id % 2 == 1; }
 
 }  // namespace
 

@@ -12,7 +12,6 @@
 namespace raygauge {
 namespace {
 
-bool is_from_Q(std::int64_t id) { return id % 2 == 1; }
 std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
 
 std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }

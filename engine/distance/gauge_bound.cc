@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/floating_point.h"
+
 namespace raygauge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGuessError = 0.25;  // of the first normal, relative
+constexpr double kFirstNormalError = 0.25;  // of the first normal, relative
 
 // Coordinates in [1/2, 1) of either sign that no structured set is aligned with: multiples of the golden
 // ratio.
@@ -44,7 +45,7 @@ double GaugeBound::gauge_of_target(const WorkingSet& Q, double sign, const Stopw
   target_.clear(n_);
   target_.add(target);
   program_.begin(n_, std::numeric_limits<double>::min(), 0, *kernels_);
-  program_.start(target_, Q, guess, kGuessError);
+  program_.start(target_, Q, guess, kFirstNormalError);
   DirectProgram::End end = program_.solve(target_, Q, stopwatch);
   while (end == DirectProgram::End::bounded) {
     program_.raise_bounds();

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/floating_point.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
 constexpr int kShortenings = 10;      // of one step, each to kShorter of it

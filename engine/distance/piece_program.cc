@@ -11,7 +11,7 @@
 namespace raygauge {
 namespace {
 
-constexpr double kSingular = 1e-15;       // of a pivot, relative to the largest entry
+constexpr double kNoPivot = 1e-15;        // of a pivot, relative to the largest entry
 constexpr double kSlightly = 1e-14;       // how far the model of a piece may exceed the maximum
 constexpr double kLeastCurvature = 1e-9;  // added where the pieces have none, relative to the points
 
@@ -119,7 +119,7 @@ bool PieceProgram::solve_system(const double* u, const Objective& objective, Pie
   for (int j = 0; j < n_; ++j) {
     double* row = K + std::ptrdiff_t{j} * columns_;
     for (int k = 0; k < n_; ++k) row[k] += along * u[j] * u[k];
-    row[j] += kSingular * along;
+    row[j] += kNoPivot * along;
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
   }
@@ -139,7 +139,7 @@ bool PieceProgram::eliminate(int size) {
     const int end = definite ? i + 1 : size;
     for (int k = definite ? i : 0; k < end; ++k) largest = std::max(largest, std::fabs(K[i * columns_ + k]));
   }
-  const double threshold = 1e-3 * kSingular * largest;
+  const double threshold = 1e-3 * kNoPivot * largest;
   for (int p = 0; p < size; ++p) {
     if (!definite) exchange_rows(p, size);
     double* row = K + std::ptrdiff_t{p} * columns_;

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/distance/shared_pass.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The points just below the threshold are the next to be violated when the normal turns. Those within this
 // fraction of the last pass's violation are taken along: every third solve at n >= 20 is spared a pass by it,

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kZero = 1e-13;      // weight of artificial columns that is rounding noise
 constexpr double kFeasible = 1e-11;  // how negative a weight may be after the vertices were moved
-constexpr int kCostRaises = 14;
-constexpr int kRepairs = 2;
+constexpr int kRayCostRaises = 14;
+constexpr int kRayRepairs = 2;
 constexpr int kIterationsBetweenLooks = 64;  // at the clock
 
 }  // namespace
@@ -153,7 +153,7 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
     if (out_of_time) return End::time_limit;
     if (h_S <= 1 + tolerance) {
       if (artificial_weight() <= kZero) return End::hit;
-      if (++raises_ > kCostRaises) return End::missed;
+      if (++raises_ > kRayCostRaises) return End::missed;
       for (int i = 0; i < n_; ++i) {
         if (view.id[i] < 0) view.cost[i] = 8 * (view.cost[i] + 0.125);
       }
@@ -172,7 +172,7 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
       continue;
     }
     ++refactorisations_;
-    if (++repairs > kRepairs || !basis_->refactor()) return End::failed;
+    if (++repairs > kRayRepairs || !basis_->refactor()) return End::failed;
   }
 }
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/floating_point.h"
+
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kGuessError = 0.25;  // of the first normal, relative
 

@@ -10,7 +10,7 @@
 namespace raygauge {
 namespace {
 
-std::string text_of(double value) {
+std::string shown(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
@@ -20,10 +20,10 @@ std::string text_of(double value) {
 
 double checked_nonnegative(const std::string& set, const std::string& parameter, double value) {
   if (!std::isfinite(value)) {
-    throw NonFiniteError(set + ": " + parameter + " must be a finite number, got " + text_of(value));
+    throw NonFiniteError(set + ": " + parameter + " must be a finite number, got " + shown(value));
   }
   if (value < 0) {
-    throw InvalidParameterError(set + ": " + parameter + " must not be negative, got " + text_of(value));
+    throw InvalidParameterError(set + ": " + parameter + " must not be negative, got " + shown(value));
   }
   return value;
 }
@@ -33,7 +33,7 @@ const ConstVectorRef& checked_finite(const std::string& set, const std::string& 
   for (Eigen::Index k = 0; k < value.size(); ++k) {
     if (!std::isfinite(value[k])) {
       throw NonFiniteError(set + ": coordinate " + std::to_string(k) + " of " + parameter +
-                           " must be a finite number, got " + text_of(value[k]));
+                           " must be a finite number, got " + shown(value[k]));
     }
   }
   return value;
@@ -52,7 +52,7 @@ void check_finite_matrix(const std::string& set, const std::string& parameter,
     for (Eigen::Index i = 0; i < value.rows(); ++i) {
       if (!std::isfinite(value(i, j))) {
         throw NonFiniteError(set + ": entry (" + std::to_string(i) + ", " + std::to_string(j) + ") of " +
-                             parameter + " must be a finite number, got " + text_of(value(i, j)));
+                             parameter + " must be a finite number, got " + shown(value(i, j)));
       }
     }
   }

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "generators/hard/origin.h"
 
-#include <limits>
-
+#include "engine/floating_point.h"
 #include "generators/component.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/polytopes.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::MatrixXd axis_point(int n, double x_1, double x_2) {
   Eigen::MatrixXd point = Eigen::MatrixXd::Zero(n, 1);
