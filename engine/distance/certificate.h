@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "engine/kernel/kernel.h"
 #include "engine/sets/point_set.h"
@@ -27,6 +28,13 @@ inline double resolution_for(double tolerance) noexcept {
 
 inline bool well_resolved(double value, double error, double resolution = kResolution) noexcept {
   return error <= resolution * (value < 0 ? -value : value);
+}
+
+/// Whether bounds decide the distance to a relative `tolerance`. Bounds that contradict each other decide
+/// nothing.
+inline bool is_closed(double lower, double upper, double tolerance) noexcept {
+  return 0 <= lower && lower <= upper && upper <= std::numeric_limits<double>::max() &&
+         upper - lower <= tolerance * upper;
 }
 
 /// value · 2^shift, rounded towards zero resp. +infinity where the result is not a normal number. value >= 0.

@@ -52,7 +52,8 @@ double certified_upper(const PointSet& A, const PointSet& Q, std::span<const std
   PointSetDirect solver;
   DistanceResult result;
   solver.solve_restricted(A, Q, points_A.data(), static_cast<std::ptrdiff_t>(points_A.size()),
-                          points_Q.data(), static_cast<std::ptrdiff_t>(points_Q.size()), {}, result);
+                          points_Q.data(), static_cast<std::ptrdiff_t>(points_Q.size()), {}, Stopwatch(),
+                          result);
   return result.upper;
 }
 

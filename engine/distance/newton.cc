@@ -79,10 +79,9 @@ bool Newton::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions
   return normalize(now_->u.data(), n_, now_->u.data()) > 0;
 }
 
-void Newton::evaluate(Point& point) {
+bool Newton::evaluate(Point& point) {
   const double* u = point.u.data();
-  oracle_A_.evaluate(u, point.A);
-  oracle_Q_.evaluate(u, point.Q);
+  if (!oracle_A_.evaluate(u, point.A) || !oracle_Q_.evaluate(u, point.Q)) return false;
   point.A.warm = point.Q.warm = false;
   ++evaluations_;
   const double h_A = point.A.support.value;
@@ -93,6 +92,8 @@ void Newton::evaluate(Point& point) {
   } else {
     point.ratio = -h_A / h_Q;
   }
+  bound_from_below(point);
+  return true;
 }
 
 void Newton::bound_from_below(const Point& point) {
@@ -105,18 +106,14 @@ void Newton::bound_from_below(const Point& point) {
 }
 
 // The combinations x of A and y of Q with the weights of the step leave r = x - ρy; x = ρy + r costs no more
-// than ρ + gauge_Q(r).
+// than ρ + gauge_Q(r), if ρ >= 0.
 void Newton::bound_from_above() {
+  if (!(now_->ratio >= 0)) return;
   double* x = target_.data();
   double* y = linear_.data();
   const double size = combine(now_->A, x) + now_->ratio * combine(now_->Q, y);
-  double square = 0;
-  for (int k = 0; k < n_; ++k) {
-    const double r = x[k] - now_->ratio * y[k];
-    residual_vector_[static_cast<std::size_t>(k)] = r;
-    square += r * r;
-  }
-  residual_ = std::sqrt(square);
+  for (int k = 0; k < n_; ++k) residual_vector_[static_cast<std::size_t>(k)] = x[k] - now_->ratio * y[k];
+  residual_ = length(residual_vector_.data(), n_);
   const double rounding =
       std::sqrt(n_) * (oracle_A_.coordinate_error() + now_->ratio * oracle_Q_.coordinate_error()) +
       (n_ + now_->A.active_count + now_->Q.active_count + 8) * kEpsilon * size;
@@ -139,7 +136,7 @@ void Newton::contact_combination(WeightedPoints& combination) const {
 
 bool Newton::is_closed() const noexcept {
   if (lower_ > threshold_ || upper_ < threshold_) return true;
-  return upper_ < kInfinity && upper_ - lower_ <= tolerance_ * upper_;
+  return raygauge::is_closed(lower_, upper_, tolerance_);
 }
 
 PieceProgram::Objective Newton::objective() {
@@ -183,9 +180,7 @@ bool Newton::try_facet(const double* step) {
   if (!of_A && !oracle_Q_.facet_normal(now_->u.data(), end, next_->u.data())) return false;
   ++facets_tried_;
   normalize(next_->u.data(), n_, next_->u.data());
-  evaluate(*next_);
-  bound_from_below(*next_);
-  if (!(next_->ratio > 0) || !accepts(*next_)) return false;
+  if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
   PieceList& touching = of_A ? next_->Q : next_->A;
   const double scale = of_A ? next_->ratio : 1 / next_->ratio;
   const double* touched = touching.point(touching.best);
@@ -222,8 +217,7 @@ bool Newton::advance(const double* step) {
       next_->u[static_cast<std::size_t>(k)] = now_->u[static_cast<std::size_t>(k)] + share * step[k];
     }
     normalize(next_->u.data(), n_, next_->u.data());
-    evaluate(*next_);
-    bound_from_below(*next_);
+    if (!evaluate(*next_)) return false;
     if (accepts(*next_)) {
       keep(true);
       return true;
@@ -235,8 +229,7 @@ bool Newton::advance(const double* step) {
 
 DistanceStatus Newton::iterate(const Stopwatch& stopwatch) {
   growing_ = false;
-  evaluate(*now_);
-  bound_from_below(*now_);
+  if (!evaluate(*now_)) return DistanceStatus::precision_limit;
   growing_ = !(now_->ratio > 0);
   if (growing_) {
     const double along = -dot(center_.data(), now_->u.data(), n_);
@@ -267,10 +260,8 @@ DistanceStatus Newton::iterate(const Stopwatch& stopwatch) {
   }
 }
 
-bool Newton::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, Effects effects,
-                   DistanceResult& result) {
-  Stopwatch stopwatch;
-  stopwatch.start(options.time_limit);
+bool Newton::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                   const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
   if (!begin(A, Q, options)) return false;
   const DistanceStatus status = iterate(stopwatch);
   // The default limit is a guard: beyond it, and where nothing got better, `direct` has other means.
@@ -278,16 +269,14 @@ bool Newton::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions
                        (status == DistanceStatus::iteration_limit && options.max_iterations > 0);
   if (status != DistanceStatus::optimal && !limited) return false;
   report(status, effects, result);
-  result.seconds = stopwatch.seconds();
   return true;
 }
 
 void Newton::report(DistanceStatus status, Effects effects, DistanceResult& result) const {
   result.status = status;
   result.lower = lower_;
-  result.upper = std::max(upper_, lower_);
+  result.upper = upper_;
   result.distance = lower_;
-  result.sigma = DistanceResult::kUnset;
   result.normal.resize(n_);
   std::copy_n(lower_ > 0 ? normal_.data() : now_->u.data(), n_, result.normal.data());
   DistanceCounters counters;
@@ -295,11 +284,9 @@ void Newton::report(DistanceStatus status, Effects effects, DistanceResult& resu
   counters.ray_iterations = evaluations_;
   counters.support_queries = 2 * evaluations_;
   counters.pivots = program_.systems();
-  if (has_effect(effects, Effects::witness) && upper_ < kInfinity) {
-    result.contact_point = Vector::Map(contact_.data(), n_);
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    std::copy_n(contact_.data(), n_, contact);
     ++counters.witness_evaluations;
-  } else if (result.contact_point.size() > 0) {
-    result.contact_point.resize(0);
   }
   result.counters = counters;
 }

@@ -33,8 +33,8 @@ class Newton {
  public:
   /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
   /// and the caller turns to `direct`.
-  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, Effects effects,
-             DistanceResult& result);
+  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
 
   /// upper - lower of the last solve, +infinity where it proved nothing.
   double gap() const noexcept { return upper_ - lower_; }
@@ -55,7 +55,7 @@ class Newton {
   };
 
   bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
-  void evaluate(Point& point);
+  bool evaluate(Point& point);
   void bound_from_below(const Point& point);
   void bound_from_above();
   bool is_closed() const noexcept;

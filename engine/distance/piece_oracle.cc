@@ -52,14 +52,17 @@ void PieceOracle::make_room(PieceList& list, int count) {
   if (curved_) list.hessians.reserve(room * size * size);
 }
 
-void PieceOracle::evaluate(const double* u, PieceList& list) {
+bool PieceOracle::evaluate(const double* u, PieceList& list) {
   if (curved_) {
     evaluate_smooth(u, list);
   } else {
     evaluate_polytope(u, list);
   }
+  if (list.count == 0) return false;
   list.best = static_cast<int>(std::max_element(list.value.data(), list.value.data() + list.count) -
                                list.value.data());
+  if (curved_) list.support.value = list.value[static_cast<std::size_t>(list.best)];
+  return true;
 }
 
 void PieceOracle::evaluate_smooth(const double* u, PieceList& list) {
@@ -76,7 +79,6 @@ void PieceOracle::evaluate_smooth(const double* u, PieceList& list) {
   set_->support_pieces_unchecked(direction_.data(), pieces);
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
-  list.support.value = *std::max_element(list.value.data(), list.value.data() + list.count);
   list.support.error =
       ConvexSet::rounding_error(n_) * magnitude + n_ * std::numeric_limits<double>::denorm_min();
 }

@@ -33,8 +33,8 @@ class PieceOracle {
   /// `sign` is that of h_S(sign · u). False if the set has no pieces to offer.
   bool bind(const ConvexSet& S, double sign, const Kernels& kernels);
 
-  /// One support query: the pieces at u.
-  void evaluate(const double* u, PieceList& list);
+  /// One support query: the pieces at u. False where they are more than the set can list.
+  bool evaluate(const double* u, PieceList& list);
 
   /// Replaces the pieces at u, the normal of a flat face, by the point of that face nearest to `target`.
   void settle_on_facet(const double* u, const double* target, PieceList& list);

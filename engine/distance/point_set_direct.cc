@@ -22,8 +22,8 @@ constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
 }  // namespace
 
 void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
-                           Effects effects, DistanceResult& result) {
-  begin(A, Q, options);
+                           const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
+  begin(A, Q, options, stopwatch);
   working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
   working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
   chosen_A_ = chosen_Q_ = {};
@@ -34,8 +34,8 @@ void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceO
 void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
                                       std::ptrdiff_t count_A, const std::int64_t* index_Q,
                                       std::ptrdiff_t count_Q, const DistanceOptions& options,
-                                      DistanceResult& result) {
-  begin(A, Q, options);
+                                      const Stopwatch& stopwatch, DistanceResult& result) {
+  begin(A, Q, options, stopwatch);
   working_A_.clear(n_);
   working_Q_.clear(n_);
   for (std::ptrdiff_t i = 0; i < count_A; ++i) working_A_.add(A, scaling_.factor_A(), index_A[i]);
@@ -46,7 +46,8 @@ void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q, cons
   run(true, Effects::none, result);
 }
 
-void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options) {
+void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+                           const Stopwatch& stopwatch) {
   A_ = &A;
   Q_ = &Q;
   n_ = A.dimension();
@@ -54,7 +55,7 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   threads_ = options.threads;
   pivots_are_limited_ = options.max_iterations > 0;
   kernels_ = &kernels_for(options.instruction_set);
-  stopwatch_.start(options.time_limit);
+  stopwatch_ = &stopwatch;
   counters_ = {};
   counters_.outer_iterations = 1;
   gauge_per_residual_ = 0;
@@ -84,14 +85,14 @@ void PointSetDirect::start() {
 void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& result) {
   const bool complete = working_A_.is_complete() && working_Q_.is_complete();
   for (;;) {
-    const DirectProgram::End end = program_.solve(working_A_, working_Q_, stopwatch_);
+    const DirectProgram::End end = program_.solve(working_A_, working_Q_, *stopwatch_);
     if (end == DirectProgram::End::bounded && (complete || restricted || bounds_mislead())) {
       program_.raise_bounds();
       continue;
     }
     const double estimate = program_.objective();
     const bool trusted = trusts_simplex_ && end == DirectProgram::End::solved;
-    if (trusted && complete) return finish(DistanceStatus::optimal, estimate, estimate, effects, result);
+    if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
@@ -104,13 +105,12 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       program_.encourage();
       continue;
     }
-    if (trusted) return finish(DistanceStatus::optimal, estimate, estimate, effects, result);
+    if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
     double upper = program_.proven_upper();
     const bool solved = end == DirectProgram::End::solved && !violated;
     if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
-    // Bounds that contradict each other prove nothing; none are known.
-    if (upper < kInfinity && lower <= upper && upper - lower <= tolerance_ * upper) {
+    if (is_closed(lower, upper, tolerance_)) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
     }
     if (is_final(end) || restricted) return settle(end, lower, upper, effects, result);
@@ -140,7 +140,7 @@ bool PointSetDirect::bounds_mislead() const noexcept {
 // solve artificial columns may still carry weight. What they leave of the equations is paid for.
 double PointSetDirect::upper_despite_residual() {
   if (gauge_per_residual_ == 0) {
-    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, stopwatch_);
+    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, *stopwatch_);
   }
   return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
 }
@@ -153,7 +153,7 @@ void PointSetDirect::settle(DirectProgram::End end, double lower, double upper, 
   const bool limited = end == DirectProgram::End::time_limit ||
                        (end == DirectProgram::End::pivot_limit && pivots_are_limited_);
   if (!limited && !(restricted && upper < kInfinity) && settle_exactly(lower, effects, result)) return;
-  finish(stopwatch_.expired() ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
+  finish(stopwatch_->expired() ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
 }
 
 bool PointSetDirect::settle_exactly(double lower, Effects effects, DistanceResult& result) {
@@ -168,7 +168,7 @@ bool PointSetDirect::settle_exactly(double lower, Effects effects, DistanceResul
       start_.push_back(id_of_A(working_A_.index_in(*A_, scaling_.factor_A(), id / 2)));
     }
   }
-  const ExactProgram::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, stopwatch_);
+  const ExactProgram::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_);
   if (end == ExactProgram::End::stopped) return false;
   if (end == ExactProgram::End::unreachable) {
     if (restricted) return false;
@@ -177,8 +177,7 @@ bool PointSetDirect::settle_exactly(double lower, Effects effects, DistanceResul
   }
   RoundedRatio distance = exact_.distance();
   if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
-  const bool close =
-      distance.above < kInfinity && distance.above - distance.below <= tolerance_ * distance.above;
+  const bool close = is_closed(distance.below, distance.above, tolerance_);
   const DistanceStatus status = distance.above == 0 ? DistanceStatus::contains_origin
                                 : close             ? DistanceStatus::optimal
                                                     : DistanceStatus::precision_limit;
@@ -237,7 +236,7 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
   result.lower = scaled_down(lower, shift);
   result.upper = scaled_up(upper, shift);
   // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
-  const bool closed = result.upper < kInfinity && result.upper - result.lower <= tolerance_ * result.upper;
+  const bool closed = is_closed(result.lower, result.upper, tolerance_);
   if (status == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
   // In this order an objective that is not a number gives way to the lower bound.
   result.distance = std::max(result.lower, std::min(std::ldexp(program_.objective(), shift), result.upper));
@@ -255,13 +254,10 @@ void PointSetDirect::finish(DistanceStatus status, double lower, double upper, E
       weight.index = working_A_.index_in(*A_, scaling_.factor_A(), weight.index);
     }
   }
-  if (has_effect(effects, Effects::witness) && upper < kInfinity) {
-    result.contact_point.resize(n_);
-    program_.contact_point(result.contact_point.data());
-    for (int k = 0; k < n_; ++k) result.contact_point[k] /= scaling_.factor_A()[k];
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    program_.contact_point(contact);
+    for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
     ++counters_.witness_evaluations;
-  } else if (result.contact_point.size() > 0) {
-    result.contact_point.resize(0);
   }
   record_work(result);
 }
@@ -277,20 +273,15 @@ void PointSetDirect::finish_exactly(DistanceStatus status, const RoundedRatio& d
   exact_.normal(result.normal.data());
   result.origin_weights.clear();
   if (status == DistanceStatus::contains_origin) exact_.weights_of_A(result.origin_weights);
-  if (has_effect(effects, Effects::witness) && distance.above < kInfinity) {
-    result.contact_point.resize(n_);
-    exact_.contact_point(result.contact_point.data());
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    exact_.contact_point(contact);
     ++counters_.witness_evaluations;
-  } else if (result.contact_point.size() > 0) {
-    result.contact_point.resize(0);
   }
   counters_.exact_pivots = exact_.pivots();
   record_work(result);
 }
 
 void PointSetDirect::record_work(DistanceResult& result) {
-  result.sigma = DistanceResult::kUnset;
-  result.seconds = stopwatch_.seconds();
   counters_.pivots = program_.pivots();
   counters_.ray_iterations = program_.pricings();
   counters_.points_priced += program_.points_priced();

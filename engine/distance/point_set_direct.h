@@ -24,21 +24,22 @@ namespace raygauge {
 /// on the wrong side, and the next pass usually proves the answer (Clarkson's sampling; "sifting").
 class PointSetDirect {
  public:
-  void solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options, Effects effects,
-             DistanceResult& result);
+  void solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options, const Stopwatch& stopwatch,
+             Effects effects, DistanceResult& result);
 
   /// The same over some points only, given by their indices. `upper` is an upper bound on d_Q(A), `lower`
   /// belongs to the chosen points' normal and is a lower bound on d_Q(A) all the same.
   void solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
                         std::ptrdiff_t count_A, const std::int64_t* index_Q, std::ptrdiff_t count_Q,
-                        const DistanceOptions& options, DistanceResult& result);
+                        const DistanceOptions& options, const Stopwatch& stopwatch, DistanceResult& result);
 
   /// For measuring what proofs cost (bench/safety_cost.cc) and for nothing else: a solve that the simplex
-  /// calls solved then ends there, with bounds that claim what nobody has checked.
+  /// calls solved then ends there, with no bound known.
   void trust_simplex(bool trust) noexcept { trusts_simplex_ = trust; }
 
  private:
-  void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options);
+  void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch);
   void start();
   void run(bool restricted, Effects effects, DistanceResult& result);
   bool bounds_mislead() const noexcept;
@@ -73,7 +74,7 @@ class PointSetDirect {
   DirectProgram program_;
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
-  Stopwatch stopwatch_;
+  const Stopwatch* stopwatch_ = nullptr;
   DistanceCounters counters_;
 
   // The last resort, the points it may use (none given: all), and the basis it starts from.

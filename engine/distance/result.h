@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/distance/options.h"
 #include "engine/sets/convex_set.h"
 
 namespace raygauge {
@@ -71,6 +72,14 @@ struct DistanceResult {
   std::vector<PointWeight> origin_weights;
 
   DistanceCounters counters;
+
+  /// Room for a contact point of n doubles if it is asked for and `upper` proves that there is one; otherwise
+  /// nullptr, and there is none.
+  double* room_for_contact(Effects effects, int n) {
+    const bool wanted = has_effect(effects, Effects::witness) && upper <= std::numeric_limits<double>::max();
+    if (contact_point.size() != (wanted ? n : 0)) contact_point.resize(wanted ? n : 0);
+    return wanted ? contact_point.data() : nullptr;
+  }
 };
 
 }  // namespace raygauge

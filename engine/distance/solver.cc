@@ -12,6 +12,7 @@
 #include "engine/distance/weighted_points.h"
 #include "engine/distance/zheng_yamane.h"
 #include "engine/exceptions.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 namespace {
@@ -52,16 +53,51 @@ struct DistanceSolver::Workspace {
   Newton newton;
   Concluded concluded = Concluded::point_set_direct;
 
+  Stopwatch stopwatch;  // over all methods that take part
+
+  void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
 };
 
+void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  stopwatch.start(options.time_limit);
+  result.sigma = DistanceResult::kUnset;
+  result.origin_weights.clear();
+  if (!solve_iteratively(A, Q, effects)) {
+    solve_direct(A, Q, effects);
+    // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
+    if (result.status == DistanceStatus::precision_limit) refine(A, Q, effects);
+  }
+  result.seconds = stopwatch.seconds();
+  // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
+  if (!(result.lower <= result.upper)) {
+    result.status = DistanceStatus::precision_limit;
+    result.lower = 0;
+    result.upper = kInfinity;
+  }
+}
+
+// By the method asked for, if that is not `direct`. False where it gives up.
+bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (options.method == DistanceMethod::zheng_yamane) {
+    concluded = Concluded::zheng_yamane;
+    return zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
+  }
+  if (options.method == DistanceMethod::newton) {
+    concluded = Concluded::newton;
+    return newton.solve(A, Q, options, stopwatch, effects, result);
+  }
+  return false;
+}
+
 void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
-  const auto* points_A = dynamic_cast<const PointSet*>(&A);
-  const auto* points_Q = dynamic_cast<const PointSet*>(&Q);
+  const PointSet* points_A = as_point_set(A);
+  const PointSet* points_Q = as_point_set(Q);
   if (points_A != nullptr && points_Q != nullptr) {
-    point_set_direct.solve(*points_A, *points_Q, options, effects, result);
+    point_set_direct.solve(*points_A, *points_Q, options, stopwatch, effects, result);
     concluded = Concluded::point_set_direct;
   } else {
     solve_by_support(A, Q, effects);
@@ -72,27 +108,19 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   concluded = Concluded::support_direct;
   const int n = A.dimension();
   const Kernels& kernels = kernels_for(options.instruction_set);
-  Stopwatch stopwatch;
-  stopwatch.start(options.time_limit);
   oracle_A.bind(A, nullptr, kernels);
   oracle_Q.bind(Q, nullptr, kernels);
   support_direct.begin(oracle_A, oracle_Q, n, options, kernels);
   result.status = support_direct.run(stopwatch);
   result.lower = support_direct.lower();
-  result.upper = std::max(support_direct.upper(), result.lower);
+  result.upper = support_direct.upper();
   // In this order an objective that is not a number gives way to the lower bound.
   result.distance = std::max(result.lower, std::min(support_direct.objective(), result.upper));
-  result.sigma = DistanceResult::kUnset;
-  result.seconds = stopwatch.seconds();
   result.normal = Vector::Map(support_direct.normal(), n);
-  result.origin_weights.clear();
   result.counters = support_direct.counters();
-  if (has_effect(effects, Effects::witness) && std::isfinite(result.upper)) {
-    result.contact_point.resize(n);
-    support_direct.contact_point(result.contact_point.data());
+  if (double* contact = result.room_for_contact(effects, n)) {
+    support_direct.contact_point(contact);
     ++result.counters.witness_evaluations;
-  } else if (result.contact_point.size() > 0) {
-    result.contact_point.resize(0);
   }
 }
 
@@ -101,7 +129,7 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
 void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   const DistanceCounters before = result.counters;
   const bool tried = options.method == DistanceMethod::newton;
-  if (tried || !newton.solve(A, Q, options, effects, result)) {
+  if (tried || !newton.solve(A, Q, options, stopwatch, effects, result)) {
     if (!(newton.gap() < result.upper - result.lower)) return;
     newton.report(DistanceStatus::precision_limit, effects, result);
   }
@@ -134,23 +162,8 @@ const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet&
     throw DimensionMismatchError("A lives in R^" + std::to_string(A.dimension()) + ", Q in R^" +
                                  std::to_string(Q.dimension()));
   }
-  Workspace& workspace = *workspace_;
-  if (workspace.options.method == DistanceMethod::zheng_yamane) {
-    if (workspace.zheng_yamane.solve(A, Q, workspace.options, effects, workspace.result)) {
-      workspace.concluded = Workspace::Concluded::zheng_yamane;
-      return workspace.result;
-    }
-  }
-  if (workspace.options.method == DistanceMethod::newton) {
-    if (workspace.newton.solve(A, Q, workspace.options, effects, workspace.result)) {
-      workspace.concluded = Workspace::Concluded::newton;
-      return workspace.result;
-    }
-  }
-  workspace.solve_direct(A, Q, effects);
-  // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
-  if (workspace.result.status == DistanceStatus::precision_limit) workspace.refine(A, Q, effects);
-  return workspace.result;
+  workspace_->solve(A, Q, effects);
+  return workspace_->result;
 }
 
 void DistanceSolver::keep_combination(bool keep) { workspace_->newton.keep_combination(keep); }

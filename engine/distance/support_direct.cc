@@ -63,32 +63,43 @@ void SupportDirect::ask(const double* u) {
 // origin if Q does.
 double SupportDirect::gauge_per_residual(const Stopwatch& stopwatch) {
   if (gauge_per_residual_ > 0) return gauge_per_residual_;
-  // |r| <= √n |r|∞, and a ball around the origin of which the set itself knows makes the search unnecessary.
-  const double radius = Q_->inner_radius();
-  if (radius > 0) {
-    gauge_per_residual_ = std::sqrt(n_) / radius * (1 + 4 * std::numeric_limits<double>::epsilon());
-  } else {
-    double* axis = axis_.data();
-    double* point = axis + n_;
-    std::fill_n(axis, n_, 0.0);
-    for (int k = 0; k < 2 * n_; ++k) {
-      axis[k / 2] = 1.0;
-      Q_->query(axis, k % 2 == 0 ? 1.0 : -1.0, point);
-      axis[k / 2] = 0.0;
-      offer_Q(point);
-    }
-    counters_.support_queries += std::int64_t{2} * n_;
-    gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
-    // Ties can leave the origin outside the hull of those points (a box answers with corners of its own
-    // choice).
-    for (int more = 0; more < kSurroundingPoints * n_ && gauge_per_residual_ == kInfinity; ++more) {
-      Q_->query(gauge_bound_.normal(), -1.0, point);
-      offer_Q(point);
-      ++counters_.support_queries;
-      gauge_per_residual_ = gauge_bound_.compute(points_Q_, n_, *kernels_, stopwatch);
-    }
-  }
+  gauge_per_residual_ = surround_origin(*Q_, points_Q_, stopwatch);
   return gauge_per_residual_;
+}
+
+// G with gauge_S(r) <= G |r|∞ for the known points of S, to which as many are added as it takes; +infinity
+// where the origin is not proven to be in the interior.
+double SupportDirect::surround_origin(SupportOracle& S, WorkingSet& points, const Stopwatch& stopwatch) {
+  // |r| <= √n |r|∞, and a ball around the origin of which the set itself knows makes the search unnecessary.
+  const double radius = S.inner_radius();
+  if (radius > 0) return std::sqrt(n_) / radius * (1 + 4 * std::numeric_limits<double>::epsilon());
+  double* axis = axis_.data();
+  double* point = axis + n_;
+  std::fill_n(axis, n_, 0.0);
+  for (int k = 0; k < 2 * n_; ++k) {
+    axis[k / 2] = 1.0;
+    S.query(axis, k % 2 == 0 ? 1.0 : -1.0, point);
+    axis[k / 2] = 0.0;
+    points.add(point);
+  }
+  counters_.support_queries += std::int64_t{2} * n_;
+  double gauge = gauge_bound_.compute(points, n_, *kernels_, stopwatch);
+  // Ties can leave the origin outside the hull of those points (a box answers with corners of its own
+  // choice).
+  for (int more = 0; more < kSurroundingPoints * n_ && gauge == kInfinity; ++more) {
+    S.query(gauge_bound_.normal(), -1.0, point);
+    points.add(point);
+    ++counters_.support_queries;
+    gauge = gauge_bound_.compute(points, n_, *kernels_, stopwatch);
+  }
+  return gauge;
+}
+
+// The origin is a combination of the points of A as computed. That proves 0 in A where A has them exactly;
+// otherwise a neighbourhood of the origin must be in their hull, larger than what rounding moved them by.
+bool SupportDirect::holds_origin(const Stopwatch& stopwatch) {
+  const double error = A_->coordinate_error();
+  return error == 0 || surround_origin(*A_, points_A_, stopwatch) * error < 0.5;
 }
 
 double SupportDirect::upper_despite_residual(const Stopwatch& stopwatch) {
@@ -112,7 +123,7 @@ double SupportDirect::upper_of_the_sets(double upper_of_the_points, const Stopwa
 
 bool SupportDirect::is_closed(double upper) const noexcept {
   if (lower_ > threshold_ || upper < threshold_) return true;
-  return upper < kInfinity && upper - lower_ <= tolerance_ * upper;
+  return raygauge::is_closed(lower_, upper, tolerance_);
 }
 
 DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
@@ -147,7 +158,9 @@ DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
     if (upper_ == kInfinity && end == DirectProgram::End::solved) {
       upper_ = std::min(upper_, upper_despite_residual(stopwatch));
     }
-    if (upper_ == 0) return DistanceStatus::contains_origin;
+    if (upper_ == 0) {
+      return holds_origin(stopwatch) ? DistanceStatus::contains_origin : DistanceStatus::precision_limit;
+    }
     if (is_closed(upper_) && is_closed(upper_of_the_sets(upper_, stopwatch))) return DistanceStatus::optimal;
     if (is_final(end)) return status_of(end);
 

@@ -57,6 +57,8 @@ class SupportDirect {
   DistanceStatus iterate(const Stopwatch& stopwatch);
   bool is_closed(double upper) const noexcept;
   double gauge_per_residual(const Stopwatch& stopwatch);
+  double surround_origin(SupportOracle& S, WorkingSet& points, const Stopwatch& stopwatch);
+  bool holds_origin(const Stopwatch& stopwatch);
   double upper_despite_residual(const Stopwatch& stopwatch);
   double upper_of_the_sets(double upper_of_the_points, const Stopwatch& stopwatch);
 

@@ -12,7 +12,7 @@ namespace raygauge {
 
 void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels) {
   set_ = &S;
-  points_ = dynamic_cast<const PointSet*>(&S);
+  points_ = as_point_set(S);
   kernels_ = &kernels;
   const auto n = static_cast<std::size_t>(S.dimension());
   direction_.reserve(n);

@@ -20,12 +20,13 @@ std::int64_t default_iteration_limit(int n) { return 500 + 200 * static_cast<std
 }  // namespace
 
 bool ZhengYamane::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-                        Effects effects, DistanceResult& result) {
+                        const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
+  stopwatch_ = &stopwatch;
   begin(A, Q, options);
   const std::int64_t limit =
       options.max_iterations > 0 ? options.max_iterations : default_iteration_limit(n_);
   for (;;) {
-    const RayShooter::End end = shooter_.shoot(eta_, inner_tolerance_, limit, stopwatch_);
+    const RayShooter::End end = shooter_.shoot(eta_, inner_tolerance_, limit, *stopwatch_);
     ++outer_iterations_;
     const Step step = conclude(end);
     if (step == Step::give_up) return false;
@@ -40,9 +41,8 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
   options_ = options;
   kernels_ = &kernels_for(options.instruction_set);
   n_ = A.dimension();
-  stopwatch_.start(options.time_limit);
-  const auto* points_A = dynamic_cast<const PointSet*>(&A);
-  const auto* points_Q = dynamic_cast<const PointSet*>(&Q);
+  const PointSet* points_A = as_point_set(A);
+  const PointSet* points_Q = as_point_set(Q);
   scaled_ = points_A != nullptr && points_Q != nullptr;
   if (scaled_) scaling_.compute(*points_A, *points_Q);
   oracle_A_.bind(A, scaled_ && !scaling_.trivial_A() ? scaling_.factor_A() : nullptr, *kernels_);
@@ -77,7 +77,7 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
   if (std::fabs(sigma_ - 1) >= options_.tolerance) return Step::go_on;
 
   bound_from_above();
-  const bool closed = upper_ - lower_ <= options_.tolerance * upper_ && upper_ < kInfinity;
+  const bool closed = is_closed(lower_, upper_, options_.tolerance);
   if (closed) status_ = DistanceStatus::optimal;
   if (closed || options_.stop_rule == StopRule::published_sigma) return Step::done;
   // The ray was shot too loosely, or rounding has the last word.
@@ -106,7 +106,7 @@ void ZhengYamane::bound_from_above() {
     last_vertices_.offer_Q(shooter_.vertex_Q(l));
   }
   if (last_vertices_.offered() == 0) return;
-  last_vertices_.solve_offered(normal_.data(), stopwatch_);
+  last_vertices_.solve_offered(normal_.data(), *stopwatch_);
   upper_ = std::min(upper_, last_vertices_.upper());
 }
 
@@ -114,29 +114,21 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
   const int shift = scaled_ ? -scaling_.distance_shift() : 0;
   result.status = status_;
   result.lower = scaled_down(lower_, shift);
-  result.upper = scaled_up(std::max(upper_, lower_), shift);
+  result.upper = scaled_up(upper_, shift);
   // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
-  const bool closed =
-      result.upper < kInfinity && result.upper - result.lower <= options_.tolerance * result.upper;
+  const bool closed = is_closed(result.lower, result.upper, options_.tolerance);
   if (status_ == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
   result.distance = result.lower;
   result.sigma = sigma_;
-  result.seconds = stopwatch_.seconds();
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) {
     result.normal[k] = normal_[static_cast<std::size_t>(k)] * (scaled_ ? scaling_.factor_Q()[k] : 1.0);
   }
-  result.origin_weights.clear();
   DistanceCounters counters;
-  if (has_effect(effects, Effects::witness) && upper_ < kInfinity) {
-    result.contact_point.resize(n_);
-    last_vertices_.contact_point(result.contact_point.data());
-    if (scaled_) {
-      for (int k = 0; k < n_; ++k) result.contact_point[k] /= scaling_.factor_A()[k];
-    }
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    last_vertices_.contact_point(contact);
+    for (int k = 0; scaled_ && k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
     ++counters.witness_evaluations;
-  } else if (result.contact_point.size() > 0) {
-    result.contact_point.resize(0);
   }
   counters.outer_iterations = outer_iterations_;
   counters.ray_iterations = shooter_.iterations();

@@ -26,8 +26,8 @@ namespace raygauge {
 /// does not hold the solve is not concluded here: solve() returns false and the caller turns to `direct`.
 class ZhengYamane {
  public:
-  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, Effects effects,
-             DistanceResult& result);
+  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
 
   void contact_combination(WeightedPoints& combination) const {
     last_vertices_.contact_combination(combination);
@@ -51,7 +51,7 @@ class ZhengYamane {
   SupportOracle oracle_Q_;
   RayShooter shooter_;
   SupportDirect last_vertices_;
-  Stopwatch stopwatch_;
+  const Stopwatch* stopwatch_ = nullptr;
   DistanceStatus status_ = DistanceStatus::precision_limit;
   double eta_ = 1;
   double eta_next_ = 1;

@@ -109,7 +109,8 @@ double PNormBall::do_inner_radius(const double* x) const {
     least = std::min(least, semi_axes_[k]);
   }
   const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
-  return shift < 1 ? (1 - shift) * least / norm * (1 - 1e-12) * (1 - 1e-12 * (shift > 0)) : 0.0;
+  const double left = 1 - shift - (n + 4) * std::numeric_limits<double>::epsilon();
+  return left > 0 ? left * least / norm * (1 - 1e-12) : 0.0;
 }
 
 SupportStructure PNormBall::do_structure() const noexcept {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <typeinfo>
 
 #include "engine/sets/convex_set.h"
 
@@ -91,5 +92,10 @@ class PointSet final : public ConvexSet {
   Eigen::VectorXd center_;
   double spacing_;
 };
+
+/// S as the point set that it is, or nullptr.
+inline const PointSet* as_point_set(const ConvexSet& S) noexcept {
+  return typeid(S) == typeid(PointSet) ? static_cast<const PointSet*>(&S) : nullptr;
+}
 
 }  // namespace raygauge

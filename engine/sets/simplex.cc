@@ -44,17 +44,18 @@ void Simplex::do_magnitude(double* magnitude) const {
 // The faces are x_k = o_k and Σ (x_k - o_k)/a_k = 1, each kept on the side of the simplex.
 double Simplex::do_inner_radius(const double* c) const {
   double least = std::numeric_limits<double>::infinity();
-  double across = 1, steepness = 0, size = 0;
+  const double shortest = legs_.cwiseAbs().minCoeff();
+  double across = 1, steepness = 0, size = 0;  // steepness: of the slanted face, times shortest²
   for (int k = 0; k < dimension(); ++k) {
     if (legs_[k] == 0) return 0;
     const double along = (c[k] - corner_[k]) / legs_[k];
     least = std::min(least, along * std::fabs(legs_[k]));
     across -= along;
-    steepness += 1 / (legs_[k] * legs_[k]);
+    steepness += (shortest / legs_[k]) * (shortest / legs_[k]);
     size += std::fabs(c[k]) + std::fabs(corner_[k]) + std::fabs(legs_[k]);
   }
-  least = std::min(
-      least, (across - 4 * dimension() * std::numeric_limits<double>::epsilon()) / std::sqrt(steepness));
+  const double left = across - 4 * dimension() * std::numeric_limits<double>::epsilon();
+  least = std::min(least, shortest * left / std::sqrt(steepness));
   return proven_length(least, size, dimension());
 }
 

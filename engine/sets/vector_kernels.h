@@ -25,12 +25,13 @@ inline double largest_magnitude(const double* u, int n) noexcept {
   return largest;
 }
 
+inline constexpr double kTinySquare = 0x1p-900, kHugeSquare = 0x1p900;
+
 /// |u|, and u/|u| in `unit` (zero for u = 0); `unit` may be u itself. Squares neither overflow nor underflow:
 /// where they would, u is first scaled by a power of two.
 inline double normalize(const double* u, int n, double* unit) noexcept {
-  constexpr double kTiny = 0x1p-900, kHuge = 0x1p900;
   const double square = dot(u, u, n);
-  if (square > kTiny && square < kHuge) {
+  if (square > kTinySquare && square < kHugeSquare) {
     const double length = std::sqrt(square);
     for (int k = 0; k < n; ++k) unit[k] = u[k] / length;
     return length;
@@ -47,18 +48,26 @@ inline double normalize(const double* u, int n, double* unit) noexcept {
   return std::scalbn(length, exponent);
 }
 
+/// |u|, as normalize() computes it.
+inline double length(const double* u, int n) noexcept {
+  const double square = dot(u, u, n);
+  if (square > kTinySquare && square < kHugeSquare) return std::sqrt(square);
+  const double largest = largest_magnitude(u, n);
+  if (largest == 0) return 0;
+  const int exponent = std::ilogb(largest);
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    const double scaled = std::scalbn(u[k], -exponent);
+    sum += scaled * scaled;
+  }
+  return std::scalbn(std::sqrt(sum), exponent);
+}
+
 /// What is proven of a length computed from numbers of magnitude `size` in some tens of operations per
 /// coordinate: `length` less its rounding error; 0 where nothing is left.
 inline double proven_length(double length, double size, int n) noexcept {
   const double left = length - (16 * n + 64) * 0x1p-53 * size;
   return left > 0 ? left : 0.0;
-}
-
-/// |u - v|.
-inline double distance_between(const double* u, const double* v, int n) noexcept {
-  double sum = 0;
-  for (int k = 0; k < n; ++k) sum += (u[k] - v[k]) * (u[k] - v[k]);
-  return std::sqrt(sum);
 }
 
 /// The Hessian of factor · |u|: factor/|u| (1 - ûûᵀ), û = u/|u|, n × n.
@@ -87,5 +96,12 @@ class Scratch {
   double stack_[kOnStack];
   std::unique_ptr<double[]> heap_;
 };
+
+/// |u - v|.
+inline double distance_between(const double* u, const double* v, int n) {
+  Scratch difference(n);
+  for (int k = 0; k < n; ++k) difference.data()[k] = u[k] - v[k];
+  return length(difference.data(), n);
+}
 
 }  // namespace raygauge
