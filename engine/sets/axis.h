@@ -15,8 +15,8 @@ class Axis {
   /// is the body in the messages.
   Axis(const std::string& set, const ConstVectorRef& p, const ConstVectorRef& q);
 
-  /// |u_⊥|, and u_⊥/|u_⊥| in `radial` (zero where u_⊥ = 0). u_⊥ is orthogonalised twice, so that `radial` is
-  /// orthogonal to the axis even for u nearly along it.
+  /// |u_⊥|, and u_⊥/|u_⊥| in `radial` (zero where u_⊥ = 0), orthogonal to the axis to rounding even for u
+  /// along it, where u_⊥ itself is nothing but rounding.
   double radial_part(const double* u, double* radial) const noexcept;
 
   const Vector& direction() const noexcept { return direction_; }
