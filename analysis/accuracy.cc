@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "analysis/stability.h"
 #include "analysis/statistics.h"
 #include "engine/exceptions.h"
@@ -29,7 +29,7 @@ class RunningMean {
  private:
   double sum_ = 0;
   double count_ = 0;
-  double largest_ = -std::numeric_limits<double>::infinity();
+  double largest_ = -kInfinity;
 };
 
 /// Gathers the solves of one method at one tolerance.
@@ -68,7 +68,7 @@ class AccuracyTally {
     if (std::isnan(truth)) return;
     const double error = std::abs(record.distance - truth);
     if (!std::isfinite(error)) {
-      if (record.distance != truth) worst_error_.add(std::numeric_limits<double>::infinity());
+      if (record.distance != truth) worst_error_.add(kInfinity);
       return;
     }
     point_.beyond_gap += error > record.upper - record.lower;
@@ -81,7 +81,7 @@ class AccuracyTally {
   void add_gap(const Record& record) {
     const double gap = relative_gap(record);
     point_.bounded += std::isfinite(record.upper - record.lower);
-    relative_gap_.add(std::isnan(gap) ? std::numeric_limits<double>::infinity() : gap);
+    relative_gap_.add(std::isnan(gap) ? kInfinity : gap);
   }
 
   AccuracyPoint point_;
@@ -111,11 +111,11 @@ std::vector<AccuracyCurve> accuracy_curves(const std::vector<Record>& records, c
 AccuracyFloor accuracy_floor(const AccuracyCurve& curve) {
   if (curve.points.empty()) throw EmptySetError("accuracy of method '" + curve.method + "': no solves");
   AccuracyFloor floor;
-  floor.certified = std::numeric_limits<double>::quiet_NaN();
+  floor.certified = kNaN;
   for (const AccuracyPoint& point : curve.points) {
     if (point.largest_relative_gap <= point.tolerance) floor.certified = point.tolerance;
   }
-  double best = std::numeric_limits<double>::infinity();
+  double best = kInfinity;
   for (const AccuracyPoint& point : curve.points) best = std::min(best, point.mean_relative_error);
   const auto reached =
       std::find_if(curve.points.begin(), std::prev(curve.points.end()),
@@ -124,8 +124,7 @@ AccuracyFloor accuracy_floor(const AccuracyCurve& curve) {
   floor.still_improving = std::next(reached) == curve.points.end();
   const AccuracyPoint& loosest = curve.points.front();
   const double decades = std::log10(loosest.tolerance / reached->tolerance);
-  floor.seconds_a_digit = decades > 0 ? (reached->median_seconds - loosest.median_seconds) / decades
-                                      : std::numeric_limits<double>::quiet_NaN();
+  floor.seconds_a_digit = decades > 0 ? (reached->median_seconds - loosest.median_seconds) / decades : kNaN;
   return floor;
 }
 

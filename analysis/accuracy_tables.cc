@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
+#include "analysis/cell_ratio.h"
+#include "analysis/constants.h"
 #include "analysis/number_text.h"
 #include "engine/exceptions.h"
 
@@ -22,16 +23,14 @@ std::string name_of_group(const GroupKey& key) {
   return generator + ", n = " + std::to_string(n) + ", N = " + std::to_string(N);
 }
 
-bool is_judged(const Record& record) { return !record.method.starts_with("exact"); }
-
-TableCell number_cell(double value, int digits) {
+TableCell known_cell(double value, int digits) {
   if (std::isnan(value)) return {"unknown"};
-  return {padded_significant(value, digits), value};
+  return padded_cell(value, digits);
 }
 
 TableCell gap_cell(double gap) {
   if (std::isinf(gap)) return {"none"};
-  return number_cell(gap, 2);
+  return known_cell(gap, 2);
 }
 
 TableCell flaw_cell(std::size_t count) {
@@ -40,7 +39,7 @@ TableCell flaw_cell(std::size_t count) {
 
 /// Time a digit from this tolerance to the next tighter one, in microseconds.
 double next_digit(const AccuracyCurve& curve, std::size_t i) {
-  if (i + 1 == curve.points.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (i + 1 == curve.points.size()) return kNaN;
   const AccuracyPoint& here = curve.points[i];
   const AccuracyPoint& next = curve.points[i + 1];
   return 1e6 * (next.median_seconds - here.median_seconds) / std::log10(here.tolerance / next.tolerance);
@@ -60,12 +59,12 @@ Table group_table(const AccuracyGroup& group) {
       row.starts_group = i == 0;
       row.cells = {{i == 0 ? curve.method : ""},
                    {significant(point.tolerance, 6)},
-                   number_cell(point.mean_relative_error, 2),
-                   number_cell(point.largest_relative_error, 2),
+                   known_cell(point.mean_relative_error, 2),
+                   known_cell(point.largest_relative_error, 2),
                    gap_cell(point.mean_relative_gap),
                    gap_cell(point.largest_relative_gap),
-                   number_cell(1e6 * point.median_seconds, 3),
-                   std::isnan(cost) ? TableCell() : number_cell(cost, 2),
+                   known_cell(1e6 * point.median_seconds, 3),
+                   padded_cell(cost, 2),
                    flaw_cell(point.failures),
                    flaw_cell(point.wrong)};
       table.rows.push_back(std::move(row));
@@ -81,10 +80,10 @@ TableRow floor_row(const AccuracyGroup& group, const AccuracyCurve& curve, bool 
   row.cells = {
       {first ? group.name : ""},
       {curve.method},
-      number_cell(floor.reached.mean_relative_error, 2),
+      known_cell(floor.reached.mean_relative_error, 2),
       {significant(floor.reached.tolerance, 6) + (floor.still_improving ? " (the last)" : "")},
-      number_cell(1e6 * floor.reached.median_seconds, 3),
-      std::isnan(floor.seconds_a_digit) ? TableCell() : number_cell(1e6 * floor.seconds_a_digit, 2),
+      known_cell(1e6 * floor.reached.median_seconds, 3),
+      padded_cell(1e6 * floor.seconds_a_digit, 2),
       std::isnan(floor.certified) ? TableCell("nowhere") : TableCell(significant(floor.certified, 6))};
   return row;
 }
@@ -112,7 +111,7 @@ Table floor_table(const std::vector<AccuracyGroup>& groups) {
 }  // namespace
 
 std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter) {
-  const auto belongs = [&](const Record& record) { return is_judged(record) && filter(record); };
+  const auto belongs = [&](const Record& record) { return !is_exact(record.method) && filter(record); };
   std::vector<GroupKey> keys;
   for (const Record& record : records) {
     const GroupKey key = group_of(record);
@@ -158,7 +157,7 @@ Table accuracy_long_table(const std::vector<AccuracyGroup>& groups) {
               point.largest_relative_error, point.mean_relative_gap, point.largest_relative_gap,
               1e6 * point.median_seconds, static_cast<double>(point.failures),
               static_cast<double>(point.wrong), static_cast<double>(point.beyond_gap)}) {
-          row.cells.emplace_back(significant(value, 6), value);
+          row.cells.push_back(number_cell(value));
         }
         table.rows.push_back(std::move(row));
       }

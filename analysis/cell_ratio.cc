@@ -6,19 +6,17 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
 
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -117,18 +115,20 @@ std::vector<std::string> methods_of(const std::vector<Record>& records) {
   return methods;
 }
 
-std::vector<std::string> default_baselines(const std::vector<Record>& records) {
+bool is_exact(const std::string& method) { return method.starts_with("exact"); }
+
+std::vector<std::string> default_baselines(const std::vector<Record>& records, const std::string& prefix) {
   std::vector<std::string> baselines;
   for (const std::string& method : methods_of(records)) {
-    if (method.starts_with("glpk")) baselines.push_back(method);
+    if (method.starts_with(prefix)) baselines.push_back(method);
   }
   return baselines;
 }
 
 bool is_competitor(const std::string& method) {
-  constexpr std::array<std::string_view, 4> kCompetitors = {"glpk", "clp", "nlopt", "exact"};
-  return std::any_of(kCompetitors.begin(), kCompetitors.end(),
-                     [&](std::string_view prefix) { return method.starts_with(prefix); });
+  constexpr std::array<std::string_view, 3> kCompetitors = {"glpk", "clp", "nlopt"};
+  return is_exact(method) || std::any_of(kCompetitors.begin(), kCompetitors.end(),
+                                         [&](std::string_view prefix) { return method.starts_with(prefix); });
 }
 
 std::vector<Record> baseline_records(const std::vector<Record>& all, const Filter& filter,

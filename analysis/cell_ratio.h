@@ -58,8 +58,14 @@ std::vector<CellRatio> cell_ratios(const std::vector<Record>& records,
 /// The methods of `records`, in order of first appearance.
 std::vector<std::string> methods_of(const std::vector<Record>& records);
 
-/// The baselines that ratios refer to unless told otherwise: methods whose label begins with "glpk".
-std::vector<std::string> default_baselines(const std::vector<Record>& records);
+/// The methods whose label begins with `prefix`: without one, the baselines that ratios refer to unless told
+/// otherwise.
+std::vector<std::string> default_baselines(const std::vector<Record>& records,
+                                           const std::string& prefix = "glpk");
+
+/// Whether a method solves in exact arithmetic, so that what it claims is the truth: its label begins with
+/// exact.
+bool is_exact(const std::string& method);
 
 /// Whether a method is a competitor, by its label: it begins with glpk, clp, nlopt or exact.
 bool is_competitor(const std::string& method);

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "analysis/constants.h"
 #include "analysis/number_text.h"
 #include "engine/exceptions.h"
 #include "results/schema.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double gap(const Record& record) { return record.lower == record.upper ? 0 : record.upper - record.lower; }
 
@@ -79,7 +77,7 @@ std::vector<AnalysisColumn> make_columns() {
 }
 
 struct ToNumber {
-  double operator()(const std::string&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  double operator()(const std::string&) const { return kNaN; }
   template <class Number>
   double operator()(Number value) const {
     return static_cast<double>(value);

@@ -133,23 +133,22 @@ Table comparison_long_table(const Comparison& comparison) {
   table.header = {{"generator", "generator_parameters", "n", "N", "tolerance", "method", "base_seconds",
                    "new_seconds", "pairs", "ratio", "lower", "upper", "p", "adjusted_p", "change", "lost"}};
   table.key_columns = 6;
-  const auto number = [](double value) { return TableCell(significant(value, 6), value); };
   for (const CellChange& cell : comparison.cells) {
     const Interval& interval = cell.ratio.ratio.interval;
     table.rows.push_back({{{cell.cell.generator},
                            {cell.cell.generator_parameters},
                            {std::to_string(cell.cell.n)},
                            {std::to_string(cell.cell.N)},
-                           number(cell.cell.tolerance),
+                           number_cell(cell.cell.tolerance),
                            {cell.method},
-                           number(cell.base_seconds),
-                           number(cell.new_seconds),
+                           number_cell(cell.base_seconds),
+                           number_cell(cell.new_seconds),
                            {std::to_string(cell.pairs)},
-                           number(cell.ratio.ratio.ratio),
-                           number(interval.lower),
-                           number(interval.upper),
-                           number(cell.ratio.p),
-                           number(cell.adjusted_p),
+                           number_cell(cell.ratio.ratio.ratio),
+                           number_cell(interval.lower),
+                           number_cell(interval.upper),
+                           number_cell(cell.ratio.p),
+                           number_cell(cell.adjusted_p),
                            {to_string(cell.change)},
                            {std::to_string(cell.lost)}}});
   }

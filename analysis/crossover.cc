@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "analysis/paired_ratio.h"
 
 namespace raygauge {
@@ -67,8 +67,7 @@ std::vector<CellWinner> cell_winners(const std::vector<Record>& records) {
     winner.cell = cell;
     winner.method = contestants.front().method;
     winner.seconds = contestants.front().median_seconds;
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    winner.lead = {kNone, {kNone, kNone, 0}};
+    winner.lead = {kNaN, {kNaN, kNaN, 0}};
     if (contestants.size() > 1 && std::isfinite(contestants[1].median_seconds)) {
       winner.runner_up = contestants[1].method;
       winner.lead = lead_over(contestants[0], contestants[1]);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/cell_ratio.h"
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -35,14 +35,14 @@ void require_methods(const std::vector<AccuracyCurve>& curves, const std::vector
 }  // namespace
 
 double Example1Table::time_ratio(const AccuracyPoint& point) const {
-  double best = std::numeric_limits<double>::infinity();
+  double best = kInfinity;
   for (const AccuracyCurve& curve : curves) {
     if (std::find(baselines.begin(), baselines.end(), curve.method) == baselines.end()) continue;
     for (const AccuracyPoint& other : curve.points) {
       if (other.tolerance == point.tolerance) best = std::min(best, other.mean_seconds);
     }
   }
-  return std::isfinite(best) ? point.mean_seconds / best : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(best) ? point.mean_seconds / best : kNaN;
 }
 
 Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,

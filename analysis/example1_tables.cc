@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 #include "analysis/cell_ratio.h"
+#include "analysis/constants.h"
 #include "analysis/example1_table.h"
 #include "analysis/number_text.h"
 #include "analysis/paper.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kNotPublished = std::numeric_limits<double>::quiet_NaN();
 
 std::string title_of(Example1Roles roles) {
   return roles == Example1Roles::cone_ellipsoid ? "Table I" : "Table II";
@@ -28,23 +26,17 @@ paper::AccuracyRow paper_row(Example1Roles roles, double tolerance) {
     return std::abs(row.tolerance - tolerance) <= kRounding * tolerance;
   });
   if (found != rows.end()) return *found;
-  return {tolerance,     kNotPublished, kNotPublished, kNotPublished,
-          kNotPublished, kNotPublished, kNotPublished};
-}
-
-TableCell measured(double value, int digits) {
-  if (std::isnan(value)) return {};
-  return {padded_significant(value, digits), value};
+  return {tolerance, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
 }
 
 TableCell published(double value, int digits) {
-  TableCell cell = measured(value, digits);
+  TableCell cell = padded_cell(value, digits);
   cell.emphasis = Emphasis::muted;
   return cell;
 }
 
 TableCell error_of(const AccuracyPoint& point) {
-  TableCell cell = measured(point.mean_error, 3);
+  TableCell cell = padded_cell(point.mean_error, 3);
   if (!(point.mean_error <= point.tolerance)) cell.emphasis = Emphasis::alarm;
   return cell;
 }
@@ -61,11 +53,11 @@ TableRow engine_row(const Example1Table& table, const AccuracyPoint& point) {
   TableRow row;
   row.cells = {{significant(point.tolerance, 6)},
                error_of(point),
-               measured(1e6 * point.mean_seconds, 3),
-               measured(point.K, 3),
-               measured(point.N_rs, 4),
-               measured(point.supports, 3),
-               measured(table.time_ratio(point), 2),
+               padded_cell(1e6 * point.mean_seconds, 3),
+               padded_cell(point.K, 3),
+               padded_cell(point.N_rs, 4),
+               padded_cell(point.supports, 3),
+               padded_cell(table.time_ratio(point), 2),
                share_cell(point.failures, point.solves),
                share_cell(point.wrong, point.solves),
                published(paper.error, 3),
@@ -80,7 +72,7 @@ TableRow competitor_row(const Example1Table& table, const AccuracyPoint& point) 
   const paper::AccuracyRow paper = paper_row(table.roles, point.tolerance);
   TableRow row;
   row.cells = {{significant(point.tolerance, 6)},        error_of(point),
-               measured(1e6 * point.mean_seconds, 3),    measured(table.time_ratio(point), 2),
+               padded_cell(1e6 * point.mean_seconds, 3), padded_cell(table.time_ratio(point), 2),
                share_cell(point.failures, point.solves), share_cell(point.wrong, point.solves),
                published(paper.active_set_error, 3),     published(paper.active_set_milliseconds, 4)};
   return row;
@@ -105,7 +97,7 @@ Table method_table(const Example1Table& table, const AccuracyCurve& curve) {
 /// The extremes of measured/paper - 1 over the tolerances that the paper has, as "-10 … +25 %".
 TableCell deviation_cell(const Example1Table& table, const AccuracyCurve& curve, double AccuracyPoint::*ours,
                          double paper::AccuracyRow::*theirs) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   double most = -least;
   for (const AccuracyPoint& point : curve.points) {
     const double deviation = 100 * (point.*ours / paper_row(table.roles, point.tolerance).*theirs - 1);
@@ -125,7 +117,7 @@ TableCell deviation_cell(const Example1Table& table, const AccuracyCurve& curve,
 /// The largest value of a quantity over the tolerances.
 template <class Quantity>
 double largest_of(const AccuracyCurve& curve, const Quantity& quantity) {
-  double largest = std::numeric_limits<double>::quiet_NaN();
+  double largest = kNaN;
   for (const AccuracyPoint& point : curve.points) largest = std::fmax(largest, quantity(point));
   return largest;
 }
@@ -143,14 +135,10 @@ TableCell count_of(const AccuracyCurve& curve, std::size_t AccuracyPoint::*count
 }
 
 Table summary_of(const Example1Table& table) {
-  Table result;
-  result.title = title_of(table.roles) + ", summary";
-  result.header = {{""}};
-  for (const AccuracyCurve& curve : table.curves) result.header[0].push_back(curve.method);
+  Table result = summary_table(title_of(table.roles) + ", summary", table.curves,
+                               [](const AccuracyCurve& curve) { return curve.method; });
   const auto row = [&](const std::string& what, const auto& cell_of) {
-    TableRow line{{{what}}, false};
-    for (const AccuracyCurve& curve : table.curves) line.cells.push_back(cell_of(curve));
-    result.rows.push_back(std::move(line));
+    add_summary_row(result, what, table.curves, cell_of);
   };
   row("largest mean error / ε", [](const AccuracyCurve& curve) {
     const double worst = largest_of(curve, [](const AccuracyPoint& p) { return p.mean_error / p.tolerance; });
@@ -166,7 +154,7 @@ Table summary_of(const Example1Table& table) {
     return deviation_cell(table, curve, &AccuracyPoint::N_rs, &paper::AccuracyRow::N_rs);
   });
   row("largest ratio of times", [&](const AccuracyCurve& curve) {
-    return measured(largest_of(curve, [&](const AccuracyPoint& p) { return table.time_ratio(p); }), 2);
+    return padded_cell(largest_of(curve, [&](const AccuracyPoint& p) { return table.time_ratio(p); }), 2);
   });
   row("failed", [](const AccuracyCurve& curve) {
     return count_of(curve, &AccuracyPoint::failures, &AccuracyPoint::solves);
@@ -206,7 +194,7 @@ Table example1_long_table(const Example1Table& table) {
             point.K, point.N_rs, point.supports, table.time_ratio(point), static_cast<double>(point.failures),
             static_cast<double>(point.wrong), static_cast<double>(point.beyond_gap), paper.error,
             paper.milliseconds, paper.K, paper.N_rs, paper.active_set_error, paper.active_set_milliseconds}) {
-        row.cells.emplace_back(significant(value, 6), value);
+        row.cells.push_back(number_cell(value));
       }
       result.rows.push_back(std::move(row));
     }

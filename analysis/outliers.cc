@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -15,7 +15,6 @@ Interval tukey_fences(const std::vector<double>& values, double k) {
   if (!(k >= 0)) throw InvalidParameterError("Tukey's k is " + std::to_string(k) + ", must not be negative");
   const double q1 = quantile(values, 0.25);
   const double q3 = quantile(values, 0.75);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!std::isfinite(q1) || !std::isfinite(q3)) return {-kInfinity, kInfinity, 0};
   return {q1 - k * (q3 - q1), q3 + k * (q3 - q1), 0};
 }

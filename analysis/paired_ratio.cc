@@ -4,16 +4,13 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <string>
 
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 void require_positive_time(double value) {
   if (!(value > 0))
@@ -48,7 +45,7 @@ std::vector<double> log_ratios(const std::vector<double>& numerator, const std::
 Ratio paired_ratio(const std::vector<double>& numerator, const std::vector<double>& denominator,
                    double confidence) {
   const std::vector<double> logs = log_ratios(numerator, denominator);
-  if (logs.empty()) return {kUnknown, {kUnknown, kUnknown, 0}};
+  if (logs.empty()) return {kNaN, {kNaN, kNaN, 0}};
   const Interval interval = median_interval(logs, confidence);
   return {std::exp(median(logs)), {std::exp(interval.lower), std::exp(interval.upper), interval.confidence}};
 }
@@ -58,9 +55,9 @@ TestedRatio geometric_mean_ratio(const std::vector<double>& logarithms, double c
   for (const double x : logarithms) {
     if (std::isfinite(x)) logs.push_back(x);
   }
-  if (logs.empty()) return {{kUnknown, {kUnknown, kUnknown, 0}}, 1};
+  if (logs.empty()) return {{kNaN, {kNaN, kNaN, 0}}, 1};
   const double center = mean(logs);
-  if (logs.size() < 2) return {{std::exp(center), {0, kUnbounded, confidence}}, 1};
+  if (logs.size() < 2) return {{std::exp(center), {0, kInfinity, confidence}}, 1};
   const double error = std::sqrt(variance_of_mean(logs, center));
   const boost::math::students_t distribution(static_cast<double>(logs.size() - 1));
   const double half = error * boost::math::quantile(distribution, (1 + confidence) / 2);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "analysis/cell_ratio.h"
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -21,7 +21,7 @@ using InstanceTimes = std::map<std::string, double>;  // by method
 std::map<ProfileInstance, InstanceTimes> times_by_instance(const std::vector<Record>& records) {
   std::map<ProfileInstance, InstanceTimes> instances;
   for (const Record& record : records) {
-    const double never = std::numeric_limits<double>::infinity();
+    const double never = kInfinity;
     instances[{cell_key(record), record.seed, record.repetition}][record.method] =
         record.agrees ? time_or_infinity(record) : never;
   }

@@ -35,7 +35,7 @@ Key key_of(const Columns& columns, const Record& record) {
   return key;
 }
 
-Columns joined(const Columns& a, const Columns& b) {
+Columns concatenated(const Columns& a, const Columns& b) {
   Columns all = a;
   all.insert(all.end(), b.begin(), b.end());
   return all;
@@ -56,7 +56,8 @@ Columns implied_rows(const std::vector<Record>& records, const Columns& rows, co
   Columns implied;
   for (const std::string& name : kIdentity) {
     const AnalysisColumn& column = analysis_column(name);
-    if (varies_within(records, joined(joined(implied, rows), columns), column)) implied.push_back(&column);
+    if (varies_within(records, concatenated(concatenated(implied, rows), columns), column))
+      implied.push_back(&column);
   }
   return implied;
 }
@@ -223,7 +224,7 @@ Pivot make_pivot(const std::vector<Record>& records, const PivotOptions& options
                             : "no record passes the filter '" + options.filter.expression() + "'");
   std::vector<Record> denominators;
   if (pivot.value.is_ratio()) {
-    require_cell_columns(joined(rows, columns));
+    require_cell_columns(concatenated(rows, columns));
     pivot.baselines = options.baselines.empty() ? default_baselines(records) : options.baselines;
     denominators = baseline_records(records, options.filter, pivot.baselines);
     kept = without_methods(kept, pivot.baselines);
@@ -232,7 +233,7 @@ Pivot make_pivot(const std::vector<Record>& records, const PivotOptions& options
   if (!pivot.value.counts()) {
     const Columns implied = implied_rows(kept, rows, columns);
     pivot.split_by = names_of(implied);
-    rows = joined(implied, rows);
+    rows = concatenated(implied, rows);
   }
   pivot.row_names = names_of(rows);
   pivot.column_names = names_of(columns);

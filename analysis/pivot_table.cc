@@ -7,17 +7,12 @@
 
 #include "analysis/columns.h"
 #include "analysis/number_text.h"
+#include "analysis/words.h"
 
 namespace raygauge {
 namespace {
 
 constexpr int kDigits = 3;
-
-std::string join(const std::vector<std::string>& words, const std::string& separator) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
 
 std::string number_text(const Pivot& pivot, double value) {
   if (std::isinf(value))
@@ -56,7 +51,7 @@ std::string key_text(const std::string& name, const Value& value) {
 std::string title(const Pivot& pivot) {
   std::string text = pivot.value.name;
   if (pivot.value.is_ratio()) {
-    text += " ratio of time to the best of " + join(pivot.baselines, ", ");
+    text += " ratio of time to the best of " + joined(pivot.baselines, ", ");
   } else if (!pivot.value.counts()) {
     text += " " + pivot.value.quantity;
     const std::string unit = analysis_column(pivot.value.quantity).unit;
@@ -75,7 +70,7 @@ std::string place_text(const Pivot& pivot, std::size_t row, std::size_t column) 
     words.push_back(key_text(pivot.row_names[c], pivot.row_keys[row][c]));
   for (std::size_t c = 0; c < pivot.column_names.size(); ++c)
     words.push_back(key_text(pivot.column_names[c], pivot.column_keys[column][c]));
-  return join(words, " ");
+  return joined(words, " ");
 }
 
 /// "…: direct n=3 2 of 20, …", the first few places where a count is not 0; "" if there are none.
@@ -99,7 +94,7 @@ std::string places_note(const Pivot& pivot, std::size_t PivotCell::*count, const
   if (total == 0) return "";
   if (others > 0) places.push_back("and in " + std::to_string(others) + " more cells");
   return "* " + std::to_string(total) + (total == 1 ? " record " : " records ") + what + ": " +
-         join(places, ", ");
+         joined(places, ", ");
 }
 
 std::vector<std::string> notes(const Pivot& pivot) {
@@ -142,7 +137,7 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
   }
   table.notes = notes(pivot);
   if (!pivot.split_by.empty())
-    table.notes.push_back("split by " + join(pivot.split_by, ", ") + ", which the value must not mix");
+    table.notes.push_back("split by " + joined(pivot.split_by, ", ") + ", which the value must not mix");
   if (intervals)
     table.notes.emplace_back(
         "[lower, upper]: 95 % intervals; of medians by interpolated order statistics "

@@ -4,9 +4,9 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <string>
 
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -27,7 +27,7 @@ std::vector<double> logarithms(const std::vector<double>& values, const char* na
 
 /// Half the width of the interval, in standard errors.
 double t_quantile(std::size_t points, double confidence) {
-  if (points <= 2) return std::numeric_limits<double>::infinity();
+  if (points <= 2) return kInfinity;
   const boost::math::students_t distribution(static_cast<double>(points - 2));
   return boost::math::quantile(distribution, (1 + confidence) / 2);
 }

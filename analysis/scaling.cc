@@ -12,7 +12,8 @@
 
 namespace raygauge {
 
-std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis) {
+std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
+                                         std::size_t fewest) {
   const std::vector<std::string> methods = methods_of(records);
   std::map<std::tuple<CellKey, std::size_t, std::string>, ScalingCurve> curves;
   for (const CellTimes& times : cell_times(records)) {
@@ -36,7 +37,7 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, Siz
   }
   std::vector<ScalingCurve> result;
   for (auto& [key, curve] : curves) {
-    if (curve.sizes.size() > 1) result.push_back(std::move(curve));
+    if (curve.sizes.size() >= fewest) result.push_back(std::move(curve));
   }
   return result;
 }

@@ -25,9 +25,10 @@ struct ScalingCurve {
   std::vector<std::size_t> counts;    ///< times of each
 };
 
-/// The curves of every method and problem with at least two sizes; cells whose median is infinite are left
-/// out.
-std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis);
+/// The curves of every method and problem with at least `fewest` sizes; cells whose median is infinite are
+/// left out.
+std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
+                                         std::size_t fewest = 2);
 
 /// seconds = factor · size^exponent over the medians of a curve with three sizes or more (two leave no
 /// interval). Throws as fit_power_law().

@@ -9,14 +9,12 @@
 
 #include "analysis/cell_ratio.h"
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "analysis/statistics.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A method may miss its tolerance by this factor before its answer is called wrong: solvers have absolute
 /// and relative tolerances of several kinds, and none of them promises ours.

@@ -3,13 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/constants.h"
 #include "analysis/number_text.h"
 #include "analysis/stability.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TableCell text(const std::string& words) { return {words, kNaN, Emphasis::none}; }
 
@@ -106,8 +105,6 @@ Table reading_table(const StabilityTolerance& part) {
   return table;
 }
 
-TableCell number(double value) { return {significant(value, 6), value, Emphasis::none}; }
-
 }  // namespace
 
 std::vector<Table> stability_tables(const Stability& stability) {
@@ -125,18 +122,18 @@ Table stability_long_table(const Stability& stability) {
   for (const StabilityTolerance& part : stability) {
     for (const StabilityRow& row : all_rows(part)) {
       TableRow line;
-      line.cells = {number(part.tolerance),
+      line.cells = {number_cell(part.tolerance),
                     text(row.family.empty() ? "all" : row.family),
                     text(row.method),
                     count(row.solves),
                     count(row.certified),
-                    number(certified_share(row)),
-                    number(row.worst_width),
+                    number_cell(certified_share(row)),
+                    number_cell(row.worst_width),
                     count(row.truth_known),
-                    number(row.worst_true_error),
+                    number_cell(row.worst_true_error),
                     count(row.wrong),
                     count(row.failures),
-                    number(1e3 * row.median_seconds)};
+                    number_cell(1e3 * row.median_seconds)};
       table.rows.push_back(std::move(line));
     }
   }

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
+#include "analysis/constants.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void require_values(const std::vector<double>& values, const char* what) {
   if (values.empty()) throw EmptySetError(std::string(what) + " of no values");

@@ -3,12 +3,14 @@
 #include "analysis/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "analysis/formats/csv_table.h"
 #include "analysis/formats/latex_table.h"
 #include "analysis/formats/markdown_table.h"
 #include "analysis/formats/text_table.h"
+#include "analysis/number_text.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -25,6 +27,13 @@ void require_rectangle(const Table& table) {
 }
 
 }  // namespace
+
+TableCell number_cell(double value, int digits) { return {significant(value, digits), value}; }
+
+TableCell padded_cell(double value, int digits) {
+  if (std::isnan(value)) return {};
+  return {padded_significant(value, digits), value};
+}
 
 TableFormat table_format_from_string(const std::string& name) {
   static const std::map<std::string, TableFormat> kFormats = {{"text", TableFormat::text},

@@ -35,6 +35,12 @@ struct TableRow {
   bool starts_group = false;  ///< set apart from the row above
 };
 
+/// A number with at most so many significant digits.
+TableCell number_cell(double value, int digits = 6);
+
+/// A number with exactly so many, as padded_significant(); empty for NaN.
+TableCell padded_cell(double value, int digits);
+
 /// A table in no particular format. All header lines and rows have the same number of cells.
 struct Table {
   std::string title;
@@ -43,6 +49,25 @@ struct Table {
   std::vector<TableRow> rows;
   std::vector<std::string> notes;  ///< sentences below the table
 };
+
+/// A table that compares `items`, each a column headed by `name_of` it; rows are to be added by
+/// add_summary_row().
+template <class Items, class NameOf>
+Table summary_table(const std::string& title, const Items& items, const NameOf& name_of) {
+  Table table;
+  table.title = title;
+  table.header = {{""}};
+  for (const auto& item : items) table.header[0].push_back(name_of(item));
+  return table;
+}
+
+/// A row of `cell_of` each item.
+template <class Items, class CellOf>
+void add_summary_row(Table& table, const std::string& what, const Items& items, const CellOf& cell_of) {
+  TableRow row{{{what}}, false};
+  for (const auto& item : items) row.cells.push_back(cell_of(item));
+  table.rows.push_back(std::move(row));
+}
 
 enum class TableFormat : std::uint8_t { text, markdown, latex, csv };
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "analysis/number_text.h"
 #include "analysis/paper.h"
 #include "analysis/statistics.h"
@@ -50,7 +50,7 @@ std::vector<Record> example2_records(const std::vector<Record>& records) {
 }
 
 void count_records(Table3Method& method, const std::vector<Record>& records) {
-  method.largest_relative_gap = std::numeric_limits<double>::quiet_NaN();
+  method.largest_relative_gap = kNaN;
   for (const Record& record : records) {
     if (record.method != method.method) continue;
     ++method.records;
@@ -73,7 +73,6 @@ void compare_with_paper(Table3Method& method) {
     if (cell.ratio.ratio > paper->ratio / 2) method.above_half.push_back(cell);
   }
   method.compared = ratios.size();
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   method.geometric_mean = ratios.empty() ? kNaN : geometric_mean(ratios);
   method.paper_geometric_mean = ratios.empty() ? kNaN : geometric_mean(papers);
 }

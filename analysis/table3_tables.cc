@@ -4,19 +4,18 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "analysis/constants.h"
 #include "analysis/number_text.h"
 #include "analysis/paper.h"
 #include "analysis/statistics.h"
+#include "analysis/words.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string milliseconds_and_ratio(double milliseconds, double ratio, int time_digits) {
   if (std::isinf(milliseconds)) return "unsolved";
@@ -26,11 +25,10 @@ std::string milliseconds_and_ratio(double milliseconds, double ratio, int time_d
 
 TableCell measured_cell(const CellRatio* cell) {
   if (cell == nullptr) return {};
-  constexpr int kDigits = 3;
   const auto paper = paper::table3_cell(cell->times.cell.n, cell->times.cell.N);
   const bool slow = paper && cell->ratio.ratio > paper->ratio / 2;
   const bool flawed = cell->times.unsolved > 0 || cell->times.disagreeing > 0;
-  std::string text = milliseconds_and_ratio(1e3 * cell->median_seconds, cell->ratio.ratio, kDigits);
+  std::string text = milliseconds_and_ratio(1e3 * cell->median_seconds, cell->ratio.ratio, 3);
   if (slow) text += "*";
   if (flawed) text += "!";
   return {text, kNaN, slow || flawed ? Emphasis::alarm : Emphasis::none};
@@ -47,12 +45,6 @@ TableCell paper_cell(int n, int N) {
 
 std::string place(const CellRatio& cell) {
   return "n=" + std::to_string(cell.times.cell.n) + " N=" + std::to_string(cell.times.cell.N);
-}
-
-std::string joined(const std::vector<std::string>& words, const std::string& separator) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
 }
 
 /// What the marks in a method's cells mean, and where they are.
@@ -131,16 +123,12 @@ TableCell count_cell(std::size_t count, std::size_t total) {
           count == 0 ? Emphasis::none : Emphasis::alarm};
 }
 
-Table summary_table(const Table3& table3) {
-  Table table;
-  table.title = "Table III, summary";
-  table.header = {{""}};
+Table summary_of(const Table3& table3) {
+  Table table = summary_table("Table III, summary", table3.methods,
+                              [](const Table3Method& method) { return method.method; });
   const auto row = [&](const std::string& what, const auto& cell_of) {
-    TableRow line{{{what}}, false};
-    for (const Table3Method& method : table3.methods) line.cells.push_back(cell_of(method));
-    table.rows.push_back(std::move(line));
+    add_summary_row(table, what, table3.methods, cell_of);
   };
-  for (const Table3Method& method : table3.methods) table.header[0].push_back(method.method);
   row("cells", [](const Table3Method& m) { return TableCell{std::to_string(m.cells.size())}; });
   row("geometric mean of the ratios", [](const Table3Method& m) { return ratio_cell(m.geometric_mean); });
   row("the paper's, same cells", [](const Table3Method& m) {
@@ -167,14 +155,12 @@ Table summary_table(const Table3& table3) {
   return table;
 }
 
-TableCell number(double value, int digits = 6) { return {significant(value, digits), value, Emphasis::none}; }
-
 }  // namespace
 
 std::vector<Table> table3_tables(const Table3& table3) {
   std::vector<Table> tables;
   for (const Table3Method& method : table3.methods) tables.push_back(layout_table(table3, method));
-  tables.push_back(summary_table(table3));
+  tables.push_back(summary_of(table3));
   return tables;
 }
 
@@ -191,19 +177,19 @@ Table table3_long_table(const Table3& table3) {
       const auto paper = paper::table3_cell(key.n, key.N);
       TableRow row;
       row.cells = {{name},
-                   number(key.n),
-                   number(key.N),
-                   number(1e3 * cell.median_seconds),
-                   number(cell.ratio.ratio),
-                   number(cell.ratio.interval.lower),
-                   number(cell.ratio.interval.upper),
+                   number_cell(key.n),
+                   number_cell(key.N),
+                   number_cell(1e3 * cell.median_seconds),
+                   number_cell(cell.ratio.ratio),
+                   number_cell(cell.ratio.interval.lower),
+                   number_cell(cell.ratio.interval.upper),
                    {cell.baseline},
-                   number(1e3 * cell.baseline_seconds),
-                   number(paper ? paper->milliseconds : kNaN),
-                   number(paper ? paper->ratio : kNaN),
-                   number(static_cast<double>(seconds.size() + disagreeing)),
-                   number(static_cast<double>(unsolved)),
-                   number(static_cast<double>(disagreeing))};
+                   number_cell(1e3 * cell.baseline_seconds),
+                   number_cell(paper ? paper->milliseconds : kNaN),
+                   number_cell(paper ? paper->ratio : kNaN),
+                   number_cell(static_cast<double>(seconds.size() + disagreeing)),
+                   number_cell(static_cast<double>(unsolved)),
+                   number_cell(static_cast<double>(disagreeing))};
       table.rows.push_back(std::move(row));
     }
   }

@@ -3,27 +3,23 @@
 #include "analysis/truth.h"
 
 #include <cmath>
-#include <limits>
+
+#include "analysis/cell_ratio.h"
+#include "analysis/constants.h"
 
 namespace raygauge {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 Truth::Truth(const std::vector<Record>& records) {
   for (const Record& record : records) {
     const double claim = claimed_distance(record);
-    if (record.method.rfind("exact", 0) == 0 && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
+    if (is_exact(record.method) && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
   }
 }
 
 double Truth::operator()(const Record& record) const {
   if (!std::isnan(record.exact_distance)) return record.exact_distance;
   const auto found = proven_.find(name_of(record));
-  return found == proven_.end() ? kUnknown : found->second;
+  return found == proven_.end() ? kNaN : found->second;
 }
 
 Truth::InstanceName Truth::name_of(const Record& record) {
@@ -39,13 +35,13 @@ double claimed_distance(const Record& record) {
     case DistanceStatus::unreachable:
       return kInfinity;
     default:
-      return kUnknown;
+      return kNaN;
   }
 }
 
 double true_error(const Record& record, double truth) {
   const double claim = claimed_distance(record);
-  if (std::isnan(claim) || std::isnan(truth)) return kUnknown;
+  if (std::isnan(claim) || std::isnan(truth)) return kNaN;
   if (claim == truth) return 0;
   if (std::isinf(claim) || std::isinf(truth)) return kInfinity;
   const double error = std::abs(claim - truth);

@@ -44,9 +44,7 @@ function(raygauge_room name)
   target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_warnings>)
   target_precompile_headers(raygauge_${name} PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
                                                      <Eigen/Core>)
-  if(NOT name STREQUAL "analysis")
-    set_target_properties(raygauge_${name} PROPERTIES UNITY_BUILD ${RAYGAUGE_UNITY_BUILD})
-  endif()
+  set_target_properties(raygauge_${name} PROPERTIES UNITY_BUILD ${RAYGAUGE_UNITY_BUILD})
 endfunction()
 
 # raygauge_require(PACKAGE DEBIAN_PACKAGE ...) finds a package or says in one line what to install.

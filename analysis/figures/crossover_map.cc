@@ -3,81 +3,65 @@
 #include "analysis/figures/crossover_map.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <string>
 
 #include "analysis/crossover.h"
+#include "analysis/figures/cell_map.h"
 #include "analysis/figures/style.h"
 #include "analysis/number_text.h"
 
 namespace raygauge {
 namespace {
 
+using figure_style::screen;
+
 constexpr const char* kCrossoverName = "crossover";
 
 /// Inches.
-struct CrossoverLayout {
-  double width = 0;
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  static constexpr double kLeft = 0.45;
-  static constexpr double kRight = 0.1;
-  static constexpr double kTop = 0.32;
-  static constexpr double kBottom = 0.4;
-  static constexpr double kRow = 0.2;
+constexpr double kCrossoverRight = 0.1;
+constexpr double kCrossoverHeading = 0.2;
+constexpr double kKeyLine = 0.16;
+constexpr double kWinnerCharacters = 6;  // "a 1.2?"
 
-  double height() const { return kTop + kRow * static_cast<double>(rows) + kBottom; }
-  double font_size() const {
-    constexpr double kPointsPerInch = 72;
-    constexpr double kEms = 6 * 0.62;
-    constexpr double kLargest = 7;
-    return std::min(kLargest,
-                    kPointsPerInch * (width - kLeft - kRight) / static_cast<double>(columns) / kEms);
-  }
-};
-
-std::string ticks_of(const std::set<int>& values) {
-  std::string text;
-  int place = 0;
-  for (const int value : values)
-    text += (text.empty() ? "('" : ", '") + std::to_string(value) + "' " + std::to_string(place++);
-  return text + ")";
+/// The methods that win somewhere, in their order.
+std::vector<std::string> winning_methods(const std::vector<std::string>& methods,
+                                         const std::vector<CellWinner>& winners) {
+  std::vector<std::string> winning;
+  std::copy_if(methods.begin(), methods.end(), std::back_inserter(winning), [&](const std::string& method) {
+    return std::any_of(winners.begin(), winners.end(),
+                       [&](const CellWinner& winner) { return winner.method == method; });
+  });
+  return winning;
 }
 
-char letter_of(const std::string& method, const std::vector<std::string>& methods) {
-  return static_cast<char>('a' + (std::find(methods.begin(), methods.end(), method) - methods.begin()) % 26);
+/// What stands before a method's numbers, so that its cells are told from others' in grey; nothing where one
+/// method wins all.
+std::string mark_of(std::size_t index, std::size_t winning) {
+  constexpr std::size_t kLetters = 26;
+  return winning < 2 ? "" : std::string(1, static_cast<char>('a' + index % kLetters)) + " ";
 }
 
-/// Column, row, text and colour of the text of the cells that a method wins.
-std::string winner_block(std::size_t index, const std::string& method, const std::vector<CellWinner>& winners,
-                         const std::set<int>& n, const std::set<int>& N, char letter) {
-  std::string text = "$winner" + std::to_string(index) + " << EOD\n";
+/// Column, row and text of the cells that a method wins.
+std::string winner_block(const std::string& name, const std::string& method,
+                         const std::vector<CellWinner>& winners, const CellMap& map,
+                         const std::string& mark) {
+  std::string text = name + " << EOD\n";
   for (const CellWinner& winner : winners) {
     if (winner.method != method) continue;
-    std::string label(1, letter);
-    if (!winner.runner_up.empty())
-      label += " " + padded_significant(winner.lead.ratio, 2) + (winner.decided ? "" : "?");
-    text += std::to_string(std::distance(N.begin(), N.find(winner.cell.N))) + " " +
-            std::to_string(std::distance(n.begin(), n.find(winner.cell.n))) + " \"" + label + "\"\n";
+    const std::string lead = winner.runner_up.empty() ? "only" : padded_significant(winner.lead.ratio, 2);
+    text.append(map.place(winner.cell)).append(" \"").append(mark).append(lead);
+    text += winner.runner_up.empty() || winner.decided ? "\"\n" : "?\"\n";
   }
   return text + "EOD\n";
 }
 
-std::string crossover_settings(const CrossoverLayout& layout, const std::set<int>& n,
-                               const std::set<int>& N) {
-  const double height = layout.height();
-  const auto screen = [](double value) { return significant(value, 6); };
-  return "unset key\nset border 0\nset style fill transparent solid 0.45 noborder\nset xtics " + ticks_of(N) +
-         " scale 0 font '," + significant(layout.font_size(), 3) + "'\nset ytics " + ticks_of(n) +
-         " scale 0\nset xlabel 'N, points in each set' offset 0,0.6\nset ylabel 'n' offset 1.5,0 rotate by "
-         "0\n"
-         "set xrange [-0.5:" +
-         std::to_string(N.size()) + "-0.5]\nset yrange [" + std::to_string(n.size()) + "-0.5:-0.5]\n" +
-         "set lmargin at screen " + screen(CrossoverLayout::kLeft / layout.width) +
-         "\nset rmargin at screen " + screen(1 - CrossoverLayout::kRight / layout.width) +
-         "\nset tmargin at screen " + screen(1 - CrossoverLayout::kTop / height) +
-         "\nset bmargin at screen " + screen(CrossoverLayout::kBottom / height) + "\n";
+/// Heading and key above the cells.
+std::string crossover_legend(double height, std::size_t key_columns) {
+  return "set label 9 'fastest method, and how many times as long the second takes' at screen 0.5, screen " +
+         screen(1 - 0.1 / height) + " center\nset key at screen 0.5, screen " +
+         screen(1 - kCrossoverHeading / height) +
+         " center top horizontal Left reverse samplen 1.2 spacing 0.9 width 1 maxcols " +
+         std::to_string(key_columns) + "\n";
 }
 
 }  // namespace
@@ -90,37 +74,31 @@ Drawing crossover_figure(const std::vector<Record>& records, const FigureOptions
     throw FigureNeedsError(std::string("figure ") + kCrossoverName +
                            " needs solved records of two or more methods");
   }
-  std::set<int> n;
-  std::set<int> N;
-  for (const CellWinner& winner : winners) {
-    n.insert(winner.cell.n);
-    N.insert(winner.cell.N);
-  }
-  const CrossoverLayout layout{width_of(options.size), n.size(), N.size()};
+  std::vector<CellKey> cells;
+  for (const CellWinner& winner : winners) cells.push_back(winner.cell);
+  const CellMap map(cells, width_of(options.size), kCrossoverRight);
+  const std::vector<std::string> winning = winning_methods(methods, winners);
+  const std::size_t key_columns = options.size == FigureSize::single ? 2 : 4;
+  const std::size_t key_lines = (winning.size() + key_columns - 1) / key_columns;
+  const double top = CellMap::kBottom + map.height();
+
   Drawing drawing;
-  drawing.width = layout.width;
-  drawing.height = layout.height();
+  drawing.width = map.width();
+  drawing.height = top + kKeyLine * static_cast<double>(key_lines) + kCrossoverHeading + 0.06;
   std::string boxes;
   std::string labels;
-  std::string heading;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const bool wins = std::any_of(winners.begin(), winners.end(),
-                                  [&](const CellWinner& winner) { return winner.method == methods[m]; });
-    if (!wins) continue;
-    const char letter = letter_of(methods[m], methods);
-    drawing.script += winner_block(m, methods[m], winners, n, N, letter);
-    const std::string block = "$winner" + std::to_string(m);
-    boxes += (boxes.empty() ? "plot " : ", \\\n  ") + block +
-             " using 1:2:($1-0.48):($1+0.48):($2-0.46):($2+0.46) with boxxyerror lc rgb '" +
-             figure_style::line_color(methods[m], methods) + "'";
-    labels +=
-        ", \\\n  " + block + " using 1:2:3 with labels font '," + significant(layout.font_size(), 3) + "'";
-    heading += (heading.empty() ? "fastest: " : ", ") + std::string(1, letter) + " " + methods[m];
+  for (std::size_t w = 0; w < winning.size(); ++w) {
+    const std::string mark = mark_of(w, winning.size());
+    const std::string block = "$winner" + std::to_string(w);
+    drawing.script += winner_block(block, winning[w], winners, map, mark);
+    boxes += (boxes.empty() ? "plot " : ", \\\n  ") + block + " using " + kCellBox +
+             " with boxxyerror lc rgb '" + figure_style::line_color(winning[w], methods) + "' title " +
+             figure_style::quoted(mark + winning[w]);
+    labels += ", \\\n  " + block + " using 1:2:3 with labels " + map.font(kWinnerCharacters) + " notitle";
   }
-  drawing.script += crossover_settings(layout, n, N) + "set label 9 " +
-                    figure_style::quoted(heading + "; second takes so many times longer") +
-                    " at screen 0.5, screen " + significant(1 - 0.12 / layout.height(), 6) + " center\n" +
-                    boxes + labels + "\n";
+  drawing.script += "set style fill transparent solid 0.45 noborder\n" + map.settings() +
+                    map.margins(top, drawing.height) + map.bottom_axis(kWinnerCharacters) +
+                    crossover_legend(drawing.height, key_columns) + boxes + labels + "\n";
   return drawing;
 }
 

@@ -3,14 +3,18 @@
 #include "analysis/figures/curve_panel.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "analysis/cell_ratio.h"
+#include "analysis/constants.h"
 #include "analysis/figures/style.h"
 #include "analysis/number_text.h"
 
 namespace raygauge {
 namespace {
+
+constexpr double kNoError = 1e-17;
+constexpr double kInfiniteError = 1e4;
 
 std::string curve_block_name(std::size_t panel, std::size_t curve) {
   return "$panel" + std::to_string(panel) + "curve" + std::to_string(curve);
@@ -18,7 +22,12 @@ std::string curve_block_name(std::size_t panel, std::size_t curve) {
 
 std::string curve_block(const std::string& name, const PanelCurve& curve) {
   std::string text = name + " << EOD\n";
-  for (const auto& [x, y] : curve.points) text += significant(x, 6) + " " + significant(y, 6) + "\n";
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const auto& [x, y] = curve.points[i];
+    const auto& [low, high] = curve.bars.empty() ? std::pair(y, y) : curve.bars[i];
+    for (const double value : {x, y, low, high}) text += significant(value, 6) + " ";
+    text += "\n";
+  }
   return text + "EOD\n";
 }
 
@@ -29,8 +38,12 @@ std::string plot_of(const CurvePanel& panel, std::size_t index, const std::vecto
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const std::string& method = panel.curves[c].method;
       if (is_competitor(method) != competitors || panel.curves[c].points.empty()) continue;
-      text += ", \\\n  " + curve_block_name(index, c) + " using 1:2 with linespoints " +
-              figure_style::line_style(method, methods);
+      const std::string block = ", \\\n  " + curve_block_name(index, c);
+      if (!panel.curves[c].bars.empty()) {
+        text += block + " using 1:3:(0):($4-$3) with vectors nohead lw 0.7 lc rgb '" +
+                figure_style::line_color(method, methods) + "'";
+      }
+      text += block + " using 1:2 with linespoints " + figure_style::line_style(method, methods);
     }
   }
   return text + "\n";
@@ -62,16 +75,36 @@ Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& 
 }
 
 std::pair<double, double> range_of(const std::vector<PanelCurve>& curves, bool of_y, double factor) {
-  double low = std::numeric_limits<double>::infinity();
+  double low = kInfinity;
   double high = -low;
   for (const PanelCurve& curve : curves) {
     for (const auto& [x, y] : curve.points) {
       low = std::min(low, of_y ? y : x);
       high = std::max(high, of_y ? y : x);
     }
+    if (!of_y) continue;
+    for (const auto& [from, to] : curve.bars) {
+      low = std::min(low, from);
+      high = std::max(high, to);
+    }
   }
   if (low > high) return {1, 10};
   return {low / factor, high * factor};
+}
+
+double drawn_error(double error) {
+  constexpr double kLargestError = 1e2;
+  return error > kLargestError ? kInfiniteError : std::max(error, kNoError);
+}
+
+std::string error_axis(bool labelled) {
+  const auto tick = [&](const std::string& label, double place) {
+    return (labelled ? "'" + label + "' " : "'' ") + significant(place, 1);
+  };
+  std::string ticks = tick("0", kNoError) + ", " + tick("∞", kInfiniteError);
+  for (const int exponent : {-15, -12, -9, -6, -3, 0})
+    ticks += ", " + tick("10^{" + std::to_string(exponent) + "}", std::pow(10, exponent));
+  return "set logscale y\nset yrange [1e-18:1e5]\nset ytics nomirror (" + ticks + ")\n";
 }
 
 std::string range_setting(const char* name, double from, double to) {

@@ -21,7 +21,7 @@ constexpr double kMicroseconds = 1e6;
 std::vector<PanelCurve> curves_of(const Example1Table& table, double AccuracyPoint::*quantity, double unit) {
   std::vector<PanelCurve> curves;
   for (const AccuracyCurve& curve : table.curves) {
-    PanelCurve drawn{curve.method, {}};
+    PanelCurve drawn{curve.method, {}, {}};
     for (const AccuracyPoint& point : curve.points) {
       const double value = unit * point.*quantity;
       if (value > 0) drawn.points.emplace_back(point.tolerance, value);
@@ -32,7 +32,7 @@ std::vector<PanelCurve> curves_of(const Example1Table& table, double AccuracyPoi
 }
 
 PanelCurve paper_curve(Example1Roles roles, double paper::AccuracyRow::*quantity) {
-  PanelCurve curve{figure_style::kPaperCurve, {}};
+  PanelCurve curve{figure_style::kPaperCurve, {}, {}};
   for (const paper::AccuracyRow& row :
        roles == Example1Roles::cone_ellipsoid ? paper::table1() : paper::table2())
     curve.points.emplace_back(row.tolerance, row.*quantity);

@@ -28,8 +28,8 @@ const std::vector<Figure>& figures() {
   static const std::vector<Figure> kFigures = {
       {"time_vs_N", "median time of a solve against N, a panel for each n, a curve for each method",
        time_vs_N},
-      {"time_vs_n", "median time of a solve against n, a panel for each N, a curve for each method",
-       time_vs_n},
+      {"time_vs_dimension", "median time of a solve against n, a panel for each N, a curve for each method",
+       time_vs_dimension},
       {"ratio_heatmap", "ratio of time to the best baseline over (n, N), a panel for each method",
        ratio_heatmap},
       {"performance_profile", "share of the instances solved within a multiple of the fastest method's time",

@@ -10,7 +10,7 @@
 namespace raygauge {
 namespace {
 
-std::string fraction(double value) { return significant(value, 6); }
+using figure_style::screen;
 
 }  // namespace
 
@@ -31,24 +31,24 @@ std::string PanelGrid::margins(std::size_t panel) const {
   const auto row = static_cast<double>(above);
   const double left = kLeft + column * (panel_width() + gap);
   const double top = height() - legend - kTitle - row * (panel_height() + kTitle + x_labels);
-  return "set lmargin at screen " + fraction(left / width) + "\nset rmargin at screen " +
-         fraction((left + panel_width()) / width) + "\nset tmargin at screen " + fraction(top / height()) +
-         "\nset bmargin at screen " + fraction((top - panel_height()) / height()) + "\n";
+  return "set lmargin at screen " + screen(left / width) + "\nset rmargin at screen " +
+         screen((left + panel_width()) / width) + "\nset tmargin at screen " + screen(top / height()) +
+         "\nset bmargin at screen " + screen((top - panel_height()) / height()) + "\n";
 }
 
 std::string PanelGrid::axis_labels(const std::string& x, const std::string& y) const {
-  return "set label 1 '" + x + "' at screen " + fraction((kLeft + (width - kLeft - kRight) / 2) / width) +
-         ", screen " + fraction(0.09 / height()) + " center\nset label 2 '" + y + "' at screen " +
-         fraction(0.1 / width) + ", screen " +
-         fraction((kBottom + (height() - kBottom - legend) / 2) / height()) + " center rotate by 90\n";
+  return "set label 1 '" + x + "' at screen " + screen((kLeft + (width - kLeft - kRight) / 2) / width) +
+         ", screen " + screen(0.09 / height()) + " center\nset label 2 '" + y + "' at screen " +
+         screen(0.1 / width) + ", screen " +
+         screen((kBottom + (height() - kBottom - legend) / 2) / height()) + " center rotate by 90\n";
 }
 
 std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) const {
   std::string text =
       "unset border\nunset tics\nset lmargin at screen 0.01\nset rmargin at screen 0.99\n"
       "set tmargin at screen 1\nset bmargin at screen " +
-      fraction(1 - legend / height()) + "\nset key at screen 0.5, screen " +
-      fraction(1 - 0.5 * legend / height()) +
+      screen(1 - legend / height()) + "\nset key at screen 0.5, screen " +
+      screen(1 - 0.5 * legend / height()) +
       " center center horizontal Left reverse samplen 2.5 spacing 1 width 3 maxcols " +
       std::to_string(legend_columns) + "\n";
   for (const std::string& method : methods) {

@@ -66,6 +66,8 @@ std::string line_color(const std::string& method, const std::vector<std::string>
   return look_of(method, methods).color;
 }
 
+std::string screen(double fraction) { return significant(fraction, 6); }
+
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

@@ -26,6 +26,9 @@ std::string step_style(const std::string& method, const std::vector<std::string>
 /// "#D55E00": the colour in line_style().
 std::string line_color(const std::string& method, const std::vector<std::string>& methods);
 
+/// A fraction of the width or height of the whole picture, for gnuplot's "screen".
+std::string screen(double fraction);
+
 /// `text` as it stands in a string of gnuplot's enhanced mode, with its quotes.
 std::string quoted(const std::string& text);
 

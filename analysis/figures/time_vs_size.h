@@ -14,6 +14,6 @@ namespace raygauge {
 Drawing time_vs_N(const std::vector<Record>& records, const FigureOptions& options);
 
 /// The same against n, a panel for each N.
-Drawing time_vs_n(const std::vector<Record>& records, const FigureOptions& options);
+Drawing time_vs_dimension(const std::vector<Record>& records, const FigureOptions& options);
 
 }  // namespace raygauge

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "analysis/cell_ratio.h"
-#include "analysis/figures/panel_grid.h"
+#include "analysis/figures/curve_panel.h"
 #include "analysis/figures/style.h"
 #include "analysis/number_text.h"
 #include "analysis/truth.h"
@@ -20,7 +20,7 @@
 namespace raygauge {
 namespace {
 
-constexpr const char* kName = "true_error";
+constexpr const char* kTrueErrorName = "true_error";
 
 /// A parameter that makes a family harder, and how it is drawn.
 struct Hardness {
@@ -37,14 +37,11 @@ constexpr std::array<Hardness, 5> kHardness = {{
     {"offset", "offset", [](double value) { return value; }},
 }};
 
-/// Largest error by hardness.
-using Curve = std::map<double, double>;
-
-struct Panel {
-  std::string title;
-  std::map<std::string, Curve> curves;  ///< by method
-  double x_low = std::numeric_limits<double>::infinity();
-  double x_high = 0;
+/// The largest error at each value of one family's hardness.
+struct Family {
+  const Hardness* hardness = nullptr;
+  std::set<double> values;
+  std::map<std::string, std::map<double, double>> worst;  ///< by method and value
 };
 
 /// The value of NAME=VALUE among "a=1 name=2".
@@ -55,60 +52,24 @@ std::optional<double> parameter_of(const Record& record, const std::string& name
   return std::strtod(text.c_str() + found + name.size() + 2, nullptr);
 }
 
-void add(Panel& panel, const Hardness& hardness, const Record& record, double value, double error) {
-  panel.title = record.generator + ": " + hardness.label;
-  const double x = hardness.of(value);
-  panel.x_low = std::min(panel.x_low, x);
-  panel.x_high = std::max(panel.x_high, x);
-  double& worst = panel.curves[record.method].try_emplace(x, error).first->second;
-  worst = std::max(worst, error);
-}
-
-/// The methods that are judged: `exact` is where the truth comes from.
-std::vector<Record> judged(const std::vector<Record>& records) {
-  std::vector<Record> kept;
-  for (const Record& record : records) {
-    if (record.method.rfind("exact", 0) != 0) kept.push_back(record);
-  }
-  return kept;
-}
-
-/// The families in order of their names.
-std::vector<Panel> panels_of(const std::vector<Record>& records, const Truth& truth) {
-  std::map<std::string, Panel> panels;
+/// The families that have a parameter of hardness, by name.
+std::map<std::string, Family> families_with_hardness(const std::vector<Record>& records, const Truth& truth) {
+  std::map<std::string, Family> families;
   for (const Record& record : records) {
     const double error = true_error(record, truth(record));
     if (std::isnan(error)) continue;
     for (const Hardness& hardness : kHardness) {
       const std::optional<double> value = parameter_of(record, hardness.parameter);
-      if (value) add(panels[record.generator], hardness, record, *value, error);
+      if (!value) continue;
+      Family& family = families[record.generator];
+      family.hardness = &hardness;
+      const double x = hardness.of(*value);
+      family.values.insert(x);
+      double& worst = family.worst[record.method].try_emplace(x, error).first->second;
+      worst = std::max(worst, error);
     }
   }
-  std::vector<Panel> result;
-  for (auto& [family, panel] : panels) {
-    if (panel.x_low < panel.x_high) result.push_back(std::move(panel));
-  }
-  if (result.empty())
-    throw FigureNeedsError(std::string("figure ") + kName +
-                           " needs answers of known truth at two or more values of a generator's parameter "
-                           "aspect, delta, entry, exponent or offset");
-  return result;
-}
-
-constexpr double kZero = 1e-17;  ///< where errors of nothing are drawn
-constexpr double kLargest = 1e2;
-constexpr double kInfinite = 1e4;  ///< where those beyond are
-
-double drawn(double error) { return error > kLargest ? kInfinite : std::max(error, kZero); }
-
-std::string block_name(std::size_t panel, std::size_t method) {
-  return "$panel" + std::to_string(panel) + "curve" + std::to_string(method);
-}
-
-std::string data_block(const std::string& name, const Curve& curve) {
-  std::string text = name + " << EOD\n";
-  for (const auto& [x, error] : curve) text += significant(x, 6) + " " + significant(drawn(error), 6) + "\n";
-  return text + "EOD\n";
+  return families;
 }
 
 /// About four powers of ten, as gnuplot's list.
@@ -126,67 +87,50 @@ std::string decade_ticks(double low, double high) {
   return "(" + ticks + ")";
 }
 
-std::string error_ticks(bool labelled) {
-  std::string ticks = labelled ? "'0' 1e-17, '∞' 1e4" : "'' 1e-17, '' 1e4";
-  for (const int exponent : {-15, -12, -9, -6, -3, 0}) {
-    const std::string power = std::to_string(exponent);
-    ticks += ", '" + (labelled ? "10^{" + power + "}" : std::string()) + "' 1e" + power;
+CurvePanel family_panel(const std::string& name, const Family& family,
+                        const std::vector<std::string>& methods, double tolerance) {
+  CurvePanel panel;
+  panel.title = name + ": " + family.hardness->label;
+  panel.background = significant(10 * tolerance, 6) + " with lines lc rgb '#8C8C8C' lw 0.8 dt 1";
+  for (const std::string& method : methods) {
+    const auto found = family.worst.find(method);
+    if (found == family.worst.end()) continue;
+    PanelCurve curve{method, {}, {}};
+    for (const auto& [x, error] : found->second) curve.points.emplace_back(x, drawn_error(error));
+    panel.curves.push_back(std::move(curve));
   }
-  return "(" + ticks + ")";
-}
-
-std::string panel_settings(const PanelGrid& grid, std::size_t index, const Panel& panel) {
-  const double margin = std::pow(panel.x_high / panel.x_low, 0.05);
-  const double low = panel.x_low / margin;
-  const double high = panel.x_high * margin;
-  return grid.margins(index) + "set xrange [" + significant(low, 6) + ":" + significant(high, 6) +
-         "]\nset xtics nomirror " + decade_ticks(low, high) + "\nset ytics nomirror " +
-         error_ticks(grid.is_left(index)) + "\nset title " + figure_style::quoted(panel.title) +
-         " offset 0,-0.7\n";
-}
-
-/// The curves, competitors below those of raygauge.
-std::string plot_command(const Panel& panel, std::size_t index, const std::vector<std::string>& methods,
-                         double tolerance) {
-  std::string text = "plot " + significant(10 * tolerance, 6) + " with lines lc rgb '#8C8C8C' lw 0.8 dt 1";
-  for (const bool competitors : {true, false}) {
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      if (is_competitor(methods[m]) != competitors || panel.curves.count(methods[m]) == 0) continue;
-      text += ", \\\n  " + block_name(index, m) + " using 1:2 with linespoints " +
-              figure_style::line_style(methods[m], methods);
-    }
-  }
-  return text + "\n";
+  const double margin = std::pow(*family.values.rbegin() / *family.values.begin(), 0.05);
+  const double low = *family.values.begin() / margin;
+  const double high = *family.values.rbegin() * margin;
+  panel.settings = "set logscale x\n" + range_setting("x", low, high) + "set xtics nomirror " +
+                   decade_ticks(low, high) + "\n";
+  return panel;
 }
 
 }  // namespace
 
 Drawing true_error_figure(const std::vector<Record>& records, const FigureOptions& options) {
-  const std::vector<Record> kept =
-      judged(figure_style::comparable_records(kName, records, options.filter, {"tolerance"}));
-  const std::vector<Panel> panels = panels_of(kept, Truth(records));
+  std::vector<Record> kept =
+      figure_style::comparable_records(kTrueErrorName, records, options.filter, {"tolerance"});
+  kept.erase(
+      std::remove_if(kept.begin(), kept.end(), [](const Record& each) { return is_exact(each.method); }),
+      kept.end());
   const std::vector<std::string> methods = methods_of(kept);
-  const bool single = options.size == FigureSize::single;
-  PanelGrid grid = panel_grid(panels.size(), methods.size(), options.size, single ? 2 : 3);
-  grid.x_labels = 0.2;
-
-  Drawing drawing;
-  drawing.width = grid.width;
-  drawing.height = grid.height();
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto curve = panels[p].curves.find(methods[m]);
-      if (curve != panels[p].curves.end()) drawing.script += data_block(block_name(p, m), curve->second);
-    }
+  std::vector<CurvePanel> panels;
+  for (const auto& [name, family] : families_with_hardness(kept, Truth(records))) {
+    if (family.values.size() > 1)
+      panels.push_back(family_panel(name, family, methods, kept.front().tolerance));
   }
-  drawing.script += "set encoding utf8\nset multiplot\nset logscale xy\nset yrange [1e-18:1e5]\n" +
-                    grid.axis_labels("conditioning or scale", "largest true error") +
-                    grid.legend_plot(methods);
-  for (std::size_t p = 0; p < panels.size(); ++p)
-    drawing.script +=
-        panel_settings(grid, p, panels[p]) + plot_command(panels[p], p, methods, kept.front().tolerance);
-  drawing.script += "unset multiplot\n";
-  return drawing;
+  if (panels.empty()) {
+    throw FigureNeedsError(std::string("figure ") + kTrueErrorName +
+                           " needs answers of known truth at two or more values of a generator's parameter "
+                           "aspect, delta, entry, exponent or offset");
+  }
+  PanelGrid grid =
+      panel_grid(panels.size(), methods.size(), options.size, options.size == FigureSize::single ? 2 : 3);
+  grid.x_labels = 0.2;
+  for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
+  return draw_curve_panels(grid, panels, methods, "conditioning or scale", "largest true error");
 }
 
 }  // namespace raygauge

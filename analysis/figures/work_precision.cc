@@ -13,35 +13,21 @@
 namespace raygauge {
 namespace {
 
-constexpr const char* kNeeds =
+constexpr const char* kPrecisionNeeds =
     "figure work_precision needs solves of known truth (a generator that knows it, or records of the method "
     "exact) at "
     "two or more tolerances";
-constexpr double kLowestDrawn = 1e-17;
-constexpr const char* kLargestDrawn = "10";
-
 std::vector<PanelCurve> precision_curves(const AccuracyGroup& group, double AccuracyPoint::*quantity) {
-  constexpr double kMicroseconds = 1e6;
   std::vector<PanelCurve> curves;
   for (const AccuracyCurve& curve : group.curves) {
-    PanelCurve drawn{curve.method, {}};
+    PanelCurve drawn{curve.method, {}, {}};
     for (const AccuracyPoint& point : curve.points) {
-      if (!std::isfinite(point.*quantity)) continue;
-      drawn.points.emplace_back(kMicroseconds * point.median_seconds,
-                                std::max(point.*quantity, kLowestDrawn));
+      if (!std::isnan(point.*quantity))
+        drawn.points.emplace_back(1e6 * point.median_seconds, drawn_error(point.*quantity));
     }
     curves.push_back(std::move(drawn));
   }
   return curves;
-}
-
-std::string precision_ticks(bool labelled) {
-  std::string ticks = labelled ? "'0' 1e-17" : "'' 1e-17";
-  for (const int exponent : {-15, -12, -9, -6, -3, 0}) {
-    const std::string power = std::to_string(exponent);
-    ticks += ", '" + (labelled ? "10^{" + power + "}" : std::string()) + "' 1e" + power;
-  }
-  return "set ytics nomirror (" + ticks + ")\n";
 }
 
 std::string time_axis(const std::pair<double, double>& range) {
@@ -56,10 +42,11 @@ void add_panels(const AccuracyGroup& group, std::vector<CurvePanel>& panels) {
   CurvePanel error{group.name + ": error", "", "",
                    precision_curves(group, &AccuracyPoint::mean_relative_error)};
   CurvePanel gap{group.name + ": gap", "", "", precision_curves(group, &AccuracyPoint::mean_relative_gap)};
-  const std::string axes = "set logscale xy\nset yrange [3e-18:" + std::string(kLargestDrawn) + "]\n" +
-                           time_axis(range_of(error.curves, false, 1.2));
-  error.settings = axes + precision_ticks(true);
-  gap.settings = axes + precision_ticks(false);
+  std::vector<PanelCurve> both = error.curves;
+  both.insert(both.end(), gap.curves.begin(), gap.curves.end());
+  const std::string axes = "set logscale x\n" + time_axis(range_of(both, false, 1.2));
+  error.settings = axes + error_axis(true);
+  gap.settings = axes + error_axis(false);
   panels.push_back(std::move(error));
   panels.push_back(std::move(gap));
 }
@@ -77,7 +64,7 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
   try {
     groups = accuracy_groups(records, options.filter);
   } catch (const EmptySetError&) {
-    throw FigureNeedsError(kNeeds);
+    throw FigureNeedsError(kPrecisionNeeds);
   }
   std::vector<CurvePanel> panels;
   std::vector<std::string> methods;
@@ -89,7 +76,7 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
         methods.push_back(curve.method);
     }
   }
-  if (panels.empty()) throw FigureNeedsError(kNeeds);
+  if (panels.empty()) throw FigureNeedsError(kPrecisionNeeds);
   PanelGrid grid = panel_grid(panels.size(), methods.size(), options.size, 2);
   grid.x_labels = 0.2;
   return draw_curve_panels(grid, panels, methods, "median time of a solve, µs",

@@ -16,7 +16,7 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string header_text(const Table& table, std::size_t column) {
+std::string csv_header(const Table& table, std::size_t column) {
   std::string text;
   for (const auto& line : table.header) {
     if (!line[column].empty()) text += (text.empty() ? "" : " ") + line[column];
@@ -31,7 +31,7 @@ std::string csv_table(const Table& table) {
   std::string text;
   for (std::size_t c = 0; c < columns; ++c) {
     if (c > 0) text += ',';
-    text += field(header_text(table, c));
+    text += field(csv_header(table, c));
   }
   text += "\n";
   for (const TableRow& row : table.rows) {

@@ -46,7 +46,7 @@ constexpr std::array<Replacement, 32> kReplacements = {{
     {"−", "$-$"},
 }};
 
-std::string cell_text(const TableCell& cell) {
+std::string latex_cell(const TableCell& cell) {
   std::string text = latex_escaped(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
@@ -62,7 +62,7 @@ std::string cell_text(const TableCell& cell) {
 }
 
 template <class Cells, class TextOf>
-std::string line(const Cells& cells, const TextOf& text_of) {
+std::string latex_line(const Cells& cells, const TextOf& text_of) {
   std::string text = "  ";
   for (std::size_t c = 0; c < cells.size(); ++c) text += (c == 0 ? "" : " & ") + text_of(cells[c]);
   return text + " \\\\\n";
@@ -94,11 +94,11 @@ std::string latex_table(const Table& table) {
   if (!table.title.empty()) text += "\\caption{" + latex_escaped(table.title) + "}\n";
   text += "\\begin{tabular}{" + std::string(table.key_columns, 'l') +
           std::string(columns - table.key_columns, 'r') + "}\n  \\hline\n";
-  for (const auto& header : table.header) text += line(header, latex_escaped);
+  for (const auto& header : table.header) text += latex_line(header, latex_escaped);
   text += "  \\hline\n";
   for (const TableRow& row : table.rows) {
     if (row.starts_group && &row != &table.rows.front()) text += "  \\hline\n";
-    text += line(row.cells, cell_text);
+    text += latex_line(row.cells, latex_cell);
   }
   text += "  \\hline\n\\end{tabular}\n";
   if (!table.notes.empty()) text += "\n\\footnotesize\n";

@@ -15,7 +15,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string cell_text(const TableCell& cell) {
+std::string markdown_cell(const TableCell& cell) {
   std::string text = escaped(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
@@ -31,7 +31,7 @@ std::string cell_text(const TableCell& cell) {
 }
 
 /// The header's lines of one column as one cell.
-std::string header_text(const Table& table, std::size_t column) {
+std::string markdown_header(const Table& table, std::size_t column) {
   std::string text;
   for (const auto& line : table.header) {
     if (line[column].empty()) continue;
@@ -49,13 +49,13 @@ std::string markdown_table(const Table& table) {
   std::string rule = "|";
   text += "|";
   for (std::size_t c = 0; c < columns; ++c) {
-    text.append(" ").append(header_text(table, c)).append(" |");
+    text.append(" ").append(markdown_header(table, c)).append(" |");
     rule += c < table.key_columns ? " --- |" : " ---: |";
   }
   text += "\n" + rule + "\n";
   for (const TableRow& row : table.rows) {
     text += "|";
-    for (const TableCell& cell : row.cells) text.append(" ").append(cell_text(cell)).append(" |");
+    for (const TableCell& cell : row.cells) text.append(" ").append(markdown_cell(cell)).append(" |");
     text += "\n";
   }
   if (!table.notes.empty()) text += "\n";

@@ -139,7 +139,7 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
             "pictures/performance_profile.png\npictures/crossover.svg\npictures/crossover.png\n");
   EXPECT_EQ(outcome.err,
             "skipped: figure time_vs_N needs solved records at two or more values of N\n"
-            "skipped: figure time_vs_n needs solved records at two or more values of n\n"
+            "skipped: figure time_vs_dimension needs solved records at two or more values of n\n"
             "skipped: figure true_error needs answers of known truth at two or more values of a generator's "
             "parameter aspect, delta, entry, exponent or offset\n"
             "skipped: figure fig5 needs records of generator example1 in its roles at two tolerances\n"
@@ -151,10 +151,10 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
 }
 
 TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
-  expect_complaint(
-      run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
-      "raygauge: unknown figure 'heatmap' (known: time_vs_N time_vs_n ratio_heatmap performance_profile "
-      "crossover true_error fig5 fig7 work_precision)");
+  expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
+                   "raygauge: unknown figure 'heatmap' (known: time_vs_N time_vs_dimension ratio_heatmap "
+                   "performance_profile "
+                   "crossover true_error fig5 fig7 work_precision)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
                    "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
   expect_complaint(

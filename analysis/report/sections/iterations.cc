@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <limits>
 
 #include "analysis/columns.h"
+#include "analysis/constants.h"
 #include "analysis/report/sections/sections.h"
 #include "analysis/report/sections/tolerance_groups.h"
 #include "analysis/statistics.h"
@@ -12,13 +12,12 @@ namespace raygauge::report {
 namespace {
 
 Series mean_series(const ToleranceCurve& curve, const AnalysisColumn& column) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   Series series{curve.method, "", curve.facets, {}};
   for (const auto& [tolerance, records] : curve.records) {
     std::vector<double> values;
     for (const Record* record : records) values.push_back(number_of(column, *record));
     const double average = mean(values);
-    if (average > 0) series.points.push_back({tolerance, average, kNone, kNone, ""});
+    if (average > 0) series.points.push_back({tolerance, average, kNaN, kNaN, ""});
   }
   return series;
 }

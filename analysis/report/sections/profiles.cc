@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/constants.h"
 #include "analysis/performance_profile.h"
 #include "analysis/report/blocks.h"
 #include "analysis/report/sections/sections.h"
@@ -15,10 +16,7 @@ constexpr std::size_t kMostPoints = 400;  // finer steps than pixels
 
 Series profile_series(const ProfileCurve& curve, double last, const Facets& facets) {
   Series series{curve.method, "", facets, {}};
-  const auto point = [&](double tau) {
-    constexpr double kNone = NAN;
-    series.points.push_back({tau, curve.rho(tau), kNone, kNone, ""});
-  };
+  const auto point = [&](double tau) { series.points.push_back({tau, curve.rho(tau), kNaN, kNaN, ""}); };
   point(1);
   const std::size_t stride = std::max<std::size_t>(1, curve.ratios.size() / kMostPoints);
   for (std::size_t i = stride - 1; i < curve.ratios.size(); i += stride) point(curve.ratios[i]);

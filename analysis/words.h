@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace raygauge {
+
+/// The words, `separator` between them: "a, b".
+template <class Words>
+std::string joined(const Words& words, const std::string& separator = ", ") {
+  std::string text;
+  bool first = true;
+  for (const auto& word : words) {
+    if (!first) text += separator;
+    text += word;
+    first = false;
+  }
+  return text;
+}
+
+}  // namespace raygauge
