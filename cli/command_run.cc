@@ -26,13 +26,14 @@ namespace raygauge::cli {
 namespace {
 
 constexpr const char* kInterruptNotice =
-    "\ninterrupted: finishing the cells in flight (once more: end at once)\n";
+    "\ninterrupted: finishing the solves in flight (once more: end at once)\n";
 
 struct RunArguments {
   std::string experiment_path;
   std::string output;
   std::vector<std::string> overrides;
   std::optional<int> threads;
+  std::optional<double> stop_when_within;
   bool resume = false;
   bool force = false;
   bool dry_run = false;
@@ -41,13 +42,14 @@ struct RunArguments {
 
 std::string program() { return shell_word(program_invocation_name); }
 
-/// The command that continues this run.
-std::string resume_command(const RunArguments& arguments) {
+/// The command that continues this run. A run that has stored nothing yet is begun again, so that under
+/// --force what it was to replace, and is still there, is not taken for its own.
+std::string resume_command(const RunArguments& arguments, bool anything_stored) {
   std::string command = program() + " run " + shell_word(arguments.experiment_path);
   if (!arguments.output.empty()) command += " -o " + shell_word(arguments.output);
   for (const std::string& text : arguments.overrides) command += " --set " + shell_word(text);
   if (arguments.threads) command += " --threads " + std::to_string(*arguments.threads);
-  return command + " --resume";
+  return command + (arguments.force && !anything_stored ? " --force" : " --resume");
 }
 
 std::string output_path(const RunArguments& arguments, const Experiment& experiment) {
@@ -123,9 +125,10 @@ int run_experiment(const RunArguments& arguments, const Experiment& experiment,
   const SweepSummary sweep = sweep_into(writer, arguments, experiment, generators, methods);
   writer.finish(sweep.calibration);
   if (sweep.stopped) {
-    std::fprintf(stderr, "interrupted: %zu of %zu cells are in %s; continue with\n  %s\n",
-                 writer.done().size() + static_cast<std::size_t>(sweep.cells_done), cells, path.c_str(),
-                 resume_command(arguments).c_str());
+    const std::size_t stored = writer.done().size() + static_cast<std::size_t>(sweep.cells_done);
+    const std::string place = stored == 0 ? "done" : "in " + path;
+    std::fprintf(stderr, "interrupted: %zu of %zu cells are %s; continue with\n  %s\n", stored, cells,
+                 place.c_str(), resume_command(arguments, stored > 0).c_str());
     return kInterrupted + InterruptGuard::signal() - SIGINT;
   }
   if (!arguments.quiet) print_end(experiment, path, sweep, read_results(path).records);
@@ -172,13 +175,24 @@ void add_run_command(CLI::App& app, int& status) {
                    "Threads; 0: one for each core; default: the experiment's run.threads")
       ->check(CLI::Range(0, 65536))
       ->type_name("K");
+  command
+      ->add_option("--stop-when-within", arguments->stop_when_within,
+                   "End a cell once the 95 % interval of each method's median time is no wider than this "
+                   "fraction of the median, as in 0.05; short for --set sweep.stop_when_within=FRACTION")
+      ->type_name("FRACTION");
   CLI::Option* resume = command->add_flag("--resume", arguments->resume,
                                           "Continue a run that was killed, interrupted or has failed");
   command->add_flag("--force", arguments->force, "Replace an existing results file")->excludes(resume);
   command->add_flag("--dry-run", arguments->dry_run,
                     "Print the grid and an estimate of the time; store nothing");
   command->add_flag("-q,--quiet", arguments->quiet, "Print errors only");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] {
+    if (arguments->stop_when_within) {
+      const ParameterValue fraction = *arguments->stop_when_within;
+      arguments->overrides.push_back("sweep.stop_when_within=" + to_string(fraction));
+    }
+    status = run(*arguments);
+  });
 }
 
 }  // namespace raygauge::cli

@@ -17,6 +17,8 @@ constexpr Range kPositiveInt{1, std::numeric_limits<int>::max()};
 constexpr Range kNonNegativeInt{0, std::numeric_limits<int>::max()};
 constexpr Range kSeed{0, 9e18};  // TOML integers end at 2^63 - 1
 constexpr Range kTolerance{0, 1, true};
+constexpr Range kStopWhenWithin{0, 1};
+constexpr Range kMinRepetitions{6, std::numeric_limits<int>::max()};
 constexpr Range kMinSeconds{0, 3600};
 constexpr Range kTimeLimit{0, std::numeric_limits<double>::infinity(), true};
 
@@ -103,7 +105,9 @@ void read_root(const TomlSource& source, Experiment& experiment) {
 }
 
 void read_sweep(const TomlSource& source, Experiment& experiment) {
-  const Section sweep(source, "sweep", {"n", "N", "tolerance", "grid", "repetitions", "seed"});
+  const Section sweep(
+      source, "sweep",
+      {"n", "N", "tolerance", "grid", "repetitions", "min_repetitions", "stop_when_within", "seed"});
   sweep.integers("n", kPositiveInt, experiment.n);
   sweep.integers("N", kPositiveInt, experiment.N);
   sweep.with("tolerance", [&](const toml::node& node, const std::string& key) {
@@ -111,6 +115,8 @@ void read_sweep(const TomlSource& source, Experiment& experiment) {
   });
   sweep.choice("grid", {{"cartesian", GridMode::cartesian}, {"paired", GridMode::paired}}, experiment.grid);
   sweep.integer("repetitions", kPositiveInt, experiment.repetitions);
+  sweep.integer("min_repetitions", kMinRepetitions, experiment.min_repetitions);
+  sweep.real("stop_when_within", kStopWhenWithin, experiment.stop_when_within);
   sweep.with("seed", [&](const toml::node& node, const std::string& key) {
     experiment.seed = static_cast<std::uint64_t>(read_integer(node, key, kSeed));
   });
@@ -129,9 +135,10 @@ void read_run(const TomlSource& source, Experiment& experiment) {
   run.boolean("shuffle", experiment.shuffle);
 }
 
-/// What only the whole can show: lists that do not pair, cells that appear twice.
-void check_grid(const TomlSource& source, const Experiment& experiment) {
+/// What only the whole can show: lists that do not pair, cells that appear twice, limits that contradict.
+void check_whole(const TomlSource& source, const Experiment& experiment) {
   try {
+    validate(experiment);
     grid_of(experiment);
   } catch (const InvalidParameterError& error) {
     const toml::node* sweep = source.root.get("sweep");
@@ -151,8 +158,7 @@ Experiment read_experiment(const std::string& path, const std::vector<std::strin
   read_run(source, experiment);
   experiment.generators = read_generators(source, generators);
   experiment.methods = read_methods(source, methods);
-  check_grid(source, experiment);
-  validate(experiment);
+  check_whole(source, experiment);
   return experiment;
 }
 

@@ -3,7 +3,9 @@
 #include "cli/run_summary.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -25,6 +27,29 @@ std::string counts_text(const RunSummary& summary, std::size_t RunSummary::Metho
     text += (text.empty() ? "" : ", ") + method.label + " " + std::to_string(method.*count);
   }
   return text;
+}
+
+RunSummary::Repetitions count_repetitions(const std::vector<Record>& records, int limit) {
+  std::map<std::uint64_t, int> of_cell;
+  for (const Record& record : records) {
+    int& count = of_cell[record.cell];
+    count = std::max(count, record.repetition + 1);
+  }
+  RunSummary::Repetitions result;
+  for (const auto& [cell, count] : of_cell) {
+    result.fewest = result.cells == 0 ? count : std::min(result.fewest, count);
+    result.most = std::max(result.most, count);
+    ++result.cells;
+    if (count == limit) ++result.cells_at_limit;
+  }
+  return result;
+}
+
+std::string repeated_line(const RunSummary::Repetitions& repetitions) {
+  std::string text = "  repeated   " + std::to_string(repetitions.fewest);
+  if (repetitions.most > repetitions.fewest) text += " to " + std::to_string(repetitions.most);
+  return text + " times a cell; " + std::to_string(repetitions.cells_at_limit) + " of " +
+         std::to_string(repetitions.cells) + " cells ran to the limit\n";
 }
 
 std::string inflation_text(const Calibration& calibration) {
@@ -57,6 +82,9 @@ RunSummary summarise(const Experiment& experiment, const std::vector<Record>& re
     disagreeing.emplace(record.cell, record.repetition);
   }
   summary.disagreeing_instances = disagreeing.size();
+  if (experiment.stop_when_within > 0) {
+    summary.repetitions = count_repetitions(records, experiment.repetitions);
+  }
   return summary;
 }
 
@@ -74,6 +102,7 @@ std::string summary_text(const RunSummary& summary, const Calibration& calibrati
   }
   const std::string limits = counts_text(summary, &RunSummary::Method::limits);
   text += "  unsolved   " + (limits.empty() ? "none" : limits) + "\n";
+  if (summary.repetitions) text += repeated_line(*summary.repetitions);
   if (!calibration.entries.empty()) {
     text += "  inflation  " + std::to_string(calibration.threads) +
             " threads at once multiply single times by: " + inflation_text(calibration) + "\n";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,20 @@ struct RunSummary {
   };
   std::size_t records = 0;
   std::size_t disagreeing_instances = 0;
+  /// Set for an experiment that repeats adaptively: repetitions of the cells, and cells that used them all.
+  struct Repetitions {
+    int fewest = 0;
+    int most = 0;
+    std::size_t cells = 0;
+    std::size_t cells_at_limit = 0;
+  };
+  std::optional<Repetitions> repetitions;
   std::vector<Method> methods;  ///< in the order of the experiment
 };
 
 RunSummary summarise(const Experiment& experiment, const std::vector<Record>& records);
 
-/// Lines for people: agreement, failures by method, inflation.
+/// Lines for people: agreement, failures by method, repetitions, inflation.
 std::string summary_text(const RunSummary& summary, const Calibration& calibration);
 
 }  // namespace raygauge::cli

@@ -58,7 +58,7 @@ std::vector<KeyValue> lines_of(const std::string& identity) {
 }  // namespace
 
 std::string experiment_identity(const Experiment& experiment) {
-  const std::vector<KeyValue> lines = {
+  std::vector<KeyValue> lines = {
       {"seed", std::to_string(experiment.seed)},
       {"repetitions", text_of(experiment.repetitions)},
       {"warmup", text_of(experiment.warmup)},
@@ -72,6 +72,11 @@ std::string experiment_identity(const Experiment& experiment) {
       {"generators", text_of(experiment.generators)},
       {"methods", text_of(experiment.methods)},
   };
+  // Absent where it is off, as in files that are older than these keys.
+  if (experiment.stop_when_within > 0) {
+    lines.emplace_back("min_repetitions", text_of(experiment.min_repetitions));
+    lines.emplace_back("stop_when_within", text_of(experiment.stop_when_within));
+  }
   std::string identity;
   for (const auto& [key, value] : lines) identity += line_of(key, value) + "\n";
   return identity;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "engine/sweep/sweep.h"
@@ -16,8 +18,14 @@ namespace raygauge {
 ///
 ///     median over r and j of  t_j(r) / t_serial(r).
 ///
-/// Thread j runs on cpus[j] if `cpus` is not empty. Throws what a generator or a method throws.
+/// Thread j runs on cpus[j] if `cpus` is not empty. Empty if SweepHooks::stop cut it short. Throws what a
+/// generator or a method throws.
 Calibration calibrate(const SweepPlan& plan, const std::vector<Cell>& cells, int threads,
-                      const std::vector<int>& cpus);
+                      const std::vector<int>& cpus, const SweepHooks& hooks = {});
+
+/// The entry of a method whose solve of instance r took serial[r] = t_serial(r) seconds alone and
+/// parallel[j][r] = t_j(r) on thread j; parallel[j] is empty for a thread that the runtime did not grant.
+Calibration::Entry calibration_entry(const std::string& method, std::span<const double> serial,
+                                     const std::vector<std::span<const double>>& parallel);
 
 }  // namespace raygauge

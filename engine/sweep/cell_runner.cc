@@ -3,10 +3,13 @@
 #include "engine/sweep/cell_runner.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "engine/sweep/agreement.h"
+#include "engine/sweep/repetitions.h"
 #include "engine/sweep/seeded_order.h"
 
 namespace raygauge {
@@ -14,6 +17,12 @@ namespace {
 
 /// Coordinates that the instances of one batch may hold: 256 MB a thread.
 constexpr double kBatchCoordinates = 256e6 / sizeof(double);
+
+/// The stream of a batch's order: of its own, or batches of one size would all put the same method first.
+std::uint64_t order_stream(const Cell& cell, int first_repetition) {
+  constexpr int kBitsOfCell = 32;  // a grid has far fewer cells
+  return (static_cast<std::uint64_t>(first_repetition) << kBitsOfCell) + cell.index;
+}
 
 int batch_size(const Cell& cell, int repetitions) {
   const double coordinates = 2.0 * cell.n * cell.N;
@@ -30,27 +39,20 @@ void copy_outcome(const DistanceResult& result, Record& record) {
 
 }  // namespace
 
-CellRunner::CellRunner(const SweepPlan& plan, const Circumstances& circumstances)
-    : plan_(plan), circumstances_(circumstances), methods_(plan.make_methods()) {}
+CellRunner::CellRunner(const SweepPlan& plan, const Circumstances& circumstances, SweepHooks hooks)
+    : plan_(plan), circumstances_(circumstances), hooks_(std::move(hooks)), methods_(plan.make_methods()) {}
 
-CellResult CellRunner::run(const Cell& cell) {
-  const int repetitions = plan_.experiment().repetitions;
-  const std::size_t method_count = methods_.size();
+std::optional<CellResult> CellRunner::run(const Cell& cell) {
+  const Experiment& experiment = plan_.experiment();
   CellResult result;
   result.cell = cell.index;
-  result.records.reserve(static_cast<std::size_t>(repetitions) * method_count);
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    for (std::size_t m = 0; m < method_count; ++m) {
-      result.records.push_back(blank_record(cell, repetition, m));
-    }
-  }
-  const int batch = batch_size(cell, repetitions);
-  for (int first = 0; first < repetitions; first += batch) {
-    run_batch(cell, first, std::min(first + batch, repetitions), result.records);
-  }
-  for (std::size_t first = 0; first < result.records.size(); first += method_count) {
-    mark_agreement(std::span(result.records).subspan(first, method_count));
-  }
+  int done = 0;
+  do {
+    const int look = next_look(experiment, done);
+    if (!run_block(cell, done, look, result.records)) return std::nullopt;
+    done = look;
+  } while (done < experiment.repetitions &&
+           !medians_known(result.records, methods_.size(), experiment.stop_when_within));
   return result;
 }
 
@@ -76,23 +78,41 @@ void CellRunner::warm_up(const Cell& cell, const Instance& instance) {
   if (plan_.experiment().warmup == 0) return;
   for (const auto& method : methods_) {
     method->load(instance);
-    for (int i = 0; i < plan_.experiment().warmup; ++i) method->solve(plan_.request(cell));
+    for (int i = 0; i < plan_.experiment().warmup && !hooks_.stop_asked(); ++i) {
+      method->solve(plan_.request(cell));
+    }
   }
 }
 
-void CellRunner::run_batch(const Cell& cell, int first_repetition, int last_repetition,
-                           std::vector<Record>& records) {
-  std::vector<Instance> instances;
-  for (int repetition = first_repetition; repetition < last_repetition; ++repetition) {
-    instances.push_back(plan_.instance(cell, repetition));
+bool CellRunner::run_block(const Cell& cell, int first, int last, std::vector<Record>& records) {
+  const int batch = batch_size(cell, last - first);
+  while (first < last) {
+    const int end = std::min(first + batch, last);
+    if (!run_batch(cell, first, end, records)) return false;
+    first = end;
   }
-  if (first_repetition == 0) warm_up(cell, instances.front());
+  return true;
+}
+
+bool CellRunner::run_batch(const Cell& cell, int first, int last, std::vector<Record>& records) {
   const std::size_t method_count = methods_.size();
-  const std::size_t first_record = static_cast<std::size_t>(first_repetition) * method_count;
+  const std::size_t first_record = records.size();
+  std::vector<Instance> instances;
+  for (int repetition = first; repetition < last; ++repetition) {
+    if (hooks_.stop_asked()) return false;
+    instances.push_back(plan_.instance(cell, repetition));
+    for (std::size_t m = 0; m < method_count; ++m) records.push_back(blank_record(cell, repetition, m));
+  }
+  if (first == 0) warm_up(cell, instances.front());
   for (const std::size_t slot :
-       seeded_order(instances.size() * method_count, plan_.experiment().seed, cell.index)) {
+       seeded_order(instances.size() * method_count, plan_.experiment().seed, order_stream(cell, first))) {
+    if (hooks_.stop_asked()) return false;
     measure(cell, instances[slot / method_count], slot % method_count, records[first_record + slot]);
   }
+  for (std::size_t i = first_record; i < records.size(); i += method_count) {
+    mark_agreement(std::span(records).subspan(i, method_count));
+  }
+  return true;
 }
 
 void CellRunner::measure(const Cell& cell, const Instance& instance, std::size_t method, Record& record) {
@@ -101,7 +121,7 @@ void CellRunner::measure(const Cell& cell, const Instance& instance, std::size_t
   const SteadyClock::time_point start = SteadyClock::now();
   solver.load(instance);
   record.load_seconds = seconds_since(start);
-  const TimedSolve timed = time_solve(solver, plan_.request(cell), plan_.experiment().min_seconds);
+  const TimedSolve timed = hooks_.time(solver, plan_.request(cell), plan_.experiment().min_seconds);
   record.seconds = timed.seconds;
   record.inner_repetitions = timed.inner_repetitions;
   copy_outcome(solver.result(), record);

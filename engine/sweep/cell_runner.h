@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/sweep/record.h"
+#include "engine/sweep/sweep.h"
 #include "engine/sweep/sweep_plan.h"
 #include "engine/sweep/timed_solve.h"
 
@@ -16,7 +18,7 @@ namespace raygauge {
 ///
 /// Within a cell all methods meet all repetitions in a seeded random order, so that a slow drift of the
 /// machine falls on every method alike. Cells too large to be held in memory at once are taken in batches of
-/// repetitions, interleaved within each.
+/// repetitions, interleaved within each; so are the blocks between the looks of Experiment::stop_when_within.
 class CellRunner {
  public:
   /// Where and when the records come about; copied into them.
@@ -27,20 +29,24 @@ class CellRunner {
   };
 
   /// Create, use and destroy it in one thread. `plan` outlives it.
-  CellRunner(const SweepPlan& plan, const Circumstances& circumstances);
+  CellRunner(const SweepPlan& plan, const Circumstances& circumstances, SweepHooks hooks = {});
 
-  /// Records in the order (repetition, method), whatever the order they were made in.
-  /// Throws what the generator or a method throws.
-  CellResult run(const Cell& cell);
+  /// Records in the order (repetition, method), whatever the order they were made in: of every repetition, or
+  /// of those up to the look (next_look()) at which medians_known() holds. Empty if SweepHooks::stop cut the
+  /// cell short. Throws what the generator or a method throws.
+  std::optional<CellResult> run(const Cell& cell);
 
  private:
   Record blank_record(const Cell& cell, int repetition, std::size_t method) const;
   void warm_up(const Cell& cell, const Instance& instance);
-  void run_batch(const Cell& cell, int first_repetition, int last_repetition, std::vector<Record>& records);
+  /// These append the records of repetitions first, …, last - 1; false if the sweep was asked to stop.
+  bool run_block(const Cell& cell, int first, int last, std::vector<Record>& records);
+  bool run_batch(const Cell& cell, int first, int last, std::vector<Record>& records);
   void measure(const Cell& cell, const Instance& instance, std::size_t method, Record& record);
 
   const SweepPlan& plan_;
   Circumstances circumstances_;
+  SweepHooks hooks_;
   std::vector<std::unique_ptr<SolveMethod>> methods_;
 };
 

@@ -39,8 +39,23 @@ void validate_axes(const Experiment& experiment) {
   }
 }
 
-void validate_run(const Experiment& experiment) {
+/// Five values have no 95 % interval of their median: see order_statistic_rank().
+constexpr int kFewestForAnInterval = 6;
+
+void validate_repetitions(const Experiment& experiment) {
   require_at_least("repetitions", experiment.repetitions, 1);
+  require_at_least("min_repetitions", experiment.min_repetitions, kFewestForAnInterval);
+  const double within = experiment.stop_when_within;
+  require(within >= 0 && within <= 1, "stop_when_within must lie in [0, 1], got " + text_of(within));
+  if (within > 0) {
+    require(experiment.repetitions >= experiment.min_repetitions,
+            "stop_when_within needs repetitions of at least min_repetitions, " +
+                std::to_string(experiment.min_repetitions) + ", got " +
+                std::to_string(experiment.repetitions));
+  }
+}
+
+void validate_run(const Experiment& experiment) {
   require_at_least("warmup", experiment.warmup, 0);
   require_at_least("threads", experiment.threads, 0);
   require(experiment.min_seconds >= 0 && std::isfinite(experiment.min_seconds),
@@ -94,6 +109,7 @@ const std::string& label_of(const ComponentSpec& component) {
 
 void validate(const Experiment& experiment) {
   validate_axes(experiment);
+  validate_repetitions(experiment);
   validate_run(experiment);
   require(!experiment.generators.empty(), "the experiment names no generator");
   require(!experiment.methods.empty(), "the experiment names no method");

@@ -41,9 +41,15 @@ struct Experiment {
   std::string name = "experiment";
   std::string description;
   std::uint64_t seed = 1;
-  int repetitions = 20;       ///< instances a cell
-  int warmup = 1;             ///< untimed solves of each method before a cell's first timed one
+  int repetitions = 20;  ///< instances a cell; the most, with stop_when_within > 0
+  int min_repetitions =
+      10;          ///< the fewest, with stop_when_within > 0; at least 6, or a 95 % interval is none
+  int warmup = 1;  ///< untimed solves of each method before a cell's first timed one
   double min_seconds = 2e-5;  ///< a timed sample lasts at least this long (several solves if need be)
+
+  /// A cell ends once the 95 % order-statistic interval of each method's median time is no wider than this
+  /// fraction of the median (see medians_known()); 0: always after `repetitions`.
+  double stop_when_within = 0;
 
   GridMode grid = GridMode::cartesian;
   std::vector<int> n = {3};

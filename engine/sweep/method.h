@@ -41,7 +41,7 @@ class SolveMethod {
 
 using MethodRegistry = Registry<SolveMethod>;
 
-/// Adds `direct` and `zheng_yamane`.
+/// Adds `direct`, `newton` and `zheng_yamane`.
 void register_engine_methods(MethodRegistry& registry);
 
 }  // namespace raygauge

@@ -49,14 +49,16 @@ std::string string_parameter(const Parameters& parameters, const std::string& na
 std::string to_string(const Parameters& parameters);
 std::string to_string(const ParameterValue& value);
 
-/// What a registry knows of one component: its name, one line of description, its parameters, and how to make
-/// one.
+/// What a registry knows of one component: its name, one line of description, its parameters, how to make
+/// one, and for a method whether it takes point sets. (Which of the other sets it takes is for its load() to
+/// say.)
 template <class T>
 struct Component {
   std::string name;
   std::string description;
   std::vector<ParameterInfo> parameters;
   std::function<std::unique_ptr<T>(const Parameters&)> make;
+  bool point_sets = true;
 };
 
 /// Components by name. Rooms add theirs by one function each (register_generators, register_baselines, …); a

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "engine/sweep/calibration.h"
@@ -32,7 +33,7 @@ class CellQueue {
   const Cell* take() {
     const std::lock_guard lock(mutex_);
     if (abandoned_ || next_ == cells_.size()) return nullptr;
-    if (hooks_.stop && hooks_.stop()) {
+    if (hooks_.stop_asked()) {
       abandoned_ = true;
       return nullptr;
     }
@@ -81,11 +82,13 @@ std::vector<Cell> cells_to_do(const SweepPlan& plan, const std::set<std::uint64_
 }
 
 void work_through(CellQueue& queue, const SweepPlan& plan, RecordSink& sink,
-                  const CellRunner::Circumstances& circumstances) {
+                  const CellRunner::Circumstances& circumstances, const SweepHooks& hooks) {
   try {
-    CellRunner runner(plan, circumstances);
+    CellRunner runner(plan, circumstances, hooks);
     while (const Cell* cell = queue.take()) {
-      sink.store(runner.run(*cell));
+      const std::optional<CellResult> result = runner.run(*cell);
+      if (!result) return;  // asked to stop, as the other threads will find out
+      sink.store(*result);
       queue.finish(*cell);
     }
   } catch (...) {
@@ -112,13 +115,13 @@ SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& ge
   if (cells.empty()) return summary;
   summary.threads = sweep_threads(experiment, cells.size());
   const std::vector<int> cpus = experiment.pin_threads ? allowed_cpus() : std::vector<int>();
-  if (summary.threads > 1) summary.calibration = calibrate(plan, cells, summary.threads, cpus);
+  if (summary.threads > 1) summary.calibration = calibrate(plan, cells, summary.threads, cpus, hooks);
 
   CellQueue queue(cells, hooks);
   std::atomic<int> granted{summary.threads};
   run_team(summary.threads, cpus, [&](int thread, int team_size) {
     granted = team_size;
-    work_through(queue, plan, sink, {thread, team_size, start});
+    work_through(queue, plan, sink, {thread, team_size, start}, hooks);
   });
   summary.threads = granted;
   summary.cells_done = queue.done();

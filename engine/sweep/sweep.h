@@ -11,6 +11,7 @@
 #include "engine/sweep/instance.h"
 #include "engine/sweep/method.h"
 #include "engine/sweep/record.h"
+#include "engine/sweep/timed_solve.h"
 
 namespace raygauge {
 
@@ -38,8 +39,15 @@ struct SweepProgress {
 struct SweepHooks {
   std::function<void(const SweepProgress&)> progress;
 
-  /// Asked before each cell, from any thread: true ends the sweep after the cells in flight.
+  /// Asked before each timed solve and each cell, from any thread, several at once: true, which then stays
+  /// so, ends the sweep after the samples that are being taken. Cells in flight are dropped, not stored: a
+  /// cell is measured in one go or not at all, so that what disturbs it falls on all its methods alike.
   std::function<bool()> stop;
+
+  /// Takes every sample, of the calibration too; from any thread, several at once.
+  SolveTimer time = time_solve;
+
+  bool stop_asked() const { return stop && stop(); }
 };
 
 /// Result of a sweep.
@@ -57,8 +65,8 @@ int sweep_threads(const Experiment& experiment, std::size_t cells);
 
 /// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes.
 /// The records are the same (but for times, inner repetitions and threads) for any thread count and any
-/// order. An exception of a generator, a method or the sink ends the sweep after the cells in flight and is
-/// rethrown.
+/// order; with Experiment::stop_when_within > 0 how many repetitions a cell has depends on its times. An
+/// exception of a generator, a method or the sink ends the sweep after the cells in flight and is rethrown.
 SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
                        const MethodRegistry& methods, RecordSink& sink,
                        const std::set<std::uint64_t>& done = {}, const SweepHooks& hooks = {});

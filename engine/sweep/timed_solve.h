@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include "engine/sweep/method.h"
 
@@ -25,5 +26,8 @@ struct TimedSolve {
 /// A shorter one says how many solves fill `min_seconds`; those are timed together, and itself is left out.
 /// Allocates nothing.
 TimedSolve time_solve(SolveMethod& method, const SolveRequest& request, double min_seconds);
+
+/// What takes a sample: time_solve, or in a test something that needs no clock.
+using SolveTimer = std::function<TimedSolve(SolveMethod&, const SolveRequest&, double min_seconds)>;
 
 }  // namespace raygauge

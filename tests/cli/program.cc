@@ -7,8 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 #include <utility>
 
 #include "tests/results/support.h"
@@ -58,6 +62,20 @@ Program::~Program() {
 }
 
 void Program::signal(int number) const { kill(process_, number); }
+
+bool Program::comes_to_handle(int number) const {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < deadline) {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigCgt:")) continue;
+      const std::uint64_t handled = std::stoull(line.substr(line.find('\t')), nullptr, 16);
+      if ((handled >> (number - 1) & 1) != 0) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
 
 ProgramResult Program::wait() {
   int status = 0;

@@ -30,6 +30,9 @@ class Program {
 
   void signal(int number) const;
 
+  /// Waits until it has a handler of its own for a signal; false if it has none within a minute.
+  bool comes_to_handle(int number) const;
+
   /// Waits for its end. Call once.
   ProgramResult wait();
 

@@ -220,7 +220,7 @@ TEST_F(RunCommand, BadExperimentsAreRefusedWithFileAndLine) {
 TEST_F(RunCommand, BadOverridesAreRefused) {
   EXPECT_EQ(refusal({"small.toml", "--set", "sweep.m=3"}),
             "--set sweep.m=3: unknown [sweep] key 'm'; did you mean 'n'? "
-            "(known: n N tolerance grid repetitions seed)");
+            "(known: n N tolerance grid repetitions min_repetitions stop_when_within seed)");
   EXPECT_EQ(refusal({"small.toml", "--set", "sweep.n"}),
             "--set sweep.n: expected KEY=VALUE, as in sweep.n=3,4");
   EXPECT_EQ(run({"small.toml", "--threads", "many"}).status, 2);
@@ -228,7 +228,7 @@ TEST_F(RunCommand, BadOverridesAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder_.file("out")));
 }
 
-TEST_F(RunCommand, InterruptedItFinishesTheCellInFlightAndTellsHowToGoOn) {
+TEST_F(RunCommand, InterruptedItKeepsTheCellsThatAreDoneAndTellsHowToGoOn) {
   const std::vector<std::string> arguments = {
       "run", "small.toml", "-o", "x.h5", "--set", "sweep.n=3,4,5,6,7,8", "--set", "run.min_seconds=0.02"};
   testing::Program program(folder_.path(), arguments);
@@ -249,6 +249,39 @@ TEST_F(RunCommand, InterruptedItFinishesTheCellInFlightAndTellsHowToGoOn) {
   resumed.emplace_back("--resume");
   EXPECT_EQ(testing::run_program(folder_.path(), resumed).status, 0);
   EXPECT_TRUE(read_results(folder_.file("x.h5")).finished());
+}
+
+TEST_F(RunCommand, InterruptedInALongCellItDoesNotFinishIt) {
+  // The first cell alone would take six minutes and more.
+  const std::vector<std::string> cell = {"--set", "sweep.repetitions=20000", "--set", "run.min_seconds=0.01"};
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::vector<std::string> arguments = {"run", "small.toml", "-o", "x.h5"};
+    arguments.insert(arguments.end(), cell.begin(), cell.end());
+    testing::Program program(folder_.path(), arguments);
+    ASSERT_TRUE(program.comes_to_handle(SIGTERM));
+    program.signal(signal);
+    const ProgramResult result = program.wait();
+    EXPECT_EQ(result.status, 128 + signal);
+    EXPECT_NE(result.err.find("interrupted: finishing the solves in flight"), std::string::npos);
+    EXPECT_NE(result.err.find("interrupted: 0 of 4 cells are done; continue with\n"), std::string::npos)
+        << result.err;
+    EXPECT_TRUE(result.err.ends_with("--resume\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("x.h5")));
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("x.h5.parts")));
+  }
+}
+
+TEST_F(RunCommand, InterruptedBeforeItReplacesAnythingItDoesNotOfferToResumeTheOldRun) {
+  ASSERT_EQ(run({"small.toml", "-o", "x.h5"}).status, 0);
+  const std::string before = read_bytes(folder_.file("x.h5"));
+  testing::Program program(folder_.path(), {"run", "small.toml", "-o", "x.h5", "--force", "--set",
+                                            "sweep.repetitions=20000", "--set", "run.min_seconds=0.01"});
+  ASSERT_TRUE(program.comes_to_handle(SIGTERM));
+  program.signal(SIGINT);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.status, 130);
+  EXPECT_TRUE(result.err.ends_with("--force\n")) << result.err;
+  EXPECT_EQ(read_bytes(folder_.file("x.h5")), before);
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ n = [3, 4]
 N = [200, 400]
 tolerance = [1e-3, 1e-6]
 grid = "paired"
-repetitions = 5
+repetitions = 50
+min_repetitions = 8
+stop_when_within = 0.05
 seed = 42
 [[generator]]
 name = "ray"
@@ -84,7 +86,9 @@ shuffle = false
   EXPECT_EQ(e.N, (std::vector<int>{200, 400}));
   EXPECT_EQ(e.tolerance, (std::vector<double>{1e-3, 1e-6}));
   EXPECT_EQ(e.grid, GridMode::paired);
-  EXPECT_EQ(e.repetitions, 5);
+  EXPECT_EQ(e.repetitions, 50);
+  EXPECT_EQ(e.min_repetitions, 8);
+  EXPECT_EQ(e.stop_when_within, 0.05);
   EXPECT_EQ(e.seed, 42u);
   ASSERT_EQ(e.generators.size(), 1u);
   EXPECT_EQ(e.generators[0].name, "ray");
@@ -201,13 +205,13 @@ TEST_F(ExperimentFile, UnknownKeysAreNamedWithTheNearestKnownOne) {
             "method run)");
   EXPECT_EQ(error("[sweep]\n\nrepetition = 3\n"),
             "x.toml:3: unknown [sweep] key 'repetition'; did you mean 'repetitions'? "
-            "(known: n N tolerance grid repetitions seed)");
+            "(known: n N tolerance grid repetitions min_repetitions stop_when_within seed)");
   EXPECT_EQ(error("[run]\nthread = 3\n"),
             "x.toml:2: unknown [run] key 'thread'; did you mean 'threads'? "
             "(known: threads timing pin_threads warmup min_seconds time_limit shuffle)");
   EXPECT_EQ(error("", {"sweep.tolerence=1e-3"}),
             "--set sweep.tolerence=1e-3: unknown [sweep] key 'tolerence'; did you mean 'tolerance'? "
-            "(known: n N tolerance grid repetitions seed)");
+            "(known: n N tolerance grid repetitions min_repetitions stop_when_within seed)");
 }
 
 TEST_F(ExperimentFile, UnknownComponentsListTheKnownOnes) {
@@ -236,6 +240,8 @@ TEST_F(ExperimentFile, WrongTypesAndRangesAreNamedWithFileAndLine) {
       {"[sweep]\ntolerance = 1.0", "x.toml:2: sweep.tolerance must lie in (0, 1), got 1"},
       {"[sweep]\ntolerance = nan", "x.toml:2: sweep.tolerance must lie in (0, 1), got nan"},
       {"[sweep]\nseed = -1", "x.toml:2: sweep.seed must lie in [0, 9e+18], got -1"},
+      {"[sweep]\nmin_repetitions = 5", "x.toml:2: sweep.min_repetitions must lie in [6, 2147483647], got 5"},
+      {"[sweep]\nstop_when_within = 5", "x.toml:2: sweep.stop_when_within must lie in [0, 1], got 5"},
       {"[sweep]\ngrid = \"pared\"",
        "x.toml:2: unknown sweep.grid 'pared'; did you mean 'paired'? (known: cartesian paired)"},
       {"[sweep]\nN = {from = 10, to = 5}", "x.toml:2: sweep.N does not lead from 10 to 5"},
@@ -268,6 +274,12 @@ TEST_F(ExperimentFile, ContradictionsOfTheWholeAreRejected) {
             "x.toml:6: method label 'ray' appears twice; set another label");
   EXPECT_EQ(error("[[generator]]\nname = \"ray\"\n[[generator]]\nname = \"ray\"\nshift = 0\n"),
             "x.toml:3: generator 'ray' appears twice with shift=0");
+}
+
+TEST_F(ExperimentFile, ALimitOfRepetitionsBelowTheLeastOfAnAdaptiveRunIsRejected) {
+  EXPECT_EQ(error(std::string("[sweep]\nrepetitions = 9\nstop_when_within = 0.1\n") + kGeneratorAndMethod),
+            "x.toml:1: stop_when_within needs repetitions of at least min_repetitions, 10, got 9");
+  EXPECT_EQ(error(std::string("[sweep]\nrepetitions = 9\n") + kGeneratorAndMethod), "");
 }
 
 TEST_F(ExperimentFile, RangesThatOnlyASlipCanMeanAreRejected) {

@@ -50,5 +50,22 @@ TEST(RunSummary, ProvenAnswersAreNoFailures) {
             "  inflation  2 threads at once multiply single times by: direct 1.500, presolved 1.001\n");
 }
 
+TEST(RunSummary, AnAdaptiveRunTellsHowOftenItRepeated) {
+  Experiment experiment = two_methods();
+  experiment.stop_when_within = 0.1;
+  experiment.repetitions = 3;
+  std::vector<Record> records;
+  for (const int repetition : {0, 1, 2}) {
+    records.push_back(record("direct", repetition, DistanceStatus::optimal, true));
+  }
+  records.push_back(record("direct", 1, DistanceStatus::optimal, true));
+  records.back().cell = 1;
+  const RunSummary summary = summarise(experiment, records);
+  EXPECT_EQ(summary_text(summary, {}),
+            "  agreement  all methods agree on every instance\n"
+            "  unsolved   none\n"
+            "  repeated   2 to 3 times a cell; 1 of 2 cells ran to the limit\n");
+}
+
 }  // namespace
 }  // namespace raygauge::cli::test_run_summary

@@ -4,10 +4,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/sets/point_set.h"
@@ -93,6 +95,14 @@ inline MethodRegistry fake_methods(CallLog& log) {
                  {"throw_at", std::int64_t{0}, 0.0, 1e9, "first solve of the log that throws; 0: none", {}}},
                 [&log](const Parameters& p) { return std::make_unique<RayMethod>(p, log); }});
   return registry;
+}
+
+/// Takes samples without a clock: one solve each, whose seconds are what `seconds` makes of its distance.
+inline SolveTimer planted_times(std::function<double(double distance)> seconds) {
+  return [seconds = std::move(seconds)](SolveMethod& method, const SolveRequest& request, double) {
+    method.solve(request);
+    return TimedSolve{seconds(method.result().distance), 1};
+  };
 }
 
 /// Keeps cells in memory, by index; a cell stored twice counts twice.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "tests/engine/fake_components.h"
@@ -16,7 +17,7 @@ class Cells : public ::testing::Test {
  protected:
   CellResult run(const Experiment& experiment) {
     const SweepPlan plan(experiment, generators_, methods_);
-    return CellRunner(plan, {2, 5, SteadyClock::now()}).run(plan.cells().front());
+    return CellRunner(plan, {2, 5, SteadyClock::now()}).run(plan.cells().front()).value();
   }
 
   /// (repetition, method) in the order in which the solves took place.
@@ -64,6 +65,17 @@ TEST_F(Cells, LargeInstancesAreTakenInBatchesThatFitIntoMemory) {
   const auto order = order_of(run(experiment));
   ASSERT_EQ(order.size(), 8u);
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i].first, static_cast<int>(i / 2));
+}
+
+TEST_F(Cells, BatchesOfOneSizeHaveOrdersOfTheirOwn) {
+  Experiment experiment = testing::small_experiment();
+  experiment.n = {80};
+  experiment.N = {1000000};  // a batch is one repetition
+  experiment.repetitions = 20;
+  std::set<std::string> first_methods;
+  const auto order = order_of(run(experiment));
+  for (std::size_t i = 0; i < order.size(); i += 2) first_methods.insert(order[i].second);
+  EXPECT_EQ(first_methods, (std::set<std::string>{"first", "second"}));
 }
 
 TEST_F(Cells, TheExactDistanceIsTheGenerators) {

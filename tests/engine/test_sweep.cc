@@ -5,57 +5,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
 
-#include "tests/engine/fake_components.h"
+#include "tests/engine/fake_sweep.h"
 
 namespace raygauge::test_sweep {
 namespace {
 
+using testing::expect_same_outcome;
 using testing::MemorySink;
 using testing::small_experiment;
 
-class Sweep : public ::testing::Test {
- protected:
-  SweepSummary run(const Experiment& experiment, RecordSink& sink, const std::set<std::uint64_t>& done = {},
-                   const SweepHooks& hooks = {}) {
-    return run_sweep(experiment, generators_, methods_, sink, done, hooks);
-  }
-
-  testing::CallLog log_;
-  GeneratorRegistry generators_ = testing::fake_generators();
-  MethodRegistry methods_ = testing::fake_methods(log_);
-};
-
-/// Everything that may not depend on threads, order or timing.
-void expect_same_outcome(const Record& a, const Record& b) {
-  EXPECT_EQ(a.cell, b.cell);
-  EXPECT_EQ(a.generator, b.generator);
-  EXPECT_EQ(a.generator_parameters, b.generator_parameters);
-  EXPECT_EQ(a.method, b.method);
-  EXPECT_EQ(a.method_parameters, b.method_parameters);
-  EXPECT_EQ(a.n, b.n);
-  EXPECT_EQ(a.N, b.N);
-  EXPECT_EQ(a.tolerance, b.tolerance);
-  EXPECT_EQ(a.seed, b.seed);
-  EXPECT_EQ(a.repetition, b.repetition);
-  EXPECT_EQ(a.distance, b.distance);
-  EXPECT_EQ(a.lower, b.lower);
-  EXPECT_EQ(a.upper, b.upper);
-  EXPECT_EQ(a.exact_distance, b.exact_distance);
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.agrees, b.agrees);
-  EXPECT_EQ(a.counters, b.counters);
-}
-
-void expect_same_outcome(const MemorySink& a, const MemorySink& b) {
-  ASSERT_EQ(a.cells().size(), b.cells().size());
-  for (const auto& [index, cell] : a.cells()) {
-    EXPECT_EQ(b.times_stored(index), 1);
-    const std::vector<Record>& others = b.cells().at(index).records;
-    ASSERT_EQ(cell.records.size(), others.size());
-    for (std::size_t i = 0; i < others.size(); ++i) expect_same_outcome(cell.records[i], others[i]);
-  }
-}
+using Sweep = testing::FakeSweep;
 
 TEST_F(Sweep, RunsEveryMethodOnEveryInstanceOfEveryCellOnce) {
   const Experiment experiment = small_experiment();
@@ -138,15 +102,41 @@ TEST_F(Sweep, SerialTimingSolvesOnOneThread) {
   }
 }
 
+/// Keeps the first thread that comes waiting for a second one; at most a minute.
+class MeetingOfTwo {
+ public:
+  void attend() {
+    std::unique_lock lock(mutex_);
+    present_.insert(std::this_thread::get_id());
+    arrived_.notify_all();
+    arrived_.wait_for(lock, std::chrono::minutes(1), [this] { return present_.size() == 2; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::set<std::thread::id> present_;
+};
+
 TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
   Experiment experiment = small_experiment();
   experiment.threads = 2;
-  for (ComponentSpec& method : experiment.methods) method.parameters["busy_seconds"] = 1e-3;
+  // Calibration solves 3 instances by 2 methods on one thread, then on both.
+  constexpr int kCalibrationSamples = 3 * 2 + 2 * 3 * 2;
+  std::atomic<int> samples{0};
+  MeetingOfTwo meeting;
+  SweepHooks hooks;
+  hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
+    if (++samples > kCalibrationSamples) meeting.attend();
+    method.solve(request);
+    return TimedSolve{1e-3, 1};
+  };
   MemorySink sink;
-  const SweepSummary summary = run(experiment, sink);
+  const SweepSummary summary = run(experiment, sink, {}, hooks);
   EXPECT_EQ(summary.threads, 2);
   ASSERT_EQ(summary.calibration.entries.size(), 2u);
   EXPECT_EQ(summary.calibration.entries[0].method, "first");
+  EXPECT_EQ(summary.calibration.entries[0].inflation, 1);
   std::set<int> threads;
   for (const auto& entry : sink.cells()) {
     for (const Record& record : entry.second.records) {
@@ -276,20 +266,6 @@ TEST_F(Sweep, ProgressCountsUpToTheEnd) {
   }
   EXPECT_EQ(told.back().remaining_seconds, 0);
   EXPECT_GT(told.front().remaining_seconds, 0);
-}
-
-TEST_F(Sweep, AskedToStopItFinishesTheCellsInFlight) {
-  Experiment experiment = small_experiment();
-  experiment.threads = 1;
-  int finished = 0;
-  SweepHooks hooks;
-  hooks.progress = [&](const SweepProgress&) { ++finished; };
-  hooks.stop = [&] { return finished >= 3; };
-  MemorySink sink;
-  const SweepSummary summary = run(experiment, sink, {}, hooks);
-  EXPECT_TRUE(summary.stopped);
-  EXPECT_EQ(summary.cells_done, 3u);
-  EXPECT_EQ(sink.cells().size(), 3u);
 }
 
 TEST_F(Sweep, NothingLeftToDoIsNoError) {

@@ -42,6 +42,7 @@ TEST(ExperimentIdentity, ChangesWithWhateverDeterminesTheRecords) {
   const std::vector<std::function<void(Experiment&)>> changes = {
       [](Experiment& e) { e.seed = 2; },
       [](Experiment& e) { ++e.repetitions; },
+      [](Experiment& e) { e.stop_when_within = 0.1; },
       [](Experiment& e) { ++e.warmup; },
       [](Experiment& e) { e.min_seconds *= 2; },
       [](Experiment& e) { e.timing = TimingMode::serial; },
@@ -69,6 +70,15 @@ TEST(ExperimentIdentity, StaysForWhatMayChangeBetweenSessions) {
     e.shuffle = !e.shuffle;
   });
   EXPECT_EQ(changed, experiment_identity(small_experiment()));
+}
+
+TEST(ExperimentIdentity, TellsTheRuleOfAdaptiveRepetitionsWhereThereIsOne) {
+  EXPECT_TRUE(identity_after([](Experiment& e) {
+                e.stop_when_within = 0.05;
+                e.min_repetitions = 7;
+              }).ends_with("min_repetitions = 7\nstop_when_within = 0.05\n"));
+  EXPECT_EQ(identity_after([](Experiment& e) { e.min_repetitions = 7; }),
+            experiment_identity(small_experiment()));
 }
 
 TEST(IdentityDifference, NamesTheFirstKeyAndCountsTheOthers) {
