@@ -120,13 +120,13 @@ double Basis::drift() const {
   return largest;
 }
 
-Enclosure Basis::refine_and_enclose() {
+Enclosure Basis::enclose(bool refine) {
   // ‖E‖ as computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these
   // bounds.
   const MatrixNorms norms = kernels_->norms(&view_);
   const double E = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
   if (!(E < 0.5)) return {};
-  kernels_->refine(&view_, b_.data(), true);
+  if (refine) kernels_->refine(&view_, b_.data(), true);
   const double error = kernels_->refine(&view_, b_.data(), false);
   if (!std::isfinite(error)) return {};
   return {true, 1.02 * error / (1.0 - E)};

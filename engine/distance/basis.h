@@ -36,10 +36,10 @@ class Basis {
   /// |b - B x|∞ as computed: how far the updates of x have drifted.
   double drift() const;
 
-  /// One step of refinement of x = R b, and a proven enclosure of B⁻¹ b around the refined x by Rump's
-  /// theorem: with E = I - R B and ‖E‖∞ < 1,  |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞), every rounding error
-  /// bounded.
-  Enclosure refine_and_enclose();
+  /// A proven enclosure of B⁻¹ b around x by Rump's theorem: with E = I - R B and ‖E‖∞ < 1,
+  /// |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞), every rounding error bounded. With `refine`, x takes a step of
+  /// iterative refinement first.
+  Enclosure enclose(bool refine);
 
   BasisView& view() noexcept { return view_; }
   const BasisView& view() const noexcept { return view_; }

@@ -45,12 +45,14 @@ double dot_magnitude(const PointSet& S, const double* u) {
 }  // namespace
 
 double scaled_down(double value, int shift) noexcept {
+  if (shift == 0) return value;
   const double result = std::ldexp(value, shift);
   if (std::isinf(result)) return std::isinf(value) ? value : kLargest;
   return std::isnormal(result) || result == 0 ? result : std::nextafter(result, 0.0);
 }
 
 double scaled_up(double value, int shift) noexcept {
+  if (shift == 0) return value;
   const double result = std::ldexp(value, shift);
   return std::isnormal(result) || value == 0 || std::isinf(result) ? result
                                                                    : std::nextafter(result, kInfinity);

@@ -20,6 +20,7 @@ constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
 constexpr double kDrift = 1e-9;      // of the equations, after which the inverse is computed afresh
 constexpr double kProgress = 1e-12;  // of the objective, relative, between two looks
+constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
 constexpr int kIdleLooks = 4;        // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
@@ -57,6 +58,19 @@ void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   loop_.cost_tolerance = 4 * std::numeric_limits<double>::epsilon() * (n + 1);
   column_.reserve(static_cast<std::size_t>(padded_rows(n + 1)));
   guess_.reserve(static_cast<std::size_t>(n));
+  single_.reserve(static_cast<std::size_t>(n));
+}
+
+// max sign · guess · p over the points: a start needs no more than single precision.
+double DirectProgram::price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index) {
+  if (points.single_blocks == nullptr) {
+    for (int k = 0; k < n_; ++k) column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
+    return kernels_->price(points.blocks, points.block_count, n_, column_.data(), index);
+  }
+  for (int k = 0; k < n_; ++k) {
+    single_[static_cast<std::size_t>(k)] = static_cast<float>(sign * guess_[static_cast<std::size_t>(k)]);
+  }
+  return kernels_->price_single(points.single_blocks, points.single_block_count, n_, single_.data(), index);
 }
 
 // The point of A that the guess prefers, and artificial columns ±e_k signed so that the basic solution is
@@ -68,16 +82,16 @@ void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double
 
   // The guess, scaled to h_Q(-u) = 1 as the final normal will be.
   std::ptrdiff_t index = 0;
-  for (int k = 0; k < n_; ++k) guess_[static_cast<std::size_t>(k)] = -guess[k];
-  const double h_Q = kernels_->price(Q.view().blocks, Q.view().block_count, n_, guess_.data(), &index);
+  std::copy_n(guess, n_, guess_.data());
+  const double h_Q = price_guess(Q.view(), -1.0, &index);
   const double length = h_Q > 0 ? 1.0 / h_Q : 1.0;
+  price_guess(A.view(), 1.0, &index);
   double scale = 0;
   for (int k = 0; k < n_; ++k) {
     guess_[static_cast<std::size_t>(k)] = length * guess[k];
     scale = std::max(scale, std::fabs(length * guess[k]));
   }
 
-  kernels_->price(A.view().blocks, A.view().block_count, n_, guess_.data(), &index);
   double* a = column_.data();
   std::fill_n(a, view.P, 0.0);
   A.copy_point(index, a);
@@ -115,6 +129,13 @@ void DirectProgram::set_artificial_costs(const double* guess, double slack) {
 
 DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q,
                                         const Stopwatch& stopwatch) {
+  const End end = optimise(A, Q, stopwatch);
+  if (end == End::solved) basis_.refresh_duals();
+  return end;
+}
+
+DirectProgram::End DirectProgram::optimise(const WorkingSet& A, const WorkingSet& Q,
+                                           const Stopwatch& stopwatch) {
   BasisView& view = basis_.view();
   loop_.A = A.view();
   loop_.Q = Q.view();
@@ -139,15 +160,13 @@ DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q
       loop_.bland = end == LoopEnd::stalled;
       continue;
     }
-    basis_.refresh_duals();
-    if (stopwatch.expired()) return End::time_limit;
     const bool artificial = artificial_weight() > kArtificialZero;
-    if (stage_ == Stage::optimise) {
-      return artificial ? End::bounded : End::solved;
-    } else {
-      if (artificial) return End::unreachable;
-      enter_stage(Stage::optimise);
-    }
+    const bool late = stopwatch.expired();
+    if (!artificial && !late && stage_ == Stage::optimise) return End::solved;
+    basis_.refresh_duals();
+    if (late) return End::time_limit;
+    if (artificial) return stage_ == Stage::optimise ? End::bounded : End::unreachable;
+    enter_stage(Stage::optimise);
   }
 }
 
@@ -222,16 +241,28 @@ double DirectProgram::dual_length() const noexcept {
 
 double DirectProgram::proven_upper() {
   if (stage_ == Stage::reach) return kInfinity;
-  const Enclosure enclosure = basis_.refine_and_enclose();
-  if (!enclosure.valid) return exact_upper();
-  const BasisView& view = basis_.view();
+  // As accurate as the gap asks for, most basic solutions are from the start; the others are refined.
+  double upper = enclosed_upper(false);
+  if (!(upper < kInfinity)) upper = enclosed_upper(true);
+  return upper < kInfinity ? upper : exact_upper();
+}
+
+// Σβ where every weight is proven to be positive; +infinity otherwise, or where the unrefined solution is not
+// good enough.
+double DirectProgram::enclosed_upper(bool refine) {
+  const Enclosure enclosure = basis_.enclose(refine);
+  if (!enclosure.valid) return kInfinity;
+  BasisView& view = basis_.view();
   left_out_ = 0;
   double sum = 0;
   for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return exact_upper();
-    if (is_from_Q(view.id[i])) sum += view.x()[i] + enclosure.error;
+    if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return kInfinity;
+    if (is_from_Q(view.id[i])) sum += view.x()[i];
   }
-  return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
+  const double error = view.m * enclosure.error;
+  if (!refine && error > kNegligibleError * loop_.gap_tolerance * sum) return kInfinity;
+  view.objective = sum;
+  return (sum + error) * (1 + 2 * (view.m + 2) * kUnitRoundoff);
 }
 
 // Degenerate: some basic variables are zero. If leaving them out solves the equations exactly, that is a
@@ -287,7 +318,7 @@ double DirectProgram::upper_with_residual(double gauge_bound) const {
 }
 
 double DirectProgram::cone_radius() {
-  const Enclosure enclosure = basis_.refine_and_enclose();
+  const Enclosure enclosure = basis_.enclose(true);
   if (!enclosure.valid) return 0;
   const BasisView& view = basis_.view();
   double smallest = kInfinity;

@@ -43,13 +43,20 @@ class DirectProgram {
   /// in DistanceOptions::max_iterations.
   void begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels);
 
-  /// First basis from a guess of the normal's direction (n doubles, not all zero) and of its relative error,
+  /// First basis from a guess of the normal's direction (n doubles, the largest ±1) and of its relative error,
   /// which sets the first bounds on the dual. Neither changes the answer; good ones save basis changes. The
   /// points are not kept.
   void start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error);
 
   /// Continues from the basis at hand. Working sets may have grown since, but not changed.
   End solve(const WorkingSet& A, const WorkingSet& Q, const Stopwatch& stopwatch);
+
+  /// The same, but after End::solved the duals are those that the points were last priced at, and priced_A()
+  /// and priced_Q() their support values. refresh_duals() makes them as good as the inverse can.
+  End optimise(const WorkingSet& A, const WorkingSet& Q, const Stopwatch& stopwatch);
+  double priced_A() const noexcept { return loop_.h_A; }  ///< h_A(u)
+  double priced_Q() const noexcept { return loop_.h_Q; }  ///< h_Q(-u)
+  void refresh_duals() { basis_.refresh_duals(); }
 
   /// After End::bounded: lifts the active bounds on the dual, or turns to the first phase when that has been
   /// tried often.
@@ -99,11 +106,13 @@ class DirectProgram {
  private:
   enum class Stage : std::uint8_t { optimise, reach };  // phase 2 with bounded duals; phase 1
 
+  double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
   void set_artificial_costs(const double* guess, double slack);
   bool look_after_basis();
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
   void enter_stage(Stage stage);
+  double enclosed_upper(bool refine);
   double exact_upper();
 
   const Kernels* kernels_ = nullptr;
@@ -120,6 +129,7 @@ class DirectProgram {
   double left_out_ = 0;  // weights up to this have no part in what proven_upper() proved
   AlignedBuffer<double> column_;
   AlignedBuffer<double> guess_;
+  AlignedBuffer<float> single_;
 };
 
 /// Ends after which nothing more can be done, and what a result says of them.

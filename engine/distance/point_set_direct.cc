@@ -26,6 +26,11 @@ void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceO
   begin(A, Q, options, stopwatch);
   working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
   working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  if (!working_A_.is_complete() || !working_Q_.is_complete()) {
+    const auto capacity = static_cast<std::size_t>(WorkingSet::growth(A) + WorkingSet::growth(Q));
+    collected_.reserve(capacity);
+    collected_value_.reserve(capacity);
+  }
   chosen_A_ = chosen_Q_ = {};
   start();
   run(false, effects, result);
@@ -63,9 +68,6 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   scaling_.compute(A, Q);
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
-  const auto capacity = static_cast<std::size_t>(WorkingSet::growth(A) + WorkingSet::growth(Q));
-  collected_.reserve(capacity);
-  collected_value_.reserve(capacity);
 }
 
 // Guess of the normal: from the centre of A towards the origin. Exact for homothetic balls, and never far off
@@ -78,6 +80,7 @@ void PointSetDirect::start() {
     guess[k] *= -scaling_.factor_A()[k];
     largest = std::max(largest, std::fabs(guess[k]));
   }
+  for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
   program_.start(working_A_, working_Q_, guess, 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing()));
 }
@@ -85,14 +88,17 @@ void PointSetDirect::start() {
 void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& result) {
   const bool complete = working_A_.is_complete() && working_Q_.is_complete();
   for (;;) {
-    const DirectProgram::End end = program_.solve(working_A_, working_Q_, *stopwatch_);
+    const DirectProgram::End end = program_.optimise(working_A_, working_Q_, *stopwatch_);
     if (end == DirectProgram::End::bounded && (complete || restricted || bounds_mislead())) {
       program_.raise_bounds();
       continue;
     }
-    const double estimate = program_.objective();
-    const bool trusted = trusts_simplex_ && end == DirectProgram::End::solved;
+    const bool solved_there = end == DirectProgram::End::solved;
+    const bool trusted = trusts_simplex_ && solved_there;
     if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
+    if (solved_there && complete && certify_as_priced(effects, result)) return;
+    if (solved_there) program_.refresh_duals();
+    const double estimate = program_.objective();
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
@@ -107,7 +113,7 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
     double upper = program_.proven_upper();
-    const bool solved = end == DirectProgram::End::solved && !violated;
+    const bool solved = solved_there && !violated;
     if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
     if (is_closed(lower, upper, tolerance_)) {
@@ -126,6 +132,30 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       return settle(end, lower, upper, effects, result);
     }
   }
+}
+
+// The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as well
+// as those of one more pass at better duals would, if that is good enough.
+bool PointSetDirect::certify_as_priced(Effects effects, DistanceResult& result) {
+  if (!scaling_.trivial_A() || !scaling_.trivial_Q()) return false;
+  const double* y = program_.normal();
+  double* u = direction_.data();
+  for (int k = 0; k < n_; ++k) {
+    u[k] = y[k];
+    u[n_ + k] = -y[k];
+  }
+  h_A_ = {program_.priced_A(), dot_error(*A_, u)};
+  h_Q_ = {program_.priced_Q(), dot_error(*Q_, u)};
+  const double resolution = resolution_for(tolerance_);
+  if (!well_resolved(h_A_.value, h_A_.error, resolution) || !well_resolved(h_Q_.value, h_Q_.error, resolution)) {
+    return false;
+  }
+  const double lower = lower_bound(h_A_, h_Q_);
+  const double upper = program_.proven_upper();
+  if (!is_closed(lower, upper, tolerance_)) return false;
+  counters_.support_queries = 2;
+  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  return true;
 }
 
 // The bounds keep the normal near the guess; where that is good, the first pass finds the right points the
@@ -195,10 +225,12 @@ void PointSetDirect::price_everything() {
     u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
     v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
   }
-  const std::ptrdiff_t capacity = WorkingSet::growth(*A_);
-  violators_A_.points = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
-  violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
-                         WorkingSet::growth(*Q_), 0, kInfinity};
+  if (!working_A_.is_complete() || !working_Q_.is_complete()) {
+    const std::ptrdiff_t capacity = WorkingSet::growth(*A_);
+    violators_A_.points = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
+    violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
+                           WorkingSet::growth(*Q_), 0, kInfinity};
+  }
   h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
   h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
 }

@@ -42,6 +42,7 @@ class PointSetDirect {
              const Stopwatch& stopwatch);
   void start();
   void run(bool restricted, Effects effects, DistanceResult& result);
+  bool certify_as_priced(Effects effects, DistanceResult& result);
   bool bounds_mislead() const noexcept;
   void price_everything();
   double upper_despite_residual();

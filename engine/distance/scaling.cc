@@ -45,6 +45,20 @@ bool scales_exactly(const PointSet& S, const double* factor) {
   return true;
 }
 
+// Whether all magnitudes are so near to 1 and, in Q, to each other that nothing is to be scaled: what the
+// exponents would say, in a few comparisons.
+bool is_moderate(const PointSet& S, double least) {
+  constexpr double kMost = 0x1p+4;
+  static_assert(kMost == double{1 << Scaling::kTolerated});
+  double largest = 0;
+  double smallest = kMost;
+  for (int k = 0; k < S.dimension(); ++k) {
+    largest = std::max(largest, S.coordinate_magnitude()[k]);
+    smallest = std::min(smallest, S.coordinate_magnitude()[k]);
+  }
+  return largest < kMost && largest >= 1 / kMost && smallest >= least * largest;
+}
+
 }  // namespace
 
 void Scaling::compute(const PointSet& A, const PointSet& Q) {
@@ -53,6 +67,8 @@ void Scaling::compute(const PointSet& A, const PointSet& Q) {
   factor_A_.reserve(size);
   factor_Q_.reserve(size);
   exponent_.reserve(size);
+  constexpr double kLeast = 1.0 / (1 << (kRowSpread - 1));
+  if (is_moderate(A, 0) && is_moderate(Q, kLeast)) return leave_alone(n);
 
   int top = kNoExponent;
   for (int k = 0; k < n; ++k) top = std::max(top, exponent_of(Q.coordinate_magnitude()[k]));
@@ -66,6 +82,10 @@ void Scaling::compute(const PointSet& A, const PointSet& Q) {
   trivial_Q_ = fill(factor_Q_, exponent_.data(), common_Q, n);
   distance_shift_ = common_Q - common_A;
   if (scales_exactly(A, factor_A_.data()) && scales_exactly(Q, factor_Q_.data())) return;
+  leave_alone(n);
+}
+
+void Scaling::leave_alone(int n) {
   std::fill_n(factor_A_.data(), n, 1.0);
   std::fill_n(factor_Q_.data(), n, 1.0);
   trivial_A_ = trivial_Q_ = true;

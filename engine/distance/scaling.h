@@ -40,6 +40,8 @@ class Scaling {
   }
 
  private:
+  void leave_alone(int n);
+
   AlignedBuffer<double> factor_A_;
   AlignedBuffer<double> factor_Q_;
   AlignedBuffer<int> exponent_;

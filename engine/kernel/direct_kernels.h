@@ -110,13 +110,19 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
     const bool A_enters = d_A < -tolerance_A;
     const bool Q_enters = d_Q < -tolerance_Q;
     if (!A_enters && !Q_enters) {
-      if (!single) return LoopEnd::optimal;
+      if (!single) {
+        loop->h_A = best.h_A;
+        loop->h_Q = best.h_Q;
+        return LoopEnd::optimal;
+      }
       single = false;
       refresh(basis);
       continue;
     }
     if (!single && loop->artificials == 0 && best.h_Q > 0 &&
         basis->objective + best.h_A / best.h_Q <= loop->gap_tolerance * basis->objective) {
+      loop->h_A = best.h_A;
+      loop->h_Q = best.h_Q;
       return LoopEnd::gap;
     }
     // The larger promised gain first: α moves by at most 1, β by about the objective.

@@ -68,6 +68,8 @@ struct DirectLoop {
   double cost_of_Q = 1;          ///< 0 in phase 1, where only artificial columns cost
   int artificials = 0;           ///< basic artificial columns (in/out)
   bool bland = false;
+  double h_A = 0;  ///< out, at LoopEnd::optimal and gap: h_A(u) and h_Q(-u) of the priced points at the duals
+  double h_Q = 0;
   std::int64_t points_priced = 0;  ///< out, added to
   std::int64_t pricings = 0;       ///< out, added to
 };
@@ -101,6 +103,10 @@ struct Kernels {
   /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
   double (*price)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
                   std::ptrdiff_t* index);
+
+  /// The same in single precision, over blocks of 16; u·p only chooses here.
+  float (*price_single)(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
+                        std::ptrdiff_t* index);
 
   /// As price, and collects the points above a threshold in the same pass.
   double (*collect)(const double* blocks, std::ptrdiff_t first_block, std::ptrdiff_t last_block, int n,

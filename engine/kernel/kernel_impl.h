@@ -13,6 +13,6 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price, collect, pivot, direct_loop, norms, refine, duals};
+const Kernels kKernels = {price, price_single, collect, pivot, direct_loop, norms, refine, duals};
 
 }  // namespace raygauge::RAYGAUGE_ISA

@@ -122,8 +122,8 @@ Real price_n(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* 
   return maxima[0].reduce(index);
 }
 
-double price(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
-             std::ptrdiff_t* index) {
+template <class Real>
+Real price_any(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u, std::ptrdiff_t* index) {
   switch (n) {
     case 2:
       return price_n<2>(blocks, block_count, n, u, index);
@@ -146,6 +146,16 @@ double price(const double* blocks, std::ptrdiff_t block_count, int n, const doub
     default:
       return price_n<0>(blocks, block_count, n, u, index);
   }
+}
+
+double price(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+             std::ptrdiff_t* index) {
+  return price_any(blocks, block_count, n, u, index);
+}
+
+float price_single(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
+                   std::ptrdiff_t* index) {
+  return price_any(blocks, block_count, n, u, index);
 }
 
 // Keeps the better half of a full collection and raises its threshold accordingly (quickselect on the
