@@ -59,9 +59,8 @@ double scaled_up(double value, int shift) noexcept {
 }
 
 double dot_error(const PointSet& S, const double* u) {
-  // Every product below the normal range loses up to the smallest subnormal instead of a relative error.
-  return dot_magnitude(S, u) * (1.01 * (S.dimension() + 1) * kUnitRoundoff) +
-         S.dimension() * std::numeric_limits<double>::denorm_min();
+  // Products below the normal range have no bound on their relative errors.
+  return dot_magnitude(S, u) * (1.01 * (S.dimension() + 1) * kUnitRoundoff) + kUnderflow;
 }
 
 SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u, std::ptrdiff_t* index,
@@ -87,8 +86,7 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
         best, exact_dot(S, std::min<std::ptrdiff_t>(doubtful[static_cast<std::size_t>(c)], S.size() - 1), u)
                   .rounded());
   }
-  const double lost = S.dimension() * 0x1p-100 * dot_magnitude(S, u) +
-                      S.dimension() * std::numeric_limits<double>::denorm_min();
+  const double lost = S.dimension() * 0x1p-100 * dot_magnitude(S, u) + kUnderflow;
   result.value = best;
   result.error = std::fabs(best) * 2 * kUnitRoundoff + lost;
   if (std::fabs(best) > lost) return result;

@@ -18,10 +18,10 @@ constexpr double kArtificialZero = 1e-13;          // weight of artificial colum
 constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
-constexpr double kDrift = 1e-9;      // of the equations, after which the inverse is computed afresh
-constexpr double kProgress = 1e-12;  // of the objective, relative, between two looks
+constexpr double kDrift = 1e-9;             // of the equations, after which the inverse is computed afresh
+constexpr double kProgress = 1e-12;         // of the objective, relative, between two looks
 constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
-constexpr int kIdleLooks = 4;        // without progress: rounding leads the pivots in circles
+constexpr int kIdleLooks = 4;               // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
 
@@ -64,7 +64,8 @@ void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
 // max sign · guess · p over the points: a start needs no more than single precision.
 double DirectProgram::price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index) {
   if (points.single_blocks == nullptr) {
-    for (int k = 0; k < n_; ++k) column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
+    for (int k = 0; k < n_; ++k)
+      column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
     return kernels_->price(points.blocks, points.block_count, n_, column_.data(), index);
   }
   for (int k = 0; k < n_; ++k) {
@@ -255,11 +256,13 @@ double DirectProgram::enclosed_upper(bool refine) {
   BasisView& view = basis_.view();
   left_out_ = 0;
   double sum = 0;
+  double error = 0;
   for (int i = 0; i < view.m; ++i) {
     if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return kInfinity;
-    if (is_from_Q(view.id[i])) sum += view.x()[i];
+    if (!is_from_Q(view.id[i])) continue;
+    sum += view.x()[i];
+    error += enclosure.error;
   }
-  const double error = view.m * enclosure.error;
   if (!refine && error > kNegligibleError * loop_.gap_tolerance * sum) return kInfinity;
   view.objective = sum;
   return (sum + error) * (1 + 2 * (view.m + 2) * kUnitRoundoff);
@@ -308,7 +311,7 @@ double DirectProgram::upper_with_residual(double gauge_bound) const {
       sum = sum + term;
       magnitude += std::fabs(term.high);
     }
-    const double lost = view.m * (0x1p-99 * magnitude + std::numeric_limits<double>::denorm_min());
+    const double lost = view.m * 0x1p-99 * magnitude + kUnderflow;
     const double row = std::fabs(sum.rounded()) + lost;
     if (!(row < kInfinity)) return kInfinity;  // an overflow, of which a maximum might lose sight
     residual = std::max(residual, row);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/floating_point.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -36,7 +37,7 @@ bool PieceOracle::bind(const ConvexSet& S, double sign, const Kernels& kernels) 
   magnitude_.reserve(size);
   S.magnitude_unchecked(magnitude_.data());
   const double largest = *std::max_element(magnitude_.data(), magnitude_.data() + n_);
-  coordinate_error_ = ConvexSet::rounding_error(n_) * largest + std::numeric_limits<double>::denorm_min();
+  coordinate_error_ = ConvexSet::rounding_error(n_) * largest + kUnderflow;
   return true;
 }
 
@@ -79,8 +80,7 @@ void PieceOracle::evaluate_smooth(const double* u, PieceList& list) {
   set_->support_pieces_unchecked(direction_.data(), pieces);
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
-  list.support.error =
-      ConvexSet::rounding_error(n_) * magnitude + n_ * std::numeric_limits<double>::denorm_min();
+  list.support.error = ConvexSet::rounding_error(n_) * magnitude + kUnderflow;
 }
 
 void PieceOracle::evaluate_polytope(const double* u, PieceList& list) {

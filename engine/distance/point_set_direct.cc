@@ -26,11 +26,6 @@ void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceO
   begin(A, Q, options, stopwatch);
   working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
   working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
-  if (!working_A_.is_complete() || !working_Q_.is_complete()) {
-    const auto capacity = static_cast<std::size_t>(WorkingSet::growth(A) + WorkingSet::growth(Q));
-    collected_.reserve(capacity);
-    collected_value_.reserve(capacity);
-  }
   chosen_A_ = chosen_Q_ = {};
   start();
   run(false, effects, result);
@@ -134,8 +129,8 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
   }
 }
 
-// The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as well
-// as those of one more pass at better duals would, if that is good enough.
+// The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as
+// well as those of one more pass at better duals would, if that is good enough.
 bool PointSetDirect::certify_as_priced(Effects effects, DistanceResult& result) {
   if (!scaling_.trivial_A() || !scaling_.trivial_Q()) return false;
   const double* y = program_.normal();
@@ -147,7 +142,8 @@ bool PointSetDirect::certify_as_priced(Effects effects, DistanceResult& result) 
   h_A_ = {program_.priced_A(), dot_error(*A_, u)};
   h_Q_ = {program_.priced_Q(), dot_error(*Q_, u)};
   const double resolution = resolution_for(tolerance_);
-  if (!well_resolved(h_A_.value, h_A_.error, resolution) || !well_resolved(h_Q_.value, h_Q_.error, resolution)) {
+  if (!well_resolved(h_A_.value, h_A_.error, resolution) ||
+      !well_resolved(h_Q_.value, h_Q_.error, resolution)) {
     return false;
   }
   const double lower = lower_bound(h_A_, h_Q_);
@@ -227,6 +223,9 @@ void PointSetDirect::price_everything() {
   }
   if (!working_A_.is_complete() || !working_Q_.is_complete()) {
     const std::ptrdiff_t capacity = WorkingSet::growth(*A_);
+    const auto both = static_cast<std::size_t>(capacity + WorkingSet::growth(*Q_));
+    collected_.reserve(both);
+    collected_value_.reserve(both);
     violators_A_.points = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
     violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
                            WorkingSet::growth(*Q_), 0, kInfinity};

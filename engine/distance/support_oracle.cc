@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/distance/scaling.h"
+#include "engine/floating_point.h"
 
 namespace raygauge {
 
@@ -29,8 +30,7 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
       magnitude_[k] *= factor_[k];
       largest = std::max(largest, magnitude_[k]);
     }
-    coordinate_error_ =
-        ConvexSet::rounding_error(S.dimension()) * largest + std::numeric_limits<double>::denorm_min();
+    coordinate_error_ = ConvexSet::rounding_error(S.dimension()) * largest + kUnderflow;
     return;
   }
   coordinate_error_ = 0;
@@ -65,7 +65,7 @@ SupportValue SupportOracle::verify(const double* u, double sign, double known, d
   const int n = set_->dimension();
   double magnitude = 0;
   for (int k = 0; k < n; ++k) magnitude += std::fabs(u[k]) * magnitude_[static_cast<std::size_t>(k)];
-  result.error = ConvexSet::rounding_error(n) * magnitude + n * std::numeric_limits<double>::denorm_min();
+  result.error = ConvexSet::rounding_error(n) * magnitude + kUnderflow;
   return result;
 }
 

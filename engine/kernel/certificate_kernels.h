@@ -87,16 +87,18 @@ double refine_v(BasisView* basis, const double* b, bool correct) {
     return 0;
   }
   const double gamma = 1.01 * (m + 2) * 0x1p-53;
-  const double underflow = (m + 2) * 0x1p-1074;  // products below the normal range lose that instead
+  // What products below the normal range lose; more than (m + 2) 2^-1074, because subnormals are slow.
+  constexpr double kUnderflow = 0x1p-1022;
   multiply<V>(basis->B, P, m, basis->x(), bound, magnitude);
   for (int p = 0; p < P; p += kWidth) {
-    store(bound + p, gamma * (magnitude(load(b + p)) + load(bound + p) + magnitude(load(r + p))) + underflow);
+    store(bound + p,
+          gamma * (magnitude(load(b + p)) + load(bound + p) + magnitude(load(r + p))) + kUnderflow);
   }
   double* uncertain = result + P;
   multiply<V>(basis->R, P, m, r, result, unchanged);
   multiply<V>(basis->R, P, m, bound, uncertain, magnitude);
   for (int p = 0; p < P; p += kWidth) store(result + p, magnitude(load(result + p)) + load(uncertain + p));
-  return largest_entry(result, P) + underflow;
+  return largest_entry(result, P) + kUnderflow;
 }
 
 // Σ_i v_i M_ik for every column k, added to out_k.
