@@ -24,8 +24,8 @@ constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
 void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
                            const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
   begin(A, Q, options, stopwatch);
-  working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A());
-  working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q());
+  working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A(), true);
+  working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q(), true);
   chosen_A_ = chosen_Q_ = {};
   start();
   run(false, effects, result);

@@ -34,7 +34,7 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
     return;
   }
   coordinate_error_ = 0;
-  working_.choose(*points_, factor_, factor == nullptr);
+  working_.choose(*points_, factor_, factor == nullptr, false);
   if (working_.is_complete()) return;
   const auto growth = static_cast<std::size_t>(WorkingSet::growth(*points_));
   better_.reserve(growth);

@@ -27,13 +27,13 @@ std::ptrdiff_t sample_blocks(const PointSet& S) {
 
 }  // namespace
 
-void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial) {
+void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial, bool in_single) {
   magnitude_ = 0;
   for (int k = 0; k < S.dimension(); ++k) {
     magnitude_ = std::max(magnitude_, factor[k] * S.coordinate_magnitude()[k]);
   }
   // Sets small enough to carry a single-precision copy are priced from the first-level cache.
-  if (S.single_data() != nullptr) return take_all(S, factor, trivial);
+  if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial);
   const std::ptrdiff_t sample = sample_blocks(S);
   if (sample >= S.block_count()) return take_all(S, factor, trivial);
   take_sample(S, factor, sample);

@@ -18,8 +18,9 @@ class WorkingSet {
  public:
   /// The points of S to start with: all of them where S is small, in place if `trivial` and else scaled by
   /// `factor` (n powers of two); of a large set a stratified pseudo-random sample, the same for the same
-  /// S.size().
-  void choose(const PointSet& S, const double* factor, bool trivial);
+  /// S.size(). `in_single`: the points are priced in single precision where S has them so, which makes larger
+  /// sets small.
+  void choose(const PointSet& S, const double* factor, bool trivial, bool in_single);
 
   /// How many points of S are worth adding at a time.
   static std::ptrdiff_t growth(const PointSet& S);

@@ -111,12 +111,18 @@ inline void transposed_multiply(const double* M, int P, int columns, const doubl
   }
 }
 
+// yᵀ = c_Bᵀ R, as accurate as the inverse.
+inline void plain_duals(BasisView* basis) {
+  for (int i = 0; i < basis->P; ++i) basis->y[i] = 0;
+  transposed_multiply(basis->R, basis->P, basis->m, basis->cost, basis->y);
+}
+
 void duals(BasisView* basis) {
   const int P = basis->P;
   double* y = basis->y;
   double* residual = basis->w;
-  for (int i = 0; i < P; ++i) y[i] = residual[i] = 0;
-  transposed_multiply(basis->R, P, basis->m, basis->cost, y);
+  plain_duals(basis);
+  for (int i = 0; i < P; ++i) residual[i] = 0;
   transposed_multiply(basis->B, P, basis->m, y, residual);
   for (int p = 0; p < P; p += kWidth) store(residual + p, load(basis->cost + p) - load(residual + p));
   transposed_multiply(basis->R, P, basis->m, residual, y);

@@ -25,7 +25,7 @@ constexpr double kSingleTolerance = 1e-6;
 // Duals and objective anew from the inverse: columns chosen in single precision entered with rounded reduced
 // costs.
 inline void refresh(BasisView* basis) {
-  duals(basis);
+  plain_duals(basis);
   basis->objective = 0;
   for (int i = 0; i < basis->m; ++i) basis->objective += basis->cost[i] * basis->x()[i];
 }
