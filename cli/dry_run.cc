@@ -128,7 +128,7 @@ std::string method_lines(const std::vector<ComponentSpec>& methods) {
 
 /// "20 a cell", or how many it may become.
 std::string repetitions_text(const Experiment& experiment) {
-  const std::string most = std::to_string(experiment.repetitions) + " a cell";
+  std::string most = std::to_string(experiment.repetitions) + " a cell";
   if (experiment.stop_when_within == 0) return most;
   return std::to_string(experiment.min_repetitions) + " to " + most +
          ", until the medians are known within " + value_text(100 * experiment.stop_when_within) + " %";
