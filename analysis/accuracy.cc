@@ -71,7 +71,7 @@ class AccuracyTally {
       if (record.distance != truth) worst_error_.add(kInfinity);
       return;
     }
-    point_.beyond_gap += error > record.upper - record.lower;
+    point_.beyond_gap += error > record.upper - record.lower + truth_rounding(record) * truth;
     error_.add(error);
     if (truth <= 0) return;
     relative_error_.add(error / truth);
@@ -91,15 +91,13 @@ class AccuracyTally {
 
 }  // namespace
 
-std::vector<AccuracyCurve> accuracy_curves(const std::vector<Record>& records, const Truth& truth,
-                                           const std::function<bool(const Record&)>& belongs) {
+std::vector<AccuracyCurve> accuracy_curves(const std::vector<const Record*>& records, const Truth& truth) {
   std::vector<AccuracyCurve> curves;
   std::map<std::string, std::map<double, AccuracyTally, std::greater<>>> tallies;
-  for (const Record& record : records) {
-    if (!belongs(record)) continue;
-    const auto [found, is_new] = tallies.try_emplace(record.method);
-    if (is_new) curves.push_back({record.method, {}});
-    found->second[record.tolerance].add(record, truth(record));
+  for (const Record* record : records) {
+    const auto [found, is_new] = tallies.try_emplace(record->method);
+    if (is_new) curves.push_back({record->method, {}});
+    found->second[record->tolerance].add(*record, truth(*record));
   }
   for (AccuracyCurve& curve : curves) {
     for (const auto& [tolerance, tally] : tallies[curve.method])

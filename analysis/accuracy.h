@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct AccuracyPoint {
   std::size_t solves = 0;
   std::size_t failures = 0;    ///< stopped at a limit
   std::size_t wrong = 0;       ///< is_wrong(): answers off by more than 10 ε, bounds that exclude the truth
-  std::size_t beyond_gap = 0;  ///< error > upper - lower, where there are two bounds
+  std::size_t beyond_gap = 0;  ///< error > upper - lower + truth_rounding(), where there are two bounds
   std::size_t bounded = 0;     ///< solves with two finite bounds
 
   double mean_error = 0;              ///< absolute, as in the paper
@@ -42,9 +41,8 @@ struct AccuracyCurve {
   std::vector<AccuracyPoint> points;
 };
 
-/// The curves of the records that `belongs` is true of, methods in order of first appearance.
-std::vector<AccuracyCurve> accuracy_curves(const std::vector<Record>& records, const Truth& truth,
-                                           const std::function<bool(const Record&)>& belongs);
+/// The curves of the records, methods in order of first appearance.
+std::vector<AccuracyCurve> accuracy_curves(const std::vector<const Record*>& records, const Truth& truth);
 
 /// What the tightest tolerances brought a method.
 struct AccuracyFloor {

@@ -110,26 +110,31 @@ Table floor_table(const std::vector<AccuracyGroup>& groups) {
 
 }  // namespace
 
-std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter) {
-  const auto belongs = [&](const Record& record) { return !is_exact(record.method) && filter(record); };
+std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Truth& truth) {
   std::vector<GroupKey> keys;
+  std::map<GroupKey, std::vector<const Record*>> members;
   for (const Record& record : records) {
-    const GroupKey key = group_of(record);
-    if (std::find(keys.begin(), keys.end(), key) == keys.end() && belongs(record)) keys.push_back(key);
+    if (is_exact(record.method)) continue;
+    const auto [place, is_new] = members.try_emplace(group_of(record));
+    if (is_new) keys.push_back(place->first);
+    place->second.push_back(&record);
   }
-  if (keys.empty()) {
-    throw EmptySetError(filter.expression().empty()
-                            ? "accuracy of no records"
-                            : "no record passes the filter '" + filter.expression() + "'");
-  }
-  const Truth truth(records);
   std::vector<AccuracyGroup> groups;
-  groups.reserve(keys.size());
-  for (const GroupKey& key : keys) {
-    groups.push_back({name_of_group(key), accuracy_curves(records, truth, [&](const Record& record) {
-                        return group_of(record) == key && belongs(record);
-                      })});
+  for (const GroupKey& key : keys)
+    groups.push_back({name_of_group(key), accuracy_curves(members[key], truth)});
+  return groups;
+}
+
+std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter) {
+  const std::vector<Record> kept = filtered(records, filter);
+  if (kept.empty()) {
+    throw EmptySetError(records.empty() ? "accuracy of no records"
+                                        : "no record passes the filter '" + filter.expression() + "'");
   }
+  std::vector<AccuracyGroup> groups = accuracy_groups(kept, Truth(records));
+  if (groups.empty())
+    throw EmptySetError(
+        "accuracy of the method exact alone: it is where truths come from, and is not judged");
   return groups;
 }
 

@@ -17,8 +17,11 @@ struct AccuracyGroup {
   std::vector<AccuracyCurve> curves;
 };
 
-/// The groups of the records that pass, in order of first appearance. `exact` methods are where truths come
-/// from, and are left out. Throws EmptySetError where nothing is left.
+/// The groups of all records, in order of first appearance. `exact` methods are where truths come from, and
+/// are left out.
+std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Truth& truth);
+
+/// Those of the records that pass, the truth being that of all. Throws EmptySetError where nothing is left.
 std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter = {});
 
 /// For reading: for each group a table with one line a method and tolerance; then one line a group and

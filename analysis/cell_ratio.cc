@@ -68,6 +68,11 @@ CellKey cell_key(const Record& record) {
   return {record.generator, record.generator_parameters, record.n, record.N, record.tolerance};
 }
 
+std::string problem_name(const CellKey& cell) {
+  const std::string& parameters = cell.generator_parameters;
+  return cell.generator + (parameters.empty() ? "" : " (" + parameters + ")");
+}
+
 std::vector<CellTimes> cell_times(const std::vector<Record>& records) {
   const std::vector<std::string> methods = methods_of(records);
   std::map<std::tuple<CellKey, std::size_t, std::string>, CellTimes> cells;

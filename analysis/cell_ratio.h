@@ -26,6 +26,9 @@ struct CellKey {
 
 CellKey cell_key(const Record& record);
 
+/// "example2 (separation=1.5)": the generator with its parameters, if it has any.
+std::string problem_name(const CellKey& cell);
+
 /// The times of one method in one cell.
 struct CellTimes {
   CellKey cell;

@@ -6,19 +6,16 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <string>
 #include <utility>
 
-#include "analysis/columns.h"
+#include "analysis/instances.h"
 #include "analysis/rank_tests.h"
 #include "engine/exceptions.h"
+#include "engine/sweep/agreement.h"
 
 namespace raygauge {
 namespace {
-
-using InstanceName = std::pair<std::uint64_t, int>;  // seed, repetition
-using Group = std::map<InstanceName, const Record*>;
-using Groups = std::map<std::pair<CellKey, std::size_t>, Group>;
 
 void require_compare_options(const CompareOptions& options) {
   if (!(options.threshold >= 0) || std::isinf(options.threshold)) {
@@ -31,30 +28,6 @@ void require_compare_options(const CompareOptions& options) {
   }
 }
 
-/// Records by cell and method; disagreeing ones are left out, as from every time.
-Groups grouped(const std::vector<Record>& records, const std::vector<std::string>& methods,
-               const Filter& filter) {
-  Groups groups;
-  for (const Record& record : records) {
-    if (!record.agrees || !filter(record)) continue;
-    const auto method = std::find(methods.begin(), methods.end(), record.method) - methods.begin();
-    groups[{cell_key(record), static_cast<std::size_t>(method)}][{record.seed, record.repetition}] = &record;
-  }
-  return groups;
-}
-
-std::vector<double> times_of_group(const Group& group) {
-  std::vector<double> seconds;
-  for (const auto& [instance, record] : group) seconds.push_back(time_or_infinity(*record));
-  return seconds;
-}
-
-/// Certified bounds that exclude each other by more than rounding: one of the runs is wrong.
-bool contradict(const Record& a, const Record& b) {
-  constexpr double kRounding = 1e-9;
-  return a.upper < b.lower * (1 - kRounding) || b.upper < a.lower * (1 - kRounding);
-}
-
 struct Pairs {
   std::vector<double> base;
   std::vector<double> fresh;
@@ -62,17 +35,15 @@ struct Pairs {
   std::size_t contradictions = 0;
 };
 
-Pairs pairs_of(const Group& base, const Group& fresh) {
+/// Records in disagreement are unanswered like unsolved ones: a new wrong answer is one lost.
+Pairs pairs_of(const MethodInstances& base, const MethodInstances& fresh) {
   Pairs pairs;
-  for (const auto& [instance, old_record] : base) {
-    const auto found = fresh.find(instance);
-    if (found == fresh.end()) continue;
-    const Record& new_record = *found->second;
-    if (contradict(*old_record, new_record)) ++pairs.contradictions;
-    if (is_solved(*old_record) && !is_solved(new_record)) ++pairs.lost;
-    if (!is_solved(*old_record) && !is_solved(new_record)) continue;
-    pairs.base.push_back(time_or_infinity(*old_record));
-    pairs.fresh.push_back(time_or_infinity(new_record));
+  for (const auto& [old_record, new_record] : shared_instances(base, fresh)) {
+    if (!proofs_meet(*old_record, *new_record)) ++pairs.contradictions;
+    if (has_answer(*old_record) && !has_answer(*new_record)) ++pairs.lost;
+    if (!has_answer(*old_record) && !has_answer(*new_record)) continue;
+    pairs.base.push_back(answer_seconds(*old_record));
+    pairs.fresh.push_back(answer_seconds(*new_record));
   }
   return pairs;
 }
@@ -105,10 +76,10 @@ double independent_p(std::vector<double> fresh, const std::vector<double>& base,
   return rank_sum_p(fresh, base);
 }
 
-CellChange cell_change(const Group& base, const Group& fresh, const CompareOptions& options,
-                       std::size_t& contradictions) {
-  const std::vector<double> old_times = times_of_group(base);
-  const std::vector<double> new_times = times_of_group(fresh);
+CellChange cell_change(const MethodInstances& base, const MethodInstances& fresh,
+                       const CompareOptions& options, std::size_t& contradictions) {
+  const std::vector<double> old_times = base.seconds();
+  const std::vector<double> new_times = fresh.seconds();
   CellChange change;
   change.base_count = old_times.size();
   change.new_count = new_times.size();
@@ -170,6 +141,36 @@ void judge(Comparison& comparison) {
   }
 }
 
+std::vector<Record> passing_or_error(const std::vector<Record>& records, const Filter& filter,
+                                     const std::string& run) {
+  std::vector<Record> kept = filtered(records, filter);
+  if (!kept.empty()) return kept;
+  throw EmptySetError(records.empty()
+                          ? run + " has no records"
+                          : "no record of " + run + " passes the filter '" + filter.expression() + "'");
+}
+
+std::size_t count_of_methods(const std::map<CellKey, std::vector<MethodInstances>>& cells) {
+  std::size_t count = 0;
+  for (const auto& [cell, methods] : cells) count += methods.size();
+  return count;
+}
+
+/// The changes of the methods that both runs have in a cell.
+void compare_cell(const CellKey& cell, const std::vector<MethodInstances>& base,
+                  const std::vector<MethodInstances>& fresh, Comparison& comparison) {
+  for (const MethodInstances& before : base) {
+    const auto after = std::find_if(fresh.begin(), fresh.end(), [&](const MethodInstances& each) {
+      return each.method == before.method;
+    });
+    if (after == fresh.end()) continue;
+    CellChange change = cell_change(before, *after, comparison.options, comparison.contradictions);
+    change.cell = cell;
+    change.method = before.method;
+    comparison.cells.push_back(std::move(change));
+  }
+}
+
 }  // namespace
 
 const char* to_string(Change change) noexcept {
@@ -186,29 +187,23 @@ bool Comparison::regressed() const {
 Comparison compare_runs(const std::vector<Record>& base, const std::vector<Record>& fresh,
                         const CompareOptions& options) {
   require_compare_options(options);
-  const std::vector<std::string> methods = methods_of(base);
-  const Groups old_groups = grouped(base, methods, options.filter);
-  std::vector<Record> known;
-  std::copy_if(fresh.begin(), fresh.end(), std::back_inserter(known), [&](const Record& record) {
-    return std::find(methods.begin(), methods.end(), record.method) != methods.end();
-  });
-  const Groups new_groups = grouped(known, methods, options.filter);
+  const std::vector<Record> old_records = passing_or_error(base, options.filter, options.base_name);
+  const std::vector<Record> new_records = passing_or_error(fresh, options.filter, options.new_name);
+  const auto old_cells = instances_by_cell(old_records);
+  const auto new_cells = instances_by_cell(new_records);
 
   Comparison comparison;
   comparison.options = options;
-  for (const auto& [key, group] : old_groups) {
-    const auto found = new_groups.find(key);
-    if (found == new_groups.end()) continue;
-    CellChange change = cell_change(group, found->second, options, comparison.contradictions);
-    change.cell = key.first;
-    change.method = methods[key.second];
-    comparison.cells.push_back(std::move(change));
+  for (const auto& [cell, methods] : old_cells) {
+    const auto found = new_cells.find(cell);
+    if (found != new_cells.end()) compare_cell(cell, methods, found->second, comparison);
   }
   if (comparison.cells.empty())
-    throw EmptySetError("the two runs have no cell (generator, n, N, tolerance) and method in common");
-  comparison.base_only = old_groups.size() - comparison.cells.size();
-  comparison.new_only = grouped(fresh, methods_of(fresh), options.filter).size() - comparison.cells.size();
-  for (const std::string& method : methods) {
+    throw EmptySetError(options.base_name + " and " + options.new_name +
+                        " have no cell (generator and its parameters, n, N, tolerance) and method in common");
+  comparison.base_only = count_of_methods(old_cells) - comparison.cells.size();
+  comparison.new_only = count_of_methods(new_cells) - comparison.cells.size();
+  for (const std::string& method : methods_of(old_records)) {
     MethodChange change = method_change(method, comparison.cells, options);
     if (change.cells > 0) comparison.methods.push_back(std::move(change));
   }

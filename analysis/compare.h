@@ -15,9 +15,11 @@ namespace raygauge {
 
 struct CompareOptions {
   double threshold = 0.05;  ///< changes up to ratio 1 + threshold, or down to 1 / (1 + threshold), are none
-  double significance = 0.05;  ///< probability of one false alarm or more in the whole comparison
-  double confidence = 0.95;    ///< of the intervals
-  Filter filter;               ///< on the records of both runs
+  double significance = 0.05;      ///< probability of one false alarm or more in the whole comparison
+  double confidence = 0.95;        ///< of the intervals
+  Filter filter;                   ///< on the records of both runs
+  std::string base_name = "BASE";  ///< in what is said of the runs
+  std::string new_name = "NEW";
 };
 
 enum class Change : unsigned char { none, faster, slower };
@@ -32,13 +34,13 @@ struct CellChange {
   std::size_t base_count = 0;
   std::size_t new_count = 0;
   std::size_t pairs = 0;    ///< instances with an answer in at least one run and a record in both
-  double base_seconds = 0;  ///< median; unsolved count as +infinity
+  double base_seconds = 0;  ///< median; records without has_answer() count as +infinity
   double new_seconds = 0;
   Ratio medians;          ///< ratio_of_medians()
   TestedRatio ratio;      ///< new / base: paired_ratio() and signed_rank_p(); without pairs: medians and
                           ///< rank_sum_p()
   double adjusted_p = 1;  ///< holm_adjusted() over all cells and methods
-  std::size_t lost = 0;   ///< instances that base solved and new did not
+  std::size_t lost = 0;   ///< instances of which base has_answer() and new has not
   Change change = Change::none;
 };
 
@@ -63,13 +65,14 @@ struct Comparison {
   std::size_t new_only = 0;
   std::size_t contradictions = 0;  ///< instances whose certified bounds of both runs exclude each other
 
-  /// Something got slower, an instance is no longer solved, or the runs contradict each other.
+  /// Something got slower, an instance is no longer solved or its answer now disagrees with other methods',
+  /// or the runs contradict each other.
   bool regressed() const;
 };
 
-/// Compares records of the same cells and methods (by label). Throws EmptySetError if the two have no cell
-/// and method in common, InvalidParameterError for a threshold below 0 or a significance or confidence
-/// outside (0, 1).
+/// Compares records of the same cells and methods (by label). Throws EmptySetError if no record of one of
+/// them passes the filter or the two have no cell and method in common, InvalidParameterError for a threshold
+/// below 0 or a significance or confidence outside (0, 1).
 Comparison compare_runs(const std::vector<Record>& base, const std::vector<Record>& fresh,
                         const CompareOptions& options = {});
 

@@ -3,63 +3,69 @@
 #include "analysis/compare_circumstances.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <utility>
 
+#include "analysis/columns.h"
+#include "analysis/words.h"
 #include "results/identity.h"
+#include "results/schema.h"
 
 namespace raygauge {
 namespace {
 
-using Property = std::pair<const char*, std::function<std::string(const Session&)>>;
-
-std::string versions_text(const Session& session) {
-  std::string text;
-  for (const ComponentVersion& each : session.versions)
-    text += (text.empty() ? "" : ", ") + each.name + " " + each.version;
-  return text;
-}
-
-const std::vector<Property>& properties() {
-  static const std::vector<Property> kProperties = {
-      {"processor", [](const Session& s) { return s.machine.cpu_model; }},
-      {"cores", [](const Session& s) { return std::to_string(s.machine.cores); }},
-      {"machine", [](const Session& s) { return s.machine.hostname; }},
-      {"operating system", [](const Session& s) { return s.machine.operating_system; }},
-      {"kernel", [](const Session& s) { return s.machine.kernel; }},
-      {"compiler", [](const Session& s) { return s.build.compiler; }},
-      {"compiler flags", [](const Session& s) { return s.build.compiler_flags; }},
-      {"build type", [](const Session& s) { return s.build.build_type; }},
-      {"modified sources", [](const Session& s) { return s.build.git_dirty ? "yes" : "no"; }},
-      {"timing", [](const Session& s) { return s.timing; }},
-      {"threads", [](const Session& s) { return std::to_string(s.threads); }},
-      {"library versions", versions_text},
-  };
-  return kProperties;
-}
+/// The columns of a session that change times, and what readers call them.
+constexpr std::array<std::pair<const char*, const char*>, 11> kTimingColumns = {
+    {{"cpu_model", "processor"},
+     {"cores", "cores"},
+     {"hostname", "machine"},
+     {"operating_system", "operating system"},
+     {"kernel", "kernel"},
+     {"compiler", "compiler"},
+     {"compiler_flags", "compiler flags"},
+     {"build_type", "build type"},
+     {"git_dirty", "modified sources"},
+     {"timing", "timing"},
+     {"threads", "threads"}}};
 
 /// The values that a property takes over the sessions of a run.
-std::string values_of(const Property& property, const Provenance& provenance) {
+std::string values_of(const std::function<std::string(const Session&)>& property,
+                      const Provenance& provenance) {
   std::set<std::string> values;
-  for (const Session& session : provenance.sessions) values.insert(property.second(session));
-  std::string text;
-  for (const std::string& value : values)
-    text += (text.empty() ? "" : " and ") + (value.empty() ? "unknown" : value);
-  return text;
+  for (const Session& session : provenance.sessions) {
+    const std::string value = property(session);
+    values.insert(value.empty() ? "unknown" : value);
+  }
+  return joined(values, " and ");
 }
 
 }  // namespace
+
+std::string versions_text(const Session& session) {
+  std::vector<std::string> words;
+  for (const ComponentVersion& each : session.versions) words.push_back(each.name + " " + each.version);
+  return joined(words);
+}
 
 std::vector<std::string> circumstance_differences(const Provenance& base, const Provenance& fresh) {
   std::vector<std::string> notes;
   const std::string experiment = identity_difference(base.identity, fresh.identity);
   if (!experiment.empty()) notes.push_back("the experiments: " + experiment);
-  for (const Property& property : properties()) {
+  const auto compare = [&](const std::string& label,
+                           const std::function<std::string(const Session&)>& property) {
     const std::string before = values_of(property, base);
     const std::string after = values_of(property, fresh);
-    if (before != after) notes.push_back(std::string(property.first) + ": " + before + "; now " + after);
+    if (before != after) notes.push_back(label + ": " + before + "; now " + after);
+  };
+  for (const auto& [name, label] : kTimingColumns) {
+    const auto& columns = session_columns();
+    const auto column = std::find_if(columns.begin(), columns.end(),
+                                     [&, name = name](const auto& each) { return each.name == name; });
+    compare(label, [&](const Session& session) { return text_of(column->get(session)); });
   }
+  compare("library versions", versions_text);
   return notes;
 }
 

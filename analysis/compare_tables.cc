@@ -11,9 +11,8 @@ namespace raygauge {
 namespace {
 
 std::string ratio_words(const Ratio& ratio) {
-  if (std::isnan(ratio.ratio)) return "-";
-  return padded_significant(ratio.ratio, 3) + " [" + padded_significant(ratio.interval.lower, 3) + ", " +
-         padded_significant(ratio.interval.upper, 3) + "]";
+  return std::isnan(ratio.ratio) ? "-"
+                                 : interval_words(ratio.ratio, ratio.interval.lower, ratio.interval.upper);
 }
 
 std::string p_words(double p) {
@@ -59,7 +58,7 @@ std::vector<CellChange> changed_cells(const Comparison& comparison) {
 
 TableRow cell_row(const CellChange& cell) {
   constexpr double kMilli = 1e3;
-  return {{{cell.cell.generator},
+  return {{{problem_name(cell.cell)},
            {cell.method},
            {std::to_string(cell.cell.n)},
            {std::to_string(cell.cell.N)},
@@ -76,8 +75,8 @@ Table cells_table(const Comparison& comparison, std::size_t most_rows) {
   Table table;
   table.title = "cells that changed: " + std::to_string(changed.size()) + " of " +
                 std::to_string(comparison.cells.size());
-  table.header = {
-      {"generator", "method", "n", "N", "tolerance", "base ms", "new ms", "ratio", "adjusted p", ""}};
+  table.header = {{"generator (parameters)", "method", "n", "N", "tolerance", "base ms", "new ms", "ratio",
+                   "adjusted p", ""}};
   table.key_columns = 5;
   for (const CellChange& cell : changed) {
     if (most_rows > 0 && table.rows.size() == most_rows) break;

@@ -16,12 +16,13 @@ struct CellWinner {
   std::string method;     ///< smallest median time
   std::string runner_up;  ///< second smallest; "" if no other method has a finite median
   double seconds = 0;     ///< the winner's median
-  Ratio lead;  ///< runner_up / method: paired_ratio() over common instances; NaN without a runner-up
+  Ratio lead;  ///< runner_up / method: paired_ratio() over common instances, without any ratio_of_medians();
+               ///< NaN without a runner-up
   bool decided = false;  ///< the 95 % interval of `lead` lies above 1
 };
 
 /// The winner of each cell, by generator, n, N, tolerance; cells in which no method has a finite median (half
-/// of its solves or more unsolved) are left out.
+/// of its solves or more without an answer) are left out.
 std::vector<CellWinner> cell_winners(const std::vector<Record>& records);
 
 }  // namespace raygauge

@@ -45,27 +45,32 @@ double Example1Table::time_ratio(const AccuracyPoint& point) const {
   return std::isfinite(best) ? point.mean_seconds / best : kNaN;
 }
 
+Example1Table example1_table_of(const std::vector<Record>& records, Example1Roles roles, const Truth& truth,
+                                std::vector<std::string> baselines) {
+  const std::string parameter = roles_parameter(roles);
+  std::vector<const Record*> kept;
+  for (const Record& record : records) {
+    if (is_of_example1(record, parameter)) kept.push_back(&record);
+  }
+  Example1Table table{roles, accuracy_curves(kept, truth), std::move(baselines)};
+  if (!table.baselines.empty()) return table;
+  for (const AccuracyCurve& curve : table.curves) {
+    if (curve.method.starts_with("nlopt")) table.baselines.push_back(curve.method);
+  }
+  return table;
+}
+
 Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,
                                   const Filter& filter, std::vector<std::string> baselines) {
-  const std::string parameter = roles_parameter(roles);
-  Example1Table table;
-  table.roles = roles;
-  table.curves = accuracy_curves(records, Truth(records), [&](const Record& record) {
-    return is_of_example1(record, parameter) && filter(record);
-  });
+  const std::vector<Record> kept = filtered(records, filter);
+  const Example1Table table = example1_table_of(kept, roles, Truth(records), std::move(baselines));
   if (table.curves.empty()) {
-    throw EmptySetError("the tables of Example 1 need records of generator example1 with " + parameter +
-                        (filter.expression().empty()
-                             ? "; there are none"
-                             : "; none passes the filter '" + filter.expression() + "'"));
+    throw EmptySetError(
+        "the tables of Example 1 need records of generator example1 with " + roles_parameter(roles) +
+        (filter.expression().empty() ? "; there are none"
+                                     : "; none passes the filter '" + filter.expression() + "'"));
   }
-  require_methods(table.curves, baselines);
-  if (baselines.empty()) {
-    for (const AccuracyCurve& curve : table.curves) {
-      if (curve.method.starts_with("nlopt")) baselines.push_back(curve.method);
-    }
-  }
-  table.baselines = std::move(baselines);
+  require_methods(table.curves, table.baselines);
   return table;
 }
 

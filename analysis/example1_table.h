@@ -34,6 +34,10 @@ struct Example1Table {
 Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,
                                   const Filter& filter = {}, std::vector<std::string> baselines = {});
 
+/// The same of all records, without curves where none is of Example 1 in those roles.
+Example1Table example1_table_of(const std::vector<Record>& records, Example1Roles roles, const Truth& truth,
+                                std::vector<std::string> baselines = {});
+
 /// For reading: for each method a table with one line a tolerance and the paper's numbers beside (its
 /// algorithm's for methods of raygauge, its active-set solver's for competitors), then a summary of what must
 /// hold.

@@ -57,6 +57,12 @@ std::string padded_significant(double value, int digits) {
   return formatted("%.*f", std::max(0, digits - 1 - exponent), value);
 }
 
+std::string interval_words(double value, double lower, double upper) {
+  constexpr int kShown = 3;
+  return padded_significant(value, kShown) + " [" + padded_significant(lower, kShown) + ", " +
+         padded_significant(upper, kShown) + "]";
+}
+
 std::string round_trip(double value) {
   if (!std::isfinite(value)) return not_finite(value);
   std::array<char, kBuffer> buffer{};

@@ -14,6 +14,9 @@ std::string significant(double value, int digits);
 /// "0.0120", "1.36", "123", "1.2e-7"; "inf", "nan".
 std::string padded_significant(double value, int digits);
 
+/// "1.23 [1.20, 1.26]": a value and the ends of its interval, 3 digits.
+std::string interval_words(double value, double lower, double upper);
+
 /// `value` with enough digits that reading it gives the same double: for CSV.
 std::string round_trip(double value);
 

@@ -87,8 +87,9 @@ std::vector<StabilityRow> rows_of(const Tallies& tallies, const std::vector<std:
 bool is_wrong(const Record& record, double truth) {
   if (std::isnan(truth)) return false;
   if (true_error(record, truth) > kAllowance * record.tolerance) return true;
+  const double slack = 1 - truth_rounding(record);
   // A bound that is NaN was never proven, and refutes nothing.
-  return !is_competitor(record.method) && (truth < record.lower || truth > record.upper);
+  return !is_competitor(record.method) && (truth < slack * record.lower || slack * truth > record.upper);
 }
 
 Stability make_stability(const std::vector<Record>& records, const Filter& filter) {
@@ -96,16 +97,19 @@ Stability make_stability(const std::vector<Record>& records, const Filter& filte
   if (kept.empty())
     throw EmptySetError(records.empty() ? "no records"
                                         : "no record passes the filter '" + filter.expression() + "'");
-  const Truth truth(records);
+  return make_stability(kept, Truth(records));
+}
+
+Stability make_stability(const std::vector<Record>& records, const Truth& truth) {
   std::map<double, Tallies> by_tolerance;
-  for (const Record& record : kept) {
+  for (const Record& record : records) {
     Tallies& tallies = by_tolerance[record.tolerance];
     const double distance = truth(record);
     tallies[{record.generator, record.method}].add(record, distance);
     tallies[{"", record.method}].add(record, distance);
   }
-  const std::vector<std::string> families = families_of(kept);
-  const std::vector<std::string> methods = methods_of(kept);
+  const std::vector<std::string> families = families_of(records);
+  const std::vector<std::string> methods = methods_of(records);
   Stability stability;
   for (const auto& [tolerance, tallies] : by_tolerance) {
     stability.push_back({tolerance, rows_of(tallies, families, methods), rows_of(tallies, {""}, methods)});

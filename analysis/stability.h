@@ -39,7 +39,9 @@ using Stability = std::vector<StabilityTolerance>;
 
 /// Whether a solve gave a false answer or a false proof, given the true distance:
 ///   - its answer is off by a true_error() of more than 10 ε, or
-///   - for methods that are no competitors, whatever their status: the truth lies outside [lower, upper].
+///   - for methods that are no competitors, whatever their status: the truth lies outside [lower, upper] by
+///   more than
+///     its own rounding, truth_rounding().
 /// A competitor's bounds are raygauge's own and not held against it; an answer is what a solved record
 /// claims, so that one that stopped at a limit has none. False where the truth is unknown.
 bool is_wrong(const Record& record, double truth);
@@ -47,6 +49,9 @@ bool is_wrong(const Record& record, double truth);
 /// Summarises the records that pass the filter. The truth may come from any record of the same instance,
 /// whether it passes or not. Throws EmptySetError if none passes.
 Stability make_stability(const std::vector<Record>& records, const Filter& filter = {});
+
+/// Summarises all records.
+Stability make_stability(const std::vector<Record>& records, const Truth& truth);
 
 /// For reading: a table for each tolerance.
 std::vector<Table> stability_tables(const Stability& stability);

@@ -6,6 +6,7 @@
 
 #include "analysis/cell_ratio.h"
 #include "analysis/constants.h"
+#include "engine/sweep/agreement.h"
 
 namespace raygauge {
 
@@ -26,18 +27,11 @@ Truth::InstanceName Truth::name_of(const Record& record) {
   return {record.generator, record.generator_parameters, record.n, record.N, record.seed, record.repetition};
 }
 
-double claimed_distance(const Record& record) {
-  switch (record.status) {
-    case DistanceStatus::optimal:
-      return record.distance;
-    case DistanceStatus::contains_origin:
-      return 0;
-    case DistanceStatus::unreachable:
-      return kInfinity;
-    default:
-      return kNaN;
-  }
+double truth_rounding(const Record& record) {
+  return record.generator == "example1" && !std::isnan(record.exact_distance) ? kTruthRounding : 0;
 }
+
+double claimed_distance(const Record& record) { return claim_of(record).value_or(kNaN); }
 
 double true_error(const Record& record, double truth) {
   const double claim = claimed_distance(record);

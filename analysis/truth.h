@@ -27,6 +27,15 @@ class Truth {
   std::map<InstanceName, double> proven_;
 };
 
+/// Relative rounding of the exact distances of generator example1, whose contact is rounded with the bodies:
+/// twice the 2^-46 that docs/generators.md states.
+inline constexpr double kTruthRounding = 0x1p-45;
+
+/// By how much of itself the truth of a record's instance may be off: kTruthRounding, and 0 where it holds
+/// for the very doubles of the instance: for all other generators that state one, and where `exact` proved
+/// it.
+double truth_rounding(const Record& record);
+
 /// The distance that a solved record claims: 0 for contains_origin, +∞ for unreachable; NaN for one that
 /// stopped at a limit.
 double claimed_distance(const Record& record);

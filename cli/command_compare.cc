@@ -110,6 +110,8 @@ int compare(const CompareArguments& arguments) {
   options.threshold = arguments.threshold;
   options.significance = arguments.significance;
   if (!arguments.where.empty()) options.filter = Filter(arguments.where);
+  options.base_name = arguments.base;
+  options.new_name = arguments.fresh;
   const ResultsFile base = read_results(arguments.base);
   const ResultsFile fresh = read_results(arguments.fresh);
   const Comparison comparison = compare_runs(base.records, fresh.records, options);

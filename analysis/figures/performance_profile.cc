@@ -16,28 +16,11 @@ namespace {
 
 constexpr const char* kProfileName = "performance_profile";
 
-/// The right end of the figure: a little beyond the largest ratio.
-double last_ratio(const std::vector<ProfileCurve>& curves) {
-  constexpr double kMargin = 1.2;
-  double last = 2;
-  for (const ProfileCurve& curve : curves) {
-    if (!curve.ratios.empty()) last = std::max(last, kMargin * curve.ratios.back());
-  }
-  return last;
-}
-
-/// Corners of the step function, at most as many as can be seen.
 std::string profile_block(const ProfileCurve& curve, std::size_t index, double last) {
   constexpr std::size_t kMostSteps = 1000;
   std::string text = "$profile" + std::to_string(index) + " << EOD\n";
-  const auto point = [&](double tau) {
-    text += significant(tau, 6) + " " + significant(curve.rho(tau), 6) + "\n";
-  };
-  point(1);
-  const std::size_t stride = std::max<std::size_t>(1, curve.ratios.size() / kMostSteps);
-  for (std::size_t i = stride - 1; i < curve.ratios.size(); i += stride) point(curve.ratios[i]);
-  if (!curve.ratios.empty()) point(curve.ratios.back());
-  point(last);
+  for (const auto& [tau, rho] : curve.steps(last, kMostSteps))
+    text += significant(tau, 6) + " " + significant(rho, 6) + "\n";
   return text + "EOD\n";
 }
 
@@ -51,7 +34,7 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
     throw FigureNeedsError(std::string("figure ") + kProfileName + " needs records of two or more methods");
   }
   const std::vector<std::string> methods = methods_of(kept);
-  const double last = last_ratio(curves);
+  const double last = profile_end(curves);
   const PanelGrid grid = panel_grid(1, methods.size(), options.size, 1);
   Drawing drawing;
   drawing.width = grid.width;

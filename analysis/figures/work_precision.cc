@@ -60,6 +60,7 @@ bool has_precision(const AccuracyGroup& group) {
 }  // namespace
 
 Drawing work_precision(const std::vector<Record>& records, const FigureOptions& options) {
+  figure_style::comparable_records("work_precision", records, options.filter, {});
   std::vector<AccuracyGroup> groups;
   try {
     groups = accuracy_groups(records, options.filter);

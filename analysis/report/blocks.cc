@@ -108,9 +108,7 @@ Json heat_map_block(const HeatMap& map) {
 }
 
 Facets problem_facets(const CellKey& cell) {
-  const std::string& parameters = cell.generator_parameters;
-  return {{"problem", cell.generator + (parameters.empty() ? "" : " (" + parameters + ")")},
-          {"tolerance", significant(cell.tolerance, 3)}};
+  return {{"problem", problem_name(cell)}, {"tolerance", significant(cell.tolerance, 3)}};
 }
 
 std::string time_words(double seconds) {
@@ -121,12 +119,6 @@ std::string time_words(double seconds) {
   if (seconds >= 1) return padded_significant(seconds, kShown) + " s";
   if (seconds >= kMilli) return padded_significant(seconds / kMilli, kShown) + " ms";
   return padded_significant(seconds / kMicro, kShown) + " µs";
-}
-
-std::string interval_words(double value, const Interval& interval) {
-  constexpr int kShown = 3;
-  return padded_significant(value, kShown) + " [" + padded_significant(interval.lower, kShown) + ", " +
-         padded_significant(interval.upper, kShown) + "]";
 }
 
 }  // namespace raygauge::report

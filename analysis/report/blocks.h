@@ -82,7 +82,4 @@ Facets problem_facets(const CellKey& cell);
 /// "3.1 ms", "12 µs": 3 digits.
 std::string time_words(double seconds);
 
-/// "1.23 [1.20, 1.26]".
-std::string interval_words(double value, const Interval& interval);
-
 }  // namespace raygauge::report

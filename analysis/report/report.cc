@@ -11,11 +11,11 @@ namespace raygauge::report {
 namespace {
 
 /// The methods with what their look depends on: raygauge's own or not, and the place among those.
-Json methods_json(const std::vector<Record>& records) {
+Json methods_json(const std::vector<std::string>& names) {
   Json methods = Json::array();
   int own = 0;
   int competitors = 0;
-  for (const std::string& method : methods_of(records)) {
+  for (const std::string& method : names) {
     const bool competitor = is_competitor(method);
     methods.push_back(
         {{"name", method}, {"competitor", competitor}, {"rank", competitor ? competitors++ : own++}});
@@ -23,7 +23,7 @@ Json methods_json(const std::vector<Record>& records) {
   return methods;
 }
 
-std::string title_of(const std::vector<MergedFile>& files) {
+std::string page_title(const std::vector<MergedFile>& files) {
   std::string title = "raygauge";
   for (const MergedFile& file : files) {
     const std::size_t slash = file.path.find_last_of('/');
@@ -66,18 +66,21 @@ void replace_mark(std::string& page, const std::string& mark, const std::string&
 }
 
 Input input_of(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines) {
-  Input input;
-  input.records = filtered(merged.records, filter);
-  if (input.records.empty()) {
+  std::vector<Record> records = filtered(merged.records, filter);
+  if (records.empty()) {
     throw EmptySetError(merged.records.empty() ? "the files hold no record yet"
                                                : "no record passes the filter '" + filter.expression() + "'");
   }
-  input.all_records = merged.records;
-  input.files = merged.files;
-  input.notes = merged.notes;
-  input.filter = filter;
-  input.baselines = baselines.empty() ? default_baselines(merged.records) : baselines;
-  if (!baselines.empty()) baseline_records(merged.records, filter, baselines);  // refuses unknown ones
+  Input input{merged, filter, std::move(records), {}, Truth(merged.records), baselines, {}};
+  input.methods = methods_of(input.records);
+  // Where the linear programs' baselines have no place, as with smooth sets, NLopt's are.
+  for (const char* prefix : {"glpk", "nlopt"}) {
+    if (input.baselines.empty()) input.baselines = default_baselines(merged.records, prefix);
+  }
+  if (!input.baselines.empty()) {
+    input.ratios = cell_ratios(input.records, baseline_records(merged.records, filter, input.baselines),
+                               input.baselines);
+  }
   return input;
 }
 
@@ -86,9 +89,9 @@ Input input_of(const MergedResults& merged, const Filter& filter, const std::vec
 std::string make_page(const MergedResults& merged, const Filter& filter,
                       const std::vector<std::string>& baselines) {
   const Input input = input_of(merged, filter, baselines);
-  Json data = {{"title", title_of(input.files)},
+  Json data = {{"title", page_title(merged.files)},
                {"version", build_info().raygauge_version},
-               {"methods", methods_json(input.records)},
+               {"methods", methods_json(input.methods)},
                {"sections", Json::array()}};
   for (const SectionMaker& make : section_makers()) {
     const std::optional<Section> section = make(input);

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/cell_ratio.h"
 #include "analysis/filter.h"
 #include "analysis/merge.h"
+#include "analysis/truth.h"
 #include "engine/sweep/record.h"
 
 namespace raygauge::report {
@@ -17,14 +19,15 @@ namespace raygauge::report {
 /// An object whose members keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// What a report is made of.
+/// What a report is made of, and what more than one section needs of it.
 struct Input {
-  std::vector<Record> records;      ///< those that pass the filter
-  std::vector<Record> all_records;  ///< of the files: truths and baselines may lie outside the filter
-  std::vector<MergedFile> files;
-  std::vector<std::string> notes;  ///< of MergedResults
+  const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
   Filter filter;
+  std::vector<Record> records;         ///< those that pass the filter
+  std::vector<std::string> methods;    ///< methods_of() them
+  Truth truth;                         ///< of all records
   std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
+  std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines
 };
 
 /// A part of the page: blocks (blocks.h) under a title.
@@ -41,7 +44,8 @@ using SectionMaker = std::function<std::optional<Section>(const Input&)>;
 const std::vector<SectionMaker>& section_makers();
 
 /// The report of the records that pass `filter`: one HTML page that needs no network. `baselines` empty:
-/// default_baselines(). Throws EmptySetError if no record passes, UnknownNameError for an unknown baseline.
+/// default_baselines(), of GLPK or else of NLopt. Throws EmptySetError if no record passes, UnknownNameError
+/// for an unknown baseline.
 std::string make_page(const MergedResults& merged, const Filter& filter,
                       const std::vector<std::string>& baselines);
 

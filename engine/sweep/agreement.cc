@@ -30,21 +30,7 @@ bool meet(const Interval& a, const Interval& b) {
   return ordered(std::max(a.lower, b.lower), std::min(a.upper, b.upper), kAgreementRounding);
 }
 
-/// The distance that a record says it has found; empty for a limit, which says no such thing.
-std::optional<double> claim_of(const Record& record) {
-  switch (record.status) {
-    case DistanceStatus::optimal:
-      return record.distance;
-    case DistanceStatus::contains_origin:
-      return 0;
-    case DistanceStatus::unreachable:
-      return kInfinity;
-    default:
-      return std::nullopt;
-  }
-}
-
-bool proofs_meet(const Record& record, std::span<const Record> records) {
+bool all_proofs_meet(const Record& record, std::span<const Record> records) {
   const Interval own = interval_of(record);
   const bool meets_all = std::all_of(records.begin(), records.end(),
                                      [&](const Record& other) { return meet(own, interval_of(other)); });
@@ -72,6 +58,21 @@ bool claim_holds(const Record& record, std::span<const Record> records, const In
 
 }  // namespace
 
+std::optional<double> claim_of(const Record& record) {
+  switch (record.status) {
+    case DistanceStatus::optimal:
+      return record.distance;
+    case DistanceStatus::contains_origin:
+      return 0;
+    case DistanceStatus::unreachable:
+      return kInfinity;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool proofs_meet(const Record& a, const Record& b) { return meet(interval_of(a), interval_of(b)); }
+
 void mark_agreement(std::span<Record> records) {
   Interval narrowest;
   double smallest_width = kInfinity;
@@ -84,7 +85,7 @@ void mark_agreement(std::span<Record> records) {
     }
   }
   for (Record& record : records) {
-    record.agrees = proofs_meet(record, records) && claim_holds(record, records, narrowest);
+    record.agrees = all_proofs_meet(record, records) && claim_holds(record, records, narrowest);
   }
 }
 

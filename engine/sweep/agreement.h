@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "engine/sweep/record.h"
@@ -12,6 +13,14 @@ namespace raygauge {
 /// the slack covers the rounding of a generator's exact distance and of bounds certified from a competitor's
 /// basis.
 inline constexpr double kAgreementRounding = 1e-12;
+
+/// The distance that a record says it has found: its `distance` (optimal), 0 (contains_origin) or +∞
+/// (unreachable); empty for one that stopped at a limit.
+std::optional<double> claim_of(const Record& record);
+
+/// Whether the bounds that two records of one instance have proven have a point in common, up to
+/// kAgreementRounding. Unset bounds are 0 and +∞.
+bool proofs_meet(const Record& a, const Record& b);
 
 /// Sets `agrees` of `records`: the records of all methods on one instance at one tolerance ε.
 ///

@@ -29,7 +29,9 @@ Record solve(const std::string& method, double tolerance, double error, double g
 }
 
 std::vector<AccuracyCurve> curves_of(const std::vector<Record>& records) {
-  return accuracy_curves(records, Truth(records), [](const Record&) { return true; });
+  std::vector<const Record*> all;
+  for (const Record& record : records) all.push_back(&record);
+  return accuracy_curves(all, Truth(records));
 }
 
 TEST(Accuracy, AveragesOverTheSolvesOfEachTolerance) {
@@ -90,6 +92,18 @@ TEST(Accuracy, TakesTheTruthFromTheExactMethodWhereTheGeneratorHasNone) {
   EXPECT_TRUE(std::isnan(curves_of({approximate})[0].points[0].mean_error));
 }
 
+TEST(Accuracy, AllowsTheTruthItsOwnRounding) {
+  Record solved = solve("direct", 1e-12, 0, 0, 1);
+  const auto beyond = [&](double distance, const char* generator) {
+    solved.generator = generator;
+    solved.lower = solved.distance = solved.upper = distance;
+    return curves_of({solved})[0].points[0].beyond_gap;
+  };
+  EXPECT_EQ(beyond(std::nextafter(2, 3), "example1"), 0U);
+  EXPECT_EQ(beyond(std::nextafter(2, 3), "hard_needle"), 1U) << "whose truth is exact";
+  EXPECT_EQ(beyond(2 + 0x1p-43, "example1"), 1U);
+}
+
 TEST(Accuracy, FindsWhereAMethodStopsGettingBetter) {
   const std::vector<Record> records = {
       solve("direct", 1e-2, 1e-3, 1e-3, 10), solve("direct", 1e-4, 1e-5, 1e-5, 14),
@@ -117,6 +131,12 @@ TEST(AccuracyTables, LeaveOutTheMethodThatTheTruthIsFrom) {
   ASSERT_EQ(groups[0].curves.size(), 1U);
   EXPECT_EQ(groups[0].curves[0].method, "direct");
   EXPECT_THROW(accuracy_groups(records, Filter("n==4")), EmptySetError);
+}
+
+TEST(AccuracyTables, SayThatOnlyTheExactMethodPassesAFilter) {
+  const std::vector<Record> records = {solve("direct", 1e-6, 0, 1e-9, 1), solve("exact", 1e-6, 0, 0, 1)};
+  EXPECT_EQ(testing::message_of<EmptySetError>([&] { accuracy_groups(records, Filter("method==exact")); }),
+            "accuracy of the method exact alone: it is where truths come from, and is not judged");
 }
 
 TEST(AccuracyTables, PriceTheNextDigit) {

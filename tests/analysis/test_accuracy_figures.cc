@@ -3,6 +3,7 @@
 // fig5, fig7 and work_precision.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "analysis/figures/figure.h"
@@ -56,6 +57,33 @@ TEST(WorkPrecision, DrawsErrorAndGapOfEachGroup) {
   const std::string picture = picture_of("work_precision", solves("cone_ellipsoid"));
   expect_texts(picture, {"example1, n = 3, N = 1: error", "example1, n = 3, N = 1: gap",
                          "median time of a solve, µs", "zheng_yamane", "nlopt_slsqp"});
+}
+
+TEST(WorkPrecision, PutsErrorsAndGapsBeyondTheScaleAtInfinity) {
+  std::vector<Record> records = solves("cone_ellipsoid");
+  records[0].distance = 1e6;
+  records[1].lower = std::numeric_limits<double>::quiet_NaN();
+  const std::string picture = picture_of("work_precision", records);
+  expect_texts(picture, {">∞<"});
+  const std::string whole = picture_of("work_precision", solves("cone_ellipsoid"));
+  const auto markers = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("<use xlink"); at != std::string::npos;
+         at = text.find("<use xlink", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(markers(picture), markers(whole)) << "no point vanishes";
+}
+
+TEST(AccuracyFigures, SayThatNothingPassesAFilter) {
+  FigureOptions options;
+  options.filter = Filter("n==7");
+  for (const char* name : {"fig5", "work_precision"}) {
+    EXPECT_EQ(message_of<FigureNeedsError>(
+                  [&] { draw(figure_named(name), solves("cone_ellipsoid"), options, ImageFormat::svg); }),
+              std::string("figure ") + name + ": no record passes the filter 'n==7'");
+  }
 }
 
 TEST(WorkPrecision, NeedsATruth) {

@@ -11,6 +11,7 @@
 
 #include "analysis/compare_circumstances.h"
 #include "analysis/compare_tables.h"
+#include "analysis/rank_tests.h"
 #include "engine/exceptions.h"
 #include "tests/analysis/records.h"
 
@@ -116,6 +117,43 @@ TEST(Compare, RegressesWhereAnInstanceIsNoLongerSolved) {
   EXPECT_FALSE(compare_runs(fresh, base).regressed());
 }
 
+TEST(Compare, RegressesWhereAnAnswerNewlyDisagrees) {
+  SimulatedMachine machine(8);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  fresh[5].agrees = false;
+  const Comparison comparison = compare_runs(base, fresh);
+  EXPECT_TRUE(comparison.regressed());
+  EXPECT_EQ(comparison.cells[0].lost, 1U);
+  EXPECT_FALSE(compare_runs(fresh, base).regressed());
+
+  for (Record& record : fresh)
+    if (record.method == "direct" && record.n == 3 && record.N == 200) record.agrees = false;
+  const Comparison whole_cell = compare_runs(base, fresh);
+  EXPECT_TRUE(whole_cell.regressed());
+  EXPECT_EQ(whole_cell.base_only, 0U);
+  EXPECT_EQ(whole_cell.cells[0].lost, 20U);
+}
+
+TEST(Compare, LooksForContradictionsInDisagreeingRecordsToo) {
+  SimulatedMachine machine(8);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  fresh[5].lower = fresh[5].distance = fresh[5].upper = 3;
+  fresh[5].agrees = false;
+  EXPECT_EQ(compare_runs(base, fresh).contradictions, 1U);
+}
+
+TEST(Compare, TellsTheParametersOfAGeneratorApart) {
+  SimulatedMachine machine(10);
+  const std::vector<Record> base = machine.run();
+  std::vector<Record> fresh = base;
+  for (Record& record : fresh)
+    if (record.method == "direct") record.seconds *= 2;
+  const std::vector<Table> tables = comparison_tables(compare_runs(base, fresh), {}, 1);
+  EXPECT_EQ(tables[1].rows[0].cells[0].text, "example2 (separation=1.5)");
+}
+
 TEST(Compare, RegressesWhereBoundsContradict) {
   SimulatedMachine machine(8);
   const std::vector<Record> base = machine.run();
@@ -129,11 +167,36 @@ TEST(Compare, TakesIndependentSamplesWhereNoInstanceIsShared) {
   SimulatedMachine machine(9);
   const std::vector<Record> base = machine.run();
   std::vector<Record> fresh = base;
-  for (Record& record : fresh) record.seed = 2;
-  const CellChange cell = compare_runs(base, fresh).cells.front();
-  EXPECT_EQ(cell.pairs, 0U);
-  EXPECT_DOUBLE_EQ(cell.ratio.ratio.ratio, 1);
-  EXPECT_DOUBLE_EQ(cell.ratio.p, 1);
+  const auto first_cell = [&](double factor) {
+    for (std::size_t i = 0; i < base.size(); ++i) {
+      fresh[i].seed = 2;
+      fresh[i].seconds = factor * base[i].seconds;
+    }
+    return compare_runs(base, fresh).cells.front();
+  };
+  const CellChange same = first_cell(1);
+  EXPECT_EQ(same.pairs, 0U);
+  EXPECT_DOUBLE_EQ(same.ratio.ratio.ratio, 1);
+  EXPECT_DOUBLE_EQ(same.ratio.p, 1);
+  // The two samples are the same up to 1.5 (or 0.5) and the threshold that the test takes off.
+  std::vector<double> times;
+  std::vector<double> scaled;
+  const auto p_at = [&](double factor) {
+    times.clear();
+    scaled.clear();
+    for (int i = 0; i < 20; ++i) {
+      times.push_back(base[i].seconds);
+      scaled.push_back(factor * base[i].seconds);
+    }
+    return rank_sum_p(scaled, times);
+  };
+  const CellChange slower = first_cell(1.5);
+  EXPECT_DOUBLE_EQ(slower.ratio.ratio.ratio, 1.5);
+  EXPECT_DOUBLE_EQ(slower.ratio.p, p_at(1.5 / 1.05));
+  EXPECT_LT(slower.ratio.p, 1e-2);
+  const CellChange faster = first_cell(0.5);
+  EXPECT_DOUBLE_EQ(faster.ratio.ratio.ratio, 0.5);
+  EXPECT_DOUBLE_EQ(faster.ratio.p, p_at(0.5 * 1.05));
 }
 
 TEST(Compare, RefusesRunsWithNothingInCommon) {
@@ -141,8 +204,14 @@ TEST(Compare, RefusesRunsWithNothingInCommon) {
   const std::vector<Record> base = machine.run();
   CompareOptions options;
   options.filter = Filter("n==99");
-  EXPECT_THROW(compare_runs(base, base, options), EmptySetError);
+  options.base_name = "a.h5";
+  EXPECT_EQ(testing::message_of<EmptySetError>([&] { compare_runs(base, base, options); }),
+            "no record of a.h5 passes the filter 'n==99'");
   options = {};
+  std::vector<Record> other = base;
+  for (Record& record : other) record.N += 1;
+  EXPECT_EQ(testing::message_of<EmptySetError>([&] { compare_runs(base, other); }),
+            "BASE and NEW have no cell (generator and its parameters, n, N, tolerance) and method in common");
   options.threshold = -1;
   EXPECT_THROW(compare_runs(base, base, options), InvalidParameterError);
 }

@@ -29,6 +29,22 @@ TEST(Crossover, NamesTheWinnerOfEachCellAndItsLead) {
   EXPECT_FALSE(winners[1].decided);
 }
 
+TEST(Crossover, ComparesMediansWhereTheTwoShareNoInstance) {
+  std::vector<Record> records;
+  add_records(records, "direct", 3, 200, {1, 2, 3});
+  add_records(records, "glpk_dual", 3, 200, {2, 4, 6});
+  for (std::size_t i = 3; i < 6; ++i) records[i].seed = 2;
+  EXPECT_DOUBLE_EQ(cell_winners(records).at(0).lead.ratio, 2);
+}
+
+TEST(Crossover, CountsDisagreementAsNeverSolved) {
+  std::vector<Record> records;
+  add_records(records, "direct", 3, 200, {1, 2, 3});
+  add_records(records, "glpk_dual", 3, 200, {2, 4, 6});
+  records[0].agrees = records[1].agrees = false;
+  EXPECT_EQ(cell_winners(records).at(0).method, "glpk_dual");
+}
+
 TEST(Crossover, LeavesOutCellsThatNobodySolves) {
   std::vector<Record> records;
   add_records(records, "direct", 3, 200, {1, 2});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/exceptions.h"
@@ -66,6 +67,25 @@ TEST(Example1Table, ShowsThePapersNumbersBesideAndComparesThem) {
   const std::string summary = render(tables.back());
   EXPECT_NE(summary.find("0 of 2"), std::string::npos) << summary;
   EXPECT_NE(summary.find("+1 … +186 %"), std::string::npos) << "43 / 42.67 and 43 / 15.03:\n" << summary;
+}
+
+TEST(Example1Table, HoldsOnlyThePapersOwnAlgorithmAgainstIt) {
+  std::vector<Record> records = sample();
+  for (const char* method : {"zheng_yamane_published", "direct"})
+    records.push_back(contact(method, "cone_ellipsoid", 1e-2, 2));  // N_rs 43, the paper's 15.03: +186 %
+  const std::vector<Table> tables =
+      example1_tables(make_example1_table(records, Example1Roles::cone_ellipsoid));
+  const Table& summary = tables.back();
+  const auto cell = [&](const std::string& row, const std::string& method) {
+    const auto column = std::find(summary.header[0].begin(), summary.header[0].end(), method);
+    const auto line = std::find_if(summary.rows.begin(), summary.rows.end(),
+                                   [&](const TableRow& each) { return each.cells[0].text == row; });
+    return line->cells.at(static_cast<std::size_t>(column - summary.header[0].begin()));
+  };
+  EXPECT_EQ(cell("N_rs against the paper's", "zheng_yamane_published").emphasis, Emphasis::alarm);
+  EXPECT_EQ(cell("N_rs against the paper's", "zheng_yamane").emphasis, Emphasis::none) << "stops elsewhere";
+  EXPECT_EQ(cell("N_rs against the paper's", "direct").text, "");
+  EXPECT_EQ(cell("N_rs against the paper's", "nlopt_mma").text, "");
 }
 
 TEST(Example1Table, WritesEveryNumberForCsv) {

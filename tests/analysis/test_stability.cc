@@ -184,5 +184,21 @@ TEST(StabilityTables, AsCsvHaveARowForEachToleranceFamilyAndMethod) {
       "1e-06,all,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n");
 }
 
+TEST(IsWrong, AllowsTheTruthItsOwnRounding) {
+  Record record = thin("direct", 0, 1);
+  const auto is_wrong_at = [&](double point, const char* generator) {
+    record.generator = generator;
+    record.lower = record.distance = record.upper = point;
+    return is_wrong(record, 4);
+  };
+  EXPECT_FALSE(is_wrong_at(std::nextafter(4, 5), "example1"));
+  EXPECT_FALSE(is_wrong_at(std::nextafter(4, 3), "example1"));
+  EXPECT_TRUE(is_wrong_at(std::nextafter(4, 5), "hard_needle")) << "whose truth is exact";
+  EXPECT_TRUE(is_wrong_at(4 * (1 + 0x1p-44), "example1")) << "more than Example 1's 2^-46";
+  EXPECT_TRUE(is_wrong_at(4 * (1 - 0x1p-44), "example1"));
+  record.exact_distance = kNaN;  // proven by the method exact
+  EXPECT_TRUE(is_wrong_at(std::nextafter(4, 5), "example1"));
+}
+
 }  // namespace
 }  // namespace raygauge::test_stability

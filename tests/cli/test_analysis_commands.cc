@@ -222,7 +222,10 @@ TEST_F(CompareCommand, PrintsJson) {
 TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
   write_run("base.h5", 1);
   expect_complaint(run_raygauge({"compare", "base.h5", "base.h5", "--where", "n==9"}),
-                   "raygauge: the two runs have no cell (generator, n, N, tolerance) and method in common");
+                   "raygauge: no record of base.h5 passes the filter 'n==9'");
+  write_run("other.h5", 1);
+  expect_complaint(run_raygauge({"compare", "base.h5", "other.h5", "--where", "session==0 && n==9"}),
+                   "raygauge: no record of base.h5 passes the filter 'session==0 && n==9'");
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "nowhere.h5"}).status, 2);
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--threshold", "-1"}).status, 2);
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--significance", "2"}).status, 2);

@@ -10,7 +10,7 @@
 namespace raygauge::report {
 
 std::optional<Section> crossover_section(const Input& input) {
-  if (methods_of(input.records).size() < 2) return std::nullopt;
+  if (input.methods.size() < 2) return std::nullopt;
   HeatMap map;
   map.caption =
       "The method with the smallest median time in each cell, and how many times longer the second takes on "
@@ -29,8 +29,10 @@ std::optional<Section> crossover_section(const Input& input) {
     if (!winner.runner_up.empty() && !winner.decided) cell.text += "?";
     cell.remark = winner.method + " " + time_words(winner.seconds);
     if (!winner.runner_up.empty()) {
-      cell.remark += "; " + winner.runner_up + " takes " +
-                     interval_words(winner.lead.ratio, winner.lead.interval) + " times as long";
+      cell.remark +=
+          "; " + winner.runner_up + " takes " +
+          interval_words(winner.lead.ratio, winner.lead.interval.lower, winner.lead.interval.upper) +
+          " times as long";
     }
     map.cells.push_back(std::move(cell));
   }

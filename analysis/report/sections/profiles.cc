@@ -16,19 +16,15 @@ constexpr std::size_t kMostPoints = 400;  // finer steps than pixels
 
 Series profile_series(const ProfileCurve& curve, double last, const Facets& facets) {
   Series series{curve.method, "", facets, {}};
-  const auto point = [&](double tau) { series.points.push_back({tau, curve.rho(tau), kNaN, kNaN, ""}); };
-  point(1);
-  const std::size_t stride = std::max<std::size_t>(1, curve.ratios.size() / kMostPoints);
-  for (std::size_t i = stride - 1; i < curve.ratios.size(); i += stride) point(curve.ratios[i]);
-  if (!curve.ratios.empty()) point(curve.ratios.back());
-  point(last);
+  for (const auto& [tau, rho] : curve.steps(last, kMostPoints))
+    series.points.push_back({tau, rho, kNaN, kNaN, ""});
   return series;
 }
 
 }  // namespace
 
 std::optional<Section> profiles_section(const Input& input) {
-  if (methods_of(input.records).size() < 2) return std::nullopt;
+  if (input.methods.size() < 2) return std::nullopt;
   std::map<Facets, std::vector<Record>> problems;
   for (const Record& record : input.records) problems[problem_facets(cell_key(record))].push_back(record);
   Chart chart;
@@ -42,10 +38,7 @@ std::optional<Section> profiles_section(const Input& input) {
   chart.stepped = true;
   for (const auto& [facets, records] : problems) {
     const std::vector<ProfileCurve> curves = performance_profiles(records);
-    double last = 2;
-    for (const ProfileCurve& curve : curves) {
-      if (!curve.ratios.empty()) last = std::max(last, 1.1 * curve.ratios.back());
-    }
+    const double last = profile_end(curves);
     for (const ProfileCurve& curve : curves) chart.series.push_back(profile_series(curve, last, facets));
   }
   Section section{"profiles", "Performance profiles", {}};

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "analysis/columns.h"
+#include "analysis/compare_circumstances.h"
 #include "analysis/number_text.h"
 #include "analysis/report/blocks.h"
 #include "analysis/report/sections/sections.h"
@@ -9,11 +11,8 @@ namespace raygauge::report {
 namespace {
 
 std::string value_words(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return text->empty() ? "-" : *text;
-  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-  if (const auto* number = std::get_if<std::int32_t>(&value)) return std::to_string(*number);
-  if (const auto* large = std::get_if<std::int64_t>(&value)) return std::to_string(*large);
-  return "-";
+  const std::string text = text_of(value);
+  return text.empty() ? "-" : text;
 }
 
 /// Every column of a session, one a row; sessions side by side.
@@ -31,10 +30,7 @@ Table sessions_table(const MergedFile& file) {
   }
   TableRow versions{{{"versions"}}};
   for (const Session& session : file.provenance.sessions) {
-    std::string text;
-    for (const ComponentVersion& each : session.versions)
-      text += (text.empty() ? "" : ", ") + each.name + " " + each.version;
-    versions.cells.emplace_back(text);
+    versions.cells.emplace_back(versions_text(session));
   }
   table.rows.push_back(std::move(versions));
   return table;
@@ -62,7 +58,7 @@ Table calibration_table(const MergedFile& file) {
 
 std::optional<Section> provenance_section(const Input& input) {
   Section section{"provenance", "Provenance", {}};
-  for (const MergedFile& file : input.files) {
+  for (const MergedFile& file : input.merged.files) {
     section.blocks.push_back(table_block(sessions_table(file)));
     const Table calibration = calibration_table(file);
     if (!calibration.rows.empty()) section.blocks.push_back(table_block(calibration));

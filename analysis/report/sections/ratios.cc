@@ -7,6 +7,7 @@
 #include "analysis/report/sections/sections.h"
 #include "analysis/table3.h"
 #include "analysis/table3_tables.h"
+#include "analysis/words.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::report {
@@ -23,8 +24,8 @@ HeatCell ratio_cell(const CellRatio& ratio) {
   if (ratio.times.unsolved + ratio.times.disagreeing > 0) cell.text += "!";
   cell.remark = time_words(ratio.median_seconds) + ", " + ratio.baseline + " " +
                 time_words(ratio.baseline_seconds) + "; ratio " +
-                interval_words(ratio.ratio.ratio, ratio.ratio.interval) + "; " +
-                std::to_string(ratio.times.unsolved) + " unsolved, " +
+                interval_words(ratio.ratio.ratio, ratio.ratio.interval.lower, ratio.ratio.interval.upper) +
+                "; " + std::to_string(ratio.times.unsolved) + " unsolved, " +
                 std::to_string(ratio.times.disagreeing) + " disagreeing";
   return cell;
 }
@@ -34,7 +35,8 @@ void add_table3(const Input& input, Section& section) {
   try {
     for (const Record& record : input.records) {
       if (record.generator != "example2") continue;
-      for (const Table& table : table3_tables(make_table3(input.all_records, input.filter, input.baselines)))
+      for (const Table& table :
+           table3_tables(make_table3(input.merged.records, input.filter, input.baselines)))
         section.blocks.push_back(table_block(table));
       return;
     }
@@ -47,18 +49,14 @@ void add_table3(const Input& input, Section& section) {
 
 std::optional<Section> ratios_section(const Input& input) {
   if (input.baselines.empty()) return std::nullopt;
-  const std::vector<CellRatio> ratios = cell_ratios(
-      input.records, baseline_records(input.all_records, input.filter, input.baselines), input.baselines);
   HeatMap map;
-  std::string names;
-  for (const std::string& baseline : input.baselines) names += (names.empty() ? "" : ", ") + baseline;
-  map.caption = "Ratio of median times: method over the best of " + names +
+  map.caption = "Ratio of median times: method over the best of " + joined(input.baselines) +
                 " in the cell. Below 1 the method is faster. 95 % intervals are those of independent "
                 "medians. \"!\" marks "
                 "cells with unsolved or disagreeing records.";
   map.row_label = "n";
   map.column_label = "N";
-  for (const CellRatio& ratio : ratios) {
+  for (const CellRatio& ratio : input.ratios) {
     if (!std::isnan(ratio.ratio.ratio)) map.cells.push_back(ratio_cell(ratio));
   }
   if (map.cells.empty()) return std::nullopt;

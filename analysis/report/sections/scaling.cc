@@ -25,11 +25,6 @@ Facets curve_facets(const ScalingCurve& curve, SizeAxis axis) {
   return facets;
 }
 
-std::string exponent_words(const PowerLaw& fit) {
-  return padded_significant(fit.exponent, 3) + " [" + padded_significant(fit.exponent_interval.lower, 3) +
-         ", " + padded_significant(fit.exponent_interval.upper, 3) + "]";
-}
-
 Series series_of(const ScalingCurve& curve, SizeAxis axis) {
   Series series{curve.method, "", curve_facets(curve, axis), {}};
   if (curve.sizes.size() >= kFewest) {
@@ -56,13 +51,15 @@ Table exponents_table(const std::vector<ScalingCurve>& curves, SizeAxis axis) {
     if (curve.sizes.size() < kFewest) continue;
     const PowerLaw fit = fit_scaling(curve);
     const Facets facets = curve_facets(curve, axis);
-    table.rows.push_back({{{facets[0].second},
-                           {facets[1].second},
-                           {facets[2].second},
-                           {curve.method},
-                           {exponent_words(fit), Emphasis::strong},
-                           {padded_significant(fit.r_squared, 3)},
-                           {std::to_string(fit.points)}}});
+    table.rows.push_back(
+        {{{facets[0].second},
+          {facets[1].second},
+          {facets[2].second},
+          {curve.method},
+          {interval_words(fit.exponent, fit.exponent_interval.lower, fit.exponent_interval.upper),
+           Emphasis::strong},
+          {padded_significant(fit.r_squared, 3)},
+          {std::to_string(fit.points)}}});
   }
   table.notes = {"least squares of the logarithms of the medians; 95 % intervals of Student's t"};
   return table;

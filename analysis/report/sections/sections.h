@@ -16,7 +16,7 @@ std::optional<Section> summary_section(const Input& input);
 std::optional<Section> ratios_section(const Input& input);
 /// Time against N and against n with fitted exponents: needs two sizes.
 std::optional<Section> scaling_section(const Input& input);
-/// Time against the largest proven or true error over the tolerances: needs two tolerances.
+/// Median time against the mean true (else proven) error over the tolerances: needs two tolerances.
 std::optional<Section> work_precision_section(const Input& input);
 /// Dolan and Moré's profiles: needs two methods.
 std::optional<Section> profiles_section(const Input& input);
@@ -26,8 +26,11 @@ std::optional<Section> iterations_section(const Input& input);
 std::optional<Section> crossover_section(const Input& input);
 /// How far each method can be trusted: needs known true distances.
 std::optional<Section> stability_section(const Input& input);
-/// Mean error, K, N_rs and time by tolerance: needs known true distances.
+/// What each digit costs and where a method stops getting better: needs known true distances and two
+/// tolerances.
 std::optional<Section> accuracy_section(const Input& input);
+/// Tables I and II of the paper beside what was measured: needs records of Example 1.
+std::optional<Section> example1_section(const Input& input);
 /// Machines, builds, versions and calibration of every session, and the experiments' texts. Always there.
 std::optional<Section> provenance_section(const Input& input);
 /// The records themselves, to download as CSV. Always there.

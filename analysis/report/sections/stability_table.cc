@@ -11,12 +11,11 @@
 namespace raygauge::report {
 
 std::optional<Section> stability_section(const Input& input) {
-  const Truth truth(input.all_records);
   const bool known = std::any_of(input.records.begin(), input.records.end(),
-                                 [&](const Record& record) { return !std::isnan(truth(record)); });
+                                 [&](const Record& record) { return !std::isnan(input.truth(record)); });
   if (!known) return std::nullopt;
   Section section{"stability", "Stability", {}};
-  for (const Table& table : stability_tables(make_stability(input.all_records, input.filter)))
+  for (const Table& table : stability_tables(make_stability(input.records, input.truth)))
     section.blocks.push_back(table_block(table));
   return section;
 }

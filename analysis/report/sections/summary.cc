@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "analysis/columns.h"
@@ -9,6 +10,8 @@
 #include "analysis/outliers.h"
 #include "analysis/report/blocks.h"
 #include "analysis/report/sections/sections.h"
+#include "analysis/stability.h"
+#include "analysis/words.h"
 
 namespace raygauge::report {
 namespace {
@@ -39,16 +42,15 @@ std::string run_line(const Input& input) {
     generators.insert(record.generator);
     cells.insert(cell_key(record));
   }
-  std::string names;
-  for (const std::string& generator : generators) names += (names.empty() ? "" : ", ") + generator;
-  return counted(input.records.size(), "record") + " in " + counted(cells.size(), "cell") + " of " + names +
-         ": n = " + range_words(n) + ", N = " + range_words(N) + ", ε = " + range_words(tolerances) + ".";
+  return counted(input.records.size(), "record") + " in " + counted(cells.size(), "cell") + " of " +
+         joined(generators) + ": n = " + range_words(n) + ", N = " + range_words(N) +
+         ", ε = " + range_words(tolerances) + ".";
 }
 
 std::string machine_line(const Input& input) {
   std::set<std::string> machines;
   std::set<std::string> builds;
-  for (const MergedFile& file : input.files) {
+  for (const MergedFile& file : input.merged.files) {
     for (const Session& session : file.provenance.sessions) {
       machines.insert(session.machine.cpu_model + " (" + session.machine.hostname + ")");
       builds.insert("raygauge " + session.build.raygauge_version + ", commit " +
@@ -69,58 +71,75 @@ std::string answers_line(const Input& input) {
     unsolved += is_solved(record) ? 0 : 1;
     disagreeing += record.agrees ? 0 : 1;
   }
-  return "Answers: " +
-         (disagreeing == 0 ? std::string("all methods agree on every instance")
-                           : counted(disagreeing, "record") + " disagree with other methods") +
-         "; " +
+  std::string agreement;
+  if (disagreeing > 0) {
+    agreement = counted(disagreeing, "record") + (disagreeing == 1 ? " disagrees" : " disagree") +
+                " with other methods or the known distance; ";
+  } else if (input.methods.size() > 1) {
+    agreement = "all methods agree on every instance; ";
+  }
+  return "Answers: " + agreement +
          (unsolved == 0 ? std::string("everything was solved")
                         : counted(unsolved, "solve") + " stopped at a limit") +
          ".";
 }
 
+/// How fast one method is against the baselines; "" where no cell tells.
+std::string speed_words(const Input& input, const std::string& method) {
+  std::vector<double> finite;
+  std::size_t faster = 0;
+  std::size_t unsolved = 0;
+  for (const CellRatio& ratio : input.ratios) {
+    if (ratio.times.method != method || std::isnan(ratio.ratio.ratio)) continue;
+    faster += ratio.ratio.interval.upper < 1 ? 1 : 0;
+    if (std::isfinite(ratio.ratio.ratio)) {
+      finite.push_back(ratio.ratio.ratio);
+    } else {
+      ++unsolved;
+    }
+  }
+  const std::string never = unsolved == 0 ? "" : ", unsolved in " + counted(unsolved, "cell");
+  if (finite.empty()) return unsolved == 0 ? "" : method + " is" + never.substr(1);
+  return method + " takes " + padded_significant(geometric_mean(finite), 2) +
+         " of the best baseline's time (geometric mean of " + counted(finite.size(), "cell") + ", worst " +
+         padded_significant(quantile(finite, 1), 2) + "), significantly faster in " + std::to_string(faster) +
+         never;
+}
+
 /// Second line: how fast against the baselines.
 std::string speed_line(const Input& input) {
   if (input.baselines.empty()) return "Speed: no baseline among the methods, so no ratio.";
-  const std::vector<CellRatio> ratios = cell_ratios(
-      input.records, baseline_records(input.all_records, input.filter, input.baselines), input.baselines);
-  std::string text;
-  for (const std::string& method : methods_of(input.records)) {
-    std::vector<double> finite;
-    std::size_t faster = 0;
-    for (const CellRatio& ratio : ratios) {
-      if (ratio.times.method != method || !std::isfinite(ratio.ratio.ratio)) continue;
-      finite.push_back(ratio.ratio.ratio);
-      faster += ratio.ratio.interval.upper < 1 ? 1 : 0;
-    }
-    if (finite.empty() || is_competitor(method)) continue;
-    text += (text.empty() ? "" : "; ") + method + " takes " + padded_significant(geometric_mean(finite), 2) +
-            " of the best baseline's time (geometric mean of " + counted(finite.size(), "cell") + ", worst " +
-            padded_significant(quantile(finite, 1), 2) + "), significantly faster in " +
-            std::to_string(faster);
+  std::vector<std::string> words;
+  for (const std::string& method : input.methods) {
+    const std::string speed = is_competitor(method) ? "" : speed_words(input, method);
+    if (!speed.empty()) words.push_back(speed);
   }
-  return text.empty() ? "Speed: no cell has both a method and a solved baseline." : "Speed: " + text + ".";
+  return words.empty() ? "Speed: no cell has both a method and a solved baseline."
+                       : "Speed: " + joined(words, "; ") + ".";
 }
 
-/// Third line: how good the bounds are.
+/// Third line: how good the bounds are, over all tolerances.
 std::string precision_line(const Input& input) {
-  std::string text;
-  for (const std::string& method : methods_of(input.records)) {
-    if (is_competitor(method)) continue;
-    std::size_t certified = 0;
-    std::size_t count = 0;
-    double widest = 0;
-    for (const Record& record : input.records) {
-      if (record.method != method) continue;
-      ++count;
-      const double gap = relative_gap(record);
-      certified += gap <= record.tolerance ? 1 : 0;
-      if (!std::isnan(gap)) widest = std::max(widest, gap);
+  std::map<std::string, StabilityRow> sums;
+  for (const StabilityTolerance& part : make_stability(input.records, input.truth)) {
+    for (const StabilityRow& row : part.totals) {
+      StabilityRow& sum = sums[row.method];
+      sum.solves += row.solves;
+      sum.certified += row.certified;
+      sum.worst_width = std::max(sum.worst_width, row.worst_width);
     }
-    text += (text.empty() ? "" : "; ") + method + " certified " + std::to_string(certified) + " of " +
-            std::to_string(count) + " distances to the tolerance asked for (widest relative gap " +
-            significant(widest, 2) + ")";
   }
-  return text.empty() ? "Precision: only competitors were run." : "Precision: " + text + ".";
+  std::vector<std::string> words;
+  for (const std::string& method : input.methods) {
+    if (is_competitor(method)) continue;
+    const StabilityRow& sum = sums[method];
+    words.push_back(method + " certified " + std::to_string(sum.certified) + " of " +
+                    std::to_string(sum.solves) + " distances to the tolerance asked for (" +
+                    (std::isinf(sum.worst_width) ? "some without a bound"
+                                                 : "widest relative gap " + significant(sum.worst_width, 2)) +
+                    ")");
+  }
+  return words.empty() ? "Precision: only competitors were run." : "Precision: " + joined(words, "; ") + ".";
 }
 
 Table methods_table(const Input& input) {
@@ -128,7 +147,7 @@ Table methods_table(const Input& input) {
   table.title = "methods";
   table.header = {{"method", "records", "unsolved", "disagreeing", "outlying times"}};
   const std::vector<CellTimes> all = cell_times(input.records);
-  for (const std::string& method : methods_of(input.records)) {
+  for (const std::string& method : input.methods) {
     std::size_t records = 0;
     std::size_t unsolved = 0;
     std::size_t disagreeing = 0;
@@ -163,7 +182,7 @@ std::optional<Section> summary_section(const Input& input) {
   section.blocks.push_back(text_block({run_line(input), machine_line(input)}));
   if (!input.filter.expression().empty())
     section.blocks.push_back(text_block({"Only records for which " + input.filter.expression() + "."}));
-  if (!input.notes.empty()) section.blocks.push_back(text_block(input.notes));
+  if (!input.merged.notes.empty()) section.blocks.push_back(text_block(input.merged.notes));
   section.blocks.push_back(table_block(methods_table(input)));
   return section;
 }
