@@ -57,7 +57,7 @@ std::string winner_block(const std::string& name, const std::string& method,
 
 /// Heading and key above the cells.
 std::string crossover_legend(double height, std::size_t key_columns) {
-  return "set label 9 'fastest method, and how many times as long the second takes' at screen 0.5, screen " +
+  return "set label 9 'fastest method; time of the second / its own' at screen 0.5, screen " +
          screen(1 - 0.1 / height) + " center\nset key at screen 0.5, screen " +
          screen(1 - kCrossoverHeading / height) +
          " center top horizontal Left reverse samplen 1.2 spacing 0.9 width 1 maxcols " +

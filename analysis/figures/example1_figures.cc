@@ -39,13 +39,10 @@ PanelCurve paper_curve(Example1Roles roles, double paper::AccuracyRow::*quantity
   return curve;
 }
 
-/// Tolerances decrease to the right. At most five labels.
+/// Tolerances decrease to the right.
 std::string tolerance_axis(const std::vector<PanelCurve>& curves) {
   const auto [low, high] = range_of(curves, false, 1.6);
-  const double decades = std::log10(high / low);
-  const int step = static_cast<int>(std::ceil(decades / 5));
-  return range_setting("x", high, low) + "set format x '10^{%L}'\nset xtics nomirror 1e" +
-         std::to_string(step) + "\n";
+  return range_setting("x", high, low) + "set xtics nomirror " + figure_style::decade_ticks(low, high) + "\n";
 }
 
 CurvePanel error_panel(const Example1Table& table) {
@@ -102,7 +99,7 @@ Drawing example1_figure(const std::string& name, const std::vector<Record>& reco
   methods.emplace_back(figure_style::kPaperCurve);
   constexpr std::size_t kPanels = 3;
   PanelGrid grid =
-      panel_grid(kPanels, methods.size(), options.size, options.size == FigureSize::single ? 1 : kPanels);
+      panel_grid(kPanels, methods, options.size, options.size == FigureSize::single ? 1 : kPanels);
   grid.gap = 0.45;
   grid.x_labels = 0.2;
   return draw_curve_panels(grid, {error_panel(table), time_panel(table), iteration_panel(table)}, methods,

@@ -3,6 +3,7 @@
 #include "analysis/figures/panel_grid.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/figures/style.h"
 #include "analysis/number_text.h"
@@ -12,6 +13,17 @@ namespace {
 
 using figure_style::screen;
 
+/// As many as fit beside each other, but no more than four.
+std::size_t legend_columns_of(const std::vector<std::string>& methods, double width) {
+  constexpr double kCharacter = 0.065;  // inches
+  constexpr double kSample = 0.75;      // line, marker and gaps
+  constexpr double kMost = 4;
+  std::size_t longest = 0;
+  for (const std::string& method : methods) longest = std::max(longest, method.size());
+  const double column = kSample + kCharacter * static_cast<double>(longest);
+  return static_cast<std::size_t>(std::clamp(std::floor(width / column), 1.0, kMost));
+}
+
 }  // namespace
 
 double PanelGrid::panel_width() const {
@@ -19,7 +31,10 @@ double PanelGrid::panel_width() const {
   return (width - kLeft - kRight - (count - 1) * gap) / count;
 }
 
-double PanelGrid::panel_height() const { return columns == 1 ? 0.66 * panel_width() : 0.8 * panel_width(); }
+double PanelGrid::panel_height() const {
+  constexpr double kLargest = 3;
+  return std::min(kLargest, columns == 1 ? 0.66 * panel_width() : 0.8 * panel_width());
+}
 
 double PanelGrid::height() const {
   return legend + kBottom + static_cast<double>(rows) * (panel_height() + kTitle + x_labels) - x_labels;
@@ -62,14 +77,15 @@ std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) cons
          "set grid ytics lc rgb '#CCCCCC' lw 0.5 dt 1\n";
 }
 
-PanelGrid panel_grid(std::size_t panels, std::size_t methods, FigureSize size, std::size_t most_columns) {
+PanelGrid panel_grid(std::size_t panels, const std::vector<std::string>& methods, FigureSize size,
+                     std::size_t most_columns) {
   PanelGrid grid;
-  grid.legend_columns = size == FigureSize::single ? 2 : 4;
   grid.width = width_of(size);
+  grid.legend_columns = legend_columns_of(methods, grid.width);
   grid.columns = std::min(panels, most_columns);
   grid.rows = (panels + grid.columns - 1) / grid.columns;
   constexpr double kLegendLine = 0.17;
-  const std::size_t legend_lines = (methods + grid.legend_columns - 1) / grid.legend_columns;
+  const std::size_t legend_lines = (methods.size() + grid.legend_columns - 1) / grid.legend_columns;
   grid.legend = 0.05 + kLegendLine * static_cast<double>(legend_lines);
   return grid;
 }

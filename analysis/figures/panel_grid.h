@@ -21,7 +21,7 @@ struct PanelGrid {
   double x_labels = 0;  ///< height of what stands below each row but the last
   double gap = 0.12;    ///< between columns
   static constexpr double kLeft = 0.52;
-  static constexpr double kRight = 0.08;
+  static constexpr double kRight = 0.17;  // half of "10^{-10}" below the end of an axis
   static constexpr double kBottom = 0.42;
   static constexpr double kTitle = 0.2;
 
@@ -43,7 +43,8 @@ struct PanelGrid {
   std::string legend_plot(const std::vector<std::string>& methods) const;
 };
 
-/// The grid for so many panels and methods, with at most `most_columns`.
-PanelGrid panel_grid(std::size_t panels, std::size_t methods, FigureSize size, std::size_t most_columns);
+/// The grid for so many panels and a legend of the methods, with at most `most_columns`.
+PanelGrid panel_grid(std::size_t panels, const std::vector<std::string>& methods, FigureSize size,
+                     std::size_t most_columns);
 
 }  // namespace raygauge

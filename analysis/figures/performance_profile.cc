@@ -35,7 +35,7 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
   }
   const std::vector<std::string> methods = methods_of(kept);
   const double last = profile_end(curves);
-  const PanelGrid grid = panel_grid(1, methods.size(), options.size, 1);
+  const PanelGrid grid = panel_grid(1, methods, options.size, 1);
   Drawing drawing;
   drawing.width = grid.width;
   drawing.height = grid.height();

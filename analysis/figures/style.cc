@@ -95,6 +95,20 @@ std::string one_two_five_ticks(double low, double high) {
   return "(" + ticks + ")";
 }
 
+std::string decade_ticks(double low, double high) {
+  constexpr double kMost = 4;
+  const int first = static_cast<int>(std::ceil(std::log10(low)));
+  const int last = static_cast<int>(std::floor(std::log10(high)));
+  const int step = std::max(1, static_cast<int>(std::ceil((last - first) / kMost)));
+  std::string ticks;
+  for (int exponent = first; exponent <= last; ++exponent) {
+    if (exponent % step != 0) continue;
+    const std::string power = std::to_string(exponent);
+    ticks += (ticks.empty() ? "'10^{" : ", '10^{") + power + "}' 1e" + power;
+  }
+  return "(" + ticks + ")";
+}
+
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
                                        const Filter& filter, const std::vector<std::string>& same) {
   std::vector<Record> kept = filtered(records, filter);

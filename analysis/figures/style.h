@@ -36,6 +36,9 @@ std::string quoted(const std::string& text);
 /// than two of them, the ends with two digits.
 std::string one_two_five_ticks(double low, double high);
 
+/// About four powers of ten within [low, high], as gnuplot's list.
+std::string decade_ticks(double low, double high);
+
 /// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in one of
 /// the columns `same`: `figure` shows one of each.
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,

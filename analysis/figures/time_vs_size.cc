@@ -49,21 +49,26 @@ std::vector<CurvePanel> size_panels(const std::vector<Record>& records, const Si
   return result;
 }
 
-/// Every size is named where there is room, else round numbers are.
+/// Every size is marked, and named where there is room; where that is for few, round numbers are instead.
 std::string size_ticks(const std::set<double>& sizes, const std::pair<double, double>& range,
-                       double panel_width) {
-  constexpr double kDigit = 0.065;  // inches
+                       double panel_width, bool labelled) {
+  constexpr double kDigit = 0.07;   // inches
+  constexpr double kEnough = 0.75;  // of the sizes
   const double inches = panel_width / std::log(range.second / range.first);
   std::string ticks;
-  double end = -kDigit;  // of the label before
-  for (const double size : sizes) {
-    const std::string label = significant(size, 12);
+  std::size_t named = 0;
+  double begin = panel_width;  // of the label to the right
+  for (auto size = sizes.rbegin(); size != sizes.rend(); ++size) {
+    const std::string label = significant(*size, 12);
     const double half = kDigit * static_cast<double>(label.size()) / 2;
-    const double place = inches * std::log(size / range.first);
-    if (place - half < end) return figure_style::one_two_five_ticks(range.first, range.second);
-    end = place + half;
-    ticks += (ticks.empty() ? "" : ", ") + label;
+    const double place = inches * std::log(*size / range.first);
+    const bool fits = place + half < begin - kDigit / 2;
+    if (fits) begin = place - half;
+    named += fits ? 1 : 0;
+    ticks += (ticks.empty() ? "'" : ", '") + (fits && labelled ? label : std::string()) + "' " + label;
   }
+  if (static_cast<double>(named) < kEnough * static_cast<double>(sizes.size()))
+    return figure_style::one_two_five_ticks(range.first, range.second);
   return "(" + ticks + ")";
 }
 
@@ -83,12 +88,13 @@ void set_axes(std::vector<CurvePanel>& panels, const PanelGrid& grid, const Size
   }
   const std::pair<double, double> range = range_of(all, false, 1.2);
   const auto [low, high] = range_of(all, true, 1.4);
-  const std::string axes = "set logscale xy\n" + range_setting("x", range.first, range.second) +
-                           range_setting("y", low, high) + "set xtics nomirror " +
-                           size_ticks(sizes, range, grid.panel_width()) + "\n";
+  const std::string axes =
+      "set logscale xy\n" + range_setting("x", range.first, range.second) + range_setting("y", low, high);
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    panels[p].settings = axes + "set format x " + (grid.is_lowest(p, panels.size()) ? "'%g'" : "''") +
-                         "\nset format y " + (grid.is_left(p) ? "'10^{%T}'" : "''") + "\n";
+    const bool lowest = grid.is_lowest(p, panels.size());
+    panels[p].settings = axes + "set format x " + (lowest ? "'%g'" : "''") + "\nset xtics nomirror " +
+                         size_ticks(sizes, range, grid.panel_width(), lowest) + "\nset format y " +
+                         (grid.is_left(p) ? "'10^{%T}'" : "''") + "\n";
   }
 }
 
@@ -98,7 +104,7 @@ Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records
   const std::vector<std::string> methods = methods_of(kept);
   std::vector<CurvePanel> panels = size_panels(kept, figure);
   const PanelGrid grid =
-      panel_grid(panels.size(), methods.size(), options.size, options.size == FigureSize::single ? 2 : 4);
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 2 : 4);
   set_axes(panels, grid, figure);
   return draw_curve_panels(grid, panels, methods, figure.label, "median time of a solve (ms)");
 }

@@ -72,21 +72,6 @@ std::map<std::string, Family> families_with_hardness(const std::vector<Record>& 
   return families;
 }
 
-/// About four powers of ten, as gnuplot's list.
-std::string decade_ticks(double low, double high) {
-  constexpr double kMost = 4;
-  const int first = static_cast<int>(std::ceil(std::log10(low)));
-  const int last = static_cast<int>(std::floor(std::log10(high)));
-  const int step = std::max(1, static_cast<int>(std::ceil((last - first) / kMost)));
-  std::string ticks;
-  for (int exponent = first; exponent <= last; ++exponent) {
-    if (exponent % step != 0) continue;
-    const std::string power = std::to_string(exponent);
-    ticks += (ticks.empty() ? "'10^{" : ", '10^{") + power + "}' 1e" + power;
-  }
-  return "(" + ticks + ")";
-}
-
 CurvePanel family_panel(const std::string& name, const Family& family,
                         const std::vector<std::string>& methods, double tolerance) {
   CurvePanel panel;
@@ -103,7 +88,7 @@ CurvePanel family_panel(const std::string& name, const Family& family,
   const double low = *family.values.begin() / margin;
   const double high = *family.values.rbegin() * margin;
   panel.settings = "set logscale x\n" + range_setting("x", low, high) + "set xtics nomirror " +
-                   decade_ticks(low, high) + "\n";
+                   figure_style::decade_ticks(low, high) + "\n";
   return panel;
 }
 
@@ -127,7 +112,7 @@ Drawing true_error_figure(const std::vector<Record>& records, const FigureOption
                            "aspect, delta, entry, exponent or offset");
   }
   PanelGrid grid =
-      panel_grid(panels.size(), methods.size(), options.size, options.size == FigureSize::single ? 2 : 3);
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 2 : 3);
   grid.x_labels = 0.2;
   for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
   return draw_curve_panels(grid, panels, methods, "conditioning or scale", "largest true error");

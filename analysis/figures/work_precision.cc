@@ -45,8 +45,7 @@ void add_panels(const AccuracyGroup& group, std::vector<CurvePanel>& panels) {
   std::vector<PanelCurve> both = error.curves;
   both.insert(both.end(), gap.curves.begin(), gap.curves.end());
   const std::string axes = "set logscale x\n" + time_axis(range_of(both, false, 1.2));
-  error.settings = axes + error_axis(true);
-  gap.settings = axes + error_axis(false);
+  error.settings = gap.settings = axes;
   panels.push_back(std::move(error));
   panels.push_back(std::move(gap));
 }
@@ -78,8 +77,10 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
     }
   }
   if (panels.empty()) throw FigureNeedsError(kPrecisionNeeds);
-  PanelGrid grid = panel_grid(panels.size(), methods.size(), options.size, 2);
+  PanelGrid grid =
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 1 : 2);
   grid.x_labels = 0.2;
+  for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
   return draw_curve_panels(grid, panels, methods, "median time of a solve, µs",
                            "relative error, relative gap");
 }

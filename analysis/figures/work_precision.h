@@ -8,12 +8,12 @@
 
 namespace raygauge {
 
-/// `work_precision`: what accuracy costs. For each generator, n and N a row of two panels: the relative error
-/// that a method reached (left) and the relative gap that was proven (right), means over all solves, against
-/// the median time; a point for each tolerance, joined from the loosest to the tightest. Where a curve goes
-/// on to the right without going down, the method no longer gets better. Errors below 1e-17 stand at "0";
-/// a tolerance at which some solve has no bounds stands at "∞" on the right. Throws FigureNeedsError
-/// without two tolerances and known truths.
+/// `work_precision`: what accuracy costs. For each generator, n and N two panels, side by side where the
+/// figure is wide: the relative error that a method reached  and the relative gap that was proven , means
+/// over all solves, against the median time; a point for each tolerance, joined from the loosest to the
+/// tightest. Where a curve goes on to the right without going down, the method no longer gets better. Errors
+/// below 1e-17 stand at "0"; a tolerance at which some solve has no bounds stands at "∞" there. Throws
+/// FigureNeedsError without two tolerances and known truths.
 Drawing work_precision(const std::vector<Record>& records, const FigureOptions& options);
 
 }  // namespace raygauge

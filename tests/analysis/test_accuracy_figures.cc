@@ -40,12 +40,35 @@ void expect_texts(const std::string& picture, std::initializer_list<const char*>
   for (const char* text : texts) EXPECT_NE(picture.find(text), std::string::npos) << text;
 }
 
+std::size_t count_of(const std::string& picture, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = picture.find(text); at != std::string::npos; at = picture.find(text, at + 1)) ++count;
+  return count;
+}
+
 TEST(Example1Figures, HaveThePapersThreePanelsAndItsNumbers) {
   for (const auto& [figure, roles] : {std::pair{"fig5", "cone_ellipsoid"}, {"fig7", "ellipsoid_cone"}}) {
     const std::string picture = picture_of(figure, solves(roles));
     expect_texts(picture, {"(a) mean error", "(b) mean time, µs", "(c) mean N_rs", "tolerance ε",
                            "zheng_yamane", "nlopt_slsqp", "paper"});
+    for (const char* exponent : {">-10<", ">-6<", ">-2<"})
+      EXPECT_GE(count_of(picture, exponent), 3U) << "a tolerance under each panel: " << exponent;
   }
+}
+
+TEST(Example1Figures, NameEveryMethodInTheLegendHoweverLongTheNames) {
+  std::vector<Record> records = solves("cone_ellipsoid");
+  for (const char* method : {"zheng_yamane_published", "newton", "direct", "nlopt_mma"}) {
+    for (Record each : solves("cone_ellipsoid")) {
+      each.method = method;
+      records.push_back(each);
+    }
+  }
+  FigureOptions options;
+  options.size = FigureSize::single;
+  const std::string picture = draw(figure_named("fig5"), records, options, ImageFormat::svg);
+  expect_texts(picture, {">zheng_yamane<", ">zheng_yamane_published<", ">nlopt_mma<", ">paper<"});
+  EXPECT_EQ(picture.find("translate(-"), std::string::npos) << "something stands outside the picture";
 }
 
 TEST(Example1Figures, SayWhatTheyNeed) {
