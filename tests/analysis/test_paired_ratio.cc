@@ -38,8 +38,11 @@ Twins twins(std::mt19937_64& bits, std::size_t count, double factor) {
 TEST(PairedRatio, IsTheMedianOfTheRatios) {
   const Ratio ratio = paired_ratio({2, 30, 400, 5, 6, 7}, {1, 10, 100, 1, 1, 1});
   EXPECT_NEAR(ratio.ratio, std::sqrt(4.0 * 5.0), 1e-12);  // median of the logarithms: the geometric middle
-  EXPECT_GE(ratio.interval.lower, 2 * (1 - 1e-12));
-  EXPECT_LE(ratio.interval.upper, 7 * (1 + 1e-12));
+  // Of 6 values γ_1 = 1 - 2 / 64 and γ_2 = 1 - 14 / 64, so that I = 0.1 and λ = 5 I / (1 + 4 I) = 5/14: the
+  // ends lie so far from the outermost ratio to the next, on the scale of logarithms.
+  const double lambda = 5.0 / 14;
+  EXPECT_NEAR(ratio.interval.lower, 2 * std::pow(3.0 / 2, lambda), 1e-12);
+  EXPECT_NEAR(ratio.interval.upper, 7 * std::pow(6.0 / 7, lambda), 1e-12);
 }
 
 TEST(PairedRatio, CoversTheTrueRatioIn93To97PercentOfAThousandExperiments) {
