@@ -158,7 +158,11 @@ void ConeProgram::make_start_feasible() {
   Vector trial = start_;
   while (trial[0] < kLargest && !holds(trial)) trial[0] *= 2;
   if (!holds(trial)) return;  // no multiple of Q reaches the point
-  for (start_ = trial; trial[0] > kSmallest && holds(trial); trial[0] /= 2) start_ = trial;
+  start_ = trial;
+  while (trial[0] > kSmallest && holds(trial)) {
+    start_ = trial;
+    trial[0] /= 2;
+  }
   double low = trial[0];
   for (int i = 0; i < kHalvings; ++i) {
     trial[0] = (low + start_[0]) / 2;

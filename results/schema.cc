@@ -27,7 +27,7 @@ std::string_view to_string(ValueType type) noexcept {
 
 // clang-format off
 const std::vector<Column<Record>>& record_columns() {
-  static const std::vector<Column<Record>> columns = {
+  static const std::vector<Column<Record>> kColumns = {
     column("cell", "1", "index of the cell in the experiment's grid: generator slowest, then n, N, tolerance", &Record::cell),
     column("session", "1", "row of /provenance/sessions in which the record was made", &Record::session),
     column("generator", "", "registered name of the instance generator", &Record::generator),
@@ -60,11 +60,11 @@ const std::vector<Column<Record>>& record_columns() {
     column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),
     column("started_at", "s", "start of the solve, counted from the start of its session", &Record::started_at),
   };
-  return columns;
+  return kColumns;
 }
 
 const std::vector<Column<Session>>& session_columns() {
-  static const std::vector<Column<Session>> columns = {
+  static const std::vector<Column<Session>> kColumns = {
     column("started_at", "", "start of the session, ISO 8601, UTC", &Session::started_at),
     column("finished_at", "", "end of the session, ISO 8601, UTC; empty if it was killed or still runs", &Session::finished_at),
     column("threads", "1", "threads that ran cells", &Session::threads),
@@ -85,20 +85,20 @@ const std::vector<Column<Session>>& session_columns() {
     column("kernel", "", "kernel, its release and architecture", &Session::machine, &MachineInfo::kernel),
     column("hostname", "", "name of the machine", &Session::machine, &MachineInfo::hostname),
   };
-  return columns;
+  return kColumns;
 }
 
 const std::vector<Column<VersionRow>>& version_columns() {
-  static const std::vector<Column<VersionRow>> columns = {
+  static const std::vector<Column<VersionRow>> kColumns = {
     column("session", "1", "row of /provenance/sessions", &VersionRow::session),
     column("name", "", "library or solver", &VersionRow::name),
     column("version", "", "its version", &VersionRow::version),
   };
-  return columns;
+  return kColumns;
 }
 
 const std::vector<Column<CalibrationRow>>& calibration_columns() {
-  static const std::vector<Column<CalibrationRow>> columns = {
+  static const std::vector<Column<CalibrationRow>> kColumns = {
     column("session", "1", "row of /provenance/sessions", &CalibrationRow::session),
     column("threads", "1", "threads that solved at once", &CalibrationRow::threads),
     column("method", "", "label of the method", &CalibrationRow::method),
@@ -106,7 +106,7 @@ const std::vector<Column<CalibrationRow>>& calibration_columns() {
     column("parallel_seconds", "s", "median time of a solve with all threads busy", &CalibrationRow::parallel_seconds),
     column("inflation", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::inflation),
   };
-  return columns;
+  return kColumns;
 }
 // clang-format on
 

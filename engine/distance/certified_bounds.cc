@@ -51,9 +51,7 @@ double certified_upper(const PointSet& A, const PointSet& Q, std::span<const std
   if (points_Q.empty()) points_Q.push_back(0);  // 0 in A: no point of Q carries weight
   PointSetDirect solver;
   DistanceResult result;
-  solver.solve_restricted(A, Q, points_A.data(), static_cast<std::ptrdiff_t>(points_A.size()),
-                          points_Q.data(), static_cast<std::ptrdiff_t>(points_Q.size()), {}, Stopwatch(),
-                          result);
+  solver.solve_restricted(A, Q, points_A, points_Q, {}, Stopwatch(), result);
   return result.upper;
 }
 

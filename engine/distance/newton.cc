@@ -29,7 +29,8 @@ double curvature_along(const PieceList& list, const double* r) {
   for (int a = 0; a < list.active_count; ++a) {
     const int i = list.active[static_cast<std::size_t>(a)];
     const double weight = list.weight[static_cast<std::size_t>(i)];
-    for (int j = 0; j < list.n; ++j) sum += weight * r[j] * dot(list.hessian(i) + j * list.n, r, list.n);
+    for (int j = 0; j < list.n; ++j)
+      sum += weight * r[j] * dot(list.hessian(i) + std::ptrdiff_t{j} * list.n, r, list.n);
   }
   return sum;
 }
@@ -212,7 +213,7 @@ bool Newton::advance(const double* step) {
   }
   const double length = std::sqrt(dot(step, step, n_));
   double share = length > kLongestStep ? kLongestStep / length : 1.0;
-  for (int trial = 0; trial < kShortenings; ++trial, share *= kShorter) {
+  for (int trial = 0; trial < kShortenings; ++trial) {
     for (int k = 0; k < n_; ++k) {
       next_->u[static_cast<std::size_t>(k)] = now_->u[static_cast<std::size_t>(k)] + share * step[k];
     }
@@ -223,6 +224,7 @@ bool Newton::advance(const double* step) {
       return true;
     }
     if (evaluations_ >= max_evaluations_) return false;
+    share *= kShorter;
   }
   return false;
 }

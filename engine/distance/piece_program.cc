@@ -88,7 +88,7 @@ void PieceProgram::add_differences(const PieceList& list, double sign, int row) 
     for (int k = 0; k < n_; ++k) {
       const double difference = sign * (s_i[k] - s_0[k]);
       entries[k] = difference;
-      system_[static_cast<std::size_t>(k * columns_ + row)] = difference;
+      system_.data()[std::ptrdiff_t{k} * columns_ + row] = difference;
     }
     entries[columns_ - 1] =
         list.value[static_cast<std::size_t>(reference)] - list.value[static_cast<std::size_t>(i)];
@@ -169,10 +169,12 @@ void PieceProgram::exchange_rows(int p, int size) {
   double* K = system_.data();
   int best = p;
   for (int i = p + 1; i < size; ++i) {
-    if (std::fabs(K[i * columns_ + p]) > std::fabs(K[best * columns_ + p])) best = i;
+    if (std::fabs(K[std::ptrdiff_t{i} * columns_ + p]) > std::fabs(K[std::ptrdiff_t{best} * columns_ + p]))
+      best = i;
   }
   if (best == p) return;
-  std::swap_ranges(K + p * columns_ + p, K + (p + 1) * columns_, K + best * columns_ + p);
+  double* row = K + std::ptrdiff_t{p} * columns_;
+  std::swap_ranges(row + p, row + columns_, K + std::ptrdiff_t{best} * columns_ + p);
 }
 
 void PieceProgram::read_weights(PieceList& list, double scale, int row) const {
@@ -208,7 +210,7 @@ double PieceProgram::model(const PieceList& list, int i, double sign) const {
   double value = list.value[static_cast<std::size_t>(i)] + sign * dot(list.point(i), d, n_);
   if (!list.curved) return value;
   const double* H = list.hessian(i);
-  for (int j = 0; j < n_; ++j) value += 0.5 * d[j] * dot(H + j * n_, d, n_);
+  for (int j = 0; j < n_; ++j) value += 0.5 * d[j] * dot(H + std::ptrdiff_t{j} * n_, d, n_);
   return value;
 }
 

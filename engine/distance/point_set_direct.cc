@@ -31,17 +31,17 @@ void PointSetDirect::solve(const PointSet& A, const PointSet& Q, const DistanceO
   run(false, effects, result);
 }
 
-void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
-                                      std::ptrdiff_t count_A, const std::int64_t* index_Q,
-                                      std::ptrdiff_t count_Q, const DistanceOptions& options,
+void PointSetDirect::solve_restricted(const PointSet& A, const PointSet& Q,
+                                      std::span<const std::int64_t> index_A,
+                                      std::span<const std::int64_t> index_Q, const DistanceOptions& options,
                                       const Stopwatch& stopwatch, DistanceResult& result) {
   begin(A, Q, options, stopwatch);
   working_A_.clear(n_);
   working_Q_.clear(n_);
-  for (std::ptrdiff_t i = 0; i < count_A; ++i) working_A_.add(A, scaling_.factor_A(), index_A[i]);
-  for (std::ptrdiff_t j = 0; j < count_Q; ++j) working_Q_.add(Q, scaling_.factor_Q(), index_Q[j]);
-  chosen_A_ = {index_A, static_cast<std::size_t>(count_A)};
-  chosen_Q_ = {index_Q, static_cast<std::size_t>(count_Q)};
+  for (const std::int64_t i : index_A) working_A_.add(A, scaling_.factor_A(), i);
+  for (const std::int64_t j : index_Q) working_Q_.add(Q, scaling_.factor_Q(), j);
+  chosen_A_ = index_A;
+  chosen_Q_ = index_Q;
   start();
   run(true, Effects::none, result);
 }

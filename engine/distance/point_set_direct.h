@@ -29,9 +29,9 @@ class PointSetDirect {
 
   /// The same over some points only, given by their indices. `upper` is an upper bound on d_Q(A), `lower`
   /// belongs to the chosen points' normal and is a lower bound on d_Q(A) all the same.
-  void solve_restricted(const PointSet& A, const PointSet& Q, const std::int64_t* index_A,
-                        std::ptrdiff_t count_A, const std::int64_t* index_Q, std::ptrdiff_t count_Q,
-                        const DistanceOptions& options, const Stopwatch& stopwatch, DistanceResult& result);
+  void solve_restricted(const PointSet& A, const PointSet& Q, std::span<const std::int64_t> index_A,
+                        std::span<const std::int64_t> index_Q, const DistanceOptions& options,
+                        const Stopwatch& stopwatch, DistanceResult& result);
 
   /// For measuring what proofs cost (bench/safety_cost.cc) and for nothing else: a solve that the simplex
   /// calls solved then ends there, with no bound known.

@@ -40,7 +40,8 @@ double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, C
     return kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
   }
   std::array<Found, kMostThreads> found;
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(threads) default(none) \
+    shared(kernels, S, u, collection, threads, found)
   for (int share = 0; share < threads; ++share)
     found[share] = read_share(kernels, S, u, collection, share, threads);
 

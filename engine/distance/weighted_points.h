@@ -18,8 +18,9 @@ class WeightedPoints {
   }
   void add(const double* point, double weight) {
     const auto size = static_cast<std::size_t>(n_);
-    points_.reserve(static_cast<std::size_t>(count_ + 1) * size);
-    weights_.reserve(static_cast<std::size_t>(count_ + 1));
+    const auto count = static_cast<std::size_t>(count_) + 1;
+    points_.reserve(count * size);
+    weights_.reserve(count);
     std::copy_n(point, n_, points_.data() + static_cast<std::size_t>(count_) * size);
     weights_[static_cast<std::size_t>(count_++)] = weight;
   }

@@ -41,11 +41,11 @@ inline Pack unchanged(Pack v) { return v; }
 // rounding must not forget an overflow.
 inline double largest_entry(const double* v, int P) {
   Pack top = load(v);
-  Pack zero = top - top;
+  Pack zero = top - top;  // NOLINT(misc-redundant-expression)
   for (int p = kWidth; p < P; p += kWidth) {
     const Pack entry = load(v + p);
     top = maximum(top, entry);
-    zero += entry - entry;
+    zero += entry - entry;  // NOLINT(misc-redundant-expression)
   }
   return largest_lane(top) + reduce_lanes(zero, [](Pack a, Pack c) { return a + c; })[0];
 }

@@ -39,7 +39,7 @@ void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, 
     return;
   }
   for (int j = 0; j < l; ++j) {
-    first.value[static_cast<std::size_t>(m + j)] = second.value[static_cast<std::size_t>(j)];
+    first.value.data()[m + j] = second.value[static_cast<std::size_t>(j)];
   }
   const int n = first.dimension;
   add_arrays(first.value.data(), 1, 1, m, l, 1.0);

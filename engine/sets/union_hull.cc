@@ -83,7 +83,7 @@ void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int ca
       return;
     }
     for (int i = 0; i < more.count; ++i) {
-      pieces.value[static_cast<std::size_t>(before + i)] = more.value[static_cast<std::size_t>(i)];
+      pieces.value.data()[before + i] = more.value[static_cast<std::size_t>(i)];
     }
     pieces.count = before + more.count;
   }

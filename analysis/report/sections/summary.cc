@@ -23,7 +23,7 @@ std::string counted(std::size_t count, const std::string& noun) {
 /// "3 … 10 (8 values)".
 template <class Number>
 std::string range_words(const std::set<Number>& values) {
-  const std::string first = significant(static_cast<double>(*values.begin()), 3);
+  std::string first = significant(static_cast<double>(*values.begin()), 3);
   if (values.size() == 1) return first;
   return first + " … " + significant(static_cast<double>(*values.rbegin()), 6) + " (" +
          std::to_string(values.size()) + " values)";
