@@ -6,15 +6,12 @@
 
 #include <cmath>
 #include <vector>
+#include "cli/counted.h"
 
 namespace raygauge::cli {
 namespace {
 
 Json json_array(const Vector& vector) { return std::vector<double>(vector.begin(), vector.end()); }
-
-std::string count(std::int64_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
 
 Json json_counters(const DistanceCounters& counters) {
   return {{"outer_iterations", counters.outer_iterations},
@@ -95,11 +92,12 @@ std::string contact_line(const DistanceReport& report) {
 }
 
 std::string counters_line(const DistanceCounters& c) {
-  return line("counters", count(c.outer_iterations, "outer iteration") + " (K), " +
-                              count(c.ray_iterations, "ray-shooting iteration") + " (N_rs), " +
-                              count(c.pivots, "pivot") + ", " + count(c.refactorisations, "refactorisation") +
-                              ", " + std::to_string(c.support_queries) + " support queries, " +
-                              count(c.points_priced, "point") + " priced");
+  return line("counters", counted(c.outer_iterations, "outer iteration") + " (K), " +
+                              counted(c.ray_iterations, "ray-shooting iteration") + " (N_rs), " +
+                              counted(c.pivots, "pivot") + ", " +
+                              counted(c.refactorisations, "refactorisation") + ", " +
+                              std::to_string(c.support_queries) + " support queries, " +
+                              counted(c.points_priced, "point") + " priced");
 }
 
 /// What is known of contact when the bounds are as they are.
@@ -162,8 +160,8 @@ std::string distance_text(const DistanceReport& report) {
   return line("distance", fmt::format("{:.17g}", r.distance)) + line("bounds", bounds_text(report)) +
          line("status", fmt::format("{}: {}", to_string(r.status), verdict(r))) + precondition_line(report) +
          normal_line(r) + weights_line(r) + contact_line(report) +
-         line("sets", fmt::format("n = {}, {} in A, {} in Q", report.n, count(report.n_points_A, "point"),
-                                  count(report.n_points_Q, "point"))) +
+         line("sets", fmt::format("n = {}, {} in A, {} in Q", report.n, counted(report.n_points_A, "point"),
+                                  counted(report.n_points_Q, "point"))) +
          line("method", fmt::format("{}, {:.3g} ms", report.method, report.seconds * 1e3)) +
          counters_line(r.counters);
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/counted.h"
 #include "cli/input_file.h"
 #include "engine/exceptions.h"
 
@@ -20,10 +21,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool is_separator(char c) { return c == ',' || c == ';'; }
 bool ends_token(char c) { return is_blank(c) || is_separator(c) || c == '#'; }
-
-std::string count(std::ptrdiff_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
 
 /// The token as a message can show it: printable, on one line, not endless.
 std::string quoted(std::string_view token) {
@@ -89,7 +86,7 @@ class PointParser {
       first_line_ = line_number_;
     } else if (length != n_) {
       throw InvalidParameterError(name_ + ": line " + std::to_string(line_number_) + " has " +
-                                  count(length, "coordinate") + ", line " + std::to_string(first_line_) +
+                                  counted(length, "coordinate") + ", line " + std::to_string(first_line_) +
                                   " has " + std::to_string(n_));
     }
   }

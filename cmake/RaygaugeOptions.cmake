@@ -24,7 +24,7 @@ endif()
 # so that even names without linkage are unique within a room. Off (-DRAYGAUGE_UNITY_BUILD=OFF) while one of them is
 # edited again and again.
 option(RAYGAUGE_UNITY_BUILD "Compile several files of a room as one" ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8 CACHE STRING "Files compiled as one")
 
 # Usage requirements of our own code only; never exported to users of the package.
 add_library(raygauge_warnings INTERFACE)
