@@ -150,8 +150,13 @@ DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
   double best_upper = kInfinity;
   double best_objective = kInfinity;
   int idle = 0;
+  bool offered = false;
+  std::int64_t pivots = 0;
   for (;;) {
     const DirectProgram::End end = program_.solve(points_A_, points_Q_, stopwatch);
+    // New points that change nothing, their reduced costs being rounding, would only be met again.
+    const bool stuck = offered && program_.pivots() == pivots;
+    pivots = program_.pivots();
     ask(program_.normal());
     if (lower_ == kInfinity) return DistanceStatus::unreachable;
     if (end != DirectProgram::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
@@ -172,11 +177,12 @@ DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
     best_objective =
         end == DirectProgram::End::bounded ? kInfinity : std::min(best_objective, program_.objective());
 
-    const bool A_enters = h_A_.value > program_.threshold_A();
-    const bool Q_enters = h_Q_.value > program_.threshold_Q();
+    const bool A_enters = !stuck && h_A_.value > program_.threshold_A();
+    const bool Q_enters = !stuck && h_Q_.value > program_.threshold_Q();
+    offered = A_enters || Q_enters;
     if (A_enters) offer_A(point_A_.data());
     if (Q_enters) offer_Q(point_Q_.data());
-    if (A_enters || Q_enters) {
+    if (offered) {
       program_.encourage();
     } else if (end == DirectProgram::End::bounded) {
       program_.raise_bounds();
