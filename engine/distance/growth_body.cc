@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sets/piece_sums.h"
+#include "engine/sets/set_sums.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -15,14 +15,13 @@ GrowthBody::GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q
 
 double GrowthBody::do_support(const double* u, double* point) const {
   const int n = dimension();
-  Scratch opposite(n), a(n);
-  double value = Q_.support_unchecked(u, point);
+  Scratch a(n);
+  double value = sum_support(Q_, A_, -1.0, u, point, a.data());
   for (int k = 0; k < n; ++k) {
-    opposite.data()[k] = -u[k];
-    value += u[k] * (c_A_[k] - c_Q_[k]);
+    const double shift = c_A_[k] - c_Q_[k];
+    value += u[k] * shift;
+    point[k] += shift;
   }
-  value += A_.support_unchecked(opposite.data(), a.data());
-  for (int k = 0; k < n; ++k) point[k] = (point[k] - c_Q_[k]) - (a.data()[k] - c_A_[k]);
   return value;
 }
 
@@ -30,10 +29,8 @@ void GrowthBody::do_center(double* point) const { std::fill_n(point, dimension()
 
 void GrowthBody::do_magnitude(double* magnitude) const {
   const int n = dimension();
-  Scratch of_A(n);
-  Q_.magnitude_unchecked(magnitude);
-  A_.magnitude_unchecked(of_A.data());
-  for (int k = 0; k < n; ++k) magnitude[k] += of_A.data()[k] + 2 * (std::fabs(c_A_[k]) + std::fabs(c_Q_[k]));
+  sum_magnitude(Q_, A_, magnitude);
+  for (int k = 0; k < n; ++k) magnitude[k] += 2 * (std::fabs(c_A_[k]) + std::fabs(c_Q_[k]));
 }
 
 double GrowthBody::do_inner_radius(const double* c) const {
@@ -56,15 +53,9 @@ SupportStructure GrowthBody::do_structure() const noexcept {
 
 void GrowthBody::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
   const int n = dimension();
-  Scratch opposite(n), shift(n);
-  for (int k = 0; k < n; ++k) {
-    opposite.data()[k] = -u[k];
-    shift.data()[k] = c_A_[k] - c_Q_[k];
-  }
-  Q_.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
-  SupportPieces of_A = pieces.rest(pieces.count);
-  A_.support_pieces_unchecked(opposite.data(), of_A, SupportPieces::kCapacity - capacity + pieces.count);
-  add_pieces(pieces, of_A, -1.0, capacity);
+  Scratch shift(n);
+  for (int k = 0; k < n; ++k) shift.data()[k] = c_A_[k] - c_Q_[k];
+  sum_pieces(Q_, A_, -1.0, u, pieces, capacity);
   const double along = dot(u, shift.data(), n);
   for (int i = 0; i < pieces.count; ++i) {
     pieces.value[static_cast<std::size_t>(i)] += along;

@@ -8,7 +8,7 @@
 
 #include "engine/exceptions.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/piece_sums.h"
+#include "engine/sets/set_sums.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -43,28 +43,15 @@ ObjectPair::ObjectPair(const ConvexSet& A2, const ConvexSet& A1, SupportPairs* p
 }
 
 double ObjectPair::do_support(const double* u, double* point) const {
-  const int n = dimension();
-  Scratch opposite(n), a1(n);
-  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
-  const double value = A2_.support_unchecked(u, point) + A1_.support_unchecked(opposite.data(), a1.data());
-  for (int k = 0; k < n; ++k) point[k] -= a1.data()[k];
+  Scratch a1(dimension());
+  const double value = sum_support(A2_, A1_, -1.0, u, point, a1.data());
   if (pairs_ != nullptr) pairs_->add(point, a1.data());
   return value;
 }
 
-void ObjectPair::do_center(double* point) const {
-  Scratch a1(dimension());
-  A2_.center_unchecked(point);
-  A1_.center_unchecked(a1.data());
-  for (int k = 0; k < dimension(); ++k) point[k] -= a1.data()[k];
-}
+void ObjectPair::do_center(double* point) const { sum_center(A2_, A1_, -1.0, point); }
 
-void ObjectPair::do_magnitude(double* magnitude) const {
-  Scratch a1(dimension());
-  A2_.magnitude_unchecked(magnitude);
-  A1_.magnitude_unchecked(a1.data());
-  for (int k = 0; k < dimension(); ++k) magnitude[k] += a1.data()[k];
-}
+void ObjectPair::do_magnitude(double* magnitude) const { sum_magnitude(A2_, A1_, magnitude); }
 
 SupportStructure ObjectPair::do_structure() const noexcept {
   return structure_of_sum(A2_.structure(), A1_.structure());
@@ -72,16 +59,11 @@ SupportStructure ObjectPair::do_structure() const noexcept {
 
 void ObjectPair::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
   const int n = dimension();
-  Scratch opposite(n), points_1(SupportPieces::kCapacity * n);
-  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
-  A2_.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
-  SupportPieces of_A1 = pieces.rest(pieces.count);
-  A1_.support_pieces_unchecked(opposite.data(), of_A1, SupportPieces::kCapacity - capacity + pieces.count);
-  std::copy_n(of_A1.points, of_A1.count * n, points_1.data());
-  add_pieces(pieces, of_A1, -1.0, capacity);
+  Scratch points_1(SupportPieces::kCapacity * n);
+  const int count_1 = sum_pieces(A2_, A1_, -1.0, u, pieces, capacity, points_1.data());
   if (pairs_ == nullptr) return;
   for (int i = 0; i < pieces.count; ++i) {
-    pairs_->add(pieces.point(i), points_1.data() + std::ptrdiff_t{i % of_A1.count} * n);
+    pairs_->add(pieces.point(i), points_1.data() + std::ptrdiff_t{i % count_1} * n);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/sets/parameters.h"
-#include "engine/sets/piece_sums.h"
+#include "engine/sets/set_sums.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -20,27 +20,13 @@ MinkowskiDifference::MinkowskiDifference(std::shared_ptr<const ConvexSet> A2,
 }
 
 double MinkowskiDifference::do_support(const double* u, double* point) const {
-  const int n = dimension();
-  Scratch opposite(n), a1(n);
-  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
-  const double value = A2_->support_unchecked(u, point) + A1_->support_unchecked(opposite.data(), a1.data());
-  for (int k = 0; k < n; ++k) point[k] -= a1.data()[k];
-  return value;
+  Scratch second(dimension());
+  return sum_support(*A2_, *A1_, -1.0, u, point, second.data());
 }
 
-void MinkowskiDifference::do_center(double* point) const {
-  Scratch a1(dimension());
-  A2_->center_unchecked(point);
-  A1_->center_unchecked(a1.data());
-  for (int k = 0; k < dimension(); ++k) point[k] -= a1.data()[k];
-}
+void MinkowskiDifference::do_center(double* point) const { sum_center(*A2_, *A1_, -1.0, point); }
 
-void MinkowskiDifference::do_magnitude(double* magnitude) const {
-  Scratch a1(dimension());
-  A2_->magnitude_unchecked(magnitude);
-  A1_->magnitude_unchecked(a1.data());
-  for (int k = 0; k < dimension(); ++k) magnitude[k] += a1.data()[k];
-}
+void MinkowskiDifference::do_magnitude(double* magnitude) const { sum_magnitude(*A2_, *A1_, magnitude); }
 
 // A ball of A2 around its centre and one of A1 around that centre less c.
 double MinkowskiDifference::do_inner_radius(const double* c) const {
@@ -56,13 +42,7 @@ SupportStructure MinkowskiDifference::do_structure() const noexcept {
 }
 
 void MinkowskiDifference::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  const int n = dimension();
-  Scratch opposite(n);
-  for (int k = 0; k < n; ++k) opposite.data()[k] = -u[k];
-  A2_->support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
-  SupportPieces of_A1 = pieces.rest(pieces.count);
-  A1_->support_pieces_unchecked(opposite.data(), of_A1, SupportPieces::kCapacity - capacity + pieces.count);
-  add_pieces(pieces, of_A1, -1.0, capacity);
+  sum_pieces(*A2_, *A1_, -1.0, u, pieces, capacity);
 }
 
 }  // namespace raygauge

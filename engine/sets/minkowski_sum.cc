@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/sets/parameters.h"
-#include "engine/sets/piece_sums.h"
+#include "engine/sets/set_sums.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
@@ -16,25 +16,13 @@ MinkowskiSum::MinkowskiSum(std::shared_ptr<const ConvexSet> A, std::shared_ptr<c
 }
 
 double MinkowskiSum::do_support(const double* u, double* point) const {
-  Scratch b(dimension());
-  const double value = A_->support_unchecked(u, point) + B_->support_unchecked(u, b.data());
-  for (int k = 0; k < dimension(); ++k) point[k] += b.data()[k];
-  return value;
+  Scratch second(dimension());
+  return sum_support(*A_, *B_, 1.0, u, point, second.data());
 }
 
-void MinkowskiSum::do_center(double* point) const {
-  Scratch b(dimension());
-  A_->center_unchecked(point);
-  B_->center_unchecked(b.data());
-  for (int k = 0; k < dimension(); ++k) point[k] += b.data()[k];
-}
+void MinkowskiSum::do_center(double* point) const { sum_center(*A_, *B_, 1.0, point); }
 
-void MinkowskiSum::do_magnitude(double* magnitude) const {
-  Scratch b(dimension());
-  A_->magnitude_unchecked(magnitude);
-  B_->magnitude_unchecked(b.data());
-  for (int k = 0; k < dimension(); ++k) magnitude[k] += b.data()[k];
-}
+void MinkowskiSum::do_magnitude(double* magnitude) const { sum_magnitude(*A_, *B_, magnitude); }
 
 // A ball of A around its centre and one of B around c less that centre.
 double MinkowskiSum::do_inner_radius(const double* c) const {
@@ -50,10 +38,7 @@ SupportStructure MinkowskiSum::do_structure() const noexcept {
 }
 
 void MinkowskiSum::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  A_->support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
-  SupportPieces of_B = pieces.rest(pieces.count);
-  B_->support_pieces_unchecked(u, of_B, SupportPieces::kCapacity - capacity + pieces.count);
-  add_pieces(pieces, of_B, 1.0, capacity);
+  sum_pieces(*A_, *B_, 1.0, u, pieces, capacity);
 }
 
 }  // namespace raygauge

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/piece_sums.h"
+#include "engine/sets/set_sums.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/sets/vector_kernels.h"
@@ -46,6 +47,43 @@ void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, 
   add_arrays(first.points, n, n, m, l, sign);
   add_arrays(first.hessians, n * n, n * n, m, l, 1.0);
   first.count = m * l;
+}
+
+double sum_support(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, double* point,
+                   double* of_T) {
+  const int n = S.dimension();
+  Scratch towards(n);
+  for (int k = 0; k < n; ++k) towards.data()[k] = sign * u[k];
+  const double value = S.support_unchecked(u, point) + T.support_unchecked(towards.data(), of_T);
+  for (int k = 0; k < n; ++k) point[k] += sign * of_T[k];
+  return value;
+}
+
+void sum_center(const ConvexSet& S, const ConvexSet& T, double sign, double* point) {
+  Scratch of_T(S.dimension());
+  S.center_unchecked(point);
+  T.center_unchecked(of_T.data());
+  for (int k = 0; k < S.dimension(); ++k) point[k] += sign * of_T.data()[k];
+}
+
+void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude) {
+  Scratch of_T(S.dimension());
+  S.magnitude_unchecked(magnitude);
+  T.magnitude_unchecked(of_T.data());
+  for (int k = 0; k < S.dimension(); ++k) magnitude[k] += of_T.data()[k];
+}
+
+int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, SupportPieces& pieces,
+               int capacity, double* of_T) {
+  const int n = S.dimension();
+  Scratch towards(n);
+  for (int k = 0; k < n; ++k) towards.data()[k] = sign * u[k];
+  S.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
+  SupportPieces second = pieces.rest(pieces.count);
+  T.support_pieces_unchecked(towards.data(), second, SupportPieces::kCapacity - capacity + pieces.count);
+  if (of_T != nullptr) std::copy_n(second.points, second.count * n, of_T);
+  add_pieces(pieces, second, sign, capacity);
+  return second.count;
 }
 
 double sum_of_radii(double first, double second, const double* c, const double* part, int n) {

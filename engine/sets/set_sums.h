@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/convex_set.h"
+
+namespace raygauge {
+
+// What S + T (sign = 1) and S - T (sign = -1) have in common:
+//
+//     h(u) = h_S(u) + h_T(sign u),      s(u) = s_S(u) + sign s_T(sign u).
+
+/// The support function of S ± T; s(u) in `point` and s_T(sign u) in `of_T`, n doubles each.
+double sum_support(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, double* point,
+                   double* of_T);
+
+/// c_S ± c_T.
+void sum_center(const ConvexSet& S, const ConvexSet& T, double sign, double* point);
+
+/// The magnitudes of S and T added up.
+void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude);
+
+/// The pieces of S ± T, S's index running slower than T's (add_pieces). Returns how many T has; their
+/// gradients are copied to `of_T` (room for kCapacity points) if that is not null.
+int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, SupportPieces& pieces,
+               int capacity, double* of_T = nullptr);
+
+/// The pieces of a sum, h_i + h_j for every pair, from those of its operands: `second` stands right behind
+/// `first` in memory and enters with its gradients times `sign` (-1 for the reflected operand of a
+/// difference). Either operand may have one piece only, or both two; otherwise, and beyond `capacity`, none
+/// are offered (first.count = 0).
+void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, int capacity);
+
+/// The radius of a ball in a sum of sets, from two balls around points that add up to c up to rounding;
+/// 0 unless both are known. `part` is one of the two points.
+double sum_of_radii(double first, double second, const double* c, const double* part, int n);
+
+}  // namespace raygauge
