@@ -63,7 +63,7 @@ Example1Table example1_table_of(const std::vector<Record>& records, Example1Role
 Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,
                                   const Filter& filter, std::vector<std::string> baselines) {
   const std::vector<Record> kept = filtered(records, filter);
-  const Example1Table table = example1_table_of(kept, roles, Truth(records), std::move(baselines));
+  Example1Table table = example1_table_of(kept, roles, Truth(records), std::move(baselines));
   if (table.curves.empty()) {
     throw EmptySetError(
         "the tables of Example 1 need records of generator example1 with " + roles_parameter(roles) +

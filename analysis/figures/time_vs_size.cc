@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 #include <string>
 #include <utility>
@@ -58,10 +59,10 @@ std::string size_ticks(const std::set<double>& sizes, const std::pair<double, do
   std::string ticks;
   std::size_t named = 0;
   double begin = panel_width;  // of the label to the right
-  for (auto size = sizes.rbegin(); size != sizes.rend(); ++size) {
-    const std::string label = significant(*size, 12);
+  for (const double size : std::ranges::reverse_view(sizes)) {
+    const std::string label = significant(size, 12);
     const double half = kDigit * static_cast<double>(label.size()) / 2;
-    const double place = inches * std::log(*size / range.first);
+    const double place = inches * std::log(size / range.first);
     const bool fits = place + half < begin - kDigit / 2;
     if (fits) begin = place - half;
     named += fits ? 1 : 0;
