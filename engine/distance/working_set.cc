@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
+// Coordinates of a sample from which on pricing it in single precision saves more than making the copy takes.
+constexpr std::ptrdiff_t kWorthRounding = 8192;
+
 // SplitMix64: which block of a stratum is taken. Fixed, so that a solve is reproducible.
 std::uint64_t scramble(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -29,6 +32,7 @@ std::ptrdiff_t sample_blocks(const PointSet& S) {
 
 void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial, bool in_single) {
   magnitude_ = 0;
+  in_single_ = false;
   for (int k = 0; k < S.dimension(); ++k) {
     magnitude_ = std::max(magnitude_, factor[k] * S.coordinate_magnitude()[k]);
   }
@@ -36,6 +40,7 @@ void WorkingSet::choose(const PointSet& S, const double* factor, bool trivial, b
   if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial);
   const std::ptrdiff_t sample = sample_blocks(S);
   if (sample >= S.block_count()) return take_all(S, factor, trivial);
+  in_single_ = in_single && sample * kLanes * S.dimension() >= kWorthRounding;
   take_sample(S, factor, sample);
 }
 
@@ -47,6 +52,24 @@ void WorkingSet::grow_to(std::ptrdiff_t size) {
   if (needed > copy_.capacity()) copy_.reserve(std::max(needed, 2 * copy_.capacity()));
   blocks_ = copy_.data();
   single_blocks_ = nullptr;
+  if (!in_single_) return;
+  const std::ptrdiff_t pairs = (size + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes;
+  const auto needed_single = static_cast<std::size_t>(pairs * n_ * PointSet::kSingleLanes);
+  if (needed_single > single_copy_.capacity()) {
+    single_copy_.reserve(std::max(needed_single, 2 * single_copy_.capacity()));
+  }
+  single_blocks_ = single_copy_.data();
+}
+
+// The point at `position`, found in its `slot` of copy_; the first of a block stands in for those to come.
+void WorkingSet::place_single(std::ptrdiff_t position, const double* slot) {
+  constexpr std::ptrdiff_t kWide = PointSet::kSingleLanes;
+  float* to = single_copy_.data() + (position / kWide) * n_ * kWide + position % kWide;
+  const std::ptrdiff_t lanes = position % kWide == 0 ? kWide : 1;
+  for (int k = 0; k < n_; ++k) {
+    const auto value = static_cast<float>(slot[k * kLanes]);
+    for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) to[k * kWide + lane] = value;
+  }
 }
 
 PricedPoints WorkingSet::view() const noexcept {
@@ -91,6 +114,8 @@ void WorkingSet::take_sample(const PointSet& S, const double* factor, std::ptrdi
       for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
     }
   }
+  if (!in_single_) return;
+  for (std::ptrdiff_t i = 0; i < size_; ++i) place_single(i, copy + (i / kLanes) * n_ * kLanes + i % kLanes);
 }
 
 void WorkingSet::place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride,
@@ -103,6 +128,7 @@ void WorkingSet::place(std::ptrdiff_t position, const double* point, std::ptrdif
     for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) slot[k * kLanes + lane] = value;
     magnitude_ = std::max(magnitude_, std::fabs(value));
   }
+  if (in_single_) place_single(position, slot);
 }
 
 void WorkingSet::add(const PointSet& S, const double* factor, std::int64_t index) {
@@ -116,6 +142,7 @@ void WorkingSet::clear(int n) {
   n_ = n;
   size_ = 0;
   complete_ = false;
+  in_single_ = false;
   magnitude_ = 0;
   grow_to(kLanes);
 }

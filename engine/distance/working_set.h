@@ -18,8 +18,8 @@ class WorkingSet {
  public:
   /// The points of S to start with: all of them where S is small, in place if `trivial` and else scaled by
   /// `factor` (n powers of two); of a large set a stratified pseudo-random sample, the same for the same
-  /// S.size(). `in_single`: the points are priced in single precision where S has them so, which makes larger
-  /// sets small.
+  /// S.size(). `in_single`: the points are wanted in single precision too, where that is worth a copy or S
+  /// has one, which makes it small.
   void choose(const PointSet& S, const double* factor, bool trivial, bool in_single);
 
   /// How many points of S are worth adding at a time.
@@ -50,6 +50,7 @@ class WorkingSet {
   void take_all(const PointSet& S, const double* factor, bool trivial);
   void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
   void grow_to(std::ptrdiff_t size);
+  void place_single(std::ptrdiff_t position, const double* slot);
   void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
 
   int n_ = 0;
@@ -58,7 +59,9 @@ class WorkingSet {
   double magnitude_ = 0;
   const double* blocks_ = nullptr;
   const float* single_blocks_ = nullptr;
+  bool in_single_ = false;  // whether single_copy_ holds what copy_ holds
   AlignedBuffer<double> copy_;
+  AlignedBuffer<float> single_copy_;
 };
 
 }  // namespace raygauge
