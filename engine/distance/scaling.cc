@@ -31,13 +31,13 @@ bool fill(AlignedBuffer<double>& factor, const int* shift, int common, int n) {
   return trivial;
 }
 
-// Largest exponent of a factor: leaves room for directions as well, see direction_component().
-constexpr int kLargestExponent = 800;
+// Leaves room for directions as well, see direction_component().
+constexpr double kLeastFactor = 0x1p-800;
 
 // Whether every coordinate of S times its factor is exact.
 bool scales_exactly(const PointSet& S, const double* factor) {
   for (int k = 0; k < S.dimension(); ++k) {
-    if (std::abs(std::ilogb(factor[k])) > kLargestExponent) return false;
+    if (!(factor[k] >= kLeastFactor && factor[k] <= 1 / kLeastFactor)) return false;
     if (!std::isfinite(S.coordinate_magnitude()[k] * factor[k])) return false;
     if (S.smallest_magnitude()[k] * factor[k] < std::numeric_limits<double>::min() && factor[k] != 1)
       return false;
