@@ -48,8 +48,8 @@ class Support {
     for (Eigen::Index i = 0; i < points_.cols(); ++i) {
       if (sign_ * u_.dot(points_.col(i)) < threshold - error) continue;
       const double value = sign_ * dot2(i);
-      const double lost =
-          0x1p-51 * std::fabs(value) + (n + 2) * (n + 2) * 0x1p-50 * error * 0x1p-50 + 0x1p-1000;
+      // error >= (n+2) 2⁻⁵² Σ|u_k p_k|, which leaves (n+2) 2⁻⁵³ error of Dot2's second term.
+      const double lost = 0x1p-51 * std::fabs(value) + (n + 2) * 0x1p-52 * error + 0x1p-1000;
       result.below = std::max(result.below, value - lost);
       result.above = std::max(result.above, value + lost);
     }

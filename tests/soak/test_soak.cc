@@ -3,8 +3,10 @@
 // The soak's own judgement: its variants keep the distance that it claims, and its checks see what is false.
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "baselines/exact_verify.h"
 #include "engine/distance/solver.h"
@@ -136,6 +138,31 @@ TEST(SoakRun, DoesTheSolvesAskedForOnAnyNumberOfThreads) {
   EXPECT_GE(one.progress.tally.total().solves, options.solves);
   EXPECT_GE(three.progress.tally.total().solves, options.solves);
   EXPECT_FALSE(three.violation.has_value());
+}
+
+// u·a = Σ u_k a_k in which each of the last terms takes away what the ones before have left: twice the
+// precision is not enough then, and the enclosure must say so.
+TEST(SoakDualValue, EnclosesWhatCancelsTwice) {
+  using Rational = boost::multiprecision::mpq_rational;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0.5, 1);
+  for (int trial = 0; trial < 500; ++trial) {
+    Eigen::MatrixXd A =
+        Eigen::MatrixXd::NullaryExpr(5, 1, [&](Eigen::Index, Eigen::Index) { return uniform(random); });
+    A(0, 0) = -std::ldexp(uniform(random), -trial % 40);
+    Vector u = Vector::Ones(5);
+    u[1] = std::ldexp(uniform(random), 60 + trial % 60);
+    Rational sum = Rational(u[0]) * Rational(A(0, 0)) + Rational(u[1]) * Rational(A(1, 0));
+    for (int k = 2; k < 5; ++k) {
+      u[k] = -(sum / Rational(A(k, 0))).convert_to<double>();
+      sum += Rational(u[k]) * Rational(A(k, 0));
+    }
+    const Eigen::MatrixXd Q = -Eigen::MatrixXd::Identity(5, 1);  // h_Q(-u) = u_1 = 1
+    const soak::DualValue dual = soak::dual_value(A, Q, u);
+    if (!dual.known) continue;
+    EXPECT_LE(Rational(dual.below), -sum) << trial;
+    EXPECT_GE(Rational(dual.above), -sum) << trial;
+  }
 }
 
 }  // namespace
