@@ -43,9 +43,9 @@ class DirectProgram {
   /// in DistanceOptions::max_iterations.
   void begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels);
 
-  /// First basis from a guess of the normal's direction (n doubles, the largest ±1) and of its relative error,
-  /// which sets the first bounds on the dual. Neither changes the answer; good ones save basis changes. The
-  /// points are not kept.
+  /// First basis from a guess of the normal's direction (n doubles, the largest ±1) and of its relative
+  /// error, which sets the first bounds on the dual. Neither changes the answer; good ones save basis
+  /// changes. The points are not kept.
   void start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error);
 
   /// Continues from the basis at hand. Working sets may have grown since, but not changed.

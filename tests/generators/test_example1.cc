@@ -54,15 +54,16 @@ TEST(Example1, HasTheDistanceThatItClaims) {
   }
 }
 
-// On these, `direct` once met the same support points for ever: reduced costs made of rounding, at bounds on the
-// normal that were never raised.
+// On these, `direct` once met the same support points for ever: reduced costs made of rounding, at bounds on
+// the normal that were never raised.
 TEST(Example1, DirectClosesTheGapWhereItOnceStalled) {
   DistanceOptions options;
   options.tolerance = 1e-8;
   options.time_limit = 20;
   DistanceSolver solver(options);
   const std::vector<std::pair<std::string, std::vector<int>>> stalled = {
-      {kConeEllipsoid, {362, 2328, 2334, 2700}}, {kEllipsoidCone, {339, 352, 731, 733, 811, 1087, 1115, 1272}}};
+      {kConeEllipsoid, {362, 2328, 2334, 2700}},
+      {kEllipsoidCone, {339, 352, 731, 733, 811, 1087, 1115, 1272}}};
   for (const auto& [roles, repetitions] : stalled) {
     for (const int repetition : repetitions) {
       const Instance instance = pair(repetition, 1, roles);
