@@ -103,6 +103,7 @@ std::string sizes(double width, double height, double scale) {
 
 std::string terminal(ImageFormat format, double width, double height) {
   constexpr double kPointsPerInch = 72;
+  constexpr double kCairoPoints = 96;  // of a font to the inch
   constexpr double kScreenPixels = 96;
   constexpr double kPrintPixels = 300;
   switch (format) {
@@ -111,8 +112,8 @@ std::string terminal(ImageFormat format, double width, double height) {
       return "set terminal svg size " + sizes(width, height, kScreenPixels) +
              " fixed enhanced font 'sans-serif,8' fontscale " + scale + " background 'white'\n";
     }
-    case ImageFormat::png: {  // cairo takes 96 points of a font for an inch
-      const std::string scale = significant(kPrintPixels / kScreenPixels, 6);
+    case ImageFormat::png: {
+      const std::string scale = significant(kPrintPixels / kCairoPoints, 6);
       return "set terminal pngcairo size " + sizes(width, height, kPrintPixels) +
              " enhanced font 'Sans,8' fontscale " + scale + " linewidth " + scale + " pointscale " + scale +
              " background 'white'\n";
@@ -121,7 +122,8 @@ std::string terminal(ImageFormat format, double width, double height) {
       break;
   }
   return "set terminal pdfcairo size " + significant(width, 6) + "in," + significant(height, 6) +
-         "in enhanced font 'Sans,8' fontscale 1 linewidth 1 background 'white'\n";
+         "in enhanced font 'Sans,8' fontscale " + significant(kPointsPerInch / kCairoPoints, 6) +
+         " linewidth 1 background 'white'\n";
 }
 
 }  // namespace
