@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/figures/curve_panel.h"
 #include "analysis/figures/style.h"
@@ -59,7 +59,7 @@ std::string size_ticks(const std::set<double>& sizes, const std::pair<double, do
   std::string ticks;
   std::size_t named = 0;
   double begin = panel_width;  // of the label to the right
-  for (const double size : std::ranges::reverse_view(sizes)) {
+  for (const double size : std::vector<double>(sizes.rbegin(), sizes.rend())) {
     const std::string label = significant(size, 12);
     const double half = kDigit * static_cast<double>(label.size()) / 2;
     const double place = inches * std::log(size / range.first);
