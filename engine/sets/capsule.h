@@ -15,6 +15,10 @@ class Capsule final : public ConvexSet {
   /// Throws InvalidParameterError (n < 1, r < 0), DimensionMismatchError or NonFiniteError.
   Capsule(const ConstVectorRef& p, const ConstVectorRef& q, double radius);
 
+  const Vector& p() const noexcept { return p_; }
+  const Vector& q() const noexcept { return q_; }
+  double radius() const noexcept { return radius_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

@@ -18,6 +18,10 @@ class Cylinder final : public ConvexSet {
   /// Throws InvalidParameterError (n < 1, p = q, r < 0), DimensionMismatchError or NonFiniteError.
   Cylinder(const ConstVectorRef& p, const ConstVectorRef& q, double radius);
 
+  const Vector& p() const noexcept { return p_; }
+  const Vector& q() const noexcept { return q_; }
+  double radius() const noexcept { return radius_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

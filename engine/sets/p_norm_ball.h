@@ -19,6 +19,7 @@ class PNormBall final : public ConvexSet {
   /// infinite but not NaN).
   PNormBall(const ConstVectorRef& center, const ConstVectorRef& semi_axes, double p);
 
+  const Vector& semi_axes() const noexcept { return semi_axes_; }
   double p() const noexcept { return p_; }
 
  private:

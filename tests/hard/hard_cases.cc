@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kLargestCube = 8;  // 256 points; beyond, 2^n tells nothing new
 const std::string kCross = "cross_polytope", kCube = "cube", kSimplex = "simplex";
+const std::string kPoint = "point", kAroundOrigin = "around_origin";
 
 std::vector<HardCase> bodies_and_boxes() {
   return {{"hard_point", {{"body", kCross}}},
@@ -71,6 +72,53 @@ std::vector<HardCase> origin() {
           {"hard_flat", {{"crossing", false}, {"delta", 1e-300}}}};
 }
 
+std::vector<HardCase> balls() {
+  return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}},
+          {"hard_tangent_disc", {{"epsilon", 1e-8}}, 50, true},
+          {"hard_tangent_disc", {{"epsilon", 0.0}}},
+          {"hard_p_norm_ball", {{"p", 1.0}}},
+          {"hard_p_norm_ball", {{"p", 1 + 1e-6}}, 50, true},
+          {"hard_p_norm_ball", {{"p", 1.5}}, 50, true},
+          {"hard_p_norm_ball", {}, 50, true},
+          {"hard_p_norm_ball", {{"p", 100.0}}, 50, true},
+          {"hard_p_norm_ball", {{"p", 1e6}}, 50, true},
+          {"hard_p_norm_ball", {{"object", kPoint}}, 50, true},
+          {"hard_p_norm_ball", {{"object", kAroundOrigin}}},
+          {"hard_ellipsoid", {{"aspect", 1.0}}},
+          {"hard_ellipsoid", {}},
+          {"hard_ellipsoid", {{"aspect", 1e8}}},
+          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kPoint}}},
+          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kAroundOrigin}}}};
+}
+
+std::vector<HardCase> cones() {
+  std::vector<HardCase> all;
+  for (const std::string shape : {"truncated", "cone", "cylinder", "inverted"}) {
+    for (const std::string place : {"side", "cap", "rim", "axis"}) {
+      all.push_back({"hard_truncated_cone", {{"shape", shape}, {"place", place}}});
+    }
+  }
+  all.push_back({"hard_truncated_cone", {{"place", std::string("axis")}, {"object", kPoint}}});
+  all.push_back({"hard_truncated_cone", {{"object", kAroundOrigin}}});
+  return all;
+}
+
+std::vector<HardCase> capsules() {
+  std::vector<HardCase> all;
+  for (const std::string place : {"side", "cap", "seam", "tip"}) {
+    all.push_back({"hard_capsule", {{"place", place}}});
+    all.push_back({"hard_capsule", {{"ratio", 1e3}, {"place", place}}});
+  }
+  all.push_back({"hard_capsule", {{"ratio", 1e-3}}});
+  all.push_back({"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}});
+  all.push_back({"hard_capsule", {{"object", kAroundOrigin}}});
+  for (const std::string body : {"cone", "cylinder", "capsule"}) {
+    all.push_back({"hard_near_axis", {{"body", body}}, 50, body == "capsule"});
+    all.push_back({"hard_near_axis", {{"body", body}, {"object", kPoint}}, 50, body == "capsule"});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<HardCase> hard_cases() {
@@ -78,6 +126,12 @@ std::vector<HardCase> hard_cases() {
   for (const auto& group : {bodies_and_boxes(), planted(), thin(), origin()}) {
     all.insert(all.end(), group.begin(), group.end());
   }
+  return all;
+}
+
+std::vector<HardCase> smooth_hard_cases() {
+  std::vector<HardCase> all;
+  for (const auto& group : {balls(), cones(), capsules()}) all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 

@@ -15,11 +15,14 @@ struct HardCase {
   std::string generator;
   Parameters parameters;
   int largest_n = 50;
-  bool rounded = false;  ///< the exact distance is no double: the generator's is the nearest one
+  bool rounded = false;  ///< the exact distance is no double: the generator's is one beside it
 };
 
-/// Every hard family with an exact distance, in the variants that differ in kind.
+/// Every hard family of point sets with an exact distance, in the variants that differ in kind.
 std::vector<HardCase> hard_cases();
+
+/// The same for balls of several norms and bodies of revolution.
+std::vector<HardCase> smooth_hard_cases();
 
 /// Families whose distance no formula gives, meant for dimensions up to 8 and more.
 std::vector<HardCase> hard_cases_of_unknown_distance();

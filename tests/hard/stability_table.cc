@@ -81,7 +81,7 @@ void run(const Settings& settings) {
               "family");
   std::printf("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   Row total;
-  for (const auto& cases : {hard_cases(), hard_cases_of_unknown_distance()}) {
+  for (const auto& cases : {hard_cases(), hard_cases_of_unknown_distance(), smooth_hard_cases()}) {
     for (const HardCase& tested : cases) {
       Row row;
       for (const int n : dimensions_of(tested, kLargestDimension)) measure(tested, n, settings, row);
@@ -98,7 +98,7 @@ void run(const Settings& settings) {
 }
 
 DistanceMethod method_from(const std::string& name) {
-  for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane}) {
+  for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
     if (to_string(method) == name) return method;
   }
   throw std::invalid_argument("no such method: " + name);
