@@ -45,6 +45,12 @@ bool scales_exactly(const PointSet& S, const double* factor) {
   return true;
 }
 
+bool scales_exactly(const ConvexSet& S, const double* factor) {
+  const PointSet* points = as_point_set(S);
+  return points != nullptr ? scales_exactly(*points, factor)
+                           : factor[0] >= kLeastFactor && factor[0] <= 1 / kLeastFactor;
+}
+
 // Whether all magnitudes are so near to 1 and, in Q, to each other that nothing is to be scaled: what the
 // exponents would say, in a few comparisons.
 bool is_moderate(const PointSet& S, double least) {
@@ -83,6 +89,20 @@ void Scaling::compute(const PointSet& A, const PointSet& Q) {
   distance_shift_ = common_Q - common_A;
   if (scales_exactly(A, factor_A_.data()) && scales_exactly(Q, factor_Q_.data())) return;
   leave_alone(n);
+}
+
+void Scaling::compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude) {
+  const int n = A.dimension();
+  const auto size = static_cast<std::size_t>(n);
+  factor_A_.reserve(size);
+  factor_Q_.reserve(size);
+  leave_alone(n);
+  const int common = exponent_of(magnitude);
+  if (!std::isfinite(magnitude) || common <= kNoExponent || std::abs(common) <= kTolerated) return;
+  std::fill_n(factor_A_.data(), n, std::ldexp(1.0, -common));
+  std::fill_n(factor_Q_.data(), n, std::ldexp(1.0, -common));
+  trivial_A_ = trivial_Q_ = false;
+  if (!scales_exactly(A, factor_A_.data()) || !scales_exactly(Q, factor_Q_.data())) leave_alone(n);
 }
 
 void Scaling::leave_alone(int n) {

@@ -25,6 +25,10 @@ class Scaling {
 
   void compute(const PointSet& A, const PointSet& Q);
 
+  /// One power of two for all coordinates of any two sets, which leaves d as it is. `magnitude` is that of
+  /// the larger one.
+  void compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude);
+
   bool trivial_A() const noexcept { return trivial_A_; }
   bool trivial_Q() const noexcept { return trivial_Q_; }
   const double* factor_A() const noexcept { return factor_A_.data(); }

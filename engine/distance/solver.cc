@@ -8,6 +8,7 @@
 
 #include "engine/distance/newton.h"
 #include "engine/distance/point_set_direct.h"
+#include "engine/distance/scaling.h"
 #include "engine/distance/support_direct.h"
 #include "engine/distance/weighted_points.h"
 #include "engine/distance/zheng_yamane.h"
@@ -49,6 +50,7 @@ struct DistanceSolver::Workspace {
   SupportDirect support_direct;
   SupportOracle oracle_A;
   SupportOracle oracle_Q;
+  Scaling scaling;  // of the oracles
   ZhengYamane zheng_yamane;
   Newton newton;
   Concluded concluded = Concluded::point_set_direct;
@@ -59,6 +61,7 @@ struct DistanceSolver::Workspace {
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void bind_oracles(const ConvexSet& A, const ConvexSet& Q);
   void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
 };
 
@@ -104,22 +107,33 @@ void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet
   }
 }
 
-void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
-  concluded = Concluded::support_direct;
-  const int n = A.dimension();
+// The tolerances of the linear program suit sets of magnitude 1.
+void DistanceSolver::Workspace::bind_oracles(const ConvexSet& A, const ConvexSet& Q) {
   const Kernels& kernels = kernels_for(options.instruction_set);
   oracle_A.bind(A, nullptr, kernels);
   oracle_Q.bind(Q, nullptr, kernels);
-  support_direct.begin(oracle_A, oracle_Q, n, options, kernels);
+  scaling.compute_common(A, Q, std::max(oracle_A.magnitude(), oracle_Q.magnitude()));
+  if (scaling.trivial_A()) return;
+  oracle_A.bind(A, scaling.factor_A(), kernels);
+  oracle_Q.bind(Q, scaling.factor_Q(), kernels);
+}
+
+void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  concluded = Concluded::support_direct;
+  const int n = A.dimension();
+  bind_oracles(A, Q);
+  support_direct.begin(oracle_A, oracle_Q, n, options, kernels_for(options.instruction_set));
   result.status = support_direct.run(stopwatch);
   result.lower = support_direct.lower();
   result.upper = support_direct.upper();
   // In this order an objective that is not a number gives way to the lower bound.
   result.distance = std::max(result.lower, std::min(support_direct.objective(), result.upper));
-  result.normal = Vector::Map(support_direct.normal(), n);
+  result.normal = scaling.factor_A()[0] * Vector::Map(support_direct.normal(), n);
   result.counters = support_direct.counters();
   if (double* contact = result.room_for_contact(effects, n)) {
     support_direct.contact_point(contact);
+    const double share = result.status == DistanceStatus::contains_origin ? 0.0 : 1 / scaling.factor_A()[0];
+    for (int k = 0; k < n; ++k) contact[k] *= share;
     ++result.counters.witness_evaluations;
   }
 }
@@ -175,6 +189,7 @@ bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
       break;
     case Workspace::Concluded::support_direct:
       workspace_->support_direct.contact_combination(combination);
+      combination.scale(1 / workspace_->scaling.factor_A()[0]);
       break;
     case Workspace::Concluded::zheng_yamane:
       workspace_->zheng_yamane.contact_combination(combination);

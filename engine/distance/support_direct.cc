@@ -146,6 +146,10 @@ DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
   offer_A(point_A_.data());
   offer_Q(point_Q_.data());
   program_.start(points_A_, points_Q_, guess, kGuessError);
+  if (A_->inner_radius() > 0) {
+    lower_ = upper_ = 0;
+    return DistanceStatus::contains_origin;
+  }
   double best_lower = -1;
   double best_upper = kInfinity;
   double best_objective = kInfinity;

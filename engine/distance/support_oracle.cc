@@ -30,10 +30,15 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
       magnitude_[k] *= factor_[k];
       largest = std::max(largest, magnitude_[k]);
     }
+    largest_magnitude_ = largest;
     coordinate_error_ = ConvexSet::rounding_error(S.dimension()) * largest + kUnderflow;
     return;
   }
   coordinate_error_ = 0;
+  largest_magnitude_ = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    largest_magnitude_ = std::max(largest_magnitude_, points_->coordinate_magnitude()[k] * factor_[k]);
+  }
   working_.choose(*points_, factor_, factor == nullptr, false);
   if (working_.is_complete()) return;
   const auto growth = static_cast<std::size_t>(WorkingSet::growth(*points_));
@@ -92,9 +97,12 @@ SupportValue SupportOracle::verify_points(const double* u, double sign, double k
 }
 
 double SupportOracle::inner_radius() {
-  if (points_ != nullptr || factor_ != unit_.data()) return 0;
-  std::fill_n(direction_.data(), set_->dimension(), 0.0);
-  return set_->inner_radius_unchecked(direction_.data());
+  if (points_ != nullptr) return 0;
+  const int n = set_->dimension();
+  std::fill_n(direction_.data(), n, 0.0);
+  const double radius =
+      set_->inner_radius_unchecked(direction_.data()) * *std::min_element(factor_, factor_ + n);
+  return std::isnormal(radius) ? radius : 0.0;
 }
 
 void SupportOracle::center(double* point) {

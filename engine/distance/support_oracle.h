@@ -33,6 +33,9 @@ class SupportOracle {
   /// set, whose support points are its own; rounding_error(n) max_k m_k for any other.
   double coordinate_error() const noexcept { return coordinate_error_; }
 
+  /// The largest of the magnitudes m_k of S' (ConvexSet::magnitude_unchecked).
+  double magnitude() const noexcept { return largest_magnitude_; }
+
   /// The radius of a ball around the origin inside S'; 0 where none is known.
   double inner_radius();
 
@@ -48,6 +51,7 @@ class SupportOracle {
   const Kernels* kernels_ = nullptr;
   WorkingSet working_;
   double coordinate_error_ = 0;
+  double largest_magnitude_ = 0;
   AlignedBuffer<double> unit_;  // n ones, where no scaling is asked for
   AlignedBuffer<double> direction_;
   AlignedBuffer<double> magnitude_;  // of a set that is no point set, scaled

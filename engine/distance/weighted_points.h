@@ -24,6 +24,13 @@ class WeightedPoints {
     std::copy_n(point, n_, points_.data() + static_cast<std::size_t>(count_) * size);
     weights_[static_cast<std::size_t>(count_++)] = weight;
   }
+
+  /// Multiplies every point by `factor`, a power of two.
+  void scale(double factor) noexcept {
+    const auto size = static_cast<std::size_t>(count_) * static_cast<std::size_t>(n_);
+    for (std::size_t k = 0; k < size; ++k) points_[k] *= factor;
+  }
+
   int count() const noexcept { return count_; }
   const double* point(int i) const noexcept { return points_.data() + std::ptrdiff_t{i} * n_; }
   double weight(int i) const noexcept { return weights_[static_cast<std::size_t>(i)]; }
