@@ -25,8 +25,8 @@ class Scaling {
 
   void compute(const PointSet& A, const PointSet& Q);
 
-  /// One power of two for all coordinates of any two sets, which leaves d as it is. `magnitude` is that of
-  /// the larger one.
+  /// One power of two for all coordinates of any two sets, which leaves d as it is and brings Q, whose
+  /// `magnitude` it is, to 1.
   void compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude);
 
   bool trivial_A() const noexcept { return trivial_A_; }

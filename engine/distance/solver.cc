@@ -107,12 +107,12 @@ void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet
   }
 }
 
-// The tolerances of the linear program suit sets of magnitude 1.
+// The tolerances of the linear program suit a gauge body of magnitude 1.
 void DistanceSolver::Workspace::bind_oracles(const ConvexSet& A, const ConvexSet& Q) {
   const Kernels& kernels = kernels_for(options.instruction_set);
   oracle_A.bind(A, nullptr, kernels);
   oracle_Q.bind(Q, nullptr, kernels);
-  scaling.compute_common(A, Q, std::max(oracle_A.magnitude(), oracle_Q.magnitude()));
+  scaling.compute_common(A, Q, oracle_Q.magnitude());
   if (scaling.trivial_A()) return;
   oracle_A.bind(A, scaling.factor_A(), kernels);
   oracle_Q.bind(Q, scaling.factor_Q(), kernels);

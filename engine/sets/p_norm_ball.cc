@@ -101,13 +101,17 @@ void PNormBall::do_magnitude(double* magnitude) const {
 // Euclidean norm has ‖z‖_p <= 1 for p >= 2, <= n^(1/p - 1/2) below.
 double PNormBall::do_inner_radius(const double* x) const {
   const int n = dimension();
-  double shift = 0;  // the sum of magnitudes, never below g
+  double sum = 0, largest = 0;  // of |x_k - c_k|/w_k
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < n; ++k) {
     if (semi_axes_[k] == 0) return 0;
-    shift += std::fabs(x[k] - center_[k]) / semi_axes_[k];
+    const double part = std::fabs(x[k] - center_[k]) / semi_axes_[k];
+    sum += part;
+    largest = std::max(largest, part);
     least = std::min(least, semi_axes_[k]);
   }
+  // Both are bounds on g: the norm falls as p grows, and n^(1/p) times the maximum covers it.
+  const double shift = std::min(sum, largest * std::pow(n, 1 / p_) * (1 + 1e-12));
   const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
   const double left = 1 - shift - (n + 4) * std::numeric_limits<double>::epsilon();
   return left > 0 ? left * least / norm * (1 - 1e-12) : 0.0;

@@ -72,51 +72,77 @@ std::vector<HardCase> origin() {
           {"hard_flat", {{"crossing", false}, {"delta", 1e-300}}}};
 }
 
+// n up to 50; then whether the distance is rounded, and up to which n it is certified to 1e-12 and to 1e-6.
 std::vector<HardCase> balls() {
-  return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}},
-          {"hard_tangent_disc", {{"epsilon", 1e-8}}, 50, true},
-          {"hard_tangent_disc", {{"epsilon", 0.0}}},
-          {"hard_p_norm_ball", {{"p", 1.0}}},
-          {"hard_p_norm_ball", {{"p", 1 + 1e-6}}, 50, true},
-          {"hard_p_norm_ball", {{"p", 1.5}}, 50, true},
-          {"hard_p_norm_ball", {}, 50, true},
-          {"hard_p_norm_ball", {{"p", 100.0}}, 50, true},
-          {"hard_p_norm_ball", {{"p", 1e6}}, 50, true},
-          {"hard_p_norm_ball", {{"object", kPoint}}, 50, true},
+  return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}, 50, false, 0, 0},
+          {"hard_tangent_disc", {{"epsilon", 1e-8}}, 50, true, 0, 0},
+          {"hard_tangent_disc", {{"epsilon", 0.0}}, 50, false, 0, 0},
+          {"hard_p_norm_ball", {{"p", 1.0}}, 50, false, 5},
+          {"hard_p_norm_ball", {{"p", 1 + 1e-6}}, 50, true, 0},
+          {"hard_p_norm_ball", {{"p", 1.5}}, 50, true, 8},
+          {"hard_p_norm_ball", {}, 50, true, 2},
+          {"hard_p_norm_ball", {{"p", 100.0}}, 50, true, 2},
+          {"hard_p_norm_ball", {{"p", 1e6}}, 50, true, 2},
+          {"hard_p_norm_ball", {{"object", kPoint}}, 50, true, 2},
           {"hard_p_norm_ball", {{"object", kAroundOrigin}}},
-          {"hard_ellipsoid", {{"aspect", 1.0}}},
-          {"hard_ellipsoid", {}},
-          {"hard_ellipsoid", {{"aspect", 1e8}}},
-          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kPoint}}},
+          {"hard_ellipsoid", {{"aspect", 1.0}}, 50, false, 8},
+          {"hard_ellipsoid", {}, 50, false, 0},
+          {"hard_ellipsoid", {{"aspect", 1e8}}, 50, false, 0, 0},
+          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kPoint}}, 50, false, 0, 0},
           {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kAroundOrigin}}}};
 }
 
+HardCase cone(const std::string& shape, const std::string& place, int certified_n, int answered_n = 8) {
+  return {"hard_truncated_cone", {{"shape", shape}, {"place", place}}, 50, false, certified_n, answered_n};
+}
+
 std::vector<HardCase> cones() {
-  std::vector<HardCase> all;
-  for (const std::string shape : {"truncated", "cone", "cylinder", "inverted"}) {
-    for (const std::string place : {"side", "cap", "rim", "axis"}) {
-      all.push_back({"hard_truncated_cone", {{"shape", shape}, {"place", place}}});
-    }
-  }
-  all.push_back({"hard_truncated_cone", {{"place", std::string("axis")}, {"object", kPoint}}});
-  all.push_back({"hard_truncated_cone", {{"object", kAroundOrigin}}});
-  return all;
+  return {cone("truncated", "side", 2),
+          cone("truncated", "cap", 3),
+          cone("truncated", "rim", 5),
+          cone("truncated", "axis", 3),
+          cone("cone", "side", 2, 2),
+          cone("cone", "cap", 5),
+          cone("cone", "rim", 5),
+          cone("cone", "axis", 5),
+          cone("cylinder", "side", 2),
+          cone("cylinder", "cap", 5),
+          cone("cylinder", "rim", 5),
+          cone("cylinder", "axis", 5),
+          cone("inverted", "side", 2),
+          cone("inverted", "cap", 3),
+          cone("inverted", "rim", 2),
+          cone("inverted", "axis", 3),
+          {"hard_truncated_cone", {{"place", std::string("axis")}, {"object", kPoint}}, 50, false, 8},
+          {"hard_truncated_cone", {{"object", kAroundOrigin}}}};
+}
+
+HardCase capsule(const std::string& place, double ratio, int certified_n, int answered_n = 8) {
+  return {"hard_capsule", {{"place", place}, {"ratio", ratio}}, 50, false, certified_n, answered_n};
 }
 
 std::vector<HardCase> capsules() {
-  std::vector<HardCase> all;
-  for (const std::string place : {"side", "cap", "seam", "tip"}) {
-    all.push_back({"hard_capsule", {{"place", place}}});
-    all.push_back({"hard_capsule", {{"ratio", 1e3}, {"place", place}}});
-  }
-  all.push_back({"hard_capsule", {{"ratio", 1e-3}}});
-  all.push_back({"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}});
-  all.push_back({"hard_capsule", {{"object", kAroundOrigin}}});
-  for (const std::string body : {"cone", "cylinder", "capsule"}) {
-    all.push_back({"hard_near_axis", {{"body", body}}, 50, body == "capsule"});
-    all.push_back({"hard_near_axis", {{"body", body}, {"object", kPoint}}, 50, body == "capsule"});
-  }
-  return all;
+  return {capsule("side", 1, 2),
+          capsule("cap", 1, 8),
+          capsule("seam", 1, 2),
+          capsule("tip", 1, 20),
+          capsule("side", 1e3, 0),
+          capsule("cap", 1e3, 0),
+          capsule("seam", 1e3, 0, 0),
+          capsule("tip", 1e3, 0),
+          capsule("side", 1e-3, 2),
+          {"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}},
+          {"hard_capsule", {{"object", kAroundOrigin}}}};
+}
+
+std::vector<HardCase> near_axis() {
+  const std::string kCone = "cone", kCylinder = "cylinder", kCapsule = "capsule";
+  return {{"hard_near_axis", {{"body", kCone}}, 50, false, 3},
+          {"hard_near_axis", {{"body", kCone}, {"object", kPoint}}, 50, false, 5},
+          {"hard_near_axis", {{"body", kCylinder}}, 50, false, 8},
+          {"hard_near_axis", {{"body", kCylinder}, {"object", kPoint}}},
+          {"hard_near_axis", {{"body", kCapsule}}, 50, true, 8},
+          {"hard_near_axis", {{"body", kCapsule}, {"object", kPoint}}, 50, true, 8}};
 }
 
 }  // namespace
@@ -131,7 +157,8 @@ std::vector<HardCase> hard_cases() {
 
 std::vector<HardCase> smooth_hard_cases() {
   std::vector<HardCase> all;
-  for (const auto& group : {balls(), cones(), capsules()}) all.insert(all.end(), group.begin(), group.end());
+  for (const auto& group : {balls(), cones(), capsules(), near_axis()})
+    all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 

@@ -53,13 +53,13 @@ void expect_status_is_true(const DistanceResult& result, double exact_distance) 
 }
 
 void solve_everything(const HardCase& tested, DistanceMethod method) {
-  constexpr int kPoints = 100, kRepetitions = 3, kLargestDimension = 50, kCertifiedDimension = 20;
+  constexpr int kPoints = 100, kRepetitions = 3, kLargestDimension = 50;
   DistanceOptions options;
   options.method = method;
   options.tolerance = kTolerance;
   DistanceSolver solver;
   for (const int n : dimensions_of(tested, kLargestDimension)) {
-    options.time_limit = n > kCertifiedDimension ? 1 : kInfinity;
+    options.time_limit = n > tested.certified_n ? 1 : kInfinity;
     solver.set_options(options);
     for (int repetition = 0; repetition < kRepetitions; ++repetition) {
       const Instance instance = generate(tested.generator, {3, n, kPoints, repetition}, tested.parameters);
@@ -69,7 +69,7 @@ void solve_everything(const HardCase& tested, DistanceMethod method) {
                    std::string(to_string(result.status)));
       expect_bounds_hold(result, *instance.exact_distance, tested.rounded);
       expect_status_is_true(result, *instance.exact_distance);
-      EXPECT_TRUE(n > kCertifiedDimension || is_certified(result.status));
+      EXPECT_TRUE(n > tested.certified_n || is_certified(result.status));
     }
   }
 }
