@@ -71,10 +71,12 @@ std::vector<std::map<std::string, std::string>> stability_lines(const std::strin
 
 TEST_F(HardExperiments, FindNoWrongAnswerOfOursAndKnowEveryTruth) {
   const std::set<std::string> kOurs = {"direct", "zheng_yamane", "newton", "exact"};
+  const std::vector<std::string> kSmaller = {"--set", "sweep.n=3",          "--set", "sweep.tolerance=1e-6",
+                                             "--set", "sweep.repetitions=1"};
   for (const std::string name : {"hard_smoke", "hard_smooth"}) {
-    const auto run =
-        run_raygauge({"run", shipped(name + ".toml"), "--set", "sweep.n=2,5", "--set", "sweep.tolerance=1e-6",
-                      "--set", "sweep.repetitions=1", "--quiet", "-o", name + ".h5"});
+    std::vector<std::string> arguments = {"run", shipped(name + ".toml"), "--quiet", "-o", name + ".h5"};
+    if (name == "hard_smooth") arguments.insert(arguments.end(), kSmaller.begin(), kSmaller.end());
+    const auto run = run_raygauge(arguments);
     ASSERT_EQ(run.status, 0) << run.err;
     const auto table = run_raygauge({"table", name + ".h5", "--stability", "--format", "csv"});
     ASSERT_EQ(table.status, 0) << table.err;
