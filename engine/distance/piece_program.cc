@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNoPivot = 1e-15;        // of a pivot, relative to the largest entry
 constexpr double kSlightly = 1e-14;       // how far the model of a piece may exceed the maximum
+constexpr double kSlack = 1e-13;          // of dependent equations, relative to the curvature
 constexpr double kLeastCurvature = 1e-9;  // added where the pieces have none, relative to the points
 
 }  // namespace
@@ -95,7 +96,14 @@ void PieceProgram::add_differences(const PieceList& list, double sign, int row) 
   }
 }
 
+// Where edges of A and Q are parallel, as those of homothets are, their rows are dependent: a little slack on
+// each makes the weights unique.
 bool PieceProgram::solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q) {
+  return solve_system(u, objective, A, Q, 0) || solve_system(u, objective, A, Q, kSlack);
+}
+
+bool PieceProgram::solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q,
+                                double slack) {
   const int rows_A = n_;
   const int rows_Q = rows_A + A.active_count - 1;
   const int size = rows_Q + Q.active_count - 1;
@@ -122,6 +130,10 @@ bool PieceProgram::solve_system(const double* u, const Objective& objective, Pie
     row[j] += kNoPivot * along;
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
+  }
+  for (int i = n_; slack > 0 && i < size; ++i) {
+    const double* row = K + std::ptrdiff_t{i} * columns_;
+    K[std::ptrdiff_t{i} * columns_ + i] = -slack * dot(row, row, n_) / along;
   }
   if (!eliminate(size)) return false;
   read_weights(A, objective.weight_A, rows_A);

@@ -36,6 +36,7 @@ class PieceProgram {
  private:
   void warm_start(PieceList& list);
   bool solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q);
+  bool solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q, double slack);
   void add_curvature(const PieceList& list, double weight);
   void add_differences(const PieceList& list, double sign, int row);
   bool eliminate(int size);

@@ -12,6 +12,7 @@
 #include "engine/distance/solver.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
+#include "engine/sets/capsule.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/point_set.h"
 #include "engine/sets/truncated_cone.h"
@@ -175,6 +176,22 @@ TEST(NewtonMethod, FindsTheFaceOfABoxThatABallTouches) {
       EXPECT_NEAR(result.distance, truth, 1e-9 * truth);
     }
   }
+}
+
+// Edges of homothets are parallel, and the conditions that hold their pieces together are dependent.
+TEST(NewtonMethod, FindsTheSideThatTwoCapsulesTouchAlong) {
+  DistanceOptions options;
+  options.method = DistanceMethod::newton;
+  options.tolerance = 1e-12;
+  DistanceSolver solver(options);
+  const Vector half = (Vector(3) << 3, 4, 0).finished(), c = (Vector(3) << -8, 6, 1).finished() * 4;
+  const Capsule A(c - half, c + half, 1), Q(-half, half, 1);
+  const DistanceResult& result = solver.solve(A, Q);
+  const double truth = c.norm() - 1;  // c is across the axis, and Q's side reaches it
+  EXPECT_EQ(result.status, DistanceStatus::optimal);
+  EXPECT_LE(result.lower, truth * (1 + 1e-15));
+  EXPECT_GE(result.upper, truth * (1 - 1e-15));
+  EXPECT_LE(result.counters.support_queries, 100);
 }
 
 TEST(NewtonMethod, IsDirectOnPointSets) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/distance/object_distance.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
@@ -98,6 +99,31 @@ TEST_P(GeneralSets, ThatAreHiddenPointSetsGetTheSameAnswer) {
     EXPECT_EQ(hidden.status, DistanceStatus::optimal);
     EXPECT_LE(hidden.lower, open.upper);
     EXPECT_LE(open.lower, hidden.upper);
+  }
+}
+
+// The linear program scales sets far from magnitude 1: what it answers is in the sets' own units.
+TEST_P(GeneralSets, OfAnyMagnitudeHaveNormalsAndContactsInTheirOwnUnits) {
+  for (const double unit : {0x1p-40, 1.0, 0x1p20, 0x1p100}) {
+    const Vector center = unit * (Vector(3) << 6, 8, 0).finished();
+    const Ball A(center, 2 * unit), Q(Vector::Zero(3), unit);
+    const DistanceResult result = DistanceSolver(options(1e-9)).solve(A, Q, Effects::witness);
+    expect_result(result, 8, 1e-9);
+    EXPECT_NEAR(Q.support_function(-result.normal), 1, 1e-12) << unit;
+    EXPECT_NEAR(-A.support_function(result.normal), 8, 1e-7) << unit;
+    EXPECT_LE((result.contact_point - 0.8 * center).norm(), 1e-3 * unit);
+  }
+}
+
+TEST_P(GeneralSets, OfAnyMagnitudeHaveClosestPointsInTheirOwnUnits) {
+  for (const double unit : {0x1p-40, 1.0, 0x1p20}) {
+    const Ball A1(Vector::Zero(2), unit), A2(unit * Vector::Unit(2, 0) * 5, unit), Q(Vector::Zero(2), unit);
+    ObjectDistanceSolver solver(options(1e-9));
+    const ObjectDistance& result = solver.solve(A1, A2, Q, ObjectEffects::closest_points);
+    expect_result(result.distance, 3, 1e-9);
+    ASSERT_EQ(result.closest_point_1.size(), 2);
+    EXPECT_LE((result.closest_point_1 - unit * Vector::Unit(2, 0)).norm(), 1e-3 * unit);
+    EXPECT_LE((result.closest_point_2 - 4 * unit * Vector::Unit(2, 0)).norm(), 1e-3 * unit);
   }
 }
 

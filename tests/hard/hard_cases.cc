@@ -97,19 +97,19 @@ HardCase cone(const std::string& shape, const std::string& place, int certified_
 }
 
 std::vector<HardCase> cones() {
-  return {cone("truncated", "side", 2),
+  return {cone("truncated", "side", 5),
           cone("truncated", "cap", 3),
           cone("truncated", "rim", 5),
           cone("truncated", "axis", 3),
-          cone("cone", "side", 2, 2),
+          cone("cone", "side", 2, 5),
           cone("cone", "cap", 5),
           cone("cone", "rim", 5),
           cone("cone", "axis", 5),
-          cone("cylinder", "side", 2),
+          cone("cylinder", "side", 5),
           cone("cylinder", "cap", 5),
           cone("cylinder", "rim", 5),
           cone("cylinder", "axis", 5),
-          cone("inverted", "side", 2),
+          cone("inverted", "side", 5),
           cone("inverted", "cap", 3),
           cone("inverted", "rim", 2),
           cone("inverted", "axis", 3),
@@ -117,18 +117,18 @@ std::vector<HardCase> cones() {
           {"hard_truncated_cone", {{"object", kAroundOrigin}}}};
 }
 
-HardCase capsule(const std::string& place, double ratio, int certified_n, int answered_n = 8) {
-  return {"hard_capsule", {{"place", place}, {"ratio", ratio}}, 50, false, certified_n, answered_n};
+HardCase capsule(const std::string& place, double ratio, int certified_n) {
+  return {"hard_capsule", {{"place", place}, {"ratio", ratio}}, 50, false, certified_n};
 }
 
 std::vector<HardCase> capsules() {
-  return {capsule("side", 1, 2),
+  return {capsule("side", 1, 8),
           capsule("cap", 1, 8),
-          capsule("seam", 1, 2),
-          capsule("tip", 1, 20),
+          capsule("seam", 1, 8),
+          capsule("tip", 1, 8),
           capsule("side", 1e3, 0),
           capsule("cap", 1e3, 0),
-          capsule("seam", 1e3, 0, 0),
+          capsule("seam", 1e3, 0),
           capsule("tip", 1e3, 0),
           capsule("side", 1e-3, 2),
           {"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}},
