@@ -117,17 +117,10 @@ const AnalysisColumn& analysis_column(const std::string& name, const std::string
   throw UnknownNameError("column", name, known, place);
 }
 
-bool is_solved(const Record& record) {
-  return record.status == DistanceStatus::optimal || record.status == DistanceStatus::contains_origin ||
-         record.status == DistanceStatus::unreachable;
-}
-
 double relative_gap(const Record& record) {
   const double absolute = gap(record);
   return absolute == 0 ? 0 : absolute / record.upper;
 }
-
-double time_or_infinity(const Record& record) { return is_solved(record) ? record.seconds : kInfinity; }
 
 double number_of(const AnalysisColumn& column, const Record& record) {
   if (column.type == ValueType::text)

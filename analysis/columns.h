@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/sweep/agreement.h"
 #include "engine/sweep/record.h"
 #include "results/column.h"
 
@@ -29,16 +30,9 @@ const AnalysisColumn& analysis_column(const std::string& name, const std::string
 /// The column of that name or alias, or nullptr.
 const AnalysisColumn* find_analysis_column(const std::string& name);
 
-/// Whether the solve came to an answer: optimal, contains_origin or unreachable. Limits are not answers.
-bool is_solved(const Record& record);
-
 /// (upper - lower) / upper; 0 where both bounds are equal (also both 0 or both infinite), NaN where either is
 /// missing.
 double relative_gap(const Record& record);
-
-/// The record's time in seconds, or +infinity if it is not solved: an order statistic of such values says
-/// what a user would have waited at least.
-double time_or_infinity(const Record& record);
 
 /// The value of a column as a number: booleans are 0 and 1, times of unsolved records +infinity. Throws
 /// InvalidParameterError for a column of texts.

@@ -15,6 +15,7 @@
 #include "bench/streaming_pass.h"
 #include "bench/timed_medians.h"
 #include "engine/distance/solver.h"
+#include "engine/sweep/order_statistics.h"
 
 namespace raygauge::bench {
 namespace {
@@ -84,9 +85,9 @@ double against_pass(const Variant& variant, int n, int N, int instances) {
       solves.push_back(seconds_of(solve));
       passes.push_back(seconds_of(pass));
     }
-    ratios.push_back(median(solves) / median(passes));
+    ratios.push_back(sample_median(solves) / sample_median(passes));
   }
-  return median(ratios);
+  return sample_median(ratios);
 }
 
 // Median over instances of (solve by one thread / by two), the two timed in turns.
@@ -108,9 +109,9 @@ double gain_of_two_threads(const Variant& variant, int n, int N, int instances) 
       by_one.push_back(solve_by(one));
       by_two.push_back(solve_by(two));
     }
-    ratios.push_back(median(by_one) / median(by_two));
+    ratios.push_back(sample_median(by_one) / sample_median(by_two));
   }
-  return median(ratios);
+  return sample_median(ratios);
 }
 
 double print_pass_cell(const Variant& variant, int n, int N, int instances) {

@@ -14,6 +14,7 @@
 
 #include "bench/workload.h"
 #include "engine/distance/point_set_direct.h"
+#include "engine/sweep/order_statistics.h"
 
 namespace raygauge::bench {
 namespace {
@@ -28,11 +29,6 @@ struct Pair {
   double proven = std::numeric_limits<double>::infinity();
   double trusted = std::numeric_limits<double>::infinity();
 };
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 double seconds_of(PointSetDirect& solver, const Instance& instance, const DistanceOptions& options,
                   DistanceResult& result) {
@@ -62,7 +58,7 @@ Pair measure_cell(int n, int N, const Settings& settings) {
     proven.push_back(best.proven);
     trusted.push_back(best.trusted);
   }
-  return {median(proven), median(trusted)};
+  return {sample_median(proven), sample_median(trusted)};
 }
 
 void print_grid(const Settings& settings) {
@@ -76,7 +72,7 @@ void print_grid(const Settings& settings) {
                   ratios.back());
     }
   }
-  std::printf("ratio over the grid: median %.3f, largest %.3f\n", median(ratios),
+  std::printf("ratio over the grid: median %.3f, largest %.3f\n", sample_median(ratios),
               *std::max_element(ratios.begin(), ratios.end()));
 }
 

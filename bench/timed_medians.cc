@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "bench/timed_medians.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
 #include <utility>
 
+#include "engine/sweep/order_statistics.h"
 #include "engine/sweep/timed_solve.h"
 
 namespace raygauge::bench {
@@ -17,12 +17,6 @@ namespace {
 constexpr double kMinSeconds = 2e-4;
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 double seconds_of(const std::function<void()>& call) {
   const auto begin = std::chrono::steady_clock::now();
@@ -45,7 +39,7 @@ std::vector<double> median_solve_seconds(const std::vector<std::string>& methods
     }
   }
   std::vector<double> medians;
-  for (std::vector<double>& of_method : seconds) medians.push_back(median(std::move(of_method)));
+  for (std::vector<double>& of_method : seconds) medians.push_back(sample_median(std::move(of_method)));
   return medians;
 }
 

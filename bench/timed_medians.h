@@ -10,8 +10,6 @@
 
 namespace raygauge::bench {
 
-double median(std::vector<double> values);
-
 /// Seconds of one call.
 double seconds_of(const std::function<void()>& call);
 

@@ -71,6 +71,10 @@ std::optional<double> claim_of(const Record& record) {
   }
 }
 
+bool is_solved(const Record& record) { return claim_of(record).has_value(); }
+
+double time_or_infinity(const Record& record) { return is_solved(record) ? record.seconds : kInfinity; }
+
 bool proofs_meet(const Record& a, const Record& b) { return meet(interval_of(a), interval_of(b)); }
 
 void mark_agreement(std::span<Record> records) {

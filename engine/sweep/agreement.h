@@ -18,6 +18,13 @@ inline constexpr double kAgreementRounding = 1e-12;
 /// (unreachable); empty for one that stopped at a limit.
 std::optional<double> claim_of(const Record& record);
 
+/// Whether the solve came to an answer: optimal, contains_origin or unreachable. Limits are not answers.
+bool is_solved(const Record& record);
+
+/// The record's time in seconds, or +infinity if it is not solved: an order statistic of such values says
+/// what a user would have waited at least.
+double time_or_infinity(const Record& record);
+
 /// Whether the bounds that two records of one instance have proven have a point in common, up to
 /// kAgreementRounding. Unset bounds are 0 and +∞.
 bool proofs_meet(const Record& a, const Record& b);

@@ -5,22 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/sweep/agreement.h"
 #include "engine/sweep/order_statistics.h"
 
 namespace raygauge {
 namespace {
-
-double waiting_time(const Record& record) {
-  const bool solved = record.status == DistanceStatus::optimal ||
-                      record.status == DistanceStatus::contains_origin ||
-                      record.status == DistanceStatus::unreachable;
-  return solved ? record.seconds : std::numeric_limits<double>::infinity();
-}
 
 bool median_known(std::vector<double> seconds, double within) {
   const std::optional<OrderStatisticInterval> interval = order_statistic_interval(seconds);
@@ -42,7 +35,7 @@ bool medians_known(std::span<const Record> records, std::size_t methods, double 
   for (std::size_t method = 0; method < methods; ++method) {
     std::vector<double> seconds;
     for (std::size_t i = method; i < records.size(); i += methods) {
-      if (records[i].agrees) seconds.push_back(waiting_time(records[i]));
+      if (records[i].agrees) seconds.push_back(time_or_infinity(records[i]));
     }
     if (!median_known(std::move(seconds), within)) return false;
   }

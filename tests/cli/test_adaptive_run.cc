@@ -19,19 +19,8 @@ namespace {
 
 using testing::ProgramResult;
 
-constexpr const char* kExperiment = R"(name = "adaptive"
-[sweep]
-n = [3, 4]
-N = [20, 30, 40]
-repetitions = 60
-min_repetitions = 8
-[[generator]]
-name = "example2"
-[[method]]
-name = "direct"
-[[method]]
-name = "zheng_yamane"
-)";
+const std::string kExperiment = testing::example2_experiment(
+    "name = \"adaptive\"\n", "n = [3, 4]\nN = [20, 30, 40]\nrepetitions = 60\nmin_repetitions = 8\n");
 constexpr std::size_t kMethods = 2;
 
 /// What the file above with the option below comes to.

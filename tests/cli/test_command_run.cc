@@ -10,8 +10,7 @@
 #include <thread>
 
 #include "results/results_file.h"
-#include "tests/cli/program.h"
-#include "tests/results/support.h"
+#include "tests/cli/program_fixture.h"
 
 namespace raygauge::test_command_run {
 namespace {
@@ -20,20 +19,8 @@ using testing::ProgramResult;
 using testing::read_bytes;
 using testing::write_bytes;
 
-constexpr const char* kExperiment = R"(name = "small"
-[sweep]
-n = [3, 4]
-N = [20, 30]
-repetitions = 2
-[[generator]]
-name = "example2"
-[[method]]
-name = "direct"
-[[method]]
-name = "zheng_yamane"
-[run]
-threads = 1
-)";
+const std::string kExperiment = testing::example2_experiment(
+    "name = \"small\"\n", "n = [3, 4]\nN = [20, 30]\nrepetitions = 2\n", "[run]\nthreads = 1\n");
 
 class RunCommand : public ::testing::Test {
  protected:

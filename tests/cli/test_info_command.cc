@@ -17,21 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kExperiment = R"(name = "small"
-description = "two cells"
-[sweep]
-n = [3, 5]
-N = 20
-repetitions = 2
-[[generator]]
-name = "example2"
-[[method]]
-name = "direct"
-[[method]]
-name = "zheng_yamane"
-[run]
-threads = 1
-)";
+const std::string kExperiment =
+    example2_experiment("name = \"small\"\ndescription = \"two cells\"\n",
+                        "n = [3, 5]\nN = 20\nrepetitions = 2\n", "[run]\nthreads = 1\n");
 
 class InfoCommand : public ProgramTest {
  protected:

@@ -12,8 +12,7 @@
 #include <tuple>
 
 #include "results/results_file.h"
-#include "tests/cli/program.h"
-#include "tests/results/support.h"
+#include "tests/cli/program_fixture.h"
 
 namespace raygauge::test_run_killed {
 namespace {
@@ -25,21 +24,9 @@ constexpr int kKills = 20;
 constexpr double kLongestLifeSeconds = 0.25;
 
 /// 24 cells. A sample of 2 ms makes the sweep long enough to be hit.
-constexpr const char* kExperiment = R"(name = "killed"
-[sweep]
-n = [3, 4, 6, 8]
-N = [20, 50, 100]
-tolerance = [1e-3, 1e-6]
-repetitions = 3
-[[generator]]
-name = "example2"
-[[method]]
-name = "direct"
-[[method]]
-name = "zheng_yamane"
-[run]
-min_seconds = 2e-3
-)";
+const std::string kExperiment = testing::example2_experiment(
+    "name = \"killed\"\n", "n = [3, 4, 6, 8]\nN = [20, 50, 100]\ntolerance = [1e-3, 1e-6]\nrepetitions = 3\n",
+    "[run]\nmin_seconds = 2e-3\n");
 
 using RecordKey = std::tuple<std::uint64_t, int, std::string>;
 
