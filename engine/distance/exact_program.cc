@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/kernel/kernel.h"
+#include "engine/splitmix64.h"
 
 namespace raygauge {
 namespace {
@@ -17,14 +18,6 @@ std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
 std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }
 
 constexpr int kLowestTop = -1000;  // 2^1000 is a double
-
-// SplitMix64: fixed, so that a solve is reproducible.
-std::uint64_t scrambled(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
-}
 
 // For exponents that may leave the range of int: beyond ±kFarOut every double is 0 or infinite anyway.
 int clamped(std::int64_t exponent) {
@@ -103,7 +96,7 @@ void ExactProgram::make_nonnegative() {
 void ExactProgram::perturb() {
   constexpr std::uint64_t kDistinct = 1U << 20;
   for (int i = 0; i < m_; ++i) {
-    product_.assign_scaled(static_cast<double>(1 + scrambled(static_cast<std::uint64_t>(i)) % kDistinct), 0);
+    product_.assign_scaled(static_cast<double>(1 + splitmix64(static_cast<std::uint64_t>(i)) % kDistinct), 0);
     perturbed(i).assign_product(D_, product_);
   }
 }

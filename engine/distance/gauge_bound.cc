@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "engine/distance/gauge_bound.h"
 
-#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "engine/floating_point.h"
+#include "engine/splitmix64.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kFirstNormalError = 0.25;  // of the first normal, relative
 
-// Coordinates in [1/2, 1) of either sign that no structured set is aligned with: multiples of the golden
-// ratio.
+// Coordinates in [1/2, 1) of either sign, between which no linear relation of small integers holds, so that
+// the target lies on no facet of a structured set. (Multiples of the golden ratio are related: φ + 2φ = 3φ.)
 double generic_coordinate(int k) {
-  const double whole = (k + 1) * 0.6180339887498949;
-  const double fraction = whole - std::floor(whole);
+  const double fraction = static_cast<double>(splitmix64(static_cast<std::uint64_t>(k))) * 0x1p-64;
   return (k % 2 == 0 ? 0.5 : -0.5) * (1 + fraction);
 }
 

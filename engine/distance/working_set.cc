@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/splitmix64.h"
+
 namespace raygauge {
 namespace {
 
@@ -12,14 +14,6 @@ constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
 // Coordinates of a sample from which on pricing it in single precision saves more than making the copy takes.
 constexpr std::ptrdiff_t kWorthRounding = 8192;
-
-// SplitMix64: which block of a stratum is taken. Fixed, so that a solve is reproducible.
-std::uint64_t scramble(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
-}
 
 // Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
 // the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
@@ -74,7 +68,7 @@ void WorkingSet::place_single(std::ptrdiff_t position, const double* slot) {
 
 PricedPoints WorkingSet::view() const noexcept {
   return {blocks_, (size_ + kLanes - 1) / kLanes, single_blocks_,
-          (size_ + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes};
+          (size_ + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes, size_};
 }
 
 void WorkingSet::take_all(const PointSet& S, const double* factor, bool trivial) {
@@ -105,7 +99,8 @@ void WorkingSet::take_sample(const PointSet& S, const double* factor, std::ptrdi
   for (std::ptrdiff_t s = 0; s < blocks; ++s) {
     const std::ptrdiff_t first = s * S.block_count() / blocks;
     const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
-    const auto jump = static_cast<std::ptrdiff_t>(scramble(static_cast<std::uint64_t>(s)) %
+    // Which block of the stratum is fixed, so that a solve is reproducible.
+    const auto jump = static_cast<std::ptrdiff_t>(splitmix64(static_cast<std::uint64_t>(s)) %
                                                   static_cast<std::uint64_t>(width));
     const std::ptrdiff_t b = first + jump;
     for (int k = 0; k < n_; ++k) {
@@ -121,12 +116,16 @@ void WorkingSet::take_sample(const PointSet& S, const double* factor, std::ptrdi
 void WorkingSet::place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride,
                        const double* factor) {
   double* slot = copy_.data() + (position / kLanes) * n_ * kLanes + position % kLanes;
-  // A new block starts with all its lanes equal, so that the unused ones never win.
-  const std::ptrdiff_t lanes = position % kLanes == 0 ? kLanes : 1;
+  double largest = magnitude_;
   for (int k = 0; k < n_; ++k) {
     const double value = (factor != nullptr ? factor[k] : 1.0) * point[k * stride];
-    for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) slot[k * kLanes + lane] = value;
-    magnitude_ = std::max(magnitude_, std::fabs(value));
+    slot[k * kLanes] = value;
+    largest = std::max(largest, std::fabs(value));
+  }
+  magnitude_ = largest;
+  // A new block starts with all its lanes equal, so that the unused ones never win.
+  if (position % kLanes == 0) {
+    for (int k = 0; k < n_; ++k) std::fill_n(slot + k * kLanes + 1, kLanes - 1, slot[k * kLanes]);
   }
   if (in_single_) place_single(position, slot);
 }
