@@ -51,7 +51,7 @@ void Basis::reset(int m, const Kernels& kernels) {
   kernels_ = &kernels;
   const int P = padded_rows(m);
   const std::size_t matrix = static_cast<std::size_t>(P) * static_cast<std::size_t>(m + 1);
-  const std::size_t scratch = static_cast<std::size_t>(padded_rows(m + 1)) + 3 * static_cast<std::size_t>(P);
+  const std::size_t scratch = 19 * static_cast<std::size_t>(P);
   const std::size_t total = 2 * matrix + 6 * static_cast<std::size_t>(P) + scratch;
   memory_.reserve(total);
   ids_.reserve(static_cast<std::size_t>(P));
@@ -69,7 +69,7 @@ void Basis::reset(int m, const Kernels& kernels) {
   view_.cost = take(static_cast<std::size_t>(P));
   view_.w = take(static_cast<std::size_t>(P));
   view_.scratch = take(3 * static_cast<std::size_t>(P));
-  view_.row = take(scratch);
+  view_.columns = take(scratch);
   view_.id = ids_.data();
 }
 

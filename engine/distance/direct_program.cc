@@ -243,7 +243,7 @@ double DirectProgram::dual_length() const noexcept {
 double DirectProgram::proven_upper() {
   if (stage_ == Stage::reach) return kInfinity;
   // As accurate as the gap asks for, most basic solutions are from the start; the others are refined.
-  double upper = enclosed_upper(false);
+  double upper = loop_.gap_tolerance > 0 ? enclosed_upper(false) : kInfinity;
   if (!(upper < kInfinity)) upper = enclosed_upper(true);
   return upper < kInfinity ? upper : exact_upper();
 }

@@ -88,11 +88,11 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
       program_.raise_bounds();
       continue;
     }
-    const bool solved_there = end == DirectProgram::End::solved;
-    const bool trusted = trusts_simplex_ && solved_there;
+    const bool solved = end == DirectProgram::End::solved;
+    const bool trusted = trusts_simplex_ && solved;
     if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
-    if (solved_there && complete && certify_as_priced(effects, result)) return;
-    if (solved_there) program_.refresh_duals();
+    if (solved && complete && certify_as_priced(effects, result)) return;
+    if (solved) program_.refresh_duals();
     const double estimate = program_.objective();
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
@@ -108,8 +108,8 @@ void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& resul
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
     double upper = program_.proven_upper();
-    const bool solved = solved_there && !violated;
-    if (upper == kInfinity && (is_final(end) || restricted || solved)) upper = upper_despite_residual();
+    const bool concluded = is_final(end) || restricted || (solved && !violated);
+    if (upper == kInfinity && concluded) upper = upper_despite_residual();
     if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
     if (is_closed(lower, upper, tolerance_)) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
@@ -148,8 +148,8 @@ bool PointSetDirect::certify_as_priced(Effects effects, DistanceResult& result) 
   }
   const double lower = lower_bound(h_A_, h_Q_);
   const double upper = program_.proven_upper();
-  if (!is_closed(lower, upper, tolerance_)) return false;
-  counters_.support_queries = 2;
+  if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
+  counters_.support_queries += 2;
   finish(DistanceStatus::optimal, lower, upper, effects, result);
   return true;
 }

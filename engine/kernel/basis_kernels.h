@@ -20,15 +20,22 @@ inline int packs(const BasisView& basis) {
   return V > 0 ? V * kRowPadding / kWidth : basis.P / kWidth;
 }
 
-template <int V>
+// Number of equations: known at compile time for N > 0 dimensions.
+template <int N>
+inline int rows(const BasisView& basis) {
+  return N > 0 ? N + 1 : basis.m;
+}
+
+template <int V, int N>
 inline void ftran(BasisView* basis, const double* column) {
   const int P = V > 0 ? V * kRowPadding : basis->P;
+  const int m = rows<N>(*basis);
   if constexpr (V > 0) {
     constexpr int kPacks = V * kRowPadding / kWidth;
     Pack even[kPacks] = {};
     Pack odd[kPacks] = {};
     int k = 0;
-    for (; k + 1 < basis->m; k += 2) {
+    for (; k + 1 < m; k += 2) {
       const Pack a = broadcast(column[k]);
       const Pack b = broadcast(column[k + 1]);
       for (int p = 0; p < kPacks; ++p) {
@@ -36,7 +43,7 @@ inline void ftran(BasisView* basis, const double* column) {
         odd[p] += b * load(basis->R + (k + 1) * P + p * kWidth);
       }
     }
-    if (k < basis->m) {
+    if (k < m) {
       const Pack a = broadcast(column[k]);
       for (int p = 0; p < kPacks; ++p) even[p] += a * load(basis->R + k * P + p * kWidth);
     }
@@ -72,17 +79,18 @@ inline int ratio_test(const BasisView& basis) {
   const double bound = smallest_lane(smallest);
   if (!(bound < kInfinity)) return -1;
 
-  Pack largest = broadcast(0.0);
-  IndexPack where = broadcast_index(kNoIndex);
-  for (int p = 0; p < count; ++p) {
+  const auto blocking = [&](int p) {
     const Pack w = load(basis.w + p * kWidth);
-    const IndexPack blocks =
-        (load(x + p * kWidth) <= bound * w) & (w > broadcast(kPivotTolerance)) & (w > largest);
-    largest = blocks ? w : largest;
-    where = blocks ? lane_numbers<IndexPack>() + static_cast<long long>(p) * kWidth : where;
-  }
+    return (load(x + p * kWidth) <= bound * w) & (w > broadcast(kPivotTolerance)) ? w : Pack{};
+  };
+  Pack largest{};
+  for (int p = 0; p < count; ++p) largest = maximum(largest, blocking(p));
   const double pivot = largest_lane(largest);
-  return static_cast<int>(smallest_lane(largest == broadcast(pivot) ? where : broadcast_index(kNoIndex)));
+  if (!(pivot > 0)) return -1;  // x so large that rounding swallows the tolerance
+  int p = 0;
+  unsigned rows = 0;
+  while ((rows = lanes_equal(blocking(p), pivot)) == 0) ++p;
+  return p * kWidth + lowest_bit(rows);
 }
 
 // Bland: of the rows with the exact smallest ratio, the one with the smallest identity.
@@ -102,30 +110,39 @@ inline int bland_ratio_test(const BasisView& basis) {
 }
 
 // Replaces basic column r by `column`; w = R column is in place. Returns the step length θ.
-template <int V>
+template <int V, int N>
 inline double replace(BasisView* basis, int r, const double* column, double cost, double reduced_cost,
                       std::int64_t id) {
   const int P = V > 0 ? V * kRowPadding : basis->P;
   const int count = packs<V>(*basis);
   const double inverse_pivot = 1.0 / basis->w[r];
-  basis->w[r] -= 1.0;  // so that one formula updates row r too: R_rk - (R_rk/w_r)(w_r - 1) = R_rk/w_r
-  for (int k = 0; k <= basis->m; ++k) {
+  // Less 1 in row r, so that one formula updates it too: R_rk - (R_rk/w_r)(w_r - 1) = R_rk/w_r.
+  Pack fixed[V > 0 ? V * kRowPadding / kWidth : 1];
+  if constexpr (V > 0) {
+    // In registers: a vector that is read just after one of its lanes was written waits for the write.
+    for (int p = 0; p < count; ++p) {
+      const IndexPack lanes = lane_numbers<IndexPack>() + static_cast<long long>(p) * kWidth;
+      const Pack w = load(basis->w + p * kWidth);
+      fixed[p] = lanes == broadcast_index(r) ? w - 1.0 : w;
+    }
+  } else {
+    basis->w[r] -= 1.0;
+  }
+  const auto update = [&](int k) {
     double* Rk = basis->R + static_cast<std::ptrdiff_t>(k) * P;
     const double scaled = Rk[r] * inverse_pivot;
-    basis->row[k] = scaled;
     const Pack s = broadcast(scaled);
     for (int p = 0; p < count; ++p) {
-      store(Rk + p * kWidth, load(Rk + p * kWidth) - s * load(basis->w + p * kWidth));
+      const Pack w = V > 0 ? fixed[V > 0 ? p : 0] : load(basis->w + p * kWidth);
+      store(Rk + p * kWidth, load(Rk + p * kWidth) - s * w);
     }
-  }
-  const double theta = basis->row[basis->m];
-  basis->row[basis->m] = 0.0;
-  const Pack d = broadcast(reduced_cost);
+    return scaled;
+  };
+  const int m = rows<N>(*basis);
+  for (int k = 0; k < m; ++k) basis->y[k] += reduced_cost * update(k);
+  const double theta = update(m);
   double* Br = basis->B + static_cast<std::ptrdiff_t>(r) * P;
-  for (int p = 0; p < count; ++p) {
-    store(basis->y + p * kWidth, load(basis->y + p * kWidth) + d * load(basis->row + p * kWidth));
-    store(Br + p * kWidth, load(column + p * kWidth));
-  }
+  for (int p = 0; p < count; ++p) store(Br + p * kWidth, load(column + p * kWidth));
   basis->cost[r] = cost;
   basis->id[r] = id;
   basis->objective += theta * reduced_cost;
@@ -133,14 +150,14 @@ inline double replace(BasisView* basis, int r, const double* column, double cost
   return theta;
 }
 
-template <int V>
+template <int V, int N>
 inline int enter(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
                  bool bland, std::int64_t* left, double* theta) {
-  ftran<V>(basis, column);
+  ftran<V, N>(basis, column);
   const int r = bland ? bland_ratio_test(*basis) : ratio_test<V>(*basis);
   if (r < 0) return -1;
   *left = basis->id[r];
-  *theta = replace<V>(basis, r, column, cost, reduced_cost, id);
+  *theta = replace<V, N>(basis, r, column, cost, reduced_cost, id);
   return r;
 }
 
@@ -148,7 +165,7 @@ template <int V>
 PivotResult pivot_v(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
                     bool bland, std::int64_t* left) {
   double theta = 0;
-  const int row = enter<V>(basis, column, cost, reduced_cost, id, bland, left, &theta);
+  const int row = enter<V, 0>(basis, column, cost, reduced_cost, id, bland, left, &theta);
   return row < 0 ? PivotResult::no_pivot : PivotResult::ok;
 }
 

@@ -11,35 +11,8 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-// One candidate to enter the basis: a point of A (cost 0, convexity 1) or of Q (negated, cost 1, convexity
-// 0).
-struct Candidate {
-  const double* blocks;
-  std::ptrdiff_t index;
-  bool from_Q;
-};
-
 // Reduced costs below this, relative to the support value, are beyond single precision.
 constexpr double kSingleTolerance = 1e-6;
-
-// Duals and objective anew from the inverse: columns chosen in single precision entered with rounded reduced
-// costs.
-inline void refresh(BasisView* basis) {
-  plain_duals(basis);
-  basis->objective = 0;
-  for (int i = 0; i < basis->m; ++i) basis->objective += basis->cost[i] * basis->x()[i];
-}
-
-inline void form_column(const Candidate& candidate, int n, double* column) {
-  const double* p = candidate.blocks + (candidate.index / kLanes) * n * kLanes + candidate.index % kLanes;
-  if (candidate.from_Q) {
-    for (int k = 0; k < n; ++k) column[k] = -p[k * kLanes];
-    column[n] = 0.0;
-  } else {
-    for (int k = 0; k < n; ++k) column[k] = p[k * kLanes];
-    column[n] = 1.0;
-  }
-}
 
 inline double dual_length(const BasisView& basis) {
   double sum = 0;
@@ -47,112 +20,183 @@ inline double dual_length(const BasisView& basis) {
   return sum;
 }
 
-inline double reduced_cost(const BasisView& basis, const double* column, double cost) {
-  double sum = 0;
-  for (int k = 0; k < basis.m; ++k) sum += basis.y[k] * column[k];
-  return cost - sum;
+// What a pass over a set found worth trying: the best point of every lane, copied side by side as columns of
+// the linear program (points of Q negated). Pricing these again after every pivot costs next to nothing, and
+// every second pass is spared (multiple pricing, Orchard-Hays 1968).
+struct Shortlist {
+  double* block;                 // a block of points
+  std::ptrdiff_t index[kLanes];  // of the points in the set
+};
+
+// Of 16 lanes the better of each pair 8 apart.
+template <int N, class Real>
+inline void fill(Shortlist* list, const LaneMaxima<Real>& maxima, const PricedPoints& points, int n,
+                 double sign) {
+  const int dimension = N > 0 ? N : n;
+  const double* point[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const std::ptrdiff_t found = maxima.better_of(lane, lane + Vec<Real>::kPoints - kLanes);
+    const std::ptrdiff_t i = found < points.size ? found : points.size - 1;
+    list->index[lane] = i;
+    point[lane] = points.blocks + (i / kLanes) * dimension * kLanes + i % kLanes;
+  }
+  for (int k = 0; k < dimension; ++k) {
+    for (int t = 0; t < kPacksPerBlock; ++t) {
+      const auto coordinate = [&](int lane) { return point[t * kWidth + lane][k * kLanes]; };
+      store(list->block + k * kLanes + t * kWidth, pack_of(coordinate) * sign);
+    }
+  }
 }
 
-// The best point of each set at the present duals.
+// max y · column over the shortlist, without the columns' last entries.
+template <int N>
+inline double price_shortlist(const Shortlist& list, int n, const double* y, int* lane) {
+  Pack products[kPacksPerBlock];
+  dot_block<N>(list.block, n, y, products);
+  Pack top = products[0];
+  for (int t = 1; t < kPacksPerBlock; ++t) top = maximum(top, products[t]);
+  const double best = largest_lane(top);
+  unsigned lanes = 0;
+  for (int t = 0; t < kPacksPerBlock; ++t) lanes |= lanes_equal(products[t], best) << (t * kWidth);
+  *lane = lanes != 0 ? lowest_bit(lanes) : 0;
+  return best;
+}
+
+// Reduced costs of the best columns of both sets, and what is rounding in them.
+struct Candidates {
+  double d_A = 0;
+  double d_Q = 0;
+  double tolerance_A = 0;
+  double tolerance_Q = 0;
+
+  bool A_enters() const { return d_A < -tolerance_A; }
+  bool Q_enters() const { return d_Q < -tolerance_Q; }
+  bool any_enters() const { return A_enters() || Q_enters(); }
+};
+
+// A pass over both sets at the present duals.
 struct Pricing {
-  Candidate from_A;
-  Candidate from_Q;
   double h_A;
   double h_Q;
+  Candidates best;
+};
+
+template <class Real>
+struct Blocks {
+  const Real* data;
+  std::ptrdiff_t count;
 };
 
 template <int N, class Real>
-inline Pricing price_both(const BasisView& basis, const DirectLoop& loop, const Real* A,
-                          std::ptrdiff_t count_A, const Real* Q, std::ptrdiff_t count_Q, Real* u,
-                          Real* negative) {
-  const int n = basis.m - 1;
+inline Pricing price_both(const BasisView& basis, const DirectLoop& loop, Blocks<Real> A, Blocks<Real> Q,
+                          double cost_tolerance, Real* u, Real* negative, Shortlist* list_A,
+                          Shortlist* list_Q) {
+  const int n = N > 0 ? N : basis.m - 1;
+  const double t = basis.y[n];
+  // A column that enters for a reduced cost made of rounding can lead the pivots in circles. Summed before
+  // the passes, whose loads hide it.
+  const double length = dual_length(basis);
   for (int k = 0; k < n; ++k) {
     u[k] = static_cast<Real>(basis.y[k]);
     negative[k] = -u[k];
   }
-  Pricing best{{loop.A.blocks, 0, false}, {loop.Q.blocks, 0, true}, 0, 0};
-  best.h_A = price_n<N>(A, count_A, n, u, &best.from_A.index);
-  best.h_Q = price_n<N>(Q, count_Q, n, negative, &best.from_Q.index);
-  return best;
+  const LaneMaxima<Real> maxima_A = pass_over<N>(A.data, A.count, n, u);
+  const LaneMaxima<Real> maxima_Q = pass_over<N>(Q.data, Q.count, n, negative);
+  const double h_A = maxima_A.best();
+  const double h_Q = maxima_Q.best();
+  const Candidates best = {-(h_A + t), loop.cost_of_Q - h_Q,
+                           cost_tolerance * (absolute(t) + absolute(h_A)) + length * loop.noise_A,
+                           cost_tolerance + length * loop.noise_Q};
+  if (best.any_enters()) {
+    fill<N>(list_A, maxima_A, loop.A, n, 1.0);
+    fill<N>(list_Q, maxima_Q, loop.Q, n, -1.0);
+  }
+  return {h_A, h_Q, best};
+}
+
+// Pivots over the shortlists while something of them prices out, up to kMinorPivots. False if a column finds
+// no pivot. *gained is the fall of the objective.
+constexpr int kMinorPivots = 8;
+
+template <int V, int N>
+inline bool minor_iterations(BasisView* basis, DirectLoop* loop, Candidates best, const Shortlist& A,
+                             const Shortlist& Q, double* column, double* gained) {
+  const int n = N > 0 ? N : basis->m - 1;
+  for (int turn = 0; turn < kMinorPivots && basis->pivots < loop->pivot_limit; ++turn) {
+    const double t = basis->y[n];
+    int lane_A = 0;
+    int lane_Q = 0;
+    best.d_A = -(price_shortlist<N>(A, n, basis->y, &lane_A) + t);
+    best.d_Q = loop->cost_of_Q - price_shortlist<N>(Q, n, basis->y, &lane_Q);
+    if (!best.any_enters()) return true;
+    // The larger promised gain: α moves by at most 1, β by about the objective.
+    const bool take_A = best.A_enters() && (!best.Q_enters() || best.d_A < best.d_Q * absolute(t));
+    const Shortlist& list = take_A ? A : Q;
+    const int lane = take_A ? lane_A : lane_Q;
+    for (int k = 0; k < n; ++k) column[k] = list.block[k * kLanes + lane];
+    column[n] = take_A ? 1.0 : 0.0;
+    const double cost = take_A ? 0.0 : loop->cost_of_Q;
+    const double d = take_A ? best.d_A : best.d_Q;
+    const std::int64_t id = take_A ? id_of_A(list.index[lane]) : id_of_Q(list.index[lane]);
+    std::int64_t left = 0;
+    double theta = 0;
+    if (enter<V, N>(basis, column, cost, d, id, loop->bland, &left, &theta) < 0) return false;
+    if (left < 0) --loop->artificials;
+    *gained -= theta * d;
+  }
+  return true;
 }
 
 template <int V, int N>
 LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
-  const int n = basis->m - 1;
-  constexpr int kFixed = V > 0 ? V * kRowPadding : 1;
-  alignas(64) double fixed[3][kFixed] = {};
-  double* column = V > 0 ? fixed[0] : basis->row + padded_rows(basis->m + 1);
-  double* u = V > 0 ? fixed[1] : column + basis->P;
-  double* negative = V > 0 ? fixed[2] : u + basis->P;
+  constexpr int kRows = V > 0 ? V * kRowPadding : 1;
+  alignas(64) double fixed_column[kRows] = {};  // padded with zeros
+  alignas(64) double fixed_u[2][kRows];
+  alignas(64) double fixed_lists[2][kRows * kLanes];
+  double* column = V > 0 ? fixed_column : basis->columns;
+  double* u = V > 0 ? fixed_u[0] : column + basis->P;
+  double* negative = V > 0 ? fixed_u[1] : u + basis->P;
+  Shortlist list_A;
+  Shortlist list_Q;
+  list_A.block = V > 0 ? fixed_lists[0] : negative + basis->P;
+  list_Q.block = V > 0 ? fixed_lists[1] : list_A.block + static_cast<std::ptrdiff_t>(basis->P) * kLanes;
   // Half the bytes and twice the lanes while there is much to gain; every column's own arithmetic is in
   // double.
   bool single = loop->A.single_blocks != nullptr && loop->Q.single_blocks != nullptr && !loop->bland;
   int idle = 0;
   const int patience = 8 * basis->m + 64;
   while (basis->pivots < loop->pivot_limit) {
-    const double t = basis->y[n];
-    // A column that enters for a reduced cost made of rounding can lead the pivots in circles. Summed before
-    // the pricing, whose loads hide it.
-    const double length = dual_length(*basis);
-    const Pricing best = single
-                             ? price_both<N>(*basis, *loop, loop->A.single_blocks, loop->A.single_block_count,
-                                             loop->Q.single_blocks, loop->Q.single_block_count,
-                                             reinterpret_cast<float*>(u), reinterpret_cast<float*>(negative))
-                             : price_both<N>(*basis, *loop, loop->A.blocks, loop->A.block_count,
-                                             loop->Q.blocks, loop->Q.block_count, u, negative);
+    const Pricing pricing =
+        single ? price_both<N, float>(*basis, *loop, {loop->A.single_blocks, loop->A.single_block_count},
+                                      {loop->Q.single_blocks, loop->Q.single_block_count}, kSingleTolerance,
+                                      reinterpret_cast<float*>(u), reinterpret_cast<float*>(negative),
+                                      &list_A, &list_Q)
+               : price_both<N, double>(*basis, *loop, {loop->A.blocks, loop->A.block_count},
+                                       {loop->Q.blocks, loop->Q.block_count}, loop->cost_tolerance, u,
+                                       negative, &list_A, &list_Q);
     loop->points_priced += (loop->A.block_count + loop->Q.block_count) * kLanes;
     ++loop->pricings;
-    const double cost_tolerance = single ? kSingleTolerance : loop->cost_tolerance;
-    const double d_A = -(best.h_A + t);
-    const double d_Q = loop->cost_of_Q - best.h_Q;
-    const double tolerance_A = cost_tolerance * (absolute(t) + absolute(best.h_A)) + length * loop->noise_A;
-    const double tolerance_Q = cost_tolerance + length * loop->noise_Q;
-    const bool A_enters = d_A < -tolerance_A;
-    const bool Q_enters = d_Q < -tolerance_Q;
-    if (!A_enters && !Q_enters) {
-      if (!single) {
-        loop->h_A = best.h_A;
-        loop->h_Q = best.h_Q;
-        return LoopEnd::optimal;
+    loop->h_A = pricing.h_A;
+    loop->h_Q = pricing.h_Q;
+    if (!single) {
+      if (!pricing.best.any_enters()) return LoopEnd::optimal;
+      if (loop->artificials == 0 && pricing.h_Q > 0 &&
+          basis->objective + pricing.h_A / pricing.h_Q <= loop->gap_tolerance * basis->objective) {
+        return LoopEnd::gap;
       }
-      single = false;
-      refresh(basis);
-      continue;
     }
-    if (!single && loop->artificials == 0 && best.h_Q > 0 &&
-        basis->objective + best.h_A / best.h_Q <= loop->gap_tolerance * basis->objective) {
-      loop->h_A = best.h_A;
-      loop->h_Q = best.h_Q;
-      return LoopEnd::gap;
-    }
-    // The larger promised gain first: α moves by at most 1, β by about the objective.
-    const bool A_first = A_enters && (!Q_enters || d_A < d_Q * absolute(t));
     double gained = 0;
-    for (int turn = 0; turn < 2; ++turn) {
-      const bool take_A = (turn == 0) == A_first;
-      if (!(take_A ? A_enters : Q_enters)) continue;
-      const Candidate& candidate = take_A ? best.from_A : best.from_Q;
-      form_column(candidate, n, column);
-      const double cost = take_A ? 0.0 : loop->cost_of_Q;
-      double d = take_A ? d_A : d_Q;
-      if (turn == 1) {
-        d = reduced_cost(*basis, column, cost);
-        if (!(d < -(take_A ? tolerance_A : tolerance_Q))) continue;
-      }
-      std::int64_t left = 0;
-      double theta = 0;
-      const std::int64_t id = take_A ? id_of_A(candidate.index) : id_of_Q(candidate.index);
-      if (enter<V>(basis, column, cost, d, id, loop->bland, &left, &theta) < 0) return LoopEnd::unbounded;
-      if (left < 0) --loop->artificials;
-      gained -= theta * d;
+    if (pricing.best.any_enters() &&
+        !minor_iterations<V, N>(basis, loop, pricing.best, list_A, list_Q, column, &gained)) {
+      return LoopEnd::unbounded;
     }
     if (gained > 1e-14 * absolute(basis->objective)) {
       idle = 0;
-    } else if (++idle > (single ? basis->m : patience) && !loop->bland) {
-      if (!single) return LoopEnd::stalled;
-      single = false;
-      idle = 0;
-      refresh(basis);
+    } else if (single) {
+      single = ++idle <= basis->m && gained > 0;
+      if (!single) idle = 0;
+    } else if (++idle > patience && !loop->bland) {
+      return LoopEnd::stalled;
     }
   }
   return LoopEnd::pivot_limit;

@@ -27,7 +27,7 @@ struct BasisView {
   double* cost = nullptr;      ///< m costs c_B, padded
   std::int64_t* id = nullptr;  ///< m identities, meaning chosen by the caller
   double* w = nullptr;         ///< scratch, P
-  double* row = nullptr;       ///< scratch, padded_rows(m + 1) + 3 P
+  double* columns = nullptr;   ///< scratch, 19 P: three columns and two blocks of points
   double* scratch = nullptr;   ///< 3 P, for the certificate
   double objective = 0;        ///< c_B·x
   std::int64_t pivots = 0;
@@ -43,6 +43,7 @@ struct PricedPoints {
   std::ptrdiff_t block_count = 0;
   const float* single_blocks = nullptr;
   std::ptrdiff_t single_block_count = 0;
+  std::ptrdiff_t size = 0;  ///< points; the lanes beyond, as many as fill the last block, repeat the last one
 };
 
 /// How a run of the simplex loop over priced points ended.

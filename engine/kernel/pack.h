@@ -4,6 +4,10 @@
 // Vectors of kWidth doubles, and what the kernels need of them. Part of kernel_impl.h.
 #pragma once
 
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 #include "engine/kernel/kernel.h"
 
 namespace raygauge::RAYGAUGE_ISA {
@@ -44,9 +48,22 @@ using IndexPack = Vec<double>::Index;
 inline Pack load(const double* p) { return *reinterpret_cast<const Pack*>(p); }
 inline Vec<float>::Pack load(const float* p) { return *reinterpret_cast<const Vec<float>::Pack*>(p); }
 inline void store(double* p, Pack v) { *reinterpret_cast<Pack*>(p) = v; }
-inline Pack broadcast(double a) { return Pack{} + a; }
-inline Vec<float>::Pack broadcast(float a) { return Vec<float>::Pack{} + a; }
-inline IndexPack broadcast_index(long long a) { return IndexPack{} + a; }
+// Less zero, not plus: -0.0 + 0.0 is another number, and the addition would be carried out.
+inline Pack broadcast(double a) { return a - Pack{}; }
+inline Vec<float>::Pack broadcast(float a) { return a - Vec<float>::Pack{}; }
+inline IndexPack broadcast_index(long long a) { return a - IndexPack{}; }
+// Of f(0), f(1), …, built in a register: one that was written lane by lane in memory would be waited for.
+template <class F>
+inline Pack pack_of(F f) {
+  if constexpr (kWidth == 2) {
+    return Pack{f(0), f(1)};
+  } else if constexpr (kWidth == 4) {
+    return Pack{f(0), f(1), f(2), f(3)};
+  } else {
+    return Pack{f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
+  }
+}
+
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
 inline double absolute(double a) { return __builtin_fabs(a); }
 
@@ -80,6 +97,48 @@ template <class V>
 inline auto smallest_lane(V v) {
   return reduce_lanes(v, [](V a, V b) { return a < b ? a : b; })[0];
 }
+
+// A comparison of v's lanes with a, as bits: lane 0 is bit 0.
+#if defined(__AVX512F__)
+inline unsigned lanes_equal(Pack v, double a) { return _mm512_cmp_pd_mask(v, broadcast(a), _CMP_EQ_OQ); }
+inline unsigned lanes_above(Pack v, double a) { return _mm512_cmp_pd_mask(v, broadcast(a), _CMP_GT_OQ); }
+inline unsigned lanes_equal(Vec<float>::Pack v, float a) {
+  return _mm512_cmp_ps_mask(v, broadcast(a), _CMP_EQ_OQ);
+}
+inline unsigned lanes_above(Vec<float>::Pack v, float a) {
+  return _mm512_cmp_ps_mask(v, broadcast(a), _CMP_GT_OQ);
+}
+#elif defined(__AVX2__)
+inline unsigned bits_of(__m256d mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask)); }
+inline unsigned bits_of(__m256 mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
+inline unsigned lanes_equal(Pack v, double a) { return bits_of(_mm256_cmp_pd(v, broadcast(a), _CMP_EQ_OQ)); }
+inline unsigned lanes_above(Pack v, double a) { return bits_of(_mm256_cmp_pd(v, broadcast(a), _CMP_GT_OQ)); }
+inline unsigned lanes_equal(Vec<float>::Pack v, float a) {
+  return bits_of(_mm256_cmp_ps(v, broadcast(a), _CMP_EQ_OQ));
+}
+inline unsigned lanes_above(Vec<float>::Pack v, float a) {
+  return bits_of(_mm256_cmp_ps(v, broadcast(a), _CMP_GT_OQ));
+}
+#else
+template <class V, class Real>
+inline unsigned lanes_equal(V v, Real a) {
+  unsigned bits = 0;
+  for (int lane = 0; lane < static_cast<int>(sizeof(V) / sizeof(Real)); ++lane) {
+    bits |= static_cast<unsigned>(v[lane] == a) << lane;
+  }
+  return bits;
+}
+template <class V, class Real>
+inline unsigned lanes_above(V v, Real a) {
+  unsigned bits = 0;
+  for (int lane = 0; lane < static_cast<int>(sizeof(V) / sizeof(Real)); ++lane) {
+    bits |= static_cast<unsigned>(v[lane] > a) << lane;
+  }
+  return bits;
+}
+#endif
+
+inline int lowest_bit(unsigned bits) { return __builtin_ctz(bits); }
 
 // 0, 1, 2, …
 template <class Index>

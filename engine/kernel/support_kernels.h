@@ -9,7 +9,7 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-// Per-lane running maxima with the block each stems from.
+// The best point so far in every lane of a block, with the block it stems from.
 template <class Real>
 struct LaneMaxima {
   using Pack = typename Vec<Real>::Pack;
@@ -26,14 +26,15 @@ struct LaneMaxima {
     }
   }
 
-  void take(const Pack* sum, std::ptrdiff_t b) {
+  void take(const Pack* sum, Index b) {
     for (int t = 0; t < kPacksPerBlock; ++t) {
       const Index better = sum[t] > value[t];
       value[t] = better ? sum[t] : value[t];
-      block[t] = better ? Index{} + static_cast<Integer>(b) : block[t];
+      block[t] = better ? b : block[t];
     }
   }
 
+  // Of points with the same product the first is kept.
   void merge(const LaneMaxima& other) {
     for (int t = 0; t < kPacksPerBlock; ++t) {
       const Index better =
@@ -43,20 +44,33 @@ struct LaneMaxima {
     }
   }
 
-  // The maximum over all lanes, ties to the smallest point index.
-  Real reduce(std::ptrdiff_t* index) const {
+  Real best() const {
     Pack top = value[0];
     for (int t = 1; t < kPacksPerBlock; ++t) top = value[t] > top ? value[t] : top;
-    const Real best = largest_lane(top);
-    const Index none = Index{} + Vec<Real>::kNoIndex;
-    Index where = none;
-    for (int t = 0; t < kPacksPerBlock; ++t) {
-      const Index points = block[t] * Vec<Real>::kPoints + (lane_numbers<Index>() + t * Vec<Real>::kCount);
-      const Index winners = value[t] == Pack{} + best ? points : none;
-      where = winners < where ? winners : where;
+    return largest_lane(top);
+  }
+
+  // The first of the points whose product is `best`.
+  std::ptrdiff_t first_of(Real best) const {
+    unsigned lanes = 0;
+    for (int t = 0; t < kPacksPerBlock; ++t) lanes |= lanes_equal(value[t], best) << (t * Vec<Real>::kCount);
+    std::ptrdiff_t first = lanes != 0 ? point_in(lowest_bit(lanes)) : 0;
+    while ((lanes &= lanes - 1) != 0) {
+      const std::ptrdiff_t other = point_in(lowest_bit(lanes));
+      first = other < first ? other : first;
     }
-    *index = smallest_lane(where);
-    return best;
+    return first;
+  }
+
+  // The better of the best points of two lanes.
+  std::ptrdiff_t better_of(int a, int b) const {
+    constexpr int kCount = Vec<Real>::kCount;
+    return point_in(value[b / kCount][b % kCount] > value[a / kCount][a % kCount] ? b : a);
+  }
+
+  std::ptrdiff_t point_in(int lane) const {
+    constexpr int kCount = Vec<Real>::kCount;
+    return static_cast<std::ptrdiff_t>(block[lane / kCount][lane % kCount]) * Vec<Real>::kPoints + lane;
   }
 };
 
@@ -100,26 +114,43 @@ inline void dot_blocks(const Real* p, int n, const Real* u, typename Vec<Real>::
   }
 }
 
-// Several chains of maxima side by side: one alone would wait for its own comparison and blend at every
-// block.
+// One chain of maxima waits for its own comparison and blend at every block; where a block is soon done, two
+// side by side.
+template <int N>
+constexpr int kChains = N > 0 && N <= 4 ? 2 : 1;
+
+template <int N, class Real>
+inline LaneMaxima<Real> pass_over(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u) {
+  using V = Vec<Real>;
+  constexpr int C = N > 0 && N <= 6 ? 4 : 2;  // blocks multiplied together: their chains of additions overlap
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * V::kPoints;
+  LaneMaxima<Real> maxima[kChains<N>];
+  typename V::Index number{};  // of the block; as a vector it need not be broadcast each time
+  std::ptrdiff_t b = 0;
+  for (; b + C <= block_count; b += C) {
+    typename V::Pack sum[C][kPacksPerBlock];
+    dot_blocks<N, C>(blocks + b * stride, n, u, sum);
+#pragma GCC unroll 8
+    for (int c = 0; c < C; ++c) {
+      maxima[c % kChains<N>].take(sum[c], number);
+      number += 1;
+    }
+  }
+  for (; b < block_count; ++b, number += 1) {
+    typename V::Pack sum[kPacksPerBlock];
+    dot_block<N>(blocks + b * stride, n, u, sum);
+    maxima[0].take(sum, number);
+  }
+  for (int c = 1; c < kChains<N>; ++c) maxima[0].merge(maxima[c]);
+  return maxima[0];
+}
+
 template <int N, class Real>
 Real price_n(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u, std::ptrdiff_t* index) {
-  constexpr int kChains = N <= 6 ? 4 : 2;
-  LaneMaxima<Real> maxima[kChains];
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * Vec<Real>::kPoints;
-  std::ptrdiff_t b = 0;
-  for (; b + kChains <= block_count; b += kChains) {
-    typename Vec<Real>::Pack sum[kChains][kPacksPerBlock];
-    dot_blocks<N, kChains>(blocks + b * stride, n, u, sum);
-    for (int c = 0; c < kChains; ++c) maxima[c].take(sum[c], b + c);
-  }
-  for (int c = 0; b < block_count; ++b, ++c) {
-    typename Vec<Real>::Pack sum[kPacksPerBlock];
-    dot_block<N>(blocks + b * stride, n, u, sum);
-    maxima[c].take(sum, b);
-  }
-  for (int c = 1; c < kChains; ++c) maxima[0].merge(maxima[c]);
-  return maxima[0].reduce(index);
+  const LaneMaxima<Real> maxima = pass_over<N>(blocks, block_count, n, u);
+  const Real best = maxima.best();
+  *index = maxima.first_of(best);
+  return best;
 }
 
 template <class Real>
@@ -192,21 +223,19 @@ void halve(Collection* c) {
   c->count = keep;
 }
 
-void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const double v = sum[lane / kWidth][lane % kWidth];
-    if (v > c->threshold) {
-      if (c->count == c->capacity) {
-        halve(c);
-        if (!(v > c->threshold)) continue;
-      }
-      c->index[c->count] = b * kLanes + lane;
+// Adds those of one block's products that are above the threshold.
+inline void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
+  for (int t = 0; t < kPacksPerBlock; ++t) {
+    for (unsigned above = lanes_above(sum[t], c->threshold); above != 0; above &= above - 1) {
+      const int lane = lowest_bit(above);
+      const double v = sum[t][lane];
+      if (c->count == c->capacity) halve(c);
+      if (!(v > c->threshold)) continue;  // raised since
+      c->index[c->count] = b * kLanes + t * kWidth + lane;
       c->value[c->count++] = v;
     }
   }
 }
-
-inline bool any_above(Pack v, double threshold) { return largest_lane(v) > threshold; }
 
 template <int N>
 double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
@@ -223,7 +252,7 @@ double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last
       for (int t = 0; t < kPacksPerBlock; ++t) top = maximum(top, sum[g][t]);
     }
     best = maximum(best, top);
-    if (any_above(top, collection->threshold)) [[unlikely]] {
+    if (lanes_above(top, collection->threshold) != 0) [[unlikely]] {
       for (int g = 0; g < kGroup; ++g) collect_block(sum[g], b + g, collection);
     }
   }

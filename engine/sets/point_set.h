@@ -49,7 +49,7 @@ class PointSet final : public ConvexSet {
   /// sets of up to kSingleNumbers coordinates, nullptr for larger ones. For choosing points, never for
   /// concluding from them.
   static constexpr int kSingleLanes = 16;
-  static constexpr std::ptrdiff_t kSingleNumbers = 6000;
+  static constexpr std::ptrdiff_t kSingleNumbers = 16384;
   const float* single_data() const noexcept { return single_data_.get(); }
   std::ptrdiff_t single_block_count() const noexcept { return (size_ + kSingleLanes - 1) / kSingleLanes; }
 

@@ -33,5 +33,23 @@ TEST_P(StretchedSets, TakeAFewPassesOverAllPoints) {
   EXPECT_EQ(result.counters.exact_pivots, 0);
 }
 
+// Blocks of 8 doubles and of 16 single-precision numbers are filled up with copies of the last point. One of
+// those was once taken for a point of its own, beyond the end of the doubles.
+TEST(PointSetDirect, DoesNotTakeFillingLanesForPoints) {
+  Random random(520);
+  DistanceSolver solver;
+  for (int N = 17; N <= 48; ++N) {
+    for (const int n : {2, 3, 5, 10}) {
+      Eigen::MatrixXd a = sphere_points(n, N, random);
+      const Eigen::MatrixXd q = sphere_points(n, N, random);
+      a.colwise() += 3 * sphere_points(n, 1, random).col(0);
+      const DistanceResult& result = solver.solve(PointSet(a), PointSet(q));
+      if (result.status == DistanceStatus::unreachable) continue;  // few points in many dimensions
+      EXPECT_EQ(result.status, DistanceStatus::optimal) << "n = " << n << ", N = " << N;
+      EXPECT_EQ(result.counters.refactorisations, 0) << "n = " << n << ", N = " << N;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_point_set_direct
