@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/distance/double_double.h"
 #include "engine/distance/exact_sum.h"
@@ -58,6 +59,7 @@ void DirectProgram::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   loop_.cost_tolerance = 4 * std::numeric_limits<double>::epsilon() * (n + 1);
   column_.reserve(static_cast<std::size_t>(padded_rows(n + 1)));
   guess_.reserve(static_cast<std::size_t>(n));
+  white_.reserve(static_cast<std::size_t>(n));
   single_.reserve(static_cast<std::size_t>(n));
 }
 
@@ -74,12 +76,12 @@ double DirectProgram::price_guess(const PricedPoints& points, double sign, std::
   return kernels_->price_single(points.single_blocks, points.single_block_count, n_, single_.data(), index);
 }
 
-// The point of A that the guess prefers, and artificial columns ±e_k signed so that the basic solution is
+// The point of A that the guess prefers, and artificial columns signed so that the basic solution is
 // nonnegative. The inverse of that basis is known in closed form.
-void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error) {
+void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error,
+                          const Frame* frame) {
   basis_.reset(n_ + 1, *kernels_);
   basis_.right_hand_side()[n_] = 1.0;
-  BasisView& view = basis_.view();
 
   // The guess, scaled to h_Q(-u) = 1 as the final normal will be.
   std::ptrdiff_t index = 0;
@@ -87,45 +89,81 @@ void DirectProgram::start(const WorkingSet& A, const WorkingSet& Q, const double
   const double h_Q = price_guess(Q.view(), -1.0, &index);
   const double length = h_Q > 0 ? 1.0 / h_Q : 1.0;
   price_guess(A.view(), 1.0, &index);
-  double scale = 0;
-  for (int k = 0; k < n_; ++k) {
-    guess_[static_cast<std::size_t>(k)] = length * guess[k];
-    scale = std::max(scale, std::fabs(length * guess[k]));
-  }
+  for (int k = 0; k < n_; ++k) guess_[static_cast<std::size_t>(k)] = length * guess[k];
 
   double* a = column_.data();
-  std::fill_n(a, view.P, 0.0);
+  std::fill_n(a, basis_.view().P, 0.0);
   A.copy_point(index, a);
   a[n_] = 1.0;
   basis_.set_column(n_, a, 0.0, id_of_A(index));
+  place_artificials(a, frame);
+  set_artificial_costs(guess_.data(), guess_error, frame);
+}
+
+// B = [F S, a; 0, 1] with the signs S: R = [S F⁻¹, -S F⁻¹ a; 0, 1], whose last column is x. F = I without a
+// frame.
+void DirectProgram::place_artificials(const double* a, const Frame* frame) {
+  BasisView& view = basis_.view();
   double* R_last = view.R + static_cast<std::ptrdiff_t>(n_) * view.P;
+  double* white = white_.data();
+  std::copy_n(a, n_, white);
+  if (frame != nullptr) {
+    std::fill_n(white, n_, 0.0);
+    for (int k = 0; k < n_; ++k) {
+      for (int i = 0; i < n_; ++i) white[i] += frame->inverse[static_cast<std::ptrdiff_t>(k) * n_ + i] * a[k];
+    }
+  }
   for (int k = 0; k < n_; ++k) {
-    const double sign = a[k] > 0 ? -1.0 : 1.0;
-    const std::ptrdiff_t diagonal = static_cast<std::ptrdiff_t>(k) * view.P + k;
-    view.B[diagonal] = sign;
-    view.R[diagonal] = sign;
+    const double sign = white[k] > 0 ? -1.0 : 1.0;
+    double* column = view.B + static_cast<std::ptrdiff_t>(k) * view.P;
+    if (frame == nullptr) {
+      column[k] = sign;
+      view.R[static_cast<std::ptrdiff_t>(k) * view.P + k] = sign;
+    } else {
+      for (int i = 0; i < n_; ++i) {
+        column[i] = sign * frame->F[static_cast<std::ptrdiff_t>(k) * n_ + i];
+        view.R[static_cast<std::ptrdiff_t>(i) * view.P + k] =
+            sign * frame->inverse[static_cast<std::ptrdiff_t>(i) * n_ + k];
+      }
+    }
     view.id[k] = -1 - k;
-    R_last[k] = -sign * a[k];
+    R_last[k] = -sign * white[k];
   }
   R_last[n_] = 1.0;
   std::copy_n(R_last, view.P, view.x());
   loop_.artificials = n_;
-  set_artificial_costs(guess_.data(), guess_error * scale);
 }
 
-void DirectProgram::set_artificial_costs(const double* guess, double slack) {
+// c_k = max(S_k F_k · guess, 0) + slack, and the duals of that basis: yᵀ F S = c.
+void DirectProgram::set_artificial_costs(const double* guess, double guess_error, const Frame* frame) {
   BasisView& view = basis_.view();
-  double t = 0;
-  double objective = 0;
+  double* white = white_.data();  // Fᵀ guess, then S c
+  double scale = 0;
   for (int k = 0; k < n_; ++k) {
-    const double sign = basis_.column(k)[k];
-    view.cost[k] = std::max(sign * guess[k], 0.0) + slack;
-    view.y[k] = sign * view.cost[k];
+    white[k] = guess[k];
+    if (frame != nullptr) {
+      white[k] = std::inner_product(guess, guess + n_, frame->F + static_cast<std::ptrdiff_t>(k) * n_, 0.0);
+    }
+    scale = std::max(scale, std::fabs(white[k]));
+  }
+  const double* x = view.x();
+  view.objective = 0;
+  for (int k = 0; k < n_; ++k) {
+    const double sign = std::signbit(basis_.column(k)[k]) ? -1.0 : 1.0;  // F_kk > 0
+    view.cost[k] = std::max(sign * white[k], 0.0) + guess_error * scale;
+    view.objective += view.cost[k] * x[k];
+    white[k] = sign * view.cost[k];
+  }
+  double t = 0;
+  for (int k = 0; k < n_; ++k) {
+    view.y[k] = white[k];
+    if (frame != nullptr) {
+      view.y[k] =
+          std::inner_product(white, white + n_, frame->inverse + static_cast<std::ptrdiff_t>(k) * n_, 0.0);
+    }
     t -= view.y[k] * basis_.column(n_)[k];
-    objective += view.cost[k] * view.x()[k];
   }
   view.y[n_] = t;
-  view.objective = objective;
 }
 
 DirectProgram::End DirectProgram::solve(const WorkingSet& A, const WorkingSet& Q,

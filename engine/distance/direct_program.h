@@ -45,8 +45,15 @@ class DirectProgram {
 
   /// First basis from a guess of the normal's direction (n doubles, the largest ±1) and of its relative
   /// error, which sets the first bounds on the dual. Neither changes the answer; good ones save basis
-  /// changes. The points are not kept.
-  void start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error);
+  /// changes. The points are not kept. With a `frame` that brings Q (scaled as it is) into isotropic
+  /// position, the artificial columns are ±F e_k instead, and the bounds |F_k · u| <= cost: of a needle,
+  /// bounds on the coordinates would say nothing about the one direction that matters.
+  struct Frame {
+    const double* F;        // n x n, column-major
+    const double* inverse;  // F⁻¹
+  };
+  void start(const WorkingSet& A, const WorkingSet& Q, const double* guess, double guess_error,
+             const Frame* frame = nullptr);
 
   /// Continues from the basis at hand. Working sets may have grown since, but not changed.
   End solve(const WorkingSet& A, const WorkingSet& Q, const Stopwatch& stopwatch);
@@ -107,7 +114,8 @@ class DirectProgram {
   enum class Stage : std::uint8_t { optimise, reach };  // phase 2 with bounded duals; phase 1
 
   double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
-  void set_artificial_costs(const double* guess, double slack);
+  void place_artificials(const double* a, const Frame* frame);
+  void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);
   bool look_after_basis();
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
@@ -129,6 +137,7 @@ class DirectProgram {
   double left_out_ = 0;  // weights up to this have no part in what proven_upper() proved
   AlignedBuffer<double> column_;
   AlignedBuffer<double> guess_;
+  AlignedBuffer<double> white_;  // in the frame: n
   AlignedBuffer<float> single_;
 };
 

@@ -65,19 +65,48 @@ void PointSetDirect::begin(const PointSet& A, const PointSet& Q, const DistanceO
   direction_.reserve(2 * static_cast<std::size_t>(n_));
 }
 
-// Guess of the normal: from the centre of A towards the origin. Exact for homothetic balls, and never far off
-// in angle for anything round.
+// Guess of the normal: from the centre of A towards the origin, as seen where Q is in isotropic position.
+// Exact for homothetic ellipsoids, and never far off in angle for anything round.
 void PointSetDirect::start() {
   double* guess = direction_.data();
   A_->center_unchecked(guess);
+  for (int k = 0; k < n_; ++k) guess[k] *= -scaling_.factor_A()[k];
+  const bool framed = choose_frame();
+  if (framed) turn_guess(guess);
   double largest = 0;
-  for (int k = 0; k < n_; ++k) {
-    guess[k] *= -scaling_.factor_A()[k];
-    largest = std::max(largest, std::fabs(guess[k]));
-  }
+  for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
   for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
-  program_.start(working_A_, working_Q_, guess, 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing()));
+  const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
+  const DirectProgram::Frame frame = {frame_.data(), inverse_frame_.data()};
+  program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr);
+}
+
+// The isotropic map of Q, scaled as Q is. False where none is needed.
+bool PointSetDirect::choose_frame() {
+  const IsotropicMap* map = Q_->isotropic();
+  if (map == nullptr) return false;
+  const auto n = static_cast<std::size_t>(n_);
+  frame_.reserve(n * n);
+  inverse_frame_.reserve(n * n);
+  for (int j = 0; j < n_; ++j) {
+    for (int i = 0; i < n_; ++i) {
+      const std::size_t entry = static_cast<std::size_t>(j) * n + static_cast<std::size_t>(i);
+      frame_[entry] = scaling_.factor_Q()[i] * map->F(i, j);
+      inverse_frame_[entry] = map->inverse(i, j) / scaling_.factor_Q()[j];
+    }
+  }
+  return true;
+}
+
+// F⁻ᵀ F⁻¹ v in place of v.
+void PointSetDirect::turn_guess(double* v) const {
+  using Map = Eigen::Map<const Eigen::MatrixXd>;
+  const Map inverse(inverse_frame_.data(), n_, n_);
+  Eigen::Map<Eigen::VectorXd> guess(v, n_);
+  Eigen::Map<Eigen::VectorXd> white(v + n_, n_);
+  white.noalias() = inverse * guess;
+  guess.noalias() = inverse.transpose() * white;
 }
 
 void PointSetDirect::run(bool restricted, Effects effects, DistanceResult& result) {

@@ -41,6 +41,8 @@ class PointSetDirect {
   void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
              const Stopwatch& stopwatch);
   void start();
+  bool choose_frame();
+  void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);
   bool certify_as_priced(Effects effects, DistanceResult& result);
   bool bounds_mislead() const noexcept;
@@ -91,6 +93,8 @@ class PointSetDirect {
   Violators violators_Q_;
 
   AlignedBuffer<double> direction_;  // u for A, then -u for Q, in the sets' own units: 2n
+  AlignedBuffer<double> frame_;      // n x n, and its inverse: see DirectProgram::Frame
+  AlignedBuffer<double> inverse_frame_;
   AlignedBuffer<std::int64_t> collected_;
   AlignedBuffer<double> collected_value_;
 };

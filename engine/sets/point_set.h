@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <typeinfo>
 
 #include "engine/sets/convex_set.h"
+#include "engine/sets/isotropic_map.h"
 
 namespace raygauge {
 
@@ -64,6 +66,9 @@ class PointSet final : public ConvexSet {
   /// sample.
   double spacing() const noexcept { return spacing_; }
 
+  /// The isotropic map of the points; nullptr where they need none.
+  const IsotropicMap* isotropic() const noexcept { return isotropic_ ? &*isotropic_ : nullptr; }
+
   /// Copies point i to `out` (dimension() doubles); unchecked.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept {
     const double* block = data_.get() + (i / kLanes) * dimension() * kLanes + i % kLanes;
@@ -91,6 +96,7 @@ class PointSet final : public ConvexSet {
   Eigen::VectorXd smallest_magnitude_;
   Eigen::VectorXd center_;
   double spacing_;
+  std::optional<IsotropicMap> isotropic_;
 };
 
 /// S as the point set that it is, or nullptr.

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/isotropic_map.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace raygauge {
+namespace {
+
+constexpr Eigen::Index kMostPoints = 4096;
+constexpr double kRound = 4;        // ratio of axes below which a map is not worth its arithmetic
+constexpr double kFlattest = 1e-6;  // Σ squares the ratio
+
+}  // namespace
+
+std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  const Eigen::Index n = points.rows();
+  const Eigen::Index count = std::min(points.cols(), kMostPoints);
+  const double magnitude = points.cwiseAbs().maxCoeff();
+  if (n < 2 || count < 2 * n || !std::isnormal(magnitude) || !std::isnormal(1 / magnitude)) return {};
+  Eigen::MatrixXd chosen(n, count);
+  for (Eigen::Index i = 0; i < count; ++i) chosen.col(i) = points.col(i * points.cols() / count) / magnitude;
+  const Eigen::LLT<Eigen::MatrixXd> moments(chosen * chosen.transpose() / static_cast<double>(count));
+  if (moments.info() != Eigen::Success) return {};
+  Eigen::MatrixXd F = moments.matrixL();
+  const double longest = F.diagonal().maxCoeff();
+  const double shortest = F.diagonal().minCoeff();
+  if (!(longest > kRound * shortest && shortest > kFlattest * longest)) return {};
+  IsotropicMap map{F * magnitude, Eigen::MatrixXd::Identity(n, n) / magnitude};
+  F.triangularView<Eigen::Lower>().solveInPlace(map.inverse);
+  return map;
+}
+
+}  // namespace raygauge

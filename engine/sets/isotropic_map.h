@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace raygauge {
+
+/// A linear map that brings a set of points into isotropic position: with the second moments
+/// Σ = (1/N) Σ_i p_i p_iᵀ = F Fᵀ about the origin, those of the points F⁻¹ p_i are the identity.
+struct IsotropicMap {
+  Eigen::MatrixXd F;        ///< n × n, lower triangular
+  Eigen::MatrixXd inverse;  ///< F⁻¹
+};
+
+/// The isotropic map of `points` (n × N; of a large set, of 4096 of them). Empty where the points are nearly
+/// in that position as they are (the axes of F differ by less than a factor of 4), or where no map can be
+/// told from doubles: fewer than 2n points, or flatter than 1e-6.
+std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd>& points);
+
+}  // namespace raygauge
