@@ -114,15 +114,17 @@ inline Pricing price_both(const BasisView& basis, const DirectLoop& loop, Blocks
   return {h_A, h_Q, best};
 }
 
-// Pivots over the shortlists while something of them prices out, up to kMinorPivots. False if a column finds
-// no pivot. *gained is the fall of the objective.
-constexpr int kMinorPivots = 8;
+// Pivots between two passes. Many dimensions make them dear, and the worse half of a list helps less.
+template <int V>
+constexpr int kMinorPivots = V > 0 ? 8 : 4;
 
+// Pivots over the shortlists while something of them prices out. False if a column finds no pivot. *gained is
+// the fall of the objective.
 template <int V, int N>
 inline bool minor_iterations(BasisView* basis, DirectLoop* loop, Candidates best, const Shortlist& A,
                              const Shortlist& Q, double* column, double* gained) {
   const int n = N > 0 ? N : basis->m - 1;
-  for (int turn = 0; turn < kMinorPivots && basis->pivots < loop->pivot_limit; ++turn) {
+  for (int turn = 0; turn < kMinorPivots<V> && basis->pivots < loop->pivot_limit; ++turn) {
     const double t = basis->y[n];
     int lane_A = 0;
     int lane_Q = 0;

@@ -22,7 +22,9 @@ std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd
   if (n < 2 || count < 2 * n || !std::isnormal(magnitude) || !std::isnormal(1 / magnitude)) return {};
   Eigen::MatrixXd chosen(n, count);
   for (Eigen::Index i = 0; i < count; ++i) chosen.col(i) = points.col(i * points.cols() / count) / magnitude;
-  const Eigen::LLT<Eigen::MatrixXd> moments(chosen * chosen.transpose() / static_cast<double>(count));
+  Eigen::MatrixXd sigma = Eigen::MatrixXd::Zero(n, n);
+  sigma.selfadjointView<Eigen::Lower>().rankUpdate(chosen, 1.0 / static_cast<double>(count));
+  const Eigen::LLT<Eigen::MatrixXd> moments(sigma);
   if (moments.info() != Eigen::Success) return {};
   Eigen::MatrixXd F = moments.matrixL();
   const double longest = F.diagonal().maxCoeff();

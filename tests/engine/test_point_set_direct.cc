@@ -29,7 +29,7 @@ TEST_P(StretchedSets, TakeAFewPassesOverAllPoints) {
   const DistanceResult& result = solver.solve(PointSet(a), PointSet(q));
   EXPECT_EQ(result.status, DistanceStatus::optimal);
   EXPECT_LE(result.counters.support_queries, 16) << "two a pass";
-  EXPECT_LE(result.counters.pivots, 40 * n);
+  EXPECT_LE(result.counters.pivots, 10 * n) << "as many as for round sets";
   EXPECT_EQ(result.counters.exact_pivots, 0);
 }
 

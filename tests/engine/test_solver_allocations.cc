@@ -164,6 +164,18 @@ TEST_P(RepeatedSolve, OfScaledSetsAllocatesNothing) {
   EXPECT_EQ(allocations_of_second_solve(A, Q), 0);
 }
 
+TEST_P(RepeatedSolve, OfNeedlesAllocatesNothing) {
+  Random random(105);
+  const int N = std::get<1>(GetParam());
+  const Vector stretch = (Vector(5) << 1, 1e3, 1, 1, 30).finished();
+  Eigen::MatrixXd a = sphere_points(5, N, random);
+  a.row(0).array() += 3;
+  const PointSet A(stretch.asDiagonal() * a);
+  const PointSet Q(stretch.asDiagonal() * sphere_points(5, N, random));
+  ASSERT_NE(Q.isotropic(), nullptr);
+  EXPECT_EQ(allocations_of_second_solve(A, Q), 0);
+}
+
 TEST_P(RepeatedSolve, OfSmoothSetsAllocatesNothing) {
   Random random(104);
   for (const int n : {2, 3, 5, 10}) {
