@@ -24,8 +24,8 @@ inline double dual_length(const BasisView& basis) {
 // the linear program (points of Q negated). Pricing these again after every pivot costs next to nothing, and
 // every second pass is spared (multiple pricing, Orchard-Hays 1968).
 struct Shortlist {
-  double* block;                 // a block of points
-  std::ptrdiff_t index[kLanes];  // of the points in the set
+  double* block = nullptr;            // a block of points
+  std::ptrdiff_t index[kLanes] = {};  // of the points in the set
 };
 
 // Of 16 lanes the better of each pair 8 apart.
@@ -76,8 +76,8 @@ struct Candidates {
 
 // A pass over both sets at the present duals.
 struct Pricing {
-  double h_A;
-  double h_Q;
+  double h_A = 0;
+  double h_Q = 0;
   Candidates best;
 };
 
@@ -89,13 +89,13 @@ struct Blocks {
 
 template <int N, class Real>
 inline Pricing price_both(const BasisView& basis, const DirectLoop& loop, Blocks<Real> A, Blocks<Real> Q,
-                          double cost_tolerance, Real* u, Real* negative, Shortlist* list_A,
-                          Shortlist* list_Q) {
+                          double cost_tolerance, Real* u, Shortlist* list_A, Shortlist* list_Q) {
   const int n = N > 0 ? N : basis.m - 1;
   const double t = basis.y[n];
   // A column that enters for a reduced cost made of rounding can lead the pivots in circles. Summed before
   // the passes, whose loads hide it.
   const double length = dual_length(basis);
+  Real* negative = u + basis.P;
   for (int k = 0; k < n; ++k) {
     u[k] = static_cast<Real>(basis.y[k]);
     negative[k] = -u[k];
@@ -153,14 +153,13 @@ template <int V, int N>
 LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
   constexpr int kRows = V > 0 ? V * kRowPadding : 1;
   alignas(64) double fixed_column[kRows] = {};  // padded with zeros
-  alignas(64) double fixed_u[2][kRows];
+  alignas(64) double fixed_u[2 * kRows];
   alignas(64) double fixed_lists[2][kRows * kLanes];
   double* column = V > 0 ? fixed_column : basis->columns;
-  double* u = V > 0 ? fixed_u[0] : column + basis->P;
-  double* negative = V > 0 ? fixed_u[1] : u + basis->P;
+  double* u = V > 0 ? fixed_u : column + basis->P;  // and -u
   Shortlist list_A;
   Shortlist list_Q;
-  list_A.block = V > 0 ? fixed_lists[0] : negative + basis->P;
+  list_A.block = V > 0 ? fixed_lists[0] : u + static_cast<std::ptrdiff_t>(2) * basis->P;
   list_Q.block = V > 0 ? fixed_lists[1] : list_A.block + static_cast<std::ptrdiff_t>(basis->P) * kLanes;
   // Half the bytes and twice the lanes while there is much to gain; every column's own arithmetic is in
   // double.
@@ -171,11 +170,10 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
     const Pricing pricing =
         single ? price_both<N, float>(*basis, *loop, {loop->A.single_blocks, loop->A.single_block_count},
                                       {loop->Q.single_blocks, loop->Q.single_block_count}, kSingleTolerance,
-                                      reinterpret_cast<float*>(u), reinterpret_cast<float*>(negative),
-                                      &list_A, &list_Q)
+                                      reinterpret_cast<float*>(u), &list_A, &list_Q)
                : price_both<N, double>(*basis, *loop, {loop->A.blocks, loop->A.block_count},
                                        {loop->Q.blocks, loop->Q.block_count}, loop->cost_tolerance, u,
-                                       negative, &list_A, &list_Q);
+                                       &list_A, &list_Q);
     loop->points_priced += (loop->A.block_count + loop->Q.block_count) * kLanes;
     ++loop->pricings;
     loop->h_A = pricing.h_A;

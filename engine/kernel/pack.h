@@ -26,7 +26,6 @@ template <>
 struct Vec<double> {
   static constexpr int kCount = kWidth;
   static constexpr int kPoints = kLanes;  // points in a block
-  static constexpr long long kNoIndex = 0x7fffffffffffffff;
   using Integer = long long;
   typedef double Pack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
   typedef long long Index __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
@@ -36,7 +35,6 @@ template <>
 struct Vec<float> {
   static constexpr int kCount = 2 * kWidth;
   static constexpr int kPoints = 2 * kLanes;
-  static constexpr int kNoIndex = 0x7fffffff;
   using Integer = int;
   typedef float Pack __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
   typedef int Index __attribute__((vector_size(kWidth * 8), aligned(kWidth * 8), may_alias));
@@ -148,8 +146,6 @@ inline Index lane_numbers() {
   for (int lane = 0; lane < kCount; ++lane) lanes[lane] = lane;
   return lanes;
 }
-
-constexpr long long kNoIndex = 0x7fffffffffffffff;
 
 }  // namespace
 }  // namespace raygauge::RAYGAUGE_ISA

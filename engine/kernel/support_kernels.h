@@ -14,7 +14,6 @@ template <class Real>
 struct LaneMaxima {
   using Pack = typename Vec<Real>::Pack;
   using Index = typename Vec<Real>::Index;
-  using Integer = typename Vec<Real>::Integer;
 
   Pack value[kPacksPerBlock];
   Index block[kPacksPerBlock];
@@ -122,16 +121,16 @@ constexpr int kChains = N > 0 && N <= 4 ? 2 : 1;
 template <int N, class Real>
 inline LaneMaxima<Real> pass_over(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u) {
   using V = Vec<Real>;
-  constexpr int C = N > 0 && N <= 6 ? 4 : 2;  // blocks multiplied together: their chains of additions overlap
+  constexpr int kTogether = N > 0 && N <= 6 ? 4 : 2;  // blocks whose chains of additions overlap
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * V::kPoints;
   LaneMaxima<Real> maxima[kChains<N>];
   typename V::Index number{};  // of the block; as a vector it need not be broadcast each time
   std::ptrdiff_t b = 0;
-  for (; b + C <= block_count; b += C) {
-    typename V::Pack sum[C][kPacksPerBlock];
-    dot_blocks<N, C>(blocks + b * stride, n, u, sum);
+  for (; b + kTogether <= block_count; b += kTogether) {
+    typename V::Pack sum[kTogether][kPacksPerBlock];
+    dot_blocks<N, kTogether>(blocks + b * stride, n, u, sum);
 #pragma GCC unroll 8
-    for (int c = 0; c < C; ++c) {
+    for (int c = 0; c < kTogether; ++c) {
       maxima[c % kChains<N>].take(sum[c], number);
       number += 1;
     }
