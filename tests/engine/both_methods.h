@@ -11,6 +11,17 @@
 
 namespace raygauge {
 
+/// Expects the same answer to the last bit, by the same work.
+inline void expect_same_bits(const DistanceResult& one, const DistanceResult& other) {
+  EXPECT_EQ(one.status, other.status);
+  EXPECT_EQ(one.distance, other.distance);
+  EXPECT_EQ(one.lower, other.lower);
+  EXPECT_EQ(one.upper, other.upper);
+  EXPECT_EQ(one.normal, other.normal);
+  EXPECT_EQ(one.contact_point, other.contact_point);
+  EXPECT_EQ(one.counters, other.counters);
+}
+
 /// Fixture of what must hold for `direct` and for `zheng_yamane` alike.
 class BothMethods : public ::testing::TestWithParam<DistanceMethod> {
  protected:

@@ -18,16 +18,6 @@ namespace {
 using Threads = BothMethods;
 RAYGAUGE_BOTH_METHODS(Threads);
 
-void expect_same_bits(const DistanceResult& one, const DistanceResult& other) {
-  EXPECT_EQ(one.status, other.status);
-  EXPECT_EQ(one.distance, other.distance);
-  EXPECT_EQ(one.lower, other.lower);
-  EXPECT_EQ(one.upper, other.upper);
-  EXPECT_EQ(one.normal, other.normal);
-  EXPECT_EQ(one.contact_point, other.contact_point);
-  EXPECT_EQ(one.counters, other.counters);
-}
-
 TEST_P(Threads, SharingTheSameSetsGetTheBitsOfASerialRun) {
   Random random(111);
   std::vector<std::unique_ptr<PointSet>> sets;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/distance/solver.h"
+#include "tests/engine/both_methods.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 
@@ -34,24 +35,7 @@ std::vector<Instance> a_wild_sequence() {
   return sequence;
 }
 
-class WarmStart : public testing::TestWithParam<DistanceMethod> {
- protected:
-  static DistanceOptions options(double tolerance) {
-    DistanceOptions result;
-    result.method = GetParam();
-    result.tolerance = tolerance;
-    return result;
-  }
-};
-
-void expect_same_answer(const DistanceResult& warm, const DistanceResult& cold) {
-  EXPECT_EQ(warm.status, cold.status);
-  EXPECT_EQ(warm.lower, cold.lower);
-  EXPECT_EQ(warm.upper, cold.upper);
-  EXPECT_EQ(warm.distance, cold.distance);
-  EXPECT_EQ(warm.normal, cold.normal);
-  EXPECT_EQ(warm.counters, cold.counters);
-}
+class WarmStart : public BothMethods {};
 
 TEST_P(WarmStart, FromAnyOtherPairAnswersAsAColdOne) {
   DistanceSolver used(options(1e-9));
@@ -61,7 +45,7 @@ TEST_P(WarmStart, FromAnyOtherPairAnswersAsAColdOne) {
     const DistanceResult& warm = used.solve(*instance.A, *instance.Q);
     EXPECT_LE(warm.lower, std::nextafter(*instance.exact_distance, 2 * *instance.exact_distance));
     EXPECT_GE(warm.upper, std::nextafter(*instance.exact_distance, 0));
-    expect_same_answer(warm, DistanceSolver(options(1e-9)).solve(*instance.A, *instance.Q));
+    expect_same_bits(warm, DistanceSolver(options(1e-9)).solve(*instance.A, *instance.Q));
   }
 }
 
@@ -96,16 +80,14 @@ TEST_P(WarmStart, AfterASolveInterruptedOrPoisonedAnswersAsAColdOne) {
       used.solve(Poison(8), *other.Q);
       used.solve(*other.A, Poison(8));
       used.set_options(options(1e-6));
-      expect_same_answer(used.solve(*instance.A, *instance.Q),
-                         DistanceSolver(options(1e-6)).solve(*instance.A, *instance.Q));
+      expect_same_bits(used.solve(*instance.A, *instance.Q),
+                       DistanceSolver(options(1e-6)).solve(*instance.A, *instance.Q));
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, WarmStart,
-                         testing::Values(DistanceMethod::direct, DistanceMethod::zheng_yamane,
-                                         DistanceMethod::newton),
-                         [](const auto& test) { return std::string(to_string(test.param)); });
+RAYGAUGE_BOTH_METHODS(WarmStart);
+RAYGAUGE_NEWTON_TOO(WarmStart);
 
 }  // namespace
 }  // namespace raygauge::test_warm_start
