@@ -114,4 +114,23 @@ double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept {
   return std::isnormal(quotient) || quotient == 0 ? quotient : std::nextafter(quotient, 0.0);
 }
 
+double rounded_down(Quad x) noexcept {
+  const auto nearest = static_cast<double>(x);
+  return nearest > x ? std::nextafter(nearest, 0.0) : nearest;
+}
+
+double rounded_up(Quad x) noexcept {
+  const auto nearest = static_cast<double>(x);
+  return nearest < x ? std::nextafter(nearest, kInfinity) : nearest;
+}
+
+double lower_bound(const QuadSupportValue& h_A, const QuadSupportValue& h_Q) noexcept {
+  const Quad above_A = h_A.above();
+  if (!(above_A < 0)) return 0;
+  const Quad above_Q = h_Q.above();
+  if (above_Q <= 0) return kInfinity;
+  constexpr double kFewRoundings = 8 * kRoundoff<Quad>;
+  return std::min(rounded_down(-above_A / above_Q * (1 - Quad{kFewRoundings})), kLargest);
+}
+
 }  // namespace raygauge

@@ -11,11 +11,15 @@
 namespace raygauge {
 
 /// A support value together with a proven bound on its rounding error: |h_S(u) - value| <= error.
-struct SupportValue {
-  double value = 0;
+template <class Real>
+struct BasicSupportValue {
+  Real value = 0;
   double error = 0;
-  double above() const noexcept { return value + error; }
+  Real above() const noexcept { return value + error; }
 };
+
+using SupportValue = BasicSupportValue<double>;
+using QuadSupportValue = BasicSupportValue<Quad>;
 
 /// The share of a support value that rounding may hide before a longer evaluation is worth its pass over the
 /// set.
@@ -53,5 +57,10 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
 /// Weak duality, equation (10): d_Q(A) >= -h_A(u) / h_Q(-u) wherever h_A(u) < 0, rounded down. 0 where h_A(u)
 /// < 0 is not certain; +infinity where moreover h_Q(-u) <= 0 is certain (u is a Farkas direction).
 double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept;
+double lower_bound(const QuadSupportValue& h_A, const QuadSupportValue& h_Q) noexcept;
+
+/// The nearest double not above resp. not below x >= 0.
+double rounded_down(Quad x) noexcept;
+double rounded_up(Quad x) noexcept;
 
 }  // namespace raygauge

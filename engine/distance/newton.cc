@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "engine/floating_point.h"
 #include "engine/sets/vector_kernels.h"
@@ -12,7 +13,7 @@
 namespace raygauge {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kShift = 0x1p33;  // δR in errors of a support point: far above them, far below a tolerance
 constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
 constexpr int kShortenings = 10;      // of one step, each to kShorter of it
 constexpr double kShorter = 0.4;
@@ -23,12 +24,13 @@ constexpr int kGrowthEvaluations = 24;
 int default_evaluation_limit(int n) { return 100 + 10 * n; }
 
 // rᵀ(Σ weight_i ∇²h_i)r over the active pieces.
-double curvature_along(const PieceList& list, const double* r) {
+template <class Real>
+Real curvature_along(const PieceList<Real>& list, const Real* r) {
   if (!list.curved) return 0;
-  double sum = 0;
+  Real sum = 0;
   for (int a = 0; a < list.active_count; ++a) {
     const int i = list.active[static_cast<std::size_t>(a)];
-    const double weight = list.weight[static_cast<std::size_t>(i)];
+    const Real weight = list.weight[static_cast<std::size_t>(i)];
     for (int j = 0; j < list.n; ++j)
       sum += weight * r[j] * dot(list.hessian(i) + std::ptrdiff_t{j} * list.n, r, list.n);
   }
@@ -36,27 +38,33 @@ double curvature_along(const PieceList& list, const double* r) {
 }
 
 // Σ weight_i s_i over the active pieces; returns Σ weight_i |s_i|₁, the scale of its rounding errors.
-double combine(const PieceList& list, double* point) {
-  double size = 0;
-  std::fill_n(point, list.n, 0.0);
+template <class Real>
+Real combine(const PieceList<Real>& list, Real* point) {
+  Real size = 0;
+  std::fill_n(point, list.n, Real{0});
   for (int a = 0; a < list.active_count; ++a) {
     const int i = list.active[static_cast<std::size_t>(a)];
-    const double weight = list.weight[static_cast<std::size_t>(i)];
+    const Real weight = list.weight[static_cast<std::size_t>(i)];
     for (int k = 0; k < list.n; ++k) {
       point[k] += weight * list.point(i)[k];
-      size += weight * std::fabs(list.point(i)[k]);
+      size += weight * real::fabs(list.point(i)[k]);
     }
   }
   return size;
 }
 
+double up(double x) { return x; }
+double up(Quad x) { return rounded_up(x); }
+
 }  // namespace
 
-bool Newton::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options) {
+template <class Real>
+bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                         const double* start) {
   n_ = A.dimension();
   const auto size = static_cast<std::size_t>(n_);
-  for (auto* buffer : {&center_, &linear_, &target_, &normal_, &contact_, &residual_vector_, &descent_,
-                       &points_[0].u, &points_[1].u}) {
+  for (auto* buffer : {&center_, &ball_center_, &normal_, &contact_, &point_}) buffer->reserve(size);
+  for (auto* buffer : {&linear_, &target_, &residual_vector_, &descent_, &points_[0].u, &points_[1].u}) {
     buffer->reserve(size);
   }
   lower_ = 0;
@@ -68,104 +76,144 @@ bool Newton::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions
   tolerance_ = options.tolerance;
   max_evaluations_ = options.max_iterations > 0 ? options.max_iterations : default_evaluation_limit(n_);
   program_.begin(n_);
-  std::fill_n(target_.data(), n_, 0.0);
-  inner_radius_ = Q.inner_radius_unchecked(target_.data());
-  if (!(inner_radius_ > 0)) return false;
   const Kernels& kernels = kernels_for(options.instruction_set);
   if (!oracle_A_.bind(A, 1.0, kernels) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
+  if (!choose_ball(Q)) return false;
   now_ = &points_[0];
   next_ = &points_[1];
   A.center_unchecked(center_.data());
-  for (int k = 0; k < n_; ++k) now_->u[static_cast<std::size_t>(k)] = -center_[static_cast<std::size_t>(k)];
+  for (int k = 0; k < n_; ++k) {
+    now_->u[static_cast<std::size_t>(k)] =
+        start != nullptr ? start[k] : -center_[static_cast<std::size_t>(k)];
+  }
   return normalize(now_->u.data(), n_, now_->u.data()) > 0;
 }
 
-bool Newton::evaluate(Point& point) {
-  const double* u = point.u.data();
+// The ball of Q that pays for residuals.
+template <class Real>
+bool Newton<Real>::choose_ball(const ConvexSet& Q) {
+  shift_ = 0;
+  std::fill_n(ball_center_.data(), n_, 0.0);
+  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
+  if (inner_radius_ > 0) return true;
+  if constexpr (std::is_same_v<Real, double>) return false;
+  Q.center_unchecked(ball_center_.data());
+  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
+  if (!(inner_radius_ > 0)) return false;
+  shift_ = kShift * (oracle_A_.coordinate_error() + oracle_Q_.coordinate_error()) / inner_radius_;
+  return true;
+}
+
+// The support function of A - δc.
+template <class Real>
+Real Newton<Real>::shifted_support(const Point& point) const {
+  const Real value = point.A.support.value;
+  return shift_ > 0 ? value - shift_ * dot(point.u.data(), ball_center_.data(), n_) : value;
+}
+
+template <class Real>
+bool Newton<Real>::evaluate(Point& point) {
+  const Real* u = point.u.data();
   if (!oracle_A_.evaluate(u, point.A) || !oracle_Q_.evaluate(u, point.Q)) return false;
   point.A.warm = point.Q.warm = false;
   ++evaluations_;
-  const double h_A = point.A.support.value;
-  const double h_Q = point.Q.support.value;
-  if (growing_) {
-    const double along = -dot(center_.data(), u, n_);
-    point.ratio = along / (h_A + along + h_Q);
-  } else {
-    point.ratio = -h_A / h_Q;
-  }
+  point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
   bound_from_below(point);
   return true;
 }
 
-void Newton::bound_from_below(const Point& point) {
+template <class Real>
+void Newton<Real>::bound_from_below(const Point& point) {
   const double bound = lower_bound(point.A.support, point.Q.support);
   if (!(bound > lower_)) return;
   lower_ = bound;
-  const double length = 1 / point.Q.support.value;
+  const Real length = 1 / point.Q.support.value;
   for (int k = 0; k < n_; ++k)
-    normal_[static_cast<std::size_t>(k)] = point.u[static_cast<std::size_t>(k)] * length;
+    normal_[static_cast<std::size_t>(k)] = static_cast<double>(point.u[static_cast<std::size_t>(k)] * length);
 }
 
-// The combinations x of A and y of Q with the weights of the step leave r = x - ρy; x = ρy + r costs no more
-// than ρ + gauge_Q(r), if ρ >= 0.
-void Newton::bound_from_above() {
-  if (!(now_->ratio >= 0)) return;
-  double* x = target_.data();
-  double* y = linear_.data();
-  const double size = combine(now_->A, x) + now_->ratio * combine(now_->Q, y);
-  for (int k = 0; k < n_; ++k) residual_vector_[static_cast<std::size_t>(k)] = x[k] - now_->ratio * y[k];
+// The ratio of the growth distance (8).
+template <class Real>
+Real Newton<Real>::growth_ratio(const Point& point) const {
+  const Real along = -dot(point.u.data(), center_.data(), n_);
+  return along / (point.A.support.value + along + point.Q.support.value);
+}
+
+// The combinations x of A and y of Q with the weights of the step leave r = x - δc - ρy, if ρ >= 0:
+// x = ρy + r costs no more than ρ + gauge_Q(r), x = ρy + δ(c + r/δ) no more than ρ + δ.
+template <class Real>
+void Newton<Real>::bound_from_above() {
+  const Real ratio = now_->ratio;
+  if (!(ratio >= 0)) return;
+  Real* x = target_.data();
+  Real* y = linear_.data();
+  const Real size = combine(now_->A, x) + ratio * combine(now_->Q, y);
+  for (int k = 0; k < n_; ++k) {
+    residual_vector_[static_cast<std::size_t>(k)] =
+        x[k] - ratio * y[k] - shift_ * ball_center_[static_cast<std::size_t>(k)];
+  }
   residual_ = length(residual_vector_.data(), n_);
-  const double rounding =
-      std::sqrt(n_) * (oracle_A_.coordinate_error() + now_->ratio * oracle_Q_.coordinate_error()) +
-      (n_ + now_->A.active_count + now_->Q.active_count + 8) * kEpsilon * size;
-  const double bound = (now_->ratio + (residual_ + rounding) / inner_radius_) * (1 + (n_ + 16) * kEpsilon);
+  const Real rounding =
+      std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error()) +
+      (n_ + now_->A.active_count + now_->Q.active_count + 8) * 2 * kRoundoff<Real> * size;
+  const Real cost = (residual_ + rounding) / inner_radius_;
+  if (shift_ > 0 && cost > shift_) return;
+  const double bound = up((ratio + (shift_ > 0 ? shift_ : cost)) * (1 + (n_ + 16) * 2 * kRoundoff<Real>));
   if (!(bound < upper_)) return;
   upper_ = bound;
-  std::copy_n(x, n_, contact_.data());
+  for (int k = 0; k < n_; ++k) contact_[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
   if (!keeps_combination_) return;
   combination_.clear(n_);
   for (int a = 0; a < now_->A.active_count; ++a) {
     const int i = now_->A.active[static_cast<std::size_t>(a)];
-    combination_.add(now_->A.point(i), now_->A.weight[static_cast<std::size_t>(i)]);
+    for (int k = 0; k < n_; ++k) {
+      point_[static_cast<std::size_t>(k)] = static_cast<double>(now_->A.point(i)[k]);
+    }
+    combination_.add(point_.data(), static_cast<double>(now_->A.weight[static_cast<std::size_t>(i)]));
   }
 }
 
-void Newton::contact_combination(WeightedPoints& combination) const {
+template <class Real>
+void Newton<Real>::contact_combination(WeightedPoints& combination) const {
   for (int i = 0; i < combination_.count(); ++i)
     combination.add(combination_.point(i), combination_.weight(i));
 }
 
-bool Newton::is_closed() const noexcept {
+template <class Real>
+bool Newton<Real>::is_closed() const noexcept {
   if (lower_ > threshold_ || upper_ < threshold_) return true;
   return raygauge::is_closed(lower_, upper_, tolerance_);
 }
 
-PieceProgram::Objective Newton::objective() {
-  const double ratio = now_->ratio;
-  if (!growing_) return {1.0, ratio, nullptr};
-  for (int k = 0; k < n_; ++k) {
-    linear_[static_cast<std::size_t>(k)] = (1 - ratio) * center_[static_cast<std::size_t>(k)];
-  }
-  return {ratio, ratio, linear_.data()};
+template <class Real>
+typename PieceProgram<Real>::Objective Newton<Real>::objective() {
+  const Real ratio = now_->ratio;
+  if (!growing_ && !(shift_ > 0)) return {1, ratio, nullptr};
+  const double* along = growing_ ? center_.data() : ball_center_.data();
+  const Real factor = growing_ ? 1 - ratio : -shift_;
+  for (int k = 0; k < n_; ++k) linear_[static_cast<std::size_t>(k)] = factor * along[k];
+  return {growing_ ? ratio : Real{1}, ratio, linear_.data()};
 }
 
-bool Newton::accepts(const Point& candidate) const {
-  const double h_Q = candidate.Q.support.value;
-  const double noise = 2 * (candidate.A.support.error + candidate.ratio * candidate.Q.support.error) / h_Q;
-  return candidate.ratio >= now_->ratio - (noise > 0 ? noise : 0.0) ||
+template <class Real>
+bool Newton<Real>::accepts(const Point& candidate) const {
+  const Real h_Q = candidate.Q.support.value;
+  const Real noise = 2 * (candidate.A.support.error + candidate.ratio * candidate.Q.support.error) / h_Q;
+  return candidate.ratio >= now_->ratio - (noise > 0 ? noise : Real{0}) ||
          (growing_ && candidate.A.support.above() < 0);
 }
 
 // The candidate becomes the current point; with its predecessor's weights if the pieces are the same.
-void Newton::keep(bool weights) {
+template <class Real>
+void Newton<Real>::keep(bool weights) {
   std::swap(now_, next_);
   on_facet_ = !weights;
   if (!weights) return;
   for (const auto list : {&Point::A, &Point::Q}) {
-    const PieceList& old = next_->*list;
-    PieceList& list_now = now_->*list;
+    const PieceList<Real>& old = next_->*list;
+    PieceList<Real>& list_now = now_->*list;
     if (old.count > list_now.count) continue;
-    std::fill_n(list_now.weight.data(), list_now.count, 0.0);
+    std::fill_n(list_now.weight.data(), list_now.count, Real{0});
     std::copy_n(old.weight.data(), old.count, list_now.weight.data());
     list_now.warm = true;
   }
@@ -173,18 +221,19 @@ void Newton::keep(bool weights) {
 
 // The normal of a flat face near the way, and at it the point of the face that is nearest to where the other
 // set touches.
-bool Newton::try_facet(const double* step) {
+template <class Real>
+bool Newton<Real>::try_facet(const Real* step) {
   if (growing_ || facets_tried_ >= kFacetTrials) return false;
-  double* end = linear_.data();
+  Real* end = linear_.data();
   for (int k = 0; k < n_; ++k) end[k] = now_->u[static_cast<std::size_t>(k)] + step[k];
   const bool of_A = oracle_A_.facet_normal(now_->u.data(), end, next_->u.data());
   if (!of_A && !oracle_Q_.facet_normal(now_->u.data(), end, next_->u.data())) return false;
   ++facets_tried_;
   normalize(next_->u.data(), n_, next_->u.data());
   if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
-  PieceList& touching = of_A ? next_->Q : next_->A;
-  const double scale = of_A ? next_->ratio : 1 / next_->ratio;
-  const double* touched = touching.point(touching.best);
+  PieceList<Real>& touching = of_A ? next_->Q : next_->A;
+  const Real scale = of_A ? next_->ratio : 1 / next_->ratio;
+  const Real* touched = touching.point(touching.best);
   for (int k = 0; k < n_; ++k) end[k] = scale * touched[k];
   if (of_A) {
     oracle_A_.settle_on_facet(next_->u.data(), end, next_->A);
@@ -197,22 +246,24 @@ bool Newton::try_facet(const double* step) {
 
 // At the normal of a face φ has a kink that no Hessian describes, but r, with the point of the face nearest
 // to the other set, is its subgradient of least length: -r leads down, as far as the curvature along it says.
-const double* Newton::leave_facet() {
-  const double* r = residual_vector_.data();
-  const double curvature = curvature_along(now_->A, r) + now_->ratio * curvature_along(now_->Q, r);
-  const double length = curvature > 0 ? residual_ * residual_ / curvature : 1 / residual_;
+template <class Real>
+const Real* Newton<Real>::leave_facet() {
+  const Real* r = residual_vector_.data();
+  const Real curvature = curvature_along(now_->A, r) + now_->ratio * curvature_along(now_->Q, r);
+  const Real length = curvature > 0 ? residual_ * residual_ / curvature : 1 / residual_;
   for (int k = 0; k < n_; ++k) descent_[static_cast<std::size_t>(k)] = -length * r[k];
   return descent_.data();
 }
 
-bool Newton::advance(const double* step) {
+template <class Real>
+bool Newton<Real>::advance(const Real* step) {
   if (on_facet_) {
     step = leave_facet();
   } else if (try_facet(step)) {
     return true;
   }
-  const double length = std::sqrt(dot(step, step, n_));
-  double share = length > kLongestStep ? kLongestStep / length : 1.0;
+  const Real length = real::sqrt(dot(step, step, n_));
+  Real share = length > kLongestStep ? kLongestStep / length : Real{1};
   for (int trial = 0; trial < kShortenings; ++trial) {
     for (int k = 0; k < n_; ++k) {
       next_->u[static_cast<std::size_t>(k)] = now_->u[static_cast<std::size_t>(k)] + share * step[k];
@@ -229,19 +280,17 @@ bool Newton::advance(const double* step) {
   return false;
 }
 
-DistanceStatus Newton::iterate(const Stopwatch& stopwatch) {
+template <class Real>
+DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
   growing_ = false;
   if (!evaluate(*now_)) return DistanceStatus::precision_limit;
   growing_ = !(now_->ratio > 0);
-  if (growing_) {
-    const double along = -dot(center_.data(), now_->u.data(), n_);
-    now_->ratio = along / (now_->A.support.value + along + now_->Q.support.value);
-  }
+  if (growing_) now_->ratio = growth_ratio(*now_);
   int idle = 0;
-  double least_residual = kInfinity;
+  Real least_residual = kInfinity;
   for (;;) {
     if (lower_ > threshold_) return DistanceStatus::optimal;
-    const double* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
+    const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
     if (step == nullptr) return DistanceStatus::precision_limit;
     if (!growing_) {
       bound_from_above();
@@ -257,14 +306,16 @@ DistanceStatus Newton::iterate(const Stopwatch& stopwatch) {
     if (!advance(step)) return DistanceStatus::precision_limit;
     if (growing_ && now_->A.support.above() < 0) {
       growing_ = false;
-      now_->ratio = -now_->A.support.value / now_->Q.support.value;
+      now_->ratio = -shifted_support(*now_) / now_->Q.support.value;
     }
   }
 }
 
-bool Newton::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-                   const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
-  if (!begin(A, Q, options)) return false;
+template <class Real>
+bool Newton<Real>::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                         const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
+                         const double* start) {
+  if (!begin(A, Q, options, start)) return false;
   const DistanceStatus status = iterate(stopwatch);
   // The default limit is a guard: beyond it, and where nothing got better, `direct` has other means.
   const bool limited = status == DistanceStatus::time_limit ||
@@ -274,13 +325,17 @@ bool Newton::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions
   return true;
 }
 
-void Newton::report(DistanceStatus status, Effects effects, DistanceResult& result) const {
+template <class Real>
+void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult& result) const {
   result.status = status;
   result.lower = lower_;
   result.upper = upper_;
   result.distance = lower_;
   result.normal.resize(n_);
-  std::copy_n(lower_ > 0 ? normal_.data() : now_->u.data(), n_, result.normal.data());
+  for (int k = 0; k < n_; ++k) {
+    result.normal[k] = lower_ > 0 ? normal_[static_cast<std::size_t>(k)]
+                                  : static_cast<double>(now_->u[static_cast<std::size_t>(k)]);
+  }
   DistanceCounters counters;
   counters.outer_iterations = 1;
   counters.ray_iterations = evaluations_;
@@ -292,5 +347,8 @@ void Newton::report(DistanceStatus status, Effects effects, DistanceResult& resu
   }
   result.counters = counters;
 }
+
+template class Newton<double>;
+template class Newton<Quad>;
 
 }  // namespace raygauge

@@ -27,14 +27,20 @@ namespace raygauge {
 ///
 ///     d <= ρ + |Σ α_i s_i - ρ Σ β_j s_j| / R,      R the radius of a ball around 0 in Q,
 ///
-/// rounding errors of the sets and of the sum added to the residual. From a start with h_A(u) >= 0 the ratio
-/// -a_c·u / (h_A(u) - a_c·u + h_Q(-u)) of the growth distance (8) leads to where h_A(u) < 0.
+/// rounding errors of the sets and of the sum added to the residual. In quadruple precision (Real = Quad)
+/// this gives certificates where those errors are too large for doubles: long thin sets, powers, many
+/// dimensions. There Q may also have the origin on its boundary: the target of A is moved by -δc, c the
+/// centre of Q and δ tiny, and where |r| <= δR, R the radius of a ball around c in Q, d <= ρ + δ. From a
+/// start with h_A(u) >= 0 the ratio -a_c·u / (h_A(u) - a_c·u + h_Q(-u)) of the growth distance (8) leads to
+/// where h_A(u) < 0.
+template <class Real>
 class Newton {
  public:
   /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
-  /// and the caller turns to `direct`.
+  /// and the caller turns to `direct`. `start`, n doubles: the first direction u, where one is known.
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-             const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
+             const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
+             const double* start = nullptr);
 
   /// upper - lower of the last solve, +infinity where it proved nothing.
   double gap() const noexcept { return upper_ - lower_; }
@@ -49,20 +55,23 @@ class Newton {
 
  private:
   struct Point {
-    PieceList A, Q;
-    AlignedBuffer<double> u;
-    double ratio = 0;  ///< of the phase: of `newton` or of the growth distance
+    PieceList<Real> A, Q;
+    AlignedBuffer<Real> u;
+    Real ratio = 0;  ///< of the phase: of `newton` or of the growth distance
   };
 
-  bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
+  bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, const double* start);
+  bool choose_ball(const ConvexSet& Q);
+  Real shifted_support(const Point& point) const;
+  Real growth_ratio(const Point& point) const;
   bool evaluate(Point& point);
   void bound_from_below(const Point& point);
   void bound_from_above();
   bool is_closed() const noexcept;
-  PieceProgram::Objective objective();
-  const double* leave_facet();
-  bool advance(const double* step);
-  bool try_facet(const double* step);
+  typename PieceProgram<Real>::Objective objective();
+  const Real* leave_facet();
+  bool advance(const Real* step);
+  bool try_facet(const Real* step);
   bool accepts(const Point& candidate) const;
   void keep(bool weights);
   DistanceStatus iterate(const Stopwatch& stopwatch);
@@ -71,8 +80,8 @@ class Newton {
   double tolerance_ = 0;
   std::int64_t max_evaluations_ = 0;
   std::int64_t evaluations_ = 0;
-  PieceOracle oracle_A_, oracle_Q_;
-  PieceProgram program_;
+  PieceOracle<Real> oracle_A_, oracle_Q_;
+  PieceProgram<Real> program_;
   Point points_[2];
   Point* now_ = nullptr;
   Point* next_ = nullptr;
@@ -81,12 +90,14 @@ class Newton {
   bool keeps_combination_ = false;
   WeightedPoints combination_;
   double threshold_ = std::numeric_limits<double>::quiet_NaN();
-  double inner_radius_ = 0;
+  double inner_radius_ = 0;  // R
+  Real shift_ = 0;           // δ
   double lower_ = 0;
   double upper_ = 0;
-  double residual_ = 0;    // |r|, r = Σ α s - ρ Σ β s at now_
+  Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
   bool on_facet_ = false;  // now_ is the normal of a flat face
-  AlignedBuffer<double> center_, linear_, target_, normal_, contact_, residual_vector_, descent_;
+  AlignedBuffer<double> center_, ball_center_, normal_, contact_, point_;
+  AlignedBuffer<Real> linear_, target_, residual_vector_, descent_;
 };
 
 }  // namespace raygauge

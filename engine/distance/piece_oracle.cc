@@ -17,7 +17,8 @@ int vertices_kept(int n) { return std::max(2 * n + 2, SupportPieces::kCapacity);
 
 }  // namespace
 
-bool PieceOracle::bind(const ConvexSet& S, double sign, const Kernels& kernels) {
+template <class Real>
+bool PieceOracle<Real>::bind(const ConvexSet& S, double sign, const Kernels& kernels) {
   const SupportStructure structure = S.structure();
   if (structure == SupportStructure::unknown) return false;
   set_ = &S;
@@ -28,6 +29,8 @@ bool PieceOracle::bind(const ConvexSet& S, double sign, const Kernels& kernels) 
   direction_.reserve(size);
   other_.reserve(size);
   if (!curved_) {
+    nearest_.reserve(size);
+    vertex_.reserve(size);
     vertices_.bind(S, nullptr, kernels);
     coordinate_error_ = vertices_.coordinate_error();
     memory_.reserve(size * static_cast<std::size_t>(vertices_kept(n_)));
@@ -37,11 +40,12 @@ bool PieceOracle::bind(const ConvexSet& S, double sign, const Kernels& kernels) 
   magnitude_.reserve(size);
   S.magnitude_unchecked(magnitude_.data());
   const double largest = *std::max_element(magnitude_.data(), magnitude_.data() + n_);
-  coordinate_error_ = ConvexSet::rounding_error(n_) * largest + kUnderflow;
+  coordinate_error_ = ConvexSet::rounding_error<Real>(n_) * largest + kUnderflow;
   return true;
 }
 
-void PieceOracle::make_room(PieceList& list, int count) {
+template <class Real>
+void PieceOracle<Real>::make_room(PieceList<Real>& list, int count) {
   const auto room = static_cast<std::size_t>(count);
   const auto size = static_cast<std::size_t>(n_);
   list.n = n_;
@@ -53,7 +57,8 @@ void PieceOracle::make_room(PieceList& list, int count) {
   if (curved_) list.hessians.reserve(room * size * size);
 }
 
-bool PieceOracle::evaluate(const double* u, PieceList& list) {
+template <class Real>
+bool PieceOracle<Real>::evaluate(const Real* u, PieceList<Real>& list) {
   if (curved_) {
     evaluate_smooth(u, list);
   } else {
@@ -66,28 +71,38 @@ bool PieceOracle::evaluate(const double* u, PieceList& list) {
   return true;
 }
 
-void PieceOracle::evaluate_smooth(const double* u, PieceList& list) {
+template <class Real>
+void PieceOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
   make_room(list, SupportPieces::kCapacity);
-  SupportPieces pieces;
+  BasicSupportPieces<Real> pieces;
   pieces.dimension = n_;
   pieces.points = list.points.data();
   pieces.hessians = list.hessians.data();
   double magnitude = 0;
   for (int k = 0; k < n_; ++k) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
-    magnitude += std::fabs(u[k]) * magnitude_[static_cast<std::size_t>(k)];
+    magnitude += std::fabs(static_cast<double>(u[k])) * magnitude_[static_cast<std::size_t>(k)];
   }
   set_->support_pieces_unchecked(direction_.data(), pieces);
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
-  list.support.error = ConvexSet::rounding_error(n_) * magnitude + kUnderflow;
+  list.support.error = ConvexSet::rounding_error<Real>(n_) * magnitude + kUnderflow;
 }
 
-void PieceOracle::evaluate_polytope(const double* u, PieceList& list) {
+// The vertex is that of the direction v nearest to u in double precision: h(u) <= h(v) + Σ|u_k - v_k| m_k.
+template <class Real>
+void PieceOracle<Real>::evaluate_polytope(const Real* u, PieceList<Real>& list) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   make_room(list, vertices_kept(n_));
-  list.support = vertices_.verify(u, sign_, kAny, other_.data());
-  remember(other_.data());
+  double astray = 0;
+  for (int k = 0; k < n_; ++k) {
+    nearest_[static_cast<std::size_t>(k)] = static_cast<double>(u[k]);
+    astray += std::fabs(static_cast<double>(u[k] - nearest_[static_cast<std::size_t>(k)]));
+  }
+  const SupportValue support = vertices_.verify(nearest_.data(), sign_, kAny, vertex_.data());
+  list.support.value = support.value;
+  list.support.error = support.error + 2 * astray * vertices_.magnitude();
+  remember(vertex_.data());
   list.count = remembered_;
   std::copy_n(memory_.data(), static_cast<std::ptrdiff_t>(remembered_) * n_, list.points.data());
   for (int i = 0; i < list.count; ++i) {
@@ -95,7 +110,8 @@ void PieceOracle::evaluate_polytope(const double* u, PieceList& list) {
   }
 }
 
-void PieceOracle::remember(const double* vertex) {
+template <class Real>
+void PieceOracle<Real>::remember(const double* vertex) {
   for (int i = 0; i < remembered_; ++i) {
     if (std::equal(vertex, vertex + n_, memory_.data() + std::ptrdiff_t{i} * n_)) return;
   }
@@ -109,16 +125,18 @@ void PieceOracle::remember(const double* vertex) {
   std::copy_n(vertex, n_, memory_.data() + std::ptrdiff_t{slot} * n_);
 }
 
-void PieceOracle::settle_on_facet(const double* u, const double* target, PieceList& list) {
+template <class Real>
+void PieceOracle<Real>::settle_on_facet(const Real* u, const Real* target, PieceList<Real>& list) {
   for (int k = 0; k < n_; ++k) direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
   set_->facet_point_unchecked(direction_.data(), target, list.points.data());
-  std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, 0.0);
+  std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, Real{0});
   list.count = 1;
   list.best = 0;
   list.value[0] = list.support.value;
 }
 
-bool PieceOracle::facet_normal(const double* u, const double* v, double* normal) {
+template <class Real>
+bool PieceOracle<Real>::facet_normal(const Real* u, const Real* v, Real* normal) {
   if (!curved_) return false;
   for (int k = 0; k < n_; ++k) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
@@ -128,5 +146,8 @@ bool PieceOracle::facet_normal(const double* u, const double* v, double* normal)
   for (int k = 0; k < n_; ++k) normal[k] *= sign_;
   return true;
 }
+
+template class PieceOracle<double>;
+template class PieceOracle<Quad>;
 
 }  // namespace raygauge

@@ -9,47 +9,50 @@
 
 namespace raygauge {
 
-/// The pieces of h_S(sign · u) at one u: values, points of S, and their weights in a combination.
+/// The pieces of h_S(sign · u) at one u: values, points of S, and their weights in a combination. Real is
+/// double or Quad, here and in what works with such lists.
+template <class Real>
 struct PieceList {
   int n = 0;
   int count = 0;
-  bool curved = false;   ///< whether Hessians belong to it; those of a polytope are zero
-  int best = 0;          ///< the piece of greatest value
-  bool warm = false;     ///< whether `weight` holds those of the step before
-  SupportValue support;  ///< h_S(sign · u)
-  AlignedBuffer<double> value, weight, points, hessians;
+  bool curved = false;              ///< whether Hessians belong to it; those of a polytope are zero
+  int best = 0;                     ///< the piece of greatest value
+  bool warm = false;                ///< whether `weight` holds those of the step before
+  BasicSupportValue<Real> support;  ///< h_S(sign · u)
+  AlignedBuffer<Real> value, weight, points, hessians;
   AlignedBuffer<int> active;  ///< the pieces that carry weight, or may; the first is the reference
   int active_count = 0;
 
-  const double* point(int i) const noexcept { return points.data() + std::ptrdiff_t{i} * n; }
-  double* point(int i) noexcept { return points.data() + std::ptrdiff_t{i} * n; }
-  const double* hessian(int i) const noexcept { return hessians.data() + std::ptrdiff_t{i} * n * n; }
+  const Real* point(int i) const noexcept { return points.data() + std::ptrdiff_t{i} * n; }
+  Real* point(int i) noexcept { return points.data() + std::ptrdiff_t{i} * n; }
+  const Real* hessian(int i) const noexcept { return hessians.data() + std::ptrdiff_t{i} * n * n; }
 };
 
 /// One set of a pair as a maximum of smooth pieces. A `smooth` set has its pieces at any u; a `polytope` is
 /// known through the vertices met so far, which are remembered.
+template <class Real>
 class PieceOracle {
  public:
   /// `sign` is that of h_S(sign · u). False if the set has no pieces to offer.
   bool bind(const ConvexSet& S, double sign, const Kernels& kernels);
 
   /// One support query: the pieces at u. False where they are more than the set can list.
-  bool evaluate(const double* u, PieceList& list);
+  bool evaluate(const Real* u, PieceList<Real>& list);
 
   /// Replaces the pieces at u, the normal of a flat face, by the point of that face nearest to `target`.
-  void settle_on_facet(const double* u, const double* target, PieceList& list);
+  void settle_on_facet(const Real* u, const Real* target, PieceList<Real>& list);
 
   /// ConvexSet::facet_normal_unchecked in terms of u.
-  bool facet_normal(const double* u, const double* v, double* normal);
+  bool facet_normal(const Real* u, const Real* v, Real* normal);
 
   double coordinate_error() const noexcept { return coordinate_error_; }
   const ConvexSet& set() const noexcept { return *set_; }
 
  private:
-  void evaluate_smooth(const double* u, PieceList& list);
-  void evaluate_polytope(const double* u, PieceList& list);
+  void evaluate_smooth(const Real* u, PieceList<Real>& list);
+  void evaluate_polytope(const Real* u, PieceList<Real>& list);
   void remember(const double* vertex);
-  void make_room(PieceList& list, int count);
+  void make_room(PieceList<Real>& list, int count);
 
   const ConvexSet* set_ = nullptr;
   double sign_ = 1;
@@ -60,8 +63,10 @@ class PieceOracle {
   int next_ = 0;  // slot of the vertex to forget once all are taken
   double coordinate_error_ = 0;
   AlignedBuffer<double> memory_;
-  AlignedBuffer<double> direction_;
-  AlignedBuffer<double> other_;
+  AlignedBuffer<Real> direction_;
+  AlignedBuffer<Real> other_;
+  AlignedBuffer<double> nearest_;  // double precision: a direction near u, and the vertex there
+  AlignedBuffer<double> vertex_;
   AlignedBuffer<double> magnitude_;
 };
 

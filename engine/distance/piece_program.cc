@@ -11,19 +11,30 @@
 namespace raygauge {
 namespace {
 
-constexpr double kNoPivot = 1e-15;        // of a pivot, relative to the largest entry
-constexpr double kSlightly = 1e-14;       // how far the model of a piece may exceed the maximum
-constexpr double kSlack = 1e-13;          // of dependent equations, relative to the curvature
-constexpr double kLeastCurvature = 1e-9;  // added where the pieces have none, relative to the points
+template <class Real>
+constexpr double kNoPivot = 9 * kRoundoff<Real>;  // of a pivot, relative to the largest entry
+template <class Real>
+constexpr double kSlightly = 90 * kRoundoff<Real>;  // how far the model of a piece may exceed the maximum
+template <class Real>
+constexpr double kSlack = 900 * kRoundoff<Real>;  // of dependent equations, relative to the curvature
+constexpr double kLeastCurvature = 1e-9;          // added where the pieces have none, relative to the points
+
+template <class Real>
+bool is_finite(Real x) {
+  return x - x == 0;
+}
 
 }  // namespace
 
-void PieceProgram::begin(int n) {
+template <class Real>
+void PieceProgram<Real>::begin(int n) {
   n_ = n;
   systems_ = 0;
 }
 
-const double* PieceProgram::solve(const double* u, const Objective& objective, PieceList& A, PieceList& Q) {
+template <class Real>
+const Real* PieceProgram<Real>::solve(const Real* u, const Objective& objective, PieceList<Real>& A,
+                                      PieceList<Real>& Q) {
   warm_start(A);
   warm_start(Q);
   const int most = n_ + A.count + Q.count;
@@ -37,8 +48,8 @@ const double* PieceProgram::solve(const double* u, const Objective& objective, P
     if (!solve_system(u, objective, A, Q)) return nullptr;
     if (drop_negative(A) || drop_negative(Q)) continue;
     if (round >= enough) return step_.data();
-    const bool added_A = add_violated(A, 1.0);
-    const bool added_Q = add_violated(Q, -1.0);
+    const bool added_A = add_violated(A, 1);
+    const bool added_Q = add_violated(Q, -1);
     if (!added_A && !added_Q) return step_.data();
   }
   return nullptr;
@@ -46,7 +57,8 @@ const double* PieceProgram::solve(const double* u, const Objective& objective, P
 
 // The active set begins with the pieces that carried weight in the step before, if there was one, and with
 // the greatest.
-void PieceProgram::warm_start(PieceList& list) {
+template <class Real>
+void PieceProgram<Real>::warm_start(PieceList<Real>& list) {
   list.active_count = 0;
   if (list.warm) {
     for (int i = 0; i < list.count; ++i) {
@@ -56,8 +68,8 @@ void PieceProgram::warm_start(PieceList& list) {
     }
   }
   if (list.active_count == 0) {
-    std::fill_n(list.weight.data(), list.count, 0.0);
-    list.weight[static_cast<std::size_t>(list.best)] = 1.0;
+    std::fill_n(list.weight.data(), list.count, Real{0});
+    list.weight[static_cast<std::size_t>(list.best)] = 1;
   }
   const auto end = list.active.data() + list.active_count;
   if (std::find(list.active.data(), end, list.best) == end) {
@@ -65,29 +77,31 @@ void PieceProgram::warm_start(PieceList& list) {
   }
 }
 
-void PieceProgram::add_curvature(const PieceList& list, double weight) {
+template <class Real>
+void PieceProgram<Real>::add_curvature(const PieceList<Real>& list, Real weight) {
   if (!list.curved) return;
   for (int a = 0; a < list.active_count; ++a) {
     const int i = list.active[static_cast<std::size_t>(a)];
-    const double share = weight * std::max(list.weight[static_cast<std::size_t>(i)], 0.0);
-    const double* H = list.hessian(i);
+    const Real share = weight * std::max(list.weight[static_cast<std::size_t>(i)], Real{0});
+    const Real* H = list.hessian(i);
     for (int j = 0; j < n_; ++j) {
-      double* row = system_.data() + std::ptrdiff_t{j} * columns_;
+      Real* row = system_.data() + std::ptrdiff_t{j} * columns_;
       for (int k = 0; k < n_; ++k) row[k] += share * H[j * n_ + k];
     }
   }
 }
 
 // Gradients of the active pieces less that of the reference, as rows and as columns.
-void PieceProgram::add_differences(const PieceList& list, double sign, int row) {
+template <class Real>
+void PieceProgram<Real>::add_differences(const PieceList<Real>& list, int sign, int row) {
   const int reference = list.active[0];
-  const double* s_0 = list.point(reference);
+  const Real* s_0 = list.point(reference);
   for (int a = 1; a < list.active_count; ++a, ++row) {
     const int i = list.active[static_cast<std::size_t>(a)];
-    const double* s_i = list.point(i);
-    double* entries = system_.data() + std::ptrdiff_t{row} * columns_;
+    const Real* s_i = list.point(i);
+    Real* entries = system_.data() + std::ptrdiff_t{row} * columns_;
     for (int k = 0; k < n_; ++k) {
-      const double difference = sign * (s_i[k] - s_0[k]);
+      const Real difference = sign * (s_i[k] - s_0[k]);
       entries[k] = difference;
       system_.data()[std::ptrdiff_t{k} * columns_ + row] = difference;
     }
@@ -98,41 +112,44 @@ void PieceProgram::add_differences(const PieceList& list, double sign, int row) 
 
 // Where edges of A and Q are parallel, as those of homothets are, their rows are dependent: a little slack on
 // each makes the weights unique.
-bool PieceProgram::solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q) {
-  return solve_system(u, objective, A, Q, 0) || solve_system(u, objective, A, Q, kSlack);
+template <class Real>
+bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective, PieceList<Real>& A,
+                                      PieceList<Real>& Q) {
+  return solve_system(u, objective, A, Q, 0) || solve_system(u, objective, A, Q, kSlack<Real>);
 }
 
-bool PieceProgram::solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q,
-                                double slack) {
+template <class Real>
+bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective, PieceList<Real>& A,
+                                      PieceList<Real>& Q, Real slack) {
   const int rows_A = n_;
   const int rows_Q = rows_A + A.active_count - 1;
   const int size = rows_Q + Q.active_count - 1;
   columns_ = size + 1;
   ++systems_;
-  double* K = system_.data();
-  std::fill_n(K, std::ptrdiff_t{size} * columns_, 0.0);
+  Real* K = system_.data();
+  std::fill_n(K, std::ptrdiff_t{size} * columns_, Real{0});
   add_curvature(A, objective.weight_A);
   add_curvature(Q, objective.weight_Q);
-  add_differences(A, 1.0, rows_A);
-  add_differences(Q, -1.0, rows_Q);
-  const double* s_A = A.point(A.active[0]);
-  const double* s_Q = Q.point(Q.active[0]);
-  double trace = 0, length = 0;
+  add_differences(A, 1, rows_A);
+  add_differences(Q, -1, rows_Q);
+  const Real* s_A = A.point(A.active[0]);
+  const Real* s_Q = Q.point(Q.active[0]);
+  Real trace = 0, length = 0;
   for (int k = 0; k < n_; ++k) {
     trace += K[k * columns_ + k];
-    length += objective.weight_A * std::fabs(s_A[k]) + objective.weight_Q * std::fabs(s_Q[k]);
+    length += objective.weight_A * real::fabs(s_A[k]) + objective.weight_Q * real::fabs(s_Q[k]);
   }
   // H u = 0: this fixes u·d; and something to divide by where the pieces are flat.
-  const double along = std::max(trace, kLeastCurvature * length);
+  const Real along = std::max<Real>(trace, kLeastCurvature * length);
   for (int j = 0; j < n_; ++j) {
-    double* row = K + std::ptrdiff_t{j} * columns_;
+    Real* row = K + std::ptrdiff_t{j} * columns_;
     for (int k = 0; k < n_; ++k) row[k] += along * u[j] * u[k];
-    row[j] += kNoPivot * along;
+    row[j] += kNoPivot<Real> * along;
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
   }
   for (int i = n_; slack > 0 && i < size; ++i) {
-    const double* row = K + std::ptrdiff_t{i} * columns_;
+    const Real* row = K + std::ptrdiff_t{i} * columns_;
     K[std::ptrdiff_t{i} * columns_ + i] = -slack * dot(row, row, n_) / along;
   }
   if (!eliminate(size)) return false;
@@ -143,68 +160,72 @@ bool PieceProgram::solve_system(const double* u, const Objective& objective, Pie
 
 // Gaussian elimination; the solution is left in step_. Without multipliers the matrix is positive definite
 // and needs no exchange of rows.
-bool PieceProgram::eliminate(int size) {
+template <class Real>
+bool PieceProgram<Real>::eliminate(int size) {
   const bool definite = size == n_;
-  double* K = system_.data();
-  double largest = 0;
+  Real* K = system_.data();
+  Real largest = 0;
   for (int i = 0; i < size; ++i) {
     const int end = definite ? i + 1 : size;
-    for (int k = definite ? i : 0; k < end; ++k) largest = std::max(largest, std::fabs(K[i * columns_ + k]));
+    for (int k = definite ? i : 0; k < end; ++k) largest = std::max(largest, real::fabs(K[i * columns_ + k]));
   }
-  const double threshold = 1e-3 * kNoPivot * largest;
+  const Real threshold = Real{1e-3} * kNoPivot<Real> * largest;
   for (int p = 0; p < size; ++p) {
     if (!definite) exchange_rows(p, size);
-    double* row = K + std::ptrdiff_t{p} * columns_;
-    if (!(std::fabs(row[p]) > threshold)) return false;
-    const double inverse = 1 / row[p];
+    Real* row = K + std::ptrdiff_t{p} * columns_;
+    if (!(real::fabs(row[p]) > threshold)) return false;
+    const Real inverse = 1 / row[p];
     for (int i = p + 1; i < size; ++i) {
-      double* other = K + std::ptrdiff_t{i} * columns_;
-      const double factor = other[p] * inverse;
+      Real* other = K + std::ptrdiff_t{i} * columns_;
+      const Real factor = other[p] * inverse;
       for (int k = p + 1; k <= size; ++k) other[k] -= factor * row[k];
     }
     row[p] = inverse;
   }
-  double* x = step_.data();
+  Real* x = step_.data();
   bool finite = true;
   for (int p = size - 1; p >= 0; --p) {
-    const double* row = K + std::ptrdiff_t{p} * columns_;
-    double sum = row[size];
+    const Real* row = K + std::ptrdiff_t{p} * columns_;
+    Real sum = row[size];
     for (int k = p + 1; k < size; ++k) sum -= row[k] * x[k];
     x[p] = sum * row[p];
-    finite = finite && std::isfinite(x[p]);
+    finite = finite && is_finite(x[p]);
   }
   return finite;
 }
 
 // The largest entry of column p, from row p on, comes to row p.
-void PieceProgram::exchange_rows(int p, int size) {
-  double* K = system_.data();
+template <class Real>
+void PieceProgram<Real>::exchange_rows(int p, int size) {
+  Real* K = system_.data();
   int best = p;
   for (int i = p + 1; i < size; ++i) {
-    if (std::fabs(K[std::ptrdiff_t{i} * columns_ + p]) > std::fabs(K[std::ptrdiff_t{best} * columns_ + p]))
+    if (real::fabs(K[std::ptrdiff_t{i} * columns_ + p]) > real::fabs(K[std::ptrdiff_t{best} * columns_ + p]))
       best = i;
   }
   if (best == p) return;
-  double* row = K + std::ptrdiff_t{p} * columns_;
+  Real* row = K + std::ptrdiff_t{p} * columns_;
   std::swap_ranges(row + p, row + columns_, K + std::ptrdiff_t{best} * columns_ + p);
 }
 
-void PieceProgram::read_weights(PieceList& list, double scale, int row) const {
-  std::fill_n(list.weight.data(), list.count, 0.0);
-  double sum = 0;
+template <class Real>
+void PieceProgram<Real>::read_weights(PieceList<Real>& list, Real scale, int row) const {
+  std::fill_n(list.weight.data(), list.count, Real{0});
+  Real sum = 0;
   for (int a = 1; a < list.active_count; ++a, ++row) {
-    const double weight = step_[static_cast<std::size_t>(row)] / scale;
+    const Real weight = step_[static_cast<std::size_t>(row)] / scale;
     list.weight[static_cast<std::size_t>(list.active[static_cast<std::size_t>(a)])] = weight;
     sum += weight;
   }
   list.weight[static_cast<std::size_t>(list.active[0])] = 1 - sum;
 }
 
-bool PieceProgram::drop_negative(PieceList& list) const {
+template <class Real>
+bool PieceProgram<Real>::drop_negative(PieceList<Real>& list) const {
   int worst = -1;
-  double least = 0;
+  Real least = 0;
   for (int a = 0; a < list.active_count; ++a) {
-    const double weight = list.weight[static_cast<std::size_t>(list.active[static_cast<std::size_t>(a)])];
+    const Real weight = list.weight[static_cast<std::size_t>(list.active[static_cast<std::size_t>(a)])];
     if (weight < least) {
       least = weight;
       worst = a;
@@ -217,24 +238,26 @@ bool PieceProgram::drop_negative(PieceList& list) const {
   return true;
 }
 
-double PieceProgram::model(const PieceList& list, int i, double sign) const {
-  const double* d = step_.data();
-  double value = list.value[static_cast<std::size_t>(i)] + sign * dot(list.point(i), d, n_);
+template <class Real>
+Real PieceProgram<Real>::model(const PieceList<Real>& list, int i, int sign) const {
+  const Real* d = step_.data();
+  Real value = list.value[static_cast<std::size_t>(i)] + sign * dot(list.point(i), d, n_);
   if (!list.curved) return value;
-  const double* H = list.hessian(i);
+  const Real* H = list.hessian(i);
   for (int j = 0; j < n_; ++j) value += 0.5 * d[j] * dot(H + std::ptrdiff_t{j} * n_, d, n_);
   return value;
 }
 
-bool PieceProgram::add_violated(PieceList& list, double sign) const {
+template <class Real>
+bool PieceProgram<Real>::add_violated(PieceList<Real>& list, int sign) const {
   if (list.count == list.active_count) return false;
-  const double reference = model(list, list.active[0], sign);
-  double most = reference + kSlightly * std::fabs(reference);
+  const Real reference = model(list, list.active[0], sign);
+  Real most = reference + kSlightly<Real> * real::fabs(reference);
   int violated = -1;
   for (int i = 0; i < list.count; ++i) {
     const auto end = list.active.data() + list.active_count;
     if (std::find(list.active.data(), end, i) != end) continue;
-    const double value = model(list, i, sign);
+    const Real value = model(list, i, sign);
     if (value > most) {
       most = value;
       violated = i;
@@ -244,5 +267,8 @@ bool PieceProgram::add_violated(PieceList& list, double sign) const {
   list.active[static_cast<std::size_t>(list.active_count++)] = violated;
   return true;
 }
+
+template class PieceProgram<double>;
+template class PieceProgram<Quad>;
 
 }  // namespace raygauge

@@ -19,38 +19,40 @@ namespace raygauge {
 ///
 /// The pieces that attain the two maxima form the active set; their multipliers are the weights α, β, with
 /// which Σ α_i s_i is a point of A and Σ β_j s_j one of Q.
+template <class Real>
 class PieceProgram {
  public:
   struct Objective {
-    double weight_A = 1;
-    double weight_Q = 1;
-    const double* linear = nullptr;  ///< l; nullptr for zero
+    Real weight_A = 1;
+    Real weight_Q = 1;
+    const Real* linear = nullptr;  ///< l; nullptr for zero
   };
 
   /// Writes the weights of both lists and returns the step d, n doubles; nullptr if no active set was found.
-  const double* solve(const double* u, const Objective& objective, PieceList& A, PieceList& Q);
+  const Real* solve(const Real* u, const Objective& objective, PieceList<Real>& A, PieceList<Real>& Q);
 
   std::int64_t systems() const noexcept { return systems_; }
   void begin(int n);
 
  private:
-  void warm_start(PieceList& list);
-  bool solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q);
-  bool solve_system(const double* u, const Objective& objective, PieceList& A, PieceList& Q, double slack);
-  void add_curvature(const PieceList& list, double weight);
-  void add_differences(const PieceList& list, double sign, int row);
+  void warm_start(PieceList<Real>& list);
+  bool solve_system(const Real* u, const Objective& objective, PieceList<Real>& A, PieceList<Real>& Q);
+  bool solve_system(const Real* u, const Objective& objective, PieceList<Real>& A, PieceList<Real>& Q,
+                    Real slack);
+  void add_curvature(const PieceList<Real>& list, Real weight);
+  void add_differences(const PieceList<Real>& list, int sign, int row);
   bool eliminate(int size);
   void exchange_rows(int p, int size);
-  void read_weights(PieceList& list, double scale, int row) const;
-  bool drop_negative(PieceList& list) const;
-  bool add_violated(PieceList& list, double sign) const;
-  double model(const PieceList& list, int i, double sign) const;
+  void read_weights(PieceList<Real>& list, Real scale, int row) const;
+  bool drop_negative(PieceList<Real>& list) const;
+  bool add_violated(PieceList<Real>& list, int sign) const;
+  Real model(const PieceList<Real>& list, int i, int sign) const;
 
   int n_ = 0;
   int columns_ = 0;
   std::int64_t systems_ = 0;
-  AlignedBuffer<double> system_;  // rows of the KKT system, right-hand side last
-  AlignedBuffer<double> step_;    // d, then the scaled multipliers
+  AlignedBuffer<Real> system_;  // rows of the KKT system, right-hand side last
+  AlignedBuffer<Real> step_;    // d, then the scaled multipliers
 };
 
 }  // namespace raygauge

@@ -42,7 +42,7 @@ void check_options(const DistanceOptions& options) {
 }  // namespace
 
 struct DistanceSolver::Workspace {
-  enum class Concluded : std::uint8_t { point_set_direct, support_direct, zheng_yamane, newton };
+  enum class Concluded : std::uint8_t { point_set_direct, support_direct, zheng_yamane, newton, quad_newton };
 
   DistanceOptions options;
   DistanceResult result;
@@ -52,7 +52,8 @@ struct DistanceSolver::Workspace {
   SupportOracle oracle_Q;
   Scaling scaling;  // of the oracles
   ZhengYamane zheng_yamane;
-  Newton newton;
+  Newton<double> newton;
+  Newton<Quad> quad_newton;
   Concluded concluded = Concluded::point_set_direct;
 
   Stopwatch stopwatch;  // over all methods that take part
@@ -61,6 +62,9 @@ struct DistanceSolver::Workspace {
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  template <class Method>
+  bool refine_by(Method& method, const double* start, const ConvexSet& A, const ConvexSet& Q,
+                 Effects effects);
   void bind_oracles(const ConvexSet& A, const ConvexSet& Q);
   void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
 };
@@ -138,22 +142,35 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   }
 }
 
-// The solve once more by `newton`, unless that was tried before; if it does not conclude it either, the
-// better of the two pairs of bounds. The counters are those of both.
+// The solve once more by `newton`, unless that was tried before, and then in quadruple precision.
 void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
-  const DistanceCounters before = result.counters;
-  const bool tried = options.method == DistanceMethod::newton;
-  if (tried || !newton.solve(A, Q, options, stopwatch, effects, result)) {
-    if (!(newton.gap() < result.upper - result.lower)) return;
-    newton.report(DistanceStatus::precision_limit, effects, result);
+  if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
+    concluded = Concluded::newton;
   }
-  concluded = Concluded::newton;
+  if (result.status != DistanceStatus::precision_limit) return;
+  const Vector start = result.normal;
+  if (refine_by(quad_newton, result.lower > 0 ? start.data() : nullptr, A, Q, effects)) {
+    concluded = Concluded::quad_newton;
+  }
+}
+
+// True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds. The
+// counters are those of both.
+template <class Method>
+bool DistanceSolver::Workspace::refine_by(Method& method, const double* start, const ConvexSet& A,
+                                          const ConvexSet& Q, Effects effects) {
+  const DistanceCounters before = result.counters;
+  if (!method.solve(A, Q, options, stopwatch, effects, result, start)) {
+    if (!(method.gap() < result.upper - result.lower)) return false;
+    method.report(DistanceStatus::precision_limit, effects, result);
+  }
   result.counters.outer_iterations = before.outer_iterations;
   result.counters.ray_iterations += before.ray_iterations;
   result.counters.pivots += before.pivots;
   result.counters.support_queries += before.support_queries;
   result.counters.points_priced += before.points_priced;
   result.counters.refactorisations += before.refactorisations;
+  return true;
 }
 
 DistanceSolver::DistanceSolver(const DistanceOptions& options) : workspace_(std::make_unique<Workspace>()) {
@@ -180,7 +197,10 @@ const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet&
   return workspace_->result;
 }
 
-void DistanceSolver::keep_combination(bool keep) { workspace_->newton.keep_combination(keep); }
+void DistanceSolver::keep_combination(bool keep) {
+  workspace_->newton.keep_combination(keep);
+  workspace_->quad_newton.keep_combination(keep);
+}
 
 bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
   combination.clear(static_cast<int>(workspace_->result.normal.size()));
@@ -197,12 +217,16 @@ bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
     case Workspace::Concluded::newton:
       workspace_->newton.contact_combination(combination);
       break;
+    case Workspace::Concluded::quad_newton:
+      workspace_->quad_newton.contact_combination(combination);
+      break;
   }
   return combination.count() > 0;
 }
 
 void DistanceSolver::set_threshold(double threshold) {
   workspace_->newton.set_threshold(threshold);
+  workspace_->quad_newton.set_threshold(threshold);
   workspace_->support_direct.set_threshold(threshold);
 }
 

@@ -66,13 +66,20 @@ std::shared_ptr<const AffineImage> AffineImage::rigid(std::shared_ptr<const Conv
   return image;
 }
 
-void AffineImage::map(const double* x, double* image) const noexcept {
+// M x, where x has its entries `stride` numbers apart.
+template <class Real>
+void AffineImage::map_linearly(const Real* x, int stride, Real* image) const noexcept {
   const int n = dimension();
-  std::copy_n(t_.data(), n, image);
+  std::fill_n(image, n, Real{0});
   for (int j = 0; j < n; ++j) {
     const double* column = M_.col(j).data();
-    for (int k = 0; k < n; ++k) image[k] += x[j] * column[k];
+    for (int k = 0; k < n; ++k) image[k] += x[std::ptrdiff_t{j} * stride] * column[k];
   }
+}
+
+void AffineImage::map(const double* x, double* image) const noexcept {
+  map_linearly(x, 1, image);
+  for (int k = 0; k < dimension(); ++k) image[k] += t_[k];
 }
 
 double AffineImage::do_support(const double* u, double* point) const {
@@ -125,28 +132,36 @@ double AffineImage::do_inner_radius(const double* c) const {
 
 SupportStructure AffineImage::do_structure() const noexcept { return S_->structure(); }
 
-void AffineImage::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void AffineImage::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   const int n = dimension();
-  Scratch direction(n), column(n);
-  double* v = column.data();
+  BasicScratch<Real> direction(n), column(n);
+  Real* v = column.data();
   for (int j = 0; j < n; ++j) direction.data()[j] = dot(M_.col(j).data(), u, n);
   S_->support_pieces_unchecked(direction.data(), pieces, SupportPieces::kCapacity - capacity);
-  const double shift = dot(u, t_.data(), n);
+  const Real shift = dot(u, t_.data(), n);
   for (int i = 0; i < pieces.count; ++i) {
     pieces.value[static_cast<std::size_t>(i)] += shift;
-    std::copy_n(pieces.point(i), n, v);
-    map(v, pieces.point(i));
-    Eigen::Map<Eigen::MatrixXd> H(pieces.hessian(i), n, n);  // becomes M H Mᵀ: columns first, then rows
-    Eigen::Map<Vector> w(v, n);
+    map_linearly(pieces.point(i), 1, v);
+    for (int k = 0; k < n; ++k) pieces.point(i)[k] = v[k] + t_[k];
+    Real* H = pieces.hessian(i);  // becomes M H Mᵀ: columns first, then rows
     for (int j = 0; j < n; ++j) {
-      w.noalias() = M_.lazyProduct(H.col(j));
-      H.col(j) = w;
+      map_linearly(H + std::ptrdiff_t{j} * n, 1, v);
+      std::copy_n(v, n, H + std::ptrdiff_t{j} * n);
     }
     for (int j = 0; j < n; ++j) {
-      w.noalias() = M_.lazyProduct(H.row(j).transpose());
-      H.row(j) = w.transpose();
+      map_linearly(H + j, n, v);
+      for (int k = 0; k < n; ++k) H[std::ptrdiff_t{k} * n + j] = v[k];
     }
   }
+}
+
+void AffineImage::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void AffineImage::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 // A direction u of the image is Mᵀu for S; a normal v of S is M⁻ᵀv for the image.

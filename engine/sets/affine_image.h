@@ -34,6 +34,12 @@ class AffineImage final : public ConvexSet {
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   bool do_facet_normal(const double* u, const double* v, double* normal) const override;
   void do_facet_point(const double* normal, const double* target, double* point) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
+  template <class Real>
+  void map_linearly(const Real* x, int stride, Real* image) const noexcept;
   void map(const double* x, double* image) const noexcept;
 
   std::shared_ptr<const ConvexSet> S_;

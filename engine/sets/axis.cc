@@ -24,22 +24,38 @@ Axis::Axis(const std::string& set, const ConstVectorRef& p, const ConstVectorRef
   if (normalize(direction_.data(), static_cast<int>(direction_.size()), direction_.data()) == 0) {
     throw InvalidParameterError(set + ": the two ends of the axis must not coincide");
   }
+  for (Eigen::Index k = 0; k < p.size(); ++k) quad_direction_.push_back(Quad{q[k]} - p[k]);
+  normalize(quad_direction_.data(), static_cast<int>(p.size()), quad_direction_.data());
 }
 
-double Axis::radial_part(const double* u, double* radial) const noexcept {
+template <>
+const double* Axis::components() const noexcept {
+  return direction_.data();
+}
+
+template <>
+const Quad* Axis::components() const noexcept {
+  return quad_direction_.data();
+}
+
+template <class Real>
+Real Axis::radial_part(const Real* u, Real* radial) const noexcept {
   const auto n = static_cast<int>(direction_.size());
-  const double* a = direction_.data();
-  const double along = dot(u, a, n);
+  const Real* a = components<Real>();
+  const Real along = dot(u, a, n);
   for (int k = 0; k < n; ++k) radial[k] = u[k] - along * a[k];
   // What is taken away leaves a rounding error along the axis; where little else is left of u, that error
   // would be scaled up with it and lead out of the set.
   for (int pass = 0; pass < kPasses; ++pass) {
-    const double left = dot(radial, a, n);
+    const Real left = dot(radial, a, n);
     for (int k = 0; k < n; ++k) radial[k] -= left * a[k];
-    if (std::fabs(left) <= largest_magnitude(radial, n)) return normalize(radial, n, radial);
+    if (real::fabs(left) <= largest_magnitude(radial, n)) return normalize(radial, n, radial);
   }
-  std::fill_n(radial, n, 0.0);
+  std::fill_n(radial, n, Real{0});
   return 0;
 }
+
+template double Axis::radial_part(const double*, double*) const noexcept;
+template Quad Axis::radial_part(const Quad*, Quad*) const noexcept;
 
 }  // namespace raygauge

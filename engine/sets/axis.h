@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/sets/convex_set.h"
 
@@ -17,12 +18,18 @@ class Axis {
 
   /// |u_⊥|, and u_⊥/|u_⊥| in `radial` (zero where u_⊥ = 0), orthogonal to the axis to rounding even for u
   /// along it, where u_⊥ itself is nothing but rounding.
-  double radial_part(const double* u, double* radial) const noexcept;
+  template <class Real>
+  Real radial_part(const Real* u, Real* radial) const noexcept;
 
   const Vector& direction() const noexcept { return direction_; }
 
+  /// a, n numbers, in double or in quadruple precision.
+  template <class Real>
+  const Real* components() const noexcept;
+
  private:
   Vector direction_;
+  std::vector<Quad> quad_direction_;
 };
 
 }  // namespace raygauge

@@ -31,15 +31,24 @@ double Ball::do_inner_radius(const double* c) const {
 
 SupportStructure Ball::do_structure() const noexcept { return SupportStructure::smooth; }
 
-void Ball::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void Ball::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 1) return;
   const int n = dimension();
-  double* point = pieces.point(0);
-  const double length = normalize(u, n, point);
+  Real* point = pieces.point(0);
+  const Real length = normalize(u, n, point);
   norm_hessian(point, radius_ / length, n, pieces.hessian(0));
   for (int k = 0; k < n; ++k) point[k] = center_[k] + radius_ * point[k];
   pieces.value[0] = dot(u, center_.data(), n) + radius_ * length;
   pieces.count = 1;
+}
+
+void Ball::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void Ball::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

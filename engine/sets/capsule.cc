@@ -50,11 +50,12 @@ double Capsule::do_inner_radius(const double* c) const {
 
 SupportStructure Capsule::do_structure() const noexcept { return SupportStructure::smooth; }
 
-void Capsule::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void Capsule::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 2) return;
   const int n = dimension();
-  double* unit = pieces.point(0);
-  const double length = normalize(u, n, unit);
+  Real* unit = pieces.point(0);
+  const Real length = normalize(u, n, unit);
   norm_hessian(unit, radius_ / length, n, pieces.hessian(0));
   std::copy_n(pieces.hessian(0), n * n, pieces.hessian(1));
   for (int k = 0; k < n; ++k) pieces.point(1)[k] = q_[k] + radius_ * unit[k];
@@ -62,6 +63,14 @@ void Capsule::do_support_pieces(const double* u, SupportPieces& pieces, int capa
   pieces.value[0] = dot(u, p_.data(), n) + radius_ * length;
   pieces.value[1] = dot(u, q_.data(), n) + radius_ * length;
   pieces.count = 2;
+}
+
+void Capsule::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void Capsule::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

@@ -66,6 +66,14 @@ void ConvexSet::do_facet_point(const double* normal, const double* /*target*/, d
   do_support(normal, point);
 }
 
+void ConvexSet::do_quad_pieces(const Quad* /*u*/, QuadSupportPieces& /*pieces*/, int /*capacity*/) const {}
+
+bool ConvexSet::do_quad_facet_normal(const Quad* /*u*/, const Quad* /*v*/, Quad* /*normal*/) const {
+  return false;
+}
+
+void ConvexSet::do_quad_facet_point(const Quad* /*normal*/, const Quad* /*target*/, Quad* /*point*/) const {}
+
 Vector ConvexSet::center() const {
   Vector point(dimension_);
   do_center(point.data());

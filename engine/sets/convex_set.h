@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/sets/quad.h"
+
 namespace raygauge {
 
 using Vector = Eigen::VectorXd;
@@ -29,27 +31,31 @@ constexpr SupportStructure structure_of_sum(SupportStructure a, SupportStructure
 
 /// The smooth pieces h_i of a support function h(u) = max_i h_i(u) at one direction u: value h_i(u), gradient
 /// (a point of S) and Hessian, n × n. A gradient's Hessian times u is zero, since h_i is homogeneous.
-struct SupportPieces {
+template <class Real>
+struct BasicSupportPieces {
   static constexpr int kCapacity = 8;
 
   int dimension = 0;
   int count = 0;
-  std::array<double, kCapacity> value{};
-  double* points = nullptr;    ///< room for kCapacity points, n doubles each
-  double* hessians = nullptr;  ///< room for kCapacity Hessians, n² doubles each
+  std::array<Real, kCapacity> value{};
+  Real* points = nullptr;    ///< room for kCapacity points, n numbers each
+  Real* hessians = nullptr;  ///< room for kCapacity Hessians, n² numbers each
 
-  double* point(int i) const noexcept { return points + std::ptrdiff_t{i} * dimension; }
-  double* hessian(int i) const noexcept { return hessians + std::ptrdiff_t{i} * dimension * dimension; }
+  Real* point(int i) const noexcept { return points + std::ptrdiff_t{i} * dimension; }
+  Real* hessian(int i) const noexcept { return hessians + std::ptrdiff_t{i} * dimension * dimension; }
 
   /// The pieces from number `first` on, as a list of their own.
-  SupportPieces rest(int first) const noexcept {
-    SupportPieces view;
+  BasicSupportPieces rest(int first) const noexcept {
+    BasicSupportPieces view;
     view.dimension = dimension;
     view.points = point(first);
     view.hessians = hessian(first);
     return view;
   }
 };
+
+using SupportPieces = BasicSupportPieces<double>;
+using QuadSupportPieces = BasicSupportPieces<Quad>;
 
 /// A nonempty compact convex set S in R^n, known through its support function and support mapping, equation
 /// (6) of Zheng & Yamane:
@@ -110,10 +116,20 @@ class ConvexSet {
     do_support_pieces(u, pieces, SupportPieces::kCapacity - used);
   }
 
+  /// The same in quadruple precision, for what is left to prove where doubles end: values and gradients as
+  /// above, with errors of rounding_error<Quad>(n). count = 0 where the set knows no more than doubles.
+  void support_pieces_unchecked(const Quad* u, QuadSupportPieces& pieces, int used = 0) const {
+    pieces.count = 0;
+    do_quad_pieces(u, pieces, SupportPieces::kCapacity - used);
+  }
+
   /// A `smooth` set may have flat faces, at whose normals its pieces have a kink. If the way from u to v
   /// passes near such a normal, writes it and returns true.
   bool facet_normal_unchecked(const double* u, const double* v, double* normal) const {
     return do_facet_normal(u, v, normal);
+  }
+  bool facet_normal_unchecked(const Quad* u, const Quad* v, Quad* normal) const {
+    return do_quad_facet_normal(u, v, normal);
   }
 
   /// The point of the face across `normal`, one that facet_normal_unchecked gave, that is nearest to
@@ -121,9 +137,15 @@ class ConvexSet {
   void facet_point_unchecked(const double* normal, const double* target, double* point) const {
     do_facet_point(normal, target, point);
   }
+  void facet_point_unchecked(const Quad* normal, const Quad* target, Quad* point) const {
+    do_quad_facet_point(normal, target, point);
+  }
 
   /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
-  static constexpr double rounding_error(int n) noexcept { return (2 * n + 8) * 0x1p-53; }
+  template <class Real = double>
+  static constexpr double rounding_error(int n) noexcept {
+    return (2 * n + 8) * kRoundoff<Real>;
+  }
 
  protected:
   /// Throws InvalidParameterError unless dimension >= 1.
@@ -142,6 +164,9 @@ class ConvexSet {
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
   virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;
   virtual void do_facet_point(const double* normal, const double* target, double* point) const;
+  virtual void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const;
+  virtual bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const;
+  virtual void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const;
 
   int dimension_;
 };

@@ -49,4 +49,16 @@ void Cylinder::do_facet_point(const double* normal, const double* target, double
   frustum().facet_point(normal, target, point);
 }
 
+void Cylinder::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  if (capacity >= 2) frustum().support_pieces(u, pieces);
+}
+
+bool Cylinder::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
+  return frustum().facet_normal(u, v, normal);
+}
+
+void Cylinder::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
+  frustum().facet_point(normal, target, point);
+}
+
 }  // namespace raygauge

@@ -19,13 +19,14 @@ Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen:
   inverse_ = BoundedInverse(factor_);
 }
 
-double Ellipsoid::do_support(const double* u, double* point) const {
+template <class Real>
+Real Ellipsoid::support(const Real* u, Real* point) const {
   const int n = dimension();
   const auto m = static_cast<int>(factor_.cols());
-  Scratch scratch(m);
-  double* z = scratch.data();
+  BasicScratch<Real> scratch(m);
+  Real* z = scratch.data();
   for (int j = 0; j < m; ++j) z[j] = dot(factor_.col(j).data(), u, n);
-  const double length = normalize(z, m, z);
+  const Real length = normalize(z, m, z);
   std::copy_n(center_.data(), n, point);
   for (int j = 0; j < m; ++j) {
     const double* column = factor_.col(j).data();
@@ -33,6 +34,8 @@ double Ellipsoid::do_support(const double* u, double* point) const {
   }
   return dot(u, center_.data(), n) + length;
 }
+
+double Ellipsoid::do_support(const double* u, double* point) const { return support(u, point); }
 
 void Ellipsoid::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
@@ -50,22 +53,44 @@ double Ellipsoid::do_inner_radius(const double* x) const {
 
 SupportStructure Ellipsoid::do_structure() const noexcept { return SupportStructure::smooth; }
 
+template <>
+double Ellipsoid::shape(int j, int k) const {
+  return shape_(k, j);
+}
+
+// Doubles would leave nothing of a short axis beside a long one.
+template <>
+Quad Ellipsoid::shape(int j, int k) const {
+  Quad sum = 0;
+  for (Eigen::Index i = 0; i < factor_.cols(); ++i) sum += Quad{factor_(j, i)} * factor_(k, i);
+  return sum;
+}
+
 // The Hessian of |Lᵀu| is (L Lᵀ - g gᵀ)/|Lᵀu|, g = L Lᵀu/|Lᵀu|.
-void Ellipsoid::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void Ellipsoid::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 1) return;
   const int n = dimension();
-  double* point = pieces.point(0);
-  pieces.value[0] = do_support(u, point);
+  Real* point = pieces.point(0);
+  pieces.value[0] = support(u, point);
   pieces.count = 1;
-  const double length = pieces.value[0] - dot(u, center_.data(), n);
-  const double curvature = length > 0 ? 1 / length : 0.0;
-  double* hessian = pieces.hessian(0);
+  const Real length = pieces.value[0] - dot(u, center_.data(), n);
+  const Real curvature = length > 0 ? 1 / length : Real{0};
+  Real* hessian = pieces.hessian(0);
   for (int j = 0; j < n; ++j) {
-    const double g_j = point[j] - center_[j];
+    const Real g_j = point[j] - center_[j];
     for (int k = 0; k < n; ++k) {
-      hessian[j * n + k] = curvature * (shape_(k, j) - (point[k] - center_[k]) * g_j);
+      hessian[j * n + k] = curvature * (shape<Real>(j, k) - (point[k] - center_[k]) * g_j);
     }
   }
+}
+
+void Ellipsoid::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void Ellipsoid::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

@@ -27,10 +27,18 @@ class Ellipsoid final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+
+  template <class Real>
+  Real support(const Real* u, Real* point) const;
+  template <class Real>
+  Real shape(int j, int k) const;
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
   Vector center_;
   Eigen::MatrixXd factor_;
-  Eigen::MatrixXd shape_;   // L Lᵀ, for Hessians alone: no bound depends on it
+  Eigen::MatrixXd shape_;   // L Lᵀ in double precision, for Hessians alone: no bound depends on it
   BoundedInverse inverse_;  // of L, where L is square
 };
 

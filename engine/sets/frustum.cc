@@ -36,17 +36,18 @@ double Frustum::inner_radius(const double* c) const {
   return proven_length(std::min({z, height - z, to_nappe}), size, n);
 }
 
-void Frustum::support_pieces(const double* u, SupportPieces& pieces) const {
+template <class Real>
+void Frustum::support_pieces(const Real* u, BasicSupportPieces<Real>& pieces) const {
   const auto n = static_cast<int>(base.size());
-  const double* a = axis.direction().data();
-  double* unit = pieces.point(0);
-  double* H_b = pieces.hessian(0);
-  double* H_t = pieces.hessian(1);
-  const double across = axis.radial_part(u, unit);
-  const double curvature = across > 0 ? 1 / across : 0.0;
+  const Real* a = axis.components<Real>();
+  Real* unit = pieces.point(0);
+  Real* H_b = pieces.hessian(0);
+  Real* H_t = pieces.hessian(1);
+  const Real across = axis.radial_part(u, unit);
+  const Real curvature = across > 0 ? 1 / across : Real{0};
   for (int j = 0; j < n; ++j) {
     for (int k = 0; k < n; ++k) {
-      const double projector = (j == k ? 1.0 : 0.0) - a[j] * a[k] - unit[j] * unit[k];
+      const Real projector = (j == k ? 1 : 0) - a[j] * a[k] - unit[j] * unit[k];
       H_b[j * n + k] = base_radius * curvature * projector;
       H_t[j * n + k] = top_radius * curvature * projector;
     }
@@ -58,37 +59,47 @@ void Frustum::support_pieces(const double* u, SupportPieces& pieces) const {
   pieces.count = 2;
 }
 
-bool Frustum::facet_normal(const double* u, const double* v, double* normal) const {
+template <class Real>
+bool Frustum::facet_normal(const Real* u, const Real* v, Real* normal) const {
   const auto n = static_cast<int>(base.size());
-  const double* a = axis.direction().data();
-  const double along_u = dot(u, a, n);
-  const double along_v = dot(v, a, n);
-  double begin = 0, way = 0, progress = 0;  // |u_⊥|², |v_⊥ - u_⊥|², -u_⊥·(v_⊥ - u_⊥)
+  const Real* a = axis.components<Real>();
+  const Real along_u = dot(u, a, n);
+  const Real along_v = dot(v, a, n);
+  Real begin = 0, way = 0, progress = 0;  // |u_⊥|², |v_⊥ - u_⊥|², -u_⊥·(v_⊥ - u_⊥)
   for (int k = 0; k < n; ++k) {
-    const double u_k = u[k] - along_u * a[k];
-    const double step_k = v[k] - along_v * a[k] - u_k;
+    const Real u_k = u[k] - along_u * a[k];
+    const Real step_k = v[k] - along_v * a[k] - u_k;
     begin += u_k * u_k;
     way += step_k * step_k;
     progress -= u_k * step_k;
   }
   if (!(progress > 0)) return false;
-  const double t = std::min(1.0, progress / way);
-  const double nearest = begin - t * (2 * progress - t * way);
-  const double along = along_u + t * (along_v - along_u);
+  const Real t = std::min(Real{1}, progress / way);
+  const Real nearest = begin - t * (2 * progress - t * way);
+  const Real along = along_u + t * (along_v - along_u);
   const double radius = along > 0 ? top_radius : base_radius;
   if (!(radius > 0) || nearest > kPassesBy * kPassesBy * begin) return false;
   for (int k = 0; k < n; ++k) normal[k] = along > 0 ? a[k] : -a[k];
   return true;
 }
 
-void Frustum::facet_point(const double* normal, const double* target, double* point) const {
+template <class Real>
+void Frustum::facet_point(const Real* normal, const Real* target, Real* point) const {
   const auto n = static_cast<int>(base.size());
-  const bool at_top = dot(normal, axis.direction().data(), n) > 0;
+  const bool at_top = dot(normal, axis.components<Real>(), n) > 0;
   const Vector& disc = at_top ? top : base;
-  Scratch offset(n);
+  BasicScratch<Real> offset(n);
   for (int k = 0; k < n; ++k) offset.data()[k] = target[k] - disc[k];
-  const double away = std::min(axis.radial_part(offset.data(), point), at_top ? top_radius : base_radius);
+  const Real radius = at_top ? top_radius : base_radius;
+  const Real away = std::min(axis.radial_part(offset.data(), point), radius);
   for (int k = 0; k < n; ++k) point[k] = disc[k] + away * point[k];
 }
+
+template void Frustum::support_pieces(const double*, SupportPieces&) const;
+template void Frustum::support_pieces(const Quad*, QuadSupportPieces&) const;
+template bool Frustum::facet_normal(const double*, const double*, double*) const;
+template bool Frustum::facet_normal(const Quad*, const Quad*, Quad*) const;
+template void Frustum::facet_point(const double*, const double*, double*) const;
+template void Frustum::facet_point(const Quad*, const Quad*, Quad*) const;
 
 }  // namespace raygauge

@@ -20,13 +20,16 @@ struct Frustum {
   double inner_radius(const double* c) const;
 
   /// Both discs, base first. Their Hessians are r_i/|u_⊥| times the projector across the axis and u.
-  void support_pieces(const double* u, SupportPieces& pieces) const;
+  template <class Real>
+  void support_pieces(const Real* u, BasicSupportPieces<Real>& pieces) const;
 
   /// The axis direction, of the sign that u points to, if the way from u to v passes it by closely.
-  bool facet_normal(const double* u, const double* v, double* normal) const;
+  template <class Real>
+  bool facet_normal(const Real* u, const Real* v, Real* normal) const;
 
   /// The point of the disc at that end that is nearest to `target`.
-  void facet_point(const double* normal, const double* target, double* point) const;
+  template <class Real>
+  void facet_point(const Real* normal, const Real* target, Real* point) const;
 };
 
 }  // namespace raygauge

@@ -45,4 +45,8 @@ void MinkowskiDifference::do_support_pieces(const double* u, SupportPieces& piec
   sum_pieces(*A2_, *A1_, -1.0, u, pieces, capacity);
 }
 
+void MinkowskiDifference::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  sum_pieces(*A2_, *A1_, -1.0, u, pieces, capacity);
+}
+
 }  // namespace raygauge

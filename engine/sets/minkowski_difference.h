@@ -24,6 +24,7 @@ class MinkowskiDifference final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 
   std::shared_ptr<const ConvexSet> A2_;
   std::shared_ptr<const ConvexSet> A1_;

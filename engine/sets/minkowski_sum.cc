@@ -41,4 +41,8 @@ void MinkowskiSum::do_support_pieces(const double* u, SupportPieces& pieces, int
   sum_pieces(*A_, *B_, 1.0, u, pieces, capacity);
 }
 
+void MinkowskiSum::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  sum_pieces(*A_, *B_, 1.0, u, pieces, capacity);
+}
+
 }  // namespace raygauge

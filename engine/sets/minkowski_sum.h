@@ -23,6 +23,7 @@ class MinkowskiSum final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 
   std::shared_ptr<const ConvexSet> A_;
   std::shared_ptr<const ConvexSet> B_;

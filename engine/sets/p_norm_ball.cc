@@ -21,23 +21,25 @@ double checked_exponent(double p) {
 }
 
 // ‖v‖_∞, and v replaced by sign(v_k) e_k at the largest entry.
-double unit_maximiser_1(double* v, int n) {
+template <class Real>
+Real unit_maximiser_1(Real* v, int n) {
   int best = 0;
   for (int k = 1; k < n; ++k) {
-    if (std::fabs(v[k]) > std::fabs(v[best])) best = k;
+    if (real::fabs(v[k]) > real::fabs(v[best])) best = k;
   }
-  const double largest = v[best];
-  std::fill_n(v, n, 0.0);
-  if (largest != 0) v[best] = std::copysign(1.0, largest);
-  return std::fabs(largest);
+  const Real largest = v[best];
+  std::fill_n(v, n, Real{0});
+  if (largest != 0) v[best] = real::copysign(Real{1}, largest);
+  return real::fabs(largest);
 }
 
 // ‖v‖_1, and v replaced by its signs.
-double unit_maximiser_infinity(double* v, int n) {
-  double sum = 0;
+template <class Real>
+Real unit_maximiser_infinity(Real* v, int n) {
+  Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    sum += std::fabs(v[k]);
-    if (v[k] != 0) v[k] = std::copysign(1.0, v[k]);
+    sum += real::fabs(v[k]);
+    if (v[k] != 0) v[k] = real::copysign(Real{1}, v[k]);
   }
   return sum;
 }
@@ -45,20 +47,21 @@ double unit_maximiser_infinity(double* v, int n) {
 // ‖v‖_q, and v replaced by z. With S = Σ t_k^q: ‖v‖_q = max|v| S^(1/q) and |z_k| = t_k^(q-1) / S^(1/p), where
 // no error of t_k is raised to a power: rounded t_k are those of another direction nearby, whose z has the
 // p-norm 1 too.
-double unit_maximiser(double* v, int n, double p) {
-  const double largest = largest_magnitude(v, n);
+template <class Real>
+Real unit_maximiser(Real* v, int n, double p) {
+  const Real largest = largest_magnitude(v, n);
   if (largest == 0) return 0;
-  const double q_minus_1 = 1 / (p - 1);
-  double sum = 0;
+  const Real q_minus_1 = 1 / (Real{p} - 1);
+  Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    const double t = std::fabs(v[k]) / largest;
-    const double power = std::pow(t, q_minus_1);
+    const Real t = real::fabs(v[k]) / largest;
+    const Real power = real::pow(t, q_minus_1);
     sum += t * power;
-    v[k] = std::copysign(power, v[k]);
+    v[k] = real::copysign(power, v[k]);
   }
-  const double scale = std::pow(sum, 1 / p);
+  const Real scale = real::pow(sum, 1 / Real{p});
   for (int k = 0; k < n; ++k) v[k] /= scale;
-  return largest * std::pow(sum, (p - 1) / p);
+  return largest * real::pow(sum, (Real{p} - 1) / p);
 }
 
 }  // namespace
@@ -74,10 +77,11 @@ PNormBall::PNormBall(const ConstVectorRef& center, const ConstVectorRef& semi_ax
   }
 }
 
-double PNormBall::do_support(const double* u, double* point) const {
+template <class Real>
+Real PNormBall::support(const Real* u, Real* point) const {
   const int n = dimension();
   for (int k = 0; k < n; ++k) point[k] = semi_axes_[k] * u[k];
-  double dual_norm = 0;
+  Real dual_norm = 0;
   if (p_ == 1) {
     dual_norm = unit_maximiser_1(point, n);
   } else if (p_ == 2) {
@@ -90,6 +94,8 @@ double PNormBall::do_support(const double* u, double* point) const {
   for (int k = 0; k < n; ++k) point[k] = center_[k] + semi_axes_[k] * point[k];
   return dot(u, center_.data(), n) + dual_norm;
 }
+
+double PNormBall::do_support(const double* u, double* point) const { return support(u, point); }
 
 void PNormBall::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
@@ -125,25 +131,34 @@ SupportStructure PNormBall::do_structure() const noexcept {
 // With v = diag(w) u, N = ‖v‖_q, t = |v|/N and g = diag(w) sign(v) t^(q-1), the gradient less c, the Hessian
 // is (q - 1)/N (diag(w² t^(q-2)) - g gᵀ). Where u_k is not about zero w_k² t_k^(q-2) = N g_k/u_k, with N =
 // g·u: so the Hessian of a ball with p near 1 takes u to zero in spite of q - 1 = 1/(p - 1).
-void PNormBall::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void PNormBall::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   constexpr double kSmallest = 1e-10;  // of t; for q < 2 the curvature at t = 0 is infinite
   if (capacity < 1) return;
   const int n = dimension();
-  double* point = pieces.point(0);
-  double* hessian = pieces.hessian(0);
-  pieces.value[0] = do_support(u, point);
+  Real* point = pieces.point(0);
+  Real* hessian = pieces.hessian(0);
+  pieces.value[0] = support(u, point);
   pieces.count = 1;
-  double norm = 0;
+  Real norm = 0;
   for (int k = 0; k < n; ++k) norm += (point[k] - center_[k]) * u[k];
-  const double q_minus_1 = 1 / (p_ - 1);
-  const double curvature = norm > 0 ? q_minus_1 / norm : 0.0;
+  const Real q_minus_1 = 1 / (Real{p_} - 1);
+  const Real curvature = norm > 0 ? q_minus_1 / norm : Real{0};
   for (int j = 0; j < n; ++j) {
-    const double g_j = point[j] - center_[j], w_j = semi_axes_[j];
+    const Real g_j = point[j] - center_[j], w_j = semi_axes_[j];
     for (int k = 0; k < n; ++k) hessian[j * n + k] = -curvature * g_j * (point[k] - center_[k]);
-    const bool zero = !(std::fabs(w_j * u[j]) > kSmallest * norm);
+    const bool zero = !(real::fabs(w_j * u[j]) > kSmallest * norm);
     hessian[j * n + j] +=
-        curvature * (zero ? w_j * w_j * std::pow(kSmallest, q_minus_1 - 1) : norm * g_j / u[j]);
+        curvature * (zero ? w_j * w_j * real::pow(Real{kSmallest}, q_minus_1 - 1) : norm * g_j / u[j]);
   }
+}
+
+void PNormBall::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void PNormBall::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

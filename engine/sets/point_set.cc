@@ -10,6 +10,7 @@
 
 #include "engine/exceptions.h"
 #include "engine/kernel/kernel.h"
+#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 namespace {
@@ -105,11 +106,23 @@ SupportStructure PointSet::do_structure() const noexcept {
   return size_ == 1 ? SupportStructure::point : SupportStructure::polytope;
 }
 
-void PointSet::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+// Those of a single point.
+template <class Real>
+void PointSet::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 1 || size_ != 1) return;
-  pieces.value[0] = do_support(u, pieces.point(0));
-  std::fill_n(pieces.hessian(0), static_cast<std::ptrdiff_t>(dimension()) * dimension(), 0.0);
+  const int n = dimension();
+  for (int k = 0; k < n; ++k) pieces.point(0)[k] = data_[static_cast<std::size_t>(k * kLanes)];
+  pieces.value[0] = dot(u, pieces.point(0), n);
+  std::fill_n(pieces.hessian(0), static_cast<std::ptrdiff_t>(n) * n, Real{0});
   pieces.count = 1;
+}
+
+void PointSet::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void PointSet::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

@@ -87,6 +87,10 @@ class PointSet final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
   std::ptrdiff_t size_;
   std::ptrdiff_t block_count_;

@@ -11,10 +11,11 @@ namespace raygauge {
 namespace {
 
 // Entry by entry, in place: every value of the operands is read before its slot is written.
-void add_arrays(double* base, int stride, int size, int first, int second, double sign) {
+template <class Real>
+void add_arrays(Real* base, int stride, int size, int first, int second, double sign) {
   for (int e = 0; e < size; ++e) {
-    double a[2], b[SupportPieces::kCapacity];
-    double* entry = base + e;
+    Real a[2], b[SupportPieces::kCapacity];
+    Real* entry = base + e;
     const int pairs_first = first == 2 && second == 2 ? 2 : 1;
     for (int i = 0; i < pairs_first; ++i) a[i] = entry[static_cast<std::ptrdiff_t>(i) * stride];
     if (pairs_first == 2) {
@@ -24,7 +25,7 @@ void add_arrays(double* base, int stride, int size, int first, int second, doubl
       for (int j = 0; j < second; ++j) b[j] = sign * entry[static_cast<std::ptrdiff_t>(1 + j) * stride];
       for (int j = 0; j < second; ++j) entry[static_cast<std::ptrdiff_t>(j) * stride] = a[0] + b[j];
     } else {
-      const double only = sign * entry[static_cast<std::ptrdiff_t>(first) * stride];
+      const Real only = sign * entry[static_cast<std::ptrdiff_t>(first) * stride];
       for (int i = 0; i < first; ++i) entry[static_cast<std::ptrdiff_t>(i) * stride] += only;
     }
   }
@@ -32,7 +33,9 @@ void add_arrays(double* base, int stride, int size, int first, int second, doubl
 
 }  // namespace
 
-void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, int capacity) {
+template <class Real>
+void add_pieces(BasicSupportPieces<Real>& first, const BasicSupportPieces<Real>& second, double sign,
+                int capacity) {
   const int m = first.count;
   const int l = second.count;
   if (m < 1 || l < 1 || m * l > capacity || (m > 1 && l > 1 && m + l != 4)) {
@@ -73,18 +76,26 @@ void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude) {
   for (int k = 0; k < S.dimension(); ++k) magnitude[k] += of_T.data()[k];
 }
 
-int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, SupportPieces& pieces,
-               int capacity, double* of_T) {
+template <class Real>
+int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const Real* u,
+               BasicSupportPieces<Real>& pieces, int capacity, Real* of_T) {
   const int n = S.dimension();
-  Scratch towards(n);
+  BasicScratch<Real> towards(n);
   for (int k = 0; k < n; ++k) towards.data()[k] = sign * u[k];
   S.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
-  SupportPieces second = pieces.rest(pieces.count);
+  BasicSupportPieces<Real> second = pieces.rest(pieces.count);
   T.support_pieces_unchecked(towards.data(), second, SupportPieces::kCapacity - capacity + pieces.count);
   if (of_T != nullptr) std::copy_n(second.points, second.count * n, of_T);
   add_pieces(pieces, second, sign, capacity);
   return second.count;
 }
+
+template void add_pieces(SupportPieces&, const SupportPieces&, double, int);
+template void add_pieces(QuadSupportPieces&, const QuadSupportPieces&, double, int);
+template int sum_pieces(const ConvexSet&, const ConvexSet&, double, const double*, SupportPieces&, int,
+                        double*);
+template int sum_pieces(const ConvexSet&, const ConvexSet&, double, const Quad*, QuadSupportPieces&, int,
+                        Quad*);
 
 double sum_of_radii(double first, double second, const double* c, const double* part, int n) {
   if (!(first > 0) || !(second > 0)) return 0;

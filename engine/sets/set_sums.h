@@ -22,14 +22,17 @@ void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude);
 
 /// The pieces of S ± T, S's index running slower than T's (add_pieces). Returns how many T has; their
 /// gradients are copied to `of_T` (room for kCapacity points) if that is not null.
-int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const double* u, SupportPieces& pieces,
-               int capacity, double* of_T = nullptr);
+template <class Real>
+int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const Real* u,
+               BasicSupportPieces<Real>& pieces, int capacity, Real* of_T = nullptr);
 
 /// The pieces of a sum, h_i + h_j for every pair, from those of its operands: `second` stands right behind
 /// `first` in memory and enters with its gradients times `sign` (-1 for the reflected operand of a
 /// difference). Either operand may have one piece only, or both two; otherwise, and beyond `capacity`, none
 /// are offered (first.count = 0).
-void add_pieces(SupportPieces& first, const SupportPieces& second, double sign, int capacity);
+template <class Real>
+void add_pieces(BasicSupportPieces<Real>& first, const BasicSupportPieces<Real>& second, double sign,
+                int capacity);
 
 /// The radius of a ball in a sum of sets, from two balls around points that add up to c up to rounding;
 /// 0 unless both are known. `part` is one of the two points.

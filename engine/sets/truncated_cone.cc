@@ -55,4 +55,16 @@ void TruncatedCone::do_facet_point(const double* normal, const double* target, d
   frustum().facet_point(normal, target, point);
 }
 
+void TruncatedCone::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  if (capacity >= 2) frustum().support_pieces(u, pieces);
+}
+
+bool TruncatedCone::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
+  return frustum().facet_normal(u, v, normal);
+}
+
+void TruncatedCone::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
+  frustum().facet_point(normal, target, point);
+}
+
 }  // namespace raygauge

@@ -33,6 +33,9 @@ class TruncatedCone final : public ConvexSet {
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   bool do_facet_normal(const double* u, const double* v, double* normal) const override;
   void do_facet_point(const double* normal, const double* target, double* point) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+  bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const override;
+  void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const override;
 
   Frustum frustum() const noexcept { return {axis_, base_, base_radius_, top_, top_radius_}; }
 

@@ -73,10 +73,11 @@ SupportStructure UnionHull::do_structure() const noexcept {
   return hull == SupportStructure::point ? SupportStructure::polytope : hull;
 }
 
-void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+template <class Real>
+void UnionHull::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   for (const auto& set : sets_) {
     const int before = pieces.count;
-    SupportPieces more = pieces.rest(before);
+    BasicSupportPieces<Real> more = pieces.rest(before);
     set->support_pieces_unchecked(u, more, SupportPieces::kCapacity - capacity + before);
     if (more.count == 0) {
       pieces.count = 0;
@@ -87,6 +88,14 @@ void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int ca
     }
     pieces.count = before + more.count;
   }
+}
+
+void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
+}
+
+void UnionHull::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
+  list_pieces(u, pieces, capacity);
 }
 
 }  // namespace raygauge

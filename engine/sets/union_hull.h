@@ -25,6 +25,10 @@ class UnionHull final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
   std::vector<std::shared_ptr<const ConvexSet>> sets_;
 };

@@ -6,22 +6,26 @@
 #include <cmath>
 #include <memory>
 
+#include "engine/sets/quad.h"
+
 namespace raygauge {
 
-// Small vectors as raw arrays: what the support functions of the closed-form sets are made of. Nothing
-// allocates.
+// Small vectors as raw arrays: what the support functions of the closed-form sets are made of, in
+// double or in quadruple precision. Nothing allocates.
 
-/// u·v.
-inline double dot(const double* u, const double* v, int n) noexcept {
-  double sum = 0;
+/// u·v, in the more precise of the two types.
+template <class Real, class Other>
+auto dot(const Real* u, const Other* v, int n) noexcept -> decltype(*u * *v) {
+  decltype(*u * *v) sum = 0;
   for (int k = 0; k < n; ++k) sum += u[k] * v[k];
   return sum;
 }
 
 /// max_k |u_k|.
-inline double largest_magnitude(const double* u, int n) noexcept {
-  double largest = 0;
-  for (int k = 0; k < n; ++k) largest = std::max(largest, std::fabs(u[k]));
+template <class Real>
+Real largest_magnitude(const Real* u, int n) noexcept {
+  Real largest = 0;
+  for (int k = 0; k < n; ++k) largest = std::max(largest, real::fabs(u[k]));
   return largest;
 }
 
@@ -48,6 +52,13 @@ inline double normalize(const double* u, int n, double* unit) noexcept {
   return std::scalbn(length, exponent);
 }
 
+/// The same in quadruple precision, whose range the squares of doubles do not leave.
+inline Quad normalize(const Quad* u, int n, Quad* unit) noexcept {
+  const Quad length = real::sqrt(dot(u, u, n));
+  for (int k = 0; k < n; ++k) unit[k] = length > 0 ? u[k] / length : Quad{0};
+  return length;
+}
+
 /// |u|, as normalize() computes it.
 inline double length(const double* u, int n) noexcept {
   const double square = dot(u, u, n);
@@ -62,6 +73,7 @@ inline double length(const double* u, int n) noexcept {
   }
   return std::scalbn(std::sqrt(sum), exponent);
 }
+inline Quad length(const Quad* u, int n) noexcept { return real::sqrt(dot(u, u, n)); }
 
 /// What is proven of a length computed from numbers of magnitude `size` in some tens of operations per
 /// coordinate: `length` less its rounding error; 0 where nothing is left.
@@ -71,31 +83,35 @@ inline double proven_length(double length, double size, int n) noexcept {
 }
 
 /// The Hessian of factor · |u|: factor/|u| (1 - ûûᵀ), û = u/|u|, n × n.
-inline void norm_hessian(const double* unit, double factor_by_length, int n, double* hessian) noexcept {
+template <class Real>
+void norm_hessian(const Real* unit, Real factor_by_length, int n, Real* hessian) noexcept {
   for (int j = 0; j < n; ++j) {
     for (int k = 0; k < n; ++k) hessian[j * n + k] = -factor_by_length * unit[j] * unit[k];
     hessian[j * n + j] += factor_by_length;
   }
 }
 
-/// An array of `size` doubles, not initialised: on the stack up to kOnStack, which is every dimension anybody
+/// An array of `size` numbers, not initialised: on the stack up to kOnStack, which is every dimension anybody
 /// has asked for; on the heap beyond.
-class Scratch {
+template <class Real>
+class BasicScratch {
  public:
   static constexpr int kOnStack = 128;
 
-  explicit Scratch(int size) {
-    if (size > kOnStack) heap_ = std::make_unique<double[]>(static_cast<std::size_t>(size));
+  explicit BasicScratch(int size) {
+    if (size > kOnStack) heap_ = std::make_unique<Real[]>(static_cast<std::size_t>(size));
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+  BasicScratch(const BasicScratch&) = delete;
+  BasicScratch& operator=(const BasicScratch&) = delete;
 
-  double* data() noexcept { return heap_ ? heap_.get() : stack_; }
+  Real* data() noexcept { return heap_ ? heap_.get() : stack_; }
 
  private:
-  double stack_[kOnStack];
-  std::unique_ptr<double[]> heap_;
+  Real stack_[kOnStack];
+  std::unique_ptr<Real[]> heap_;
 };
+
+using Scratch = BasicScratch<double>;
 
 /// |u - v|.
 inline double distance_between(const double* u, const double* v, int n) {
