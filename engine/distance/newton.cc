@@ -21,7 +21,11 @@ constexpr int kFacetTrials = 6;  // in one solve
 constexpr int kPatience = 4;     // steps without a better bound
 constexpr int kGrowthEvaluations = 24;
 
-int default_evaluation_limit(int n) { return 100 + 10 * n; }
+// Quadruple precision begins where doubles ended, and its evaluations take a hundred times as long.
+template <class Real>
+int default_evaluation_limit(int n) {
+  return std::is_same_v<Real, double> ? 100 + 10 * n : 60;
+}
 
 // rᵀ(Σ weight_i ∇²h_i)r over the active pieces.
 template <class Real>
@@ -53,6 +57,8 @@ Real combine(const PieceList<Real>& list, Real* point) {
   return size;
 }
 
+bool is_smooth(const ConvexSet& S) { return S.structure() == SupportStructure::smooth; }
+
 double up(double x) { return x; }
 double up(Quad x) { return rounded_up(x); }
 
@@ -74,8 +80,9 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   facets_tried_ = 0;
   on_facet_ = false;
   tolerance_ = options.tolerance;
-  max_evaluations_ = options.max_iterations > 0 ? options.max_iterations : default_evaluation_limit(n_);
+  max_evaluations_ = options.max_iterations > 0 ? options.max_iterations : default_evaluation_limit<Real>(n_);
   program_.begin(n_);
+  if (!std::is_same_v<Real, double> && !is_smooth(A) && !is_smooth(Q)) return false;
   const Kernels& kernels = kernels_for(options.instruction_set);
   if (!oracle_A_.bind(A, 1.0, kernels) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
   if (!choose_ball(Q)) return false;
@@ -139,15 +146,25 @@ Real Newton<Real>::growth_ratio(const Point& point) const {
   return along / (point.A.support.value + along + point.Q.support.value);
 }
 
+// The multiple of y nearest to x - δc: ρ itself is the less certain the smaller h_Q(-u) is.
+template <class Real>
+Real Newton<Real>::projected_ratio(const Real* x, const Real* y) const {
+  Real product = 0;
+  for (int k = 0; k < n_; ++k) product += (x[k] - shift_ * ball_center_[static_cast<std::size_t>(k)]) * y[k];
+  return product / dot(y, y, n_);
+}
+
 // The combinations x of A and y of Q with the weights of the step leave r = x - δc - ρy, if ρ >= 0:
 // x = ρy + r costs no more than ρ + gauge_Q(r), x = ρy + δ(c + r/δ) no more than ρ + δ.
 template <class Real>
 void Newton<Real>::bound_from_above() {
-  const Real ratio = now_->ratio;
-  if (!(ratio >= 0)) return;
   Real* x = target_.data();
   Real* y = linear_.data();
-  const Real size = combine(now_->A, x) + ratio * combine(now_->Q, y);
+  const Real size_A = combine(now_->A, x);
+  const Real size_Q = combine(now_->Q, y);
+  const Real ratio = shift_ > 0 ? projected_ratio(x, y) : now_->ratio;
+  if (!(ratio >= 0)) return;
+  const Real size = size_A + ratio * size_Q;
   for (int k = 0; k < n_; ++k) {
     residual_vector_[static_cast<std::size_t>(k)] =
         x[k] - ratio * y[k] - shift_ * ball_center_[static_cast<std::size_t>(k)];

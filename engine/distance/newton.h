@@ -45,6 +45,9 @@ class Newton {
   /// upper - lower of the last solve, +infinity where it proved nothing.
   double gap() const noexcept { return upper_ - lower_; }
 
+  /// The direction of the last solve's lower bound; nullptr where that is 0.
+  const double* direction() const noexcept { return lower_ > 0 ? normal_.data() : nullptr; }
+
   /// Writes the bounds of the last solve and what belongs to them.
   void report(DistanceStatus status, Effects effects, DistanceResult& result) const;
 
@@ -64,6 +67,7 @@ class Newton {
   bool choose_ball(const ConvexSet& Q);
   Real shifted_support(const Point& point) const;
   Real growth_ratio(const Point& point) const;
+  Real projected_ratio(const Real* x, const Real* y) const;
   bool evaluate(Point& point);
   void bound_from_below(const Point& point);
   void bound_from_above();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "engine/sets/vector_kernels.h"
 
@@ -41,6 +42,7 @@ const Real* PieceProgram<Real>::solve(const Real* u, const Objective& objective,
   const auto room = static_cast<std::size_t>(most);
   system_.reserve(room * (room + 1));
   step_.reserve(room);
+  stretch_.reserve(room);
   // The maxima are compared at second order, the active set is held together at first order: where the two
   // disagree the search would go on for ever, and a step that is good for the greatest pieces has to do.
   const int enough = 4 + A.active_count + Q.active_count;
@@ -91,31 +93,37 @@ void PieceProgram<Real>::add_curvature(const PieceList<Real>& list, Real weight)
   }
 }
 
-// Gradients of the active pieces less that of the reference, as rows and as columns.
+// Gradients of the active pieces less that of the reference, as rows and as columns, brought to the length
+// `along` of what else is in the system: pieces may be as near to each other as they like.
 template <class Real>
-void PieceProgram<Real>::add_differences(const PieceList<Real>& list, int sign, int row) {
+void PieceProgram<Real>::add_differences(const PieceList<Real>& list, int sign, int row, Real along) {
   const int reference = list.active[0];
   const Real* s_0 = list.point(reference);
   for (int a = 1; a < list.active_count; ++a, ++row) {
     const int i = list.active[static_cast<std::size_t>(a)];
     const Real* s_i = list.point(i);
     Real* entries = system_.data() + std::ptrdiff_t{row} * columns_;
+    for (int k = 0; k < n_; ++k) entries[k] = sign * (s_i[k] - s_0[k]);
+    const Real length = real::sqrt(dot(entries, entries, n_));
+    const Real stretch = length > 0 ? along / length : Real{1};
+    stretch_[static_cast<std::size_t>(row)] = stretch;
     for (int k = 0; k < n_; ++k) {
-      const Real difference = sign * (s_i[k] - s_0[k]);
-      entries[k] = difference;
-      system_.data()[std::ptrdiff_t{k} * columns_ + row] = difference;
+      entries[k] *= stretch;
+      system_.data()[std::ptrdiff_t{k} * columns_ + row] = entries[k];
     }
     entries[columns_ - 1] =
-        list.value[static_cast<std::size_t>(reference)] - list.value[static_cast<std::size_t>(i)];
+        stretch * (list.value[static_cast<std::size_t>(reference)] - list.value[static_cast<std::size_t>(i)]);
   }
 }
 
 // Where edges of A and Q are parallel, as those of homothets are, their rows are dependent: a little slack on
-// each makes the weights unique.
+// each makes the weights unique. In quadruple precision it is too little to be spared.
 template <class Real>
 bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective, PieceList<Real>& A,
                                       PieceList<Real>& Q) {
-  return solve_system(u, objective, A, Q, 0) || solve_system(u, objective, A, Q, kSlack<Real>);
+  const bool edges = A.active_count > 1 && Q.active_count > 1;
+  const bool strict = std::is_same_v<Real, double> || !edges;
+  return (strict && solve_system(u, objective, A, Q, 0)) || solve_system(u, objective, A, Q, kSlack<Real>);
 }
 
 template <class Real>
@@ -130,8 +138,6 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
   std::fill_n(K, std::ptrdiff_t{size} * columns_, Real{0});
   add_curvature(A, objective.weight_A);
   add_curvature(Q, objective.weight_Q);
-  add_differences(A, 1, rows_A);
-  add_differences(Q, -1, rows_Q);
   const Real* s_A = A.point(A.active[0]);
   const Real* s_Q = Q.point(Q.active[0]);
   Real trace = 0, length = 0;
@@ -148,10 +154,9 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
   }
-  for (int i = n_; slack > 0 && i < size; ++i) {
-    const Real* row = K + std::ptrdiff_t{i} * columns_;
-    K[std::ptrdiff_t{i} * columns_ + i] = -slack * dot(row, row, n_) / along;
-  }
+  add_differences(A, 1, rows_A, along);
+  add_differences(Q, -1, rows_Q, along);
+  for (int i = n_; i < size; ++i) K[std::ptrdiff_t{i} * columns_ + i] = -slack * along;
   if (!eliminate(size)) return false;
   read_weights(A, objective.weight_A, rows_A);
   read_weights(Q, objective.weight_Q, rows_Q);
@@ -213,7 +218,8 @@ void PieceProgram<Real>::read_weights(PieceList<Real>& list, Real scale, int row
   std::fill_n(list.weight.data(), list.count, Real{0});
   Real sum = 0;
   for (int a = 1; a < list.active_count; ++a, ++row) {
-    const Real weight = step_[static_cast<std::size_t>(row)] / scale;
+    const Real weight =
+        step_[static_cast<std::size_t>(row)] * stretch_[static_cast<std::size_t>(row)] / scale;
     list.weight[static_cast<std::size_t>(list.active[static_cast<std::size_t>(a)])] = weight;
     sum += weight;
   }

@@ -40,7 +40,7 @@ class PieceProgram {
   bool solve_system(const Real* u, const Objective& objective, PieceList<Real>& A, PieceList<Real>& Q,
                     Real slack);
   void add_curvature(const PieceList<Real>& list, Real weight);
-  void add_differences(const PieceList<Real>& list, int sign, int row);
+  void add_differences(const PieceList<Real>& list, int sign, int row, Real along);
   bool eliminate(int size);
   void exchange_rows(int p, int size);
   void read_weights(PieceList<Real>& list, Real scale, int row) const;
@@ -51,8 +51,9 @@ class PieceProgram {
   int n_ = 0;
   int columns_ = 0;
   std::int64_t systems_ = 0;
-  AlignedBuffer<Real> system_;  // rows of the KKT system, right-hand side last
-  AlignedBuffer<Real> step_;    // d, then the scaled multipliers
+  AlignedBuffer<Real> system_;   // rows of the KKT system, right-hand side last
+  AlignedBuffer<Real> step_;     // d, then the scaled multipliers
+  AlignedBuffer<Real> stretch_;  // of the rows from n on
 };
 
 }  // namespace raygauge

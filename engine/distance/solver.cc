@@ -61,6 +61,7 @@ struct DistanceSolver::Workspace {
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  bool is_unfinished() const;
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   template <class Method>
   bool refine_by(Method& method, const double* start, const ConvexSet& A, const ConvexSet& Q,
@@ -76,7 +77,7 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
   if (!solve_iteratively(A, Q, effects)) {
     solve_direct(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
-    if (result.status == DistanceStatus::precision_limit) refine(A, Q, effects);
+    if (is_unfinished()) refine(A, Q, effects);
   }
   result.seconds = stopwatch.seconds();
   // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
@@ -95,7 +96,9 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
   }
   if (options.method == DistanceMethod::newton) {
     concluded = Concluded::newton;
-    return newton.solve(A, Q, options, stopwatch, effects, result);
+    if (newton.solve(A, Q, options, stopwatch, effects, result)) return true;
+    concluded = Concluded::quad_newton;
+    return quad_newton.solve(A, Q, options, stopwatch, effects, result, newton.direction());
   }
   return false;
 }
@@ -142,20 +145,28 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   }
 }
 
-// The solve once more by `newton`, unless that was tried before, and then in quadruple precision.
+// At the limit of its precision, or of the iterations that are usually enough.
+bool DistanceSolver::Workspace::is_unfinished() const {
+  return result.status == DistanceStatus::precision_limit ||
+         (result.status == DistanceStatus::iteration_limit && options.max_iterations == 0);
+}
+
+// The solve once more by `newton`, unless that was tried before, and then in quadruple precision, from what
+// is known and from nothing.
 void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
     concluded = Concluded::newton;
   }
-  if (result.status != DistanceStatus::precision_limit) return;
-  const Vector start = result.normal;
-  if (refine_by(quad_newton, result.lower > 0 ? start.data() : nullptr, A, Q, effects)) {
-    concluded = Concluded::quad_newton;
+  const Vector known = result.normal;
+  for (const double* start :
+       {result.lower > 0 ? known.data() : nullptr, static_cast<const double*>(nullptr)}) {
+    if (!is_unfinished()) return;
+    if (refine_by(quad_newton, start, A, Q, effects)) concluded = Concluded::quad_newton;
   }
 }
 
 // True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds. The
-// counters are those of both.
+// counters are those of all.
 template <class Method>
 bool DistanceSolver::Workspace::refine_by(Method& method, const double* start, const ConvexSet& A,
                                           const ConvexSet& Q, Effects effects) {

@@ -129,7 +129,34 @@ bool SupportDirect::is_closed(double upper) const noexcept {
 DistanceStatus SupportDirect::run(const Stopwatch& stopwatch) {
   const DistanceStatus status = iterate(stopwatch);
   if (status != DistanceStatus::contains_origin) upper_ = upper_of_the_sets(upper_, stopwatch);
-  return status;
+  const bool unfinished =
+      status == DistanceStatus::precision_limit || status == DistanceStatus::iteration_limit;
+  return unfinished && closes_by_gauge() ? DistanceStatus::optimal : status;
+}
+
+// Where Q has a formula for its gauge, that of any point x of A is an upper bound, and its normal there a
+// direction to ask: both are good even where support points crowd so much that their combinations say little.
+bool SupportDirect::closes_by_gauge() {
+  contact_.clear(n_);
+  program_.points_of_A(contact_);
+  double* x = axis_.data();
+  if (contact_.average(x)) ask_gauge(x);
+  std::copy_n(point_A_.data(), n_, x);
+  ask_gauge(x);
+  return is_closed(upper_);
+}
+
+// x is a combination of points that are within e_A of A in any coordinate.
+void SupportDirect::ask_gauge(const double* x) {
+  double* normal = axis_.data() + n_;
+  const double gauge = Q_->gauge(x, normal);
+  const double radius = Q_->inner_radius();
+  if (!(gauge < kInfinity) || !(radius > 0)) return;
+  const double rounding = (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude();
+  const double astray = std::sqrt(n_) * (A_->coordinate_error() + 2 * rounding) / radius;
+  upper_ = std::min(upper_, (gauge + astray) * (1 + 4 * std::numeric_limits<double>::epsilon()));
+  for (int k = 0; k < n_; ++k) normal[k] = -normal[k];
+  ask(normal);
 }
 
 // Works with the support points as computed: upper_ is theirs until run() pays for the difference.

@@ -56,6 +56,8 @@ class SupportDirect {
   void ask(const double* u);
   DistanceStatus iterate(const Stopwatch& stopwatch);
   bool is_closed(double upper) const noexcept;
+  void ask_gauge(const double* x);
+  bool closes_by_gauge();
   double gauge_per_residual(const Stopwatch& stopwatch);
   double surround_origin(SupportOracle& S, WorkingSet& points, const Stopwatch& stopwatch);
   bool holds_origin(const Stopwatch& stopwatch);
@@ -79,6 +81,7 @@ class SupportDirect {
   AlignedBuffer<double> point_Q_;
   AlignedBuffer<double> normal_;
   AlignedBuffer<double> axis_;  // and the support point along it
+  WeightedPoints contact_;
   double lower_ = 0;
   double upper_ = 0;
   DistanceCounters counters_;

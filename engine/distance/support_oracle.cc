@@ -105,6 +105,14 @@ double SupportOracle::inner_radius() {
   return std::isnormal(radius) ? radius : 0.0;
 }
 
+double SupportOracle::gauge(const double* x, double* normal) {
+  const int n = set_->dimension();
+  for (int k = 0; k < n; ++k) direction_[static_cast<std::size_t>(k)] = x[k] / factor_[k];
+  const double gauge = set_->gauge_unchecked(direction_.data(), normal);
+  for (int k = 0; k < n; ++k) normal[k] /= factor_[k];
+  return gauge;
+}
+
 void SupportOracle::center(double* point) {
   set_->center_unchecked(point);
   for (int k = 0; k < set_->dimension(); ++k) point[k] *= factor_[k];

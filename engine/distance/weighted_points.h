@@ -31,6 +31,20 @@ class WeightedPoints {
     for (std::size_t k = 0; k < size; ++k) points_[k] *= factor;
   }
 
+  /// The combination with weights that are not negative and add up to 1, n doubles: a point of the hull up to
+  /// the rounding of its coordinates. False where no weight is positive.
+  bool average(double* point) const noexcept {
+    double sum = 0;
+    for (int i = 0; i < count_; ++i) sum += std::max(weight(i), 0.0);
+    if (!(sum > 0)) return false;
+    std::fill_n(point, n_, 0.0);
+    for (int i = 0; i < count_; ++i) {
+      const double share = std::max(weight(i), 0.0) / sum;
+      for (int k = 0; k < n_; ++k) point[k] += share * this->point(i)[k];
+    }
+    return true;
+  }
+
   int count() const noexcept { return count_; }
   const double* point(int i) const noexcept { return points_.data() + std::ptrdiff_t{i} * n_; }
   double weight(int i) const noexcept { return weights_[static_cast<std::size_t>(i)]; }

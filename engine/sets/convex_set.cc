@@ -56,6 +56,10 @@ void ConvexSet::do_magnitude(double* magnitude) const {
 
 double ConvexSet::do_inner_radius(const double* /*c*/) const { return 0; }
 
+double ConvexSet::do_gauge(const double* /*x*/, double* /*normal*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
 void ConvexSet::do_support_pieces(const double* /*u*/, SupportPieces& /*pieces*/, int /*capacity*/) const {}
 
 bool ConvexSet::do_facet_normal(const double* /*u*/, const double* /*v*/, double* /*normal*/) const {

@@ -107,6 +107,11 @@ class ConvexSet {
   /// |r|/R for c = 0.
   double inner_radius_unchecked(const double* c) const { return do_inner_radius(c); }
 
+  /// An upper bound on the gauge of S at x, min {t >= 0 : x in tS}, rounding errors included, and in `normal`
+  /// the outer normal of tS at x, of any length; +infinity where the set has no formula for it, as by
+  /// default.
+  double gauge_unchecked(const double* x, double* normal) const { return do_gauge(x, normal); }
+
   SupportStructure structure() const noexcept { return do_structure(); }
 
   /// Second-order information at u != 0 for `smooth` sets; the greatest value is h_S(u). count = 0 where
@@ -160,6 +165,7 @@ class ConvexSet {
   virtual void do_magnitude(double* magnitude) const;
 
   virtual double do_inner_radius(const double* c) const;
+  virtual double do_gauge(const double* x, double* normal) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
   virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/exceptions.h"
+#include "engine/floating_point.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/vector_kernels.h"
 
@@ -121,6 +122,25 @@ double PNormBall::do_inner_radius(const double* x) const {
   const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
   const double left = 1 - shift - (n + 4) * std::numeric_limits<double>::epsilon();
   return left > 0 ? left * least / norm * (1 - 1e-12) : 0.0;
+}
+
+// ‖x/w‖_p where the centre is the origin: large p have normals whose small coordinates no number can hold,
+// but a norm like any other.
+double PNormBall::do_gauge(const double* x, double* normal) const {
+  const int n = dimension();
+  if (!center_.isZero(0) || semi_axes_.minCoeff() == 0 || std::isinf(p_)) return kInfinity;
+  for (int k = 0; k < n; ++k) normal[k] = x[k] / semi_axes_[k];
+  const double largest = largest_magnitude(normal, n);
+  if (largest == 0) return 0;
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    const double t = std::fabs(normal[k]) / largest;
+    const double power = std::pow(t, p_ - 1);
+    sum += t * power;
+    normal[k] = std::copysign(power, normal[k]) / semi_axes_[k];
+  }
+  // An error of t enters the sum p-fold, and is taken to the power 1/p with it.
+  return largest * std::pow(sum, 1 / p_) * (1 + (2 * n + 16) * std::numeric_limits<double>::epsilon());
 }
 
 SupportStructure PNormBall::do_structure() const noexcept {
