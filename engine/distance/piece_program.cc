@@ -46,13 +46,18 @@ const Real* PieceProgram<Real>::solve(const Real* u, const Objective& objective,
   // The maxima are compared at second order, the active set is held together at first order: where the two
   // disagree the search would go on for ever, and a step that is good for the greatest pieces has to do.
   const int enough = 4 + A.active_count + Q.active_count;
+  bool retried = false;
   for (int round = 0; round < enough + 2 * most; ++round) {
     if (!solve_system(u, objective, A, Q)) return nullptr;
     if (drop_negative(A) || drop_negative(Q)) continue;
     if (round >= enough) return step_.data();
     const bool added_A = add_violated(A, 1);
     const bool added_Q = add_violated(Q, -1);
-    if (!added_A && !added_Q) return step_.data();
+    if (added_A || added_Q) continue;
+    // The curvature was that of the weights before, and there was none: what the new ones have is worth a
+    // try.
+    if (!flat_ || retried) return step_.data();
+    retried = true;
   }
   return nullptr;
 }
@@ -146,6 +151,7 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
     length += objective.weight_A * real::fabs(s_A[k]) + objective.weight_Q * real::fabs(s_Q[k]);
   }
   // H u = 0: this fixes u·d; and something to divide by where the pieces are flat.
+  flat_ = !(trace > 0);
   const Real along = std::max<Real>(trace, kLeastCurvature * length);
   for (int j = 0; j < n_; ++j) {
     Real* row = K + std::ptrdiff_t{j} * columns_;

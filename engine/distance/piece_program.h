@@ -51,6 +51,7 @@ class PieceProgram {
   int n_ = 0;
   int columns_ = 0;
   std::int64_t systems_ = 0;
+  bool flat_ = false;            // no curvature in the last system
   AlignedBuffer<Real> system_;   // rows of the KKT system, right-hand side last
   AlignedBuffer<Real> step_;     // d, then the scaled multipliers
   AlignedBuffer<Real> stretch_;  // of the rows from n on

@@ -146,17 +146,34 @@ bool SupportDirect::closes_by_gauge() {
   return is_closed(upper_);
 }
 
-// x is a combination of points that are within e_A of A in any coordinate.
+// x is a combination of computed points of A.
 void SupportDirect::ask_gauge(const double* x) {
   double* normal = axis_.data() + n_;
   const double gauge = Q_->gauge(x, normal);
-  const double radius = Q_->inner_radius();
-  if (!(gauge < kInfinity) || !(radius > 0)) return;
-  const double rounding = (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude();
-  const double astray = std::sqrt(n_) * (A_->coordinate_error() + 2 * rounding) / radius;
-  upper_ = std::min(upper_, (gauge + astray) * (1 + 4 * std::numeric_limits<double>::epsilon()));
+  if (!(gauge < kInfinity)) return;
   for (int k = 0; k < n_; ++k) normal[k] = -normal[k];
   ask(normal);
+  upper_ = std::min(upper_, (gauge + gauge_of_rounding()) * (1 + 4 * std::numeric_limits<double>::epsilon()));
+}
+
+// What is off by at most e_k in coordinate k has a gauge of at most Σ e_k max gauge(±e_k), e_k the k-th unit
+// vector: that of a combination of points of A.
+double SupportDirect::gauge_of_rounding() {
+  double* axis = point_Q_.data();
+  double* normal = axis_.data() + n_;
+  double sum = 0;
+  std::fill_n(axis, n_, 0.0);
+  for (int k = 0; k < n_; ++k) {
+    double most = 0;
+    for (const double sign : {1.0, -1.0}) {
+      axis[k] = sign;
+      most = std::max(most, Q_->gauge(axis, normal));
+    }
+    axis[k] = 0;
+    const double of_combination = 2 * (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude(k);
+    sum += (A_->coordinate_error(k) + of_combination) * most;
+  }
+  return sum;
 }
 
 // Works with the support points as computed: upper_ is theirs until run() pays for the difference.

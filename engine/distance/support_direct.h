@@ -57,6 +57,7 @@ class SupportDirect {
   DistanceStatus iterate(const Stopwatch& stopwatch);
   bool is_closed(double upper) const noexcept;
   void ask_gauge(const double* x);
+  double gauge_of_rounding();
   bool closes_by_gauge();
   double gauge_per_residual(const Stopwatch& stopwatch);
   double surround_origin(SupportOracle& S, WorkingSet& points, const Stopwatch& stopwatch);

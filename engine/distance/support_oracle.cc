@@ -105,6 +105,15 @@ double SupportOracle::inner_radius() {
   return std::isnormal(radius) ? radius : 0.0;
 }
 
+double SupportOracle::magnitude(int k) const noexcept {
+  return points_ != nullptr ? points_->coordinate_magnitude()[k] * factor_[k]
+                            : magnitude_[static_cast<std::size_t>(k)];
+}
+
+double SupportOracle::coordinate_error(int k) const noexcept {
+  return points_ != nullptr ? 0.0 : ConvexSet::rounding_error(set_->dimension()) * magnitude(k) + kUnderflow;
+}
+
 double SupportOracle::gauge(const double* x, double* normal) {
   const int n = set_->dimension();
   for (int k = 0; k < n; ++k) direction_[static_cast<std::size_t>(k)] = x[k] / factor_[k];

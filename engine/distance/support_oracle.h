@@ -33,8 +33,12 @@ class SupportOracle {
   /// set, whose support points are its own; rounding_error(n) max_k m_k for any other.
   double coordinate_error() const noexcept { return coordinate_error_; }
 
+  /// The same in coordinate k.
+  double coordinate_error(int k) const noexcept;
+
   /// The largest of the magnitudes m_k of S' (ConvexSet::magnitude_unchecked).
   double magnitude() const noexcept { return largest_magnitude_; }
+  double magnitude(int k) const noexcept;
 
   /// The radius of a ball around the origin inside S'; 0 where none is known.
   double inner_radius();
