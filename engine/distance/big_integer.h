@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/distance/double_double.h"
+#include "engine/double_double.h"
 
 namespace raygauge {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/distance/double_double.h"
-#include "engine/distance/exact_sum.h"
+#include "engine/double_double.h"
+#include "engine/exact_sum.h"
 #include "engine/floating_point.h"
 
 namespace raygauge {

@@ -17,8 +17,10 @@ constexpr double kShift = 0x1p33;  // δR in errors of a support point: far abov
 constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
 constexpr int kShortenings = 10;      // of one step, each to kShorter of it
 constexpr double kShorter = 0.4;
-constexpr int kFacetTrials = 6;  // in one solve
-constexpr int kPatience = 4;     // steps without a better bound
+constexpr int kFacetTrials = 6;        // in one solve
+constexpr double kSameNormal = 1e-14;  // of two flat faces: 1 - the cosine of their angle
+constexpr int kTurns = 9;              // between two faces in search of a point of both
+constexpr int kPatience = 4;           // steps without a better bound
 constexpr int kGrowthEvaluations = 24;
 
 // Quadruple precision begins where doubles ended, and its evaluations take a hundred times as long.
@@ -248,17 +250,37 @@ bool Newton<Real>::try_facet(const Real* step) {
   ++facets_tried_;
   normalize(next_->u.data(), n_, next_->u.data());
   if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
-  PieceList<Real>& touching = of_A ? next_->Q : next_->A;
-  const Real scale = of_A ? next_->ratio : 1 / next_->ratio;
-  const Real* touched = touching.point(touching.best);
-  for (int k = 0; k < n_; ++k) end[k] = scale * touched[k];
-  if (of_A) {
-    oracle_A_.settle_on_facet(next_->u.data(), end, next_->A);
-  } else {
-    oracle_Q_.settle_on_facet(next_->u.data(), end, next_->Q);
+  settle(of_A);
+  if (of_A && shares_facet()) {
+    for (int turn = 0; turn < kTurns; ++turn) settle(turn % 2 != 0);
   }
   keep(false);
   return true;
+}
+
+// The face of A or Q at next_->u keeps its point nearest to that of the other set.
+template <class Real>
+void Newton<Real>::settle(bool of_A) {
+  const PieceList<Real>& other = of_A ? next_->Q : next_->A;
+  const Real scale = of_A ? next_->ratio : 1 / next_->ratio;
+  const Real* touched = other.point(other.best);
+  Real* target = linear_.data();
+  for (int k = 0; k < n_; ++k) target[k] = scale * touched[k];
+  if (of_A) {
+    oracle_A_.settle_on_facet(next_->u.data(), target, next_->A);
+  } else {
+    oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
+  }
+}
+
+// Whether Q has a flat face at next_->u too, as a homothet of A has.
+template <class Real>
+bool Newton<Real>::shares_facet() {
+  Real* normal = descent_.data();
+  const Real* u = next_->u.data();
+  if (!oracle_Q_.facet_normal(now_->u.data(), u, normal)) return false;
+  normalize(normal, n_, normal);
+  return dot(normal, u, n_) > 1 - kSameNormal;
 }
 
 // At the normal of a face φ has a kink that no Hessian describes, but r, with the point of the face nearest

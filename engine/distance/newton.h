@@ -76,6 +76,8 @@ class Newton {
   const Real* leave_facet();
   bool advance(const Real* step);
   bool try_facet(const Real* step);
+  void settle(bool of_A);
+  bool shares_facet();
   bool accepts(const Point& candidate) const;
   void keep(bool weights);
   DistanceStatus iterate(const Stopwatch& stopwatch);

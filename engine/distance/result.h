@@ -62,7 +62,8 @@ struct DistanceResult {
   double seconds = kUnset;  ///< wall time of the solve, where a time limit was set; otherwise unset
 
   /// Normal n_k of the hyperplane that separates A from d·Q, pointing to the side of d·Q, scaled so that
-  /// h_Q(-normal) = 1 (for `unreachable`: the Farkas direction, h_A(normal) < 0 and h_Q(-normal) <= 0).
+  /// h_Q(-normal) = 1 (for `unreachable`: the Farkas direction, h_A(normal) < 0 and h_Q(-normal) <= 0; or
+  /// h_A(normal) <= 0 and -normal·q < 0 for every point q of Q but the origin, which is not in A).
   Vector normal;
   Vector contact_point;  ///< v of (15): a point of A ∩ dQ; only with Effects::witness
 

@@ -62,6 +62,7 @@ struct DistanceSolver::Workspace {
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   bool is_unfinished() const;
+  bool is_out_of_reach(const ConvexSet& A, const ConvexSet& Q);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   template <class Method>
   bool refine_by(Method& method, const double* start, const ConvexSet& A, const ConvexSet& Q,
@@ -154,6 +155,7 @@ bool DistanceSolver::Workspace::is_unfinished() const {
 // The solve once more by `newton`, unless that was tried before, and then in quadruple precision, from what
 // is known and from nothing.
 void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (is_out_of_reach(A, Q)) return;
   if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
     concluded = Concluded::newton;
   }
@@ -163,6 +165,21 @@ void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, E
     if (!is_unfinished()) return;
     if (refine_by(quad_newton, start, A, Q, effects)) concluded = Concluded::quad_newton;
   }
+}
+
+// Where Q touches the origin, its multiples reach all that is strictly on their side of the tangent plane,
+// and nothing else: A may lie in that plane, which no Farkas direction separates from them.
+bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const ConvexSet& Q) {
+  const int n = A.dimension();
+  Vector u(n), point(n);
+  if (!(result.lower > 0) || !Q.touches_origin_unchecked(u.data())) return false;
+  oracle_A.bind(A, nullptr, kernels_for(options.instruction_set));
+  if (oracle_A.verify(u.data(), -1.0, kInfinity, point.data()).above() > 0) return false;
+  result.status = DistanceStatus::unreachable;
+  result.distance = result.lower = result.upper = kInfinity;
+  result.normal = -u;
+  result.contact_point.resize(0);
+  return true;
 }
 
 // True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds. The

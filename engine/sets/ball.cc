@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/ball.h"
 
+#include "engine/exact_sum.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/vector_kernels.h"
 
@@ -27,6 +28,17 @@ void Ball::do_magnitude(double* magnitude) const {
 double Ball::do_inner_radius(const double* c) const {
   const double away = distance_between(center_.data(), c, dimension());
   return proven_length(radius_ - away, radius_ + 2 * away + center_.lpNorm<1>(), dimension());
+}
+
+// |c|² = r² > 0, exactly.
+bool Ball::do_touches_origin(double* u) const {
+  ExactSum difference;
+  difference.add_product(radius_, -radius_);
+  for (int k = 0; k < dimension(); ++k) {
+    difference.add_product(center_[k], center_[k]);
+    u[k] = -center_[k];
+  }
+  return radius_ > 0 && difference.is_zero();
 }
 
 SupportStructure Ball::do_structure() const noexcept { return SupportStructure::smooth; }

@@ -112,6 +112,11 @@ class ConvexSet {
   /// default.
   double gauge_unchecked(const double* x, double* normal) const { return do_gauge(x, normal); }
 
+  /// True where it is proven, without a rounding error, that the origin is a point of S and its only one with
+  /// u·x >= 0: the multiples of S fill no closed cone, and what has u·x >= 0 but not x = 0 is out of their
+  /// reach. Writes u. False by default.
+  bool touches_origin_unchecked(double* u) const { return do_touches_origin(u); }
+
   SupportStructure structure() const noexcept { return do_structure(); }
 
   /// Second-order information at u != 0 for `smooth` sets; the greatest value is h_S(u). count = 0 where
@@ -166,6 +171,7 @@ class ConvexSet {
 
   virtual double do_inner_radius(const double* c) const;
   virtual double do_gauge(const double* x, double* normal) const;
+  virtual bool do_touches_origin(double* u) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
   virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/distance/double_double.h"
+#include "engine/double_double.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/distance/exact_sum.h"
+#include "engine/exact_sum.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/distance/double_double.h"
+#include "engine/double_double.h"
 
 namespace raygauge {
 
