@@ -124,13 +124,16 @@ double rounded_up(Quad x) noexcept {
   return nearest < x ? std::nextafter(nearest, kInfinity) : nearest;
 }
 
-double lower_bound(const QuadSupportValue& h_A, const QuadSupportValue& h_Q) noexcept {
-  const Quad above_A = h_A.above();
+template <class Real>
+double lower_bound(const BasicSupportValue<Real>& h_A, const BasicSupportValue<Real>& h_Q) noexcept {
+  const Real above_A = h_A.above();
   if (!(above_A < 0)) return 0;
-  const Quad above_Q = h_Q.above();
+  const Real above_Q = h_Q.above();
   if (above_Q <= 0) return kInfinity;
   constexpr double kFewRoundings = 8 * kRoundoff<Quad>;
   return std::min(rounded_down(-above_A / above_Q * (1 - Quad{kFewRoundings})), kLargest);
 }
+
+template double lower_bound(const QuadSupportValue&, const QuadSupportValue&) noexcept;
 
 }  // namespace raygauge

@@ -57,7 +57,10 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
 /// Weak duality, equation (10): d_Q(A) >= -h_A(u) / h_Q(-u) wherever h_A(u) < 0, rounded down. 0 where h_A(u)
 /// < 0 is not certain; +infinity where moreover h_Q(-u) <= 0 is certain (u is a Farkas direction).
 double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept;
-double lower_bound(const QuadSupportValue& h_A, const QuadSupportValue& h_Q) noexcept;
+
+/// The same in quadruple precision (Real = Quad).
+template <class Real>
+double lower_bound(const BasicSupportValue<Real>& h_A, const BasicSupportValue<Real>& h_Q) noexcept;
 
 /// The nearest double not above resp. not below x >= 0.
 double rounded_down(Quad x) noexcept;

@@ -13,7 +13,7 @@
 namespace raygauge {
 namespace {
 
-constexpr double kShift = 0x1p33;  // δR in errors of a support point: far above them, far below a tolerance
+constexpr double kShift = 4;          // δR in rounding errors of a combination
 constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
 constexpr int kShortenings = 10;      // of one step, each to kShorter of it
 constexpr double kShorter = 0.4;
@@ -91,11 +91,23 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   now_ = &points_[0];
   next_ = &points_[1];
   A.center_unchecked(center_.data());
-  for (int k = 0; k < n_; ++k) {
-    now_->u[static_cast<std::size_t>(k)] =
-        start != nullptr ? start[k] : -center_[static_cast<std::size_t>(k)];
+  if (start != nullptr) {
+    std::copy_n(start, n_, now_->u.data());
+  } else {
+    choose_start(Q);
   }
   return normalize(now_->u.data(), n_, now_->u.data()) > 0;
+}
+
+// Against the normal of Q where the ray to the centre of A leaves it, if Q knows that, or against the ray.
+template <class Real>
+void Newton<Real>::choose_start(const ConvexSet& Q) {
+  Real* u = now_->u.data();
+  std::copy_n(center_.data(), n_, u);
+  if constexpr (std::is_same_v<Real, Quad>) {
+    if (Q.gauge_normal_unchecked(u, target_.data())) std::copy_n(target_.data(), n_, u);
+  }
+  for (int k = 0; k < n_; ++k) u[k] = -u[k];
 }
 
 // The ball of Q that pays for residuals.
@@ -109,8 +121,15 @@ bool Newton<Real>::choose_ball(const ConvexSet& Q) {
   Q.center_unchecked(ball_center_.data());
   inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
   if (!(inner_radius_ > 0)) return false;
-  shift_ = kShift * (oracle_A_.coordinate_error() + oracle_Q_.coordinate_error()) / inner_radius_;
+  enlarge_shift(0);
   return true;
+}
+
+// δ: what pays for the rounding errors at that ratio, and little more.
+template <class Real>
+void Newton<Real>::enlarge_shift(Real ratio) {
+  const Real rounding = std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error());
+  shift_ = std::max(shift_, kShift * rounding / inner_radius_);
 }
 
 // The support function of A - δc.
@@ -127,6 +146,7 @@ bool Newton<Real>::evaluate(Point& point) {
   point.A.warm = point.Q.warm = false;
   ++evaluations_;
   point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
+  if (shift_ > 0) enlarge_shift(point.ratio);
   bound_from_below(point);
   return true;
 }

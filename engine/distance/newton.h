@@ -64,7 +64,9 @@ class Newton {
   };
 
   bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, const double* start);
+  void choose_start(const ConvexSet& Q);
   bool choose_ball(const ConvexSet& Q);
+  void enlarge_shift(Real ratio);
   Real shifted_support(const Point& point) const;
   Real growth_ratio(const Point& point) const;
   Real projected_ratio(const Real* x, const Real* y) const;

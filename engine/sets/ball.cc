@@ -30,6 +30,21 @@ double Ball::do_inner_radius(const double* c) const {
   return proven_length(radius_ - away, radius_ + 2 * away + center_.lpNorm<1>(), dimension());
 }
 
+// t is the least root >= 0 of |x - tc| = tr, written without cancellation; x - tc is the normal.
+bool Ball::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
+  const int n = dimension();
+  const Quad along = dot(x, center_.data(), n);
+  const Quad square = dot(x, x, n);
+  Quad inside = Quad{radius_} * radius_;  // r² - |c|²
+  for (int k = 0; k < n; ++k) inside -= Quad{center_[k]} * center_[k];
+  const Quad discriminant = along * along + inside * square;
+  if (!(discriminant >= 0)) return false;
+  const Quad denominator = along + real::sqrt(discriminant);
+  if (!(denominator > 0)) return false;
+  for (int k = 0; k < n; ++k) normal[k] = x[k] - square / denominator * center_[k];
+  return true;
+}
+
 // |c|² = r² > 0, exactly.
 bool Ball::do_touches_origin(double* u) const {
   ExactSum difference;

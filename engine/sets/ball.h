@@ -21,6 +21,7 @@ class Ball final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
+  bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
   bool do_touches_origin(double* u) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;

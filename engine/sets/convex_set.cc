@@ -56,6 +56,8 @@ void ConvexSet::do_magnitude(double* magnitude) const {
 
 double ConvexSet::do_inner_radius(const double* /*c*/) const { return 0; }
 
+bool ConvexSet::do_quad_gauge_normal(const Quad* /*x*/, Quad* /*normal*/) const { return false; }
+
 bool ConvexSet::do_touches_origin(double* /*u*/) const { return false; }
 
 double ConvexSet::do_gauge(const double* /*x*/, double* /*normal*/) const {

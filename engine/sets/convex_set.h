@@ -112,6 +112,11 @@ class ConvexSet {
   /// default.
   double gauge_unchecked(const double* x, double* normal) const { return do_gauge(x, normal); }
 
+  /// The normal alone, in quadruple precision; false where the set has no formula. A direction to start from,
+  /// good where Q is long and thin: for the centre of a homothet of Q, or for a point, it is the last one
+  /// too.
+  bool gauge_normal_unchecked(const Quad* x, Quad* normal) const { return do_quad_gauge_normal(x, normal); }
+
   /// True where it is proven, without a rounding error, that the origin is a point of S and its only one with
   /// u·x >= 0: the multiples of S fill no closed cone, and what has u·x >= 0 but not x = 0 is out of their
   /// reach. Writes u. False by default.
@@ -171,6 +176,7 @@ class ConvexSet {
 
   virtual double do_inner_radius(const double* c) const;
   virtual double do_gauge(const double* x, double* normal) const;
+  virtual bool do_quad_gauge_normal(const Quad* x, Quad* normal) const;
   virtual bool do_touches_origin(double* u) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;

@@ -2,11 +2,47 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/ellipsoid.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "engine/exceptions.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
+namespace {
+
+// M⁻¹b in place of b, by Gaussian elimination with row exchanges; false for a singular M.
+bool solve_in_quad(const Eigen::MatrixXd& M, Quad* b) {
+  const auto n = static_cast<int>(M.rows());
+  std::vector<Quad> rows(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  const auto entry = [&](int i, int j) -> Quad& { return rows[static_cast<std::size_t>(i * n + j)]; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) entry(i, j) = M(i, j);
+  }
+  for (int p = 0; p < n; ++p) {
+    int best = p;
+    for (int i = p + 1; i < n; ++i) {
+      if (real::fabs(entry(i, p)) > real::fabs(entry(best, p))) best = i;
+    }
+    if (entry(best, p) == 0) return false;
+    std::swap_ranges(&entry(p, 0), &entry(p, 0) + n, &entry(best, 0));
+    std::swap(b[p], b[best]);
+    for (int i = p + 1; i < n; ++i) {
+      const Quad factor = entry(i, p) / entry(p, p);
+      for (int j = p; j < n; ++j) entry(i, j) -= factor * entry(p, j);
+      b[i] -= factor * b[p];
+    }
+  }
+  for (int p = n - 1; p >= 0; --p) {
+    for (int j = p + 1; j < n; ++j) b[p] -= entry(p, j) * b[j];
+    b[p] /= entry(p, p);
+  }
+  return true;
+}
+
+}  // namespace
 
 Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen::MatrixXd>& factor)
     : ConvexSet(static_cast<int>(center.size())),
@@ -49,6 +85,17 @@ void Ellipsoid::do_magnitude(double* magnitude) const {
 double Ellipsoid::do_inner_radius(const double* x) const {
   const double shift = inverse_.image_length(x, center_.data());
   return shift < 1 ? (1 - shift) * inverse_.least_stretch() * (1 - 0x1p-50) : 0.0;
+}
+
+// |L⁻¹x| around the origin, with the gradient L⁻ᵀL⁻¹x but for a factor.
+bool Ellipsoid::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
+  const int n = dimension();
+  if (factor_.cols() != n || !center_.isZero(0)) return false;
+  BasicScratch<Quad> z(n);
+  std::copy_n(x, n, z.data());
+  if (!solve_in_quad(factor_, z.data())) return false;
+  std::copy_n(z.data(), n, normal);
+  return solve_in_quad(factor_.transpose(), normal);
 }
 
 SupportStructure Ellipsoid::do_structure() const noexcept { return SupportStructure::smooth; }

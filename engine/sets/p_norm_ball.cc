@@ -108,39 +108,48 @@ void PNormBall::do_magnitude(double* magnitude) const {
 // Euclidean norm has ‖z‖_p <= 1 for p >= 2, <= n^(1/p - 1/2) below.
 double PNormBall::do_inner_radius(const double* x) const {
   const int n = dimension();
-  double sum = 0, largest = 0;  // of |x_k - c_k|/w_k
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < n; ++k) {
-    if (semi_axes_[k] == 0) return 0;
-    const double part = std::fabs(x[k] - center_[k]) / semi_axes_[k];
-    sum += part;
-    largest = std::max(largest, part);
-    least = std::min(least, semi_axes_[k]);
-  }
-  // Both are bounds on g: the norm falls as p grows, and n^(1/p) times the maximum covers it.
-  const double shift = std::min(sum, largest * std::pow(n, 1 / p_) * (1 + 1e-12));
+  const double least = semi_axes_.minCoeff();
+  if (!(least > 0)) return 0;
+  Scratch shift(n), normal(n);
+  for (int k = 0; k < n; ++k) shift.data()[k] = x[k] - center_[k];
+  const double g = std::isinf(p_)
+                       ? (Vector::Map(shift.data(), n).cwiseAbs().array() / semi_axes_.array()).maxCoeff()
+                       : gauge(shift.data(), normal.data());
   const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
-  const double left = 1 - shift - (n + 4) * std::numeric_limits<double>::epsilon();
+  const double left = 1 - g * (1 + 1e-12) - (n + 4) * std::numeric_limits<double>::epsilon();
   return left > 0 ? left * least / norm * (1 - 1e-12) : 0.0;
 }
 
-// ‖x/w‖_p where the centre is the origin: large p have normals whose small coordinates no number can hold,
-// but a norm like any other.
-double PNormBall::do_gauge(const double* x, double* normal) const {
+// ‖x/w‖_p around the origin, and its gradient but for a factor. Large p have normals whose small coordinates
+// no number can hold, but a norm like any other: an error of t enters the sum p-fold, and is taken to the
+// power 1/p with it.
+template <class Real>
+Real PNormBall::gauge(const Real* x, Real* normal) const {
   const int n = dimension();
-  if (!center_.isZero(0) || semi_axes_.minCoeff() == 0 || std::isinf(p_)) return kInfinity;
   for (int k = 0; k < n; ++k) normal[k] = x[k] / semi_axes_[k];
-  const double largest = largest_magnitude(normal, n);
+  const Real largest = largest_magnitude(normal, n);
   if (largest == 0) return 0;
-  double sum = 0;
+  Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    const double t = std::fabs(normal[k]) / largest;
-    const double power = std::pow(t, p_ - 1);
+    const Real t = real::fabs(normal[k]) / largest;
+    const Real power = real::pow(t, Real{p_} - 1);
     sum += t * power;
-    normal[k] = std::copysign(power, normal[k]) / semi_axes_[k];
+    normal[k] = real::copysign(power, normal[k]) / semi_axes_[k];
   }
-  // An error of t enters the sum p-fold, and is taken to the power 1/p with it.
-  return largest * std::pow(sum, 1 / p_) * (1 + (2 * n + 16) * std::numeric_limits<double>::epsilon());
+  return largest * real::pow(sum, 1 / Real{p_});
+}
+
+bool PNormBall::has_gauge() const {
+  return center_.isZero(0) && semi_axes_.minCoeff() > 0 && std::isfinite(p_);
+}
+
+double PNormBall::do_gauge(const double* x, double* normal) const {
+  if (!has_gauge()) return kInfinity;
+  return gauge(x, normal) * (1 + (2 * dimension() + 16) * std::numeric_limits<double>::epsilon());
+}
+
+bool PNormBall::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
+  return has_gauge() && gauge(x, normal) > 0;
 }
 
 SupportStructure PNormBall::do_structure() const noexcept {

@@ -28,10 +28,14 @@ class PNormBall final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   double do_gauge(const double* x, double* normal) const override;
+  bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 
+  bool has_gauge() const;
+  template <class Real>
+  Real gauge(const Real* x, Real* normal) const;
   template <class Real>
   Real support(const Real* u, Real* point) const;
   template <class Real>
