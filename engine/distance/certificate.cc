@@ -130,6 +130,7 @@ double lower_bound(const BasicSupportValue<Real>& h_A, const BasicSupportValue<R
   if (!(above_A < 0)) return 0;
   const Real above_Q = h_Q.above();
   if (above_Q <= 0) return kInfinity;
+  if (!(above_Q < kInfinity)) return 0;
   constexpr double kFewRoundings = 8 * kRoundoff<Quad>;
   return std::min(rounded_down(-above_A / above_Q * (1 - Quad{kFewRoundings})), kLargest);
 }

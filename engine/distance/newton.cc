@@ -270,10 +270,10 @@ bool Newton<Real>::try_facet(const Real* step) {
   ++facets_tried_;
   normalize(next_->u.data(), n_, next_->u.data());
   if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
+  const bool shared = of_A && shares_facet();
+  if (shared) settle_near_center();
   settle(of_A);
-  if (of_A && shares_facet()) {
-    for (int turn = 0; turn < kTurns; ++turn) settle(turn % 2 != 0);
-  }
+  for (int turn = 0; shared && turn < kTurns; ++turn) settle(turn % 2 != 0);
   keep(false);
   return true;
 }
@@ -291,6 +291,15 @@ void Newton<Real>::settle(bool of_A) {
   } else {
     oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
   }
+}
+
+// The face of Q keeps its point nearest to the centre of A, scaled: a beginning from which two discs meet at
+// once.
+template <class Real>
+void Newton<Real>::settle_near_center() {
+  Real* target = linear_.data();
+  for (int k = 0; k < n_; ++k) target[k] = center_[static_cast<std::size_t>(k)] / next_->ratio;
+  oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
 }
 
 // Whether Q has a flat face at next_->u too, as a homothet of A has.

@@ -80,6 +80,7 @@ class Newton {
   bool try_facet(const Real* step);
   void settle(bool of_A);
   bool shares_facet();
+  void settle_near_center();
   bool accepts(const Point& candidate) const;
   void keep(bool weights);
   DistanceStatus iterate(const Stopwatch& stopwatch);

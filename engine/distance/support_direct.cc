@@ -170,7 +170,7 @@ double SupportDirect::gauge_of_rounding() {
       most = std::max(most, Q_->gauge(axis, normal));
     }
     axis[k] = 0;
-    const double of_combination = 2 * (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude(k);
+    const double of_combination = (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude(k);
     sum += (A_->coordinate_error(k) + of_combination) * most;
   }
   return sum;

@@ -72,77 +72,59 @@ std::vector<HardCase> origin() {
           {"hard_flat", {{"crossing", false}, {"delta", 1e-300}}}};
 }
 
-// n up to 50; then whether the distance is rounded, and up to which n it is certified to 1e-12 and to 1e-6.
+HardCase rounded(const std::string& generator, const Parameters& parameters, int certified_n = 20) {
+  return {generator, parameters, 50, true, certified_n};
+}
+
 std::vector<HardCase> balls() {
-  return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}, 50, false, 0, 0},
-          {"hard_tangent_disc", {{"epsilon", 1e-8}}, 50, true, 0, 0},
-          {"hard_tangent_disc", {{"epsilon", 0.0}}, 50, false, 0, 0},
-          {"hard_p_norm_ball", {{"p", 1.0}}, 50, false, 5},
-          {"hard_p_norm_ball", {{"p", 1 + 1e-6}}, 50, true, 0},
-          {"hard_p_norm_ball", {{"p", 1.5}}, 50, true, 8},
-          {"hard_p_norm_ball", {}, 50, true, 2},
-          {"hard_p_norm_ball", {{"p", 100.0}}, 50, true, 2},
-          {"hard_p_norm_ball", {{"p", 1e6}}, 50, true, 2},
-          {"hard_p_norm_ball", {{"object", kPoint}}, 50, true, 2},
+  return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}},
+          rounded("hard_tangent_disc", {{"epsilon", 1e-8}}),
+          {"hard_tangent_disc", {{"epsilon", 0.0}}},
+          {"hard_p_norm_ball", {{"p", 1.0}}, 50, false, 8},
+          rounded("hard_p_norm_ball", {{"p", 1 + 1e-6}}),
+          rounded("hard_p_norm_ball", {{"p", 1.5}}),
+          rounded("hard_p_norm_ball", {}),
+          rounded("hard_p_norm_ball", {{"p", 100.0}}),
+          rounded("hard_p_norm_ball", {{"p", 1e6}}, 8),
+          rounded("hard_p_norm_ball", {{"object", kPoint}}),
           {"hard_p_norm_ball", {{"object", kAroundOrigin}}},
-          {"hard_ellipsoid", {{"aspect", 1.0}}, 50, false, 8},
-          {"hard_ellipsoid", {}, 50, false, 0},
-          {"hard_ellipsoid", {{"aspect", 1e8}}, 50, false, 0, 0},
-          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kPoint}}, 50, false, 0, 0},
+          {"hard_ellipsoid", {{"aspect", 1.0}}},
+          {"hard_ellipsoid", {}},
+          {"hard_ellipsoid", {{"aspect", 1e8}}},
+          {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kPoint}}},
           {"hard_ellipsoid", {{"aspect", 1e8}, {"object", kAroundOrigin}}}};
 }
 
-HardCase cone(const std::string& shape, const std::string& place, int certified_n, int answered_n = 8) {
-  return {"hard_truncated_cone", {{"shape", shape}, {"place", place}}, 50, false, certified_n, answered_n};
-}
-
 std::vector<HardCase> cones() {
-  return {cone("truncated", "side", 5),
-          cone("truncated", "cap", 3),
-          cone("truncated", "rim", 5),
-          cone("truncated", "axis", 3),
-          cone("cone", "side", 2, 5),
-          cone("cone", "cap", 5),
-          cone("cone", "rim", 5),
-          cone("cone", "axis", 5),
-          cone("cylinder", "side", 5),
-          cone("cylinder", "cap", 5),
-          cone("cylinder", "rim", 5),
-          cone("cylinder", "axis", 5),
-          cone("inverted", "side", 5),
-          cone("inverted", "cap", 3),
-          cone("inverted", "rim", 2),
-          cone("inverted", "axis", 3),
-          {"hard_truncated_cone", {{"place", std::string("axis")}, {"object", kPoint}}, 50, false, 8},
-          {"hard_truncated_cone", {{"object", kAroundOrigin}}}};
-}
-
-HardCase capsule(const std::string& place, double ratio, int certified_n) {
-  return {"hard_capsule", {{"place", place}, {"ratio", ratio}}, 50, false, certified_n};
+  std::vector<HardCase> all = {{"hard_truncated_cone", {{"place", std::string("axis")}, {"object", kPoint}}},
+                               {"hard_truncated_cone", {{"object", kAroundOrigin}}}};
+  for (const std::string shape : {"truncated", "cone", "cylinder", "inverted"}) {
+    for (const std::string place : {"side", "cap", "rim", "axis"}) {
+      all.push_back({"hard_truncated_cone", {{"shape", shape}, {"place", place}}});
+    }
+  }
+  return all;
 }
 
 std::vector<HardCase> capsules() {
-  return {capsule("side", 1, 8),
-          capsule("cap", 1, 8),
-          capsule("seam", 1, 8),
-          capsule("tip", 1, 8),
-          capsule("side", 1e3, 0),
-          capsule("cap", 1e3, 0),
-          capsule("seam", 1e3, 0),
-          capsule("tip", 1e3, 0),
-          capsule("side", 1e-3, 2),
-          {"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}},
-          {"hard_capsule", {{"object", kAroundOrigin}}}};
+  std::vector<HardCase> all = {{"hard_capsule", {{"ratio", 1e-3}, {"place", std::string("side")}}},
+                               {"hard_capsule", {{"place", std::string("tip")}, {"object", kPoint}}},
+                               {"hard_capsule", {{"object", kAroundOrigin}}}};
+  for (const std::string place : {"side", "cap", "seam", "tip"}) {
+    for (const double ratio : {1.0, 1e3})
+      all.push_back({"hard_capsule", {{"place", place}, {"ratio", ratio}}});
+  }
+  return all;
 }
 
 std::vector<HardCase> near_axis() {
-  const std::string kCone = "cone", kCylinder = "cylinder", kCapsule = "capsule";
-  return {{"hard_near_axis", {{"body", kCone}}, 50, false, 3},
-          {"hard_near_axis", {{"body", kCone}, {"object", kPoint}}, 50, false, 5},
-          {"hard_near_axis", {{"body", kCylinder}}, 50, false, 8},
-          {"hard_near_axis", {{"body", kCylinder}, {"object", kPoint}}},
-          {"hard_near_axis", {{"body", kCapsule}}, 50, true, 8},
-          {"hard_near_axis", {{"body", kCapsule}, {"object", kPoint}}, 50, true, 8}};
+  std::vector<HardCase> all;
+  for (const std::string body : {"cone", "cylinder", "capsule"}) {
+    for (const std::string& object : {std::string("homothet"), kPoint}) {
+      all.push_back({"hard_near_axis", {{"body", body}, {"object", object}}, 50, body == "capsule"});
+    }
+  }
+  return all;
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ struct HardCase {
   Parameters parameters;
   int largest_n = 50;
   bool rounded = false;  ///< the exact distance is no double: the generator's is one beside it
-  int certified_n = 20;  ///< up to this n every method must certify it to 1e-12 ...
-  int answered_n = 8;    ///< ... and a smooth one to 1e-6
+  int certified_n = 20;  ///< up to this n every method must certify it to 1e-12
 };
 
 /// Every hard family of point sets with an exact distance, in the variants that differ in kind.
