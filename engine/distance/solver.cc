@@ -56,6 +56,8 @@ struct DistanceSolver::Workspace {
   Newton<Quad> quad_newton;
   Concluded concluded = Concluded::point_set_direct;
 
+  AlignedBuffer<double> start;
+
   Stopwatch stopwatch;  // over all methods that take part
 
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
@@ -65,7 +67,7 @@ struct DistanceSolver::Workspace {
   bool is_out_of_reach(const ConvexSet& A, const ConvexSet& Q);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   template <class Method>
-  bool refine_by(Method& method, const double* start, const ConvexSet& A, const ConvexSet& Q,
+  bool refine_by(Method& method, const double* first, const ConvexSet& A, const ConvexSet& Q,
                  Effects effects);
   void bind_oracles(const ConvexSet& A, const ConvexSet& Q);
   void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
@@ -159,11 +161,13 @@ void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, E
   if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
     concluded = Concluded::newton;
   }
-  const Vector known = result.normal;
-  for (const double* start :
-       {result.lower > 0 ? known.data() : nullptr, static_cast<const double*>(nullptr)}) {
+  const int n = A.dimension();
+  start.reserve(static_cast<std::size_t>(n));
+  std::copy_n(result.normal.data(), n, start.data());
+  const double* known = result.lower > 0 ? start.data() : nullptr;
+  for (const double* first : {known, static_cast<const double*>(nullptr)}) {
     if (!is_unfinished()) return;
-    if (refine_by(quad_newton, start, A, Q, effects)) concluded = Concluded::quad_newton;
+    if (refine_by(quad_newton, first, A, Q, effects)) concluded = Concluded::quad_newton;
   }
 }
 
@@ -171,13 +175,14 @@ void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, E
 // and nothing else: A may lie in that plane, which no Farkas direction separates from them.
 bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const ConvexSet& Q) {
   const int n = A.dimension();
-  Vector u(n), point(n);
-  if (!(result.lower > 0) || !Q.touches_origin_unchecked(u.data())) return false;
+  start.reserve(2 * static_cast<std::size_t>(n));
+  double* u = start.data();
+  if (!(result.lower > 0) || !Q.touches_origin_unchecked(u)) return false;
   oracle_A.bind(A, nullptr, kernels_for(options.instruction_set));
-  if (oracle_A.verify(u.data(), -1.0, kInfinity, point.data()).above() > 0) return false;
+  if (oracle_A.verify(u, -1.0, kInfinity, u + n).above() > 0) return false;
   result.status = DistanceStatus::unreachable;
   result.distance = result.lower = result.upper = kInfinity;
-  result.normal = -u;
+  result.normal = -Vector::Map(u, n);
   result.contact_point.resize(0);
   return true;
 }
@@ -185,10 +190,10 @@ bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const Convex
 // True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds. The
 // counters are those of all.
 template <class Method>
-bool DistanceSolver::Workspace::refine_by(Method& method, const double* start, const ConvexSet& A,
+bool DistanceSolver::Workspace::refine_by(Method& method, const double* first, const ConvexSet& A,
                                           const ConvexSet& Q, Effects effects) {
   const DistanceCounters before = result.counters;
-  if (!method.solve(A, Q, options, stopwatch, effects, result, start)) {
+  if (!method.solve(A, Q, options, stopwatch, effects, result, first)) {
     if (!(method.gap() < result.upper - result.lower)) return false;
     method.report(DistanceStatus::precision_limit, effects, result);
   }

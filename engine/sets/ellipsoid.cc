@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "engine/exceptions.h"
 #include "engine/sets/parameters.h"
@@ -13,13 +12,13 @@
 namespace raygauge {
 namespace {
 
-// M⁻¹b in place of b, by Gaussian elimination with row exchanges; false for a singular M.
-bool solve_in_quad(const Eigen::MatrixXd& M, Quad* b) {
+// M⁻¹b or M⁻ᵀb in place of b, by Gaussian elimination with row exchanges; false for a singular M.
+bool solve_in_quad(const Eigen::MatrixXd& M, bool transposed, Quad* b) {
   const auto n = static_cast<int>(M.rows());
-  std::vector<Quad> rows(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-  const auto entry = [&](int i, int j) -> Quad& { return rows[static_cast<std::size_t>(i * n + j)]; };
+  BasicScratch<Quad> rows(n * n);
+  const auto entry = [&](int i, int j) -> Quad& { return rows.data()[i * n + j]; };
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) entry(i, j) = M(i, j);
+    for (int j = 0; j < n; ++j) entry(i, j) = transposed ? M(j, i) : M(i, j);
   }
   for (int p = 0; p < n; ++p) {
     int best = p;
@@ -93,9 +92,9 @@ bool Ellipsoid::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   if (factor_.cols() != n || !center_.isZero(0)) return false;
   BasicScratch<Quad> z(n);
   std::copy_n(x, n, z.data());
-  if (!solve_in_quad(factor_, z.data())) return false;
+  if (!solve_in_quad(factor_, false, z.data())) return false;
   std::copy_n(z.data(), n, normal);
-  return solve_in_quad(factor_.transpose(), normal);
+  return solve_in_quad(factor_, true, normal);
 }
 
 SupportStructure Ellipsoid::do_structure() const noexcept { return SupportStructure::smooth; }

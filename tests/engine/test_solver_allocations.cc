@@ -188,6 +188,16 @@ TEST_P(RepeatedSolve, OfSmoothSetsAllocatesNothing) {
   }
 }
 
+TEST_P(RepeatedSolve, InQuadruplePrecisionAllocatesNothing) {
+  for (const int n : {2, 3, 5}) {
+    Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
+    L(0, 0) = 1e10;
+    L(1, 0) = 3e10;
+    const Ellipsoid Q(Vector::Zero(n), L);
+    EXPECT_EQ(allocations_of_second_solve(Ellipsoid(9 * L.rowwise().sum(), L), Q), 0) << "n = " << n;
+  }
+}
+
 TEST(RepeatedObjectDistance, AllocatesNothing) {
   const Ball A1(Vector::Zero(3), 1), Q(Vector::Zero(3), 1);
   const TruncatedCone A2(Vector::Constant(3, 3), 1, Vector::Constant(3, 5), 0.5);
