@@ -28,6 +28,6 @@ using ReadNamedSet = std::function<SetPointer(const std::string& source)>;
 /// key, values that the shape does not take.
 SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named);
 
-inline constexpr int kDeepestSet = 32;
+inline constexpr int kDeepestSet = 16;
 
 }  // namespace raygauge::cli

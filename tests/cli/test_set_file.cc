@@ -215,7 +215,7 @@ TEST_F(SetFiles, EndWhereSetsLieTooDeep) {
     return text + "shape = \"ball\"\ncenter = [0]\nradius = 1\n";
   };
   EXPECT_EQ(complaint(nested(kDeepestSet)), "");
-  EXPECT_NE(complaint(nested(kDeepestSet + 1)).find("more than 32 sets inside one another"),
+  EXPECT_NE(complaint(nested(kDeepestSet + 1)).find("more than 16 sets inside one another"),
             std::string::npos);
 }
 
