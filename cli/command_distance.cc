@@ -166,7 +166,8 @@ void add_distance_command(CLI::App& app, int& status) {
       ->type_name("EPS");
   command
       ->add_option("--method", arguments->query.method,
-                   "One of " + joined(all_methods().names()) + "; glpk stands for glpk_dual")
+                   "One of " + joined(all_methods().names()) +
+                       "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
       ->type_name("NAME");
   command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
   command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");

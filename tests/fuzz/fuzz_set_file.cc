@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A set file: a set that is accepted lives in some R^n, and its support function is that of its support point
-// up to the error that the set states. Files that it names are not read: the fuzzer would find devices.
+// up to the error that the set states.
 #include <cmath>
 
-#include "cli/set_file.h"
 #include "tests/fuzz/harness.h"
-#include "tests/fuzz/scratch_file.h"
+#include "tests/fuzz/set_text.h"
 
 namespace raygauge::fuzz {
 namespace {
@@ -31,12 +30,8 @@ void require_support_point(const ConvexSet& set, const Vector& u) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace raygauge;
-  static const fuzz::ScratchFile file(".toml");
-  file.write(fuzz::as_text(data, size));
   fuzz::expect_success_or_error([&] {
-    const cli::SetPointer set = cli::read_set_file(file.path(), [](const std::string&) -> cli::SetPointer {
-      throw InvalidParameterError("this test reads no other files");
-    });
+    const cli::SetPointer set = fuzz::set_of(fuzz::as_text(data, size));
     fuzz::require(set != nullptr && set->dimension() >= 1, "an accepted set lives in some R^n");
     const int n = set->dimension();
     fuzz::require_support_point(*set, Vector::Unit(n, 0));
