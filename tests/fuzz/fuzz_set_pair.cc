@@ -61,7 +61,7 @@ void check_every_method(const ConvexSet& A, const ConvexSet& Q, double tolerance
     DistanceOptions options;
     options.method = method;
     options.tolerance = tolerance;
-    options.time_limit = 1;
+    options.time_limit = 0.1;
     const std::string who = std::string(to_string(method)) + ": ";
     DistanceSolver solver(options);
     const DistanceResult& result = solver.solve(A, Q, Effects::witness);
