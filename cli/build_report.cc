@@ -9,6 +9,7 @@
 
 #include "baselines/registry.h"
 #include "cli/registries.h"
+#include "cli/shapes.h"
 #include "engine/distance/solver.h"
 #include "results/provenance.h"
 
@@ -68,6 +69,29 @@ std::string components_text(const std::string& title, const Registry<T>& registr
   return text;
 }
 
+Json shapes_json() {
+  Json list = Json::array();
+  for (const Shape& shape : shapes()) {
+    Json parameters = Json::object();
+    for (const ShapeParameter& parameter : shape.parameters)
+      parameters[parameter.name] = {{"type", parameter.type}, {"description", parameter.description}};
+    list.push_back({{"name", shape.name}, {"description", shape.description}, {"parameters", parameters}});
+  }
+  return list;
+}
+
+std::string shapes_text() {
+  std::string text = "\nshapes\n";
+  for (const Shape& shape : shapes()) {
+    text += fmt::format("  {:<20} {}\n", shape.name, shape.description);
+    for (const ShapeParameter& parameter : shape.parameters) {
+      text += fmt::format("      {}: {}{}{}\n", parameter.name, parameter.type,
+                          parameter.description.empty() ? "" : ", ", parameter.description);
+    }
+  }
+  return text;
+}
+
 std::string kibibytes(std::int64_t bytes) {
   return bytes == 0 ? "unknown" : fmt::format("{} KiB", bytes / 1024);
 }
@@ -115,7 +139,8 @@ Json build_json() {
           {"libraries", libraries},
           {"solvers", solvers},
           {"methods", components_json(all_methods())},
-          {"generators", components_json(all_generators())}};
+          {"generators", components_json(all_generators())},
+          {"shapes", shapes_json()}};
 }
 
 std::string build_text() {
@@ -134,7 +159,8 @@ std::string build_text() {
                   fmt::format("{:.1f} GiB", static_cast<double>(machine.memory_bytes) / (1 << 30))) +
          labelled("  instruction sets", fmt::format("{}", fmt::join(instruction_sets(), " "))) +
          labelled("  system", machine.operating_system + ", " + machine.kernel) +
-         components_text("methods", all_methods()) + components_text("generators", all_generators());
+         components_text("methods", all_methods()) + components_text("generators", all_generators()) +
+         shapes_text();
 }
 
 }  // namespace raygauge::cli

@@ -10,7 +10,8 @@
 namespace raygauge::cli {
 
 /// What `raygauge info` tells of this program and this machine: the build, the machine, libraries and solvers
-/// with their versions, the instruction sets, and every generator and method with its parameters.
+/// with their versions, the instruction sets, and every method, generator and shape
+/// with its parameters.
 Json build_json();
 std::string build_text();
 

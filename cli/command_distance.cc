@@ -1,33 +1,55 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/distance_query.h"
 #include "cli/distance_report.h"
 #include "cli/input_file.h"
-#include "cli/point_source.h"
 #include "cli/registries.h"
+#include "cli/set_source.h"
+#include "cli/shapes.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::cli {
 namespace {
 
-constexpr const char* kDistanceFooter =
-    "A and Q are the convex hulls of points: a text file with one point a line (commas or blanks, # "
+constexpr const char* kSources =
+    "A and Q are each the convex hull of points: a text file with one point a line (commas or blanks, # "
     "comments), - for\n"
-    "standard input, FILE.h5:/DATASET (rows are points), or a mesh (.obj .off .stl .ply: its vertices).\n"
+    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply: its vertices); or what "
+    "a set file\n"
+    "(.toml) describes: shape = \"ball\" and every parameter of that shape. Shapes, and what describes them "
+    "(raygauge info\n"
+    "tells more):\n";
+
+constexpr const char* kExamples =
     "\n"
     "Examples:\n"
     "  raygauge distance A.csv Q.csv --tolerance 1e-9\n"
     "  raygauge distance points.h5:/A Q.obj --witness --json\n"
+    "  raygauge distance capsule.toml ellipsoid.toml --method newton --tolerance 1e-12\n"
     "  printf '3 1 0\\n4 -1 2\\n' | raygauge distance - Q.csv --method zheng_yamane\n"
     "\n"
     "Exit status: 0 answered, 2 bad usage or input, 3 a limit was reached (bounds are printed).";
+
+std::string distance_footer() {
+  std::string text = kSources;
+  for (const Shape& shape : shapes()) {
+    std::string names;
+    for (const ShapeParameter& parameter : shape.parameters)
+      names += (names.empty() ? "" : ", ") + parameter.name;
+    text += fmt::format("  {:<21} {:<36} {}\n", shape.name, names, shape.description);
+  }
+  return text + kExamples;
+}
 
 const std::map<std::string, StopRule> kStopRules = {{"certified_gap", StopRule::certified_gap},
                                                     {"published_sigma", StopRule::published_sigma}};
@@ -88,14 +110,15 @@ void check_options(const DistanceOptions& options) {
   }
 }
 
-void check_dimensions(const DistanceArguments& arguments, const Eigen::MatrixXd& A,
-                      const Eigen::MatrixXd& Q) {
-  if (A.rows() == Q.rows()) return;
-  const auto described = [](const std::string& source, const Eigen::MatrixXd& points) {
-    return input_name(source) + " has n = " + std::to_string(points.rows());
+Instance read_instance(const DistanceArguments& arguments) {
+  Instance instance{read_set_source(arguments.A), read_set_source(arguments.Q), std::nullopt};
+  if (instance.A->dimension() == instance.Q->dimension()) return instance;
+  const auto described = [](const std::string& source, const ConvexSet& set) {
+    return input_name(source) + " has n = " + std::to_string(set.dimension());
   };
-  throw DimensionMismatchError("A and Q must have the same dimension: " + described(arguments.A, A) + ", " +
-                               described(arguments.Q, Q));
+  throw DimensionMismatchError(
+      "A and Q must have the same dimension: " + described(arguments.A, *instance.A) + ", " +
+      described(arguments.Q, *instance.Q));
 }
 
 int exit_status(DistanceStatus status) {
@@ -110,7 +133,7 @@ int exit_status(DistanceStatus status) {
 }
 
 int run(DistanceArguments arguments) {
-  const MethodRegistry methods = methods_for_point_sets();
+  const MethodRegistry methods = all_methods();
   DistanceQuery& query = arguments.query;
   query.options.stop_rule = chosen(kStopRules, "stop rule", arguments.stop_rule);
   query.options.instruction_set = chosen(kInstructionSets, "instruction set", arguments.instruction_set);
@@ -119,10 +142,7 @@ int run(DistanceArguments arguments) {
   if (arguments.A == kStandardInput && arguments.Q == kStandardInput) {
     throw InvalidParameterError("only one of A and Q can come from standard input");
   }
-  const Eigen::MatrixXd A = read_point_source(arguments.A);
-  const Eigen::MatrixXd Q = read_point_source(arguments.Q);
-  check_dimensions(arguments, A, Q);
-  const DistanceReport report = answer(query, A, Q, methods);
+  const DistanceReport report = answer(query, read_instance(arguments), methods);
   const std::string text = arguments.json ? json_text(distance_json(report)) + "\n" : distance_text(report);
   std::fputs(text.c_str(), stdout);
   return exit_status(report.result.status);
@@ -133,11 +153,10 @@ int run(DistanceArguments arguments) {
 void add_distance_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<DistanceArguments>();
   CLI::App* command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
-  command->add_option("A", arguments->A, "Set A, the object: a file of points")
+  command->add_option("A", arguments->A, "Set A, the object: a file of points or a set file")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: a file of points")
+  command->add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: likewise")
       ->required()
       ->type_name("FILE");
   DistanceOptions& options = arguments->query.options;
@@ -147,7 +166,8 @@ void add_distance_command(CLI::App& app, int& status) {
       ->type_name("EPS");
   command
       ->add_option("--method", arguments->query.method,
-                   "One of " + joined(methods_for_point_sets().names()) + "; glpk stands for glpk_dual")
+                   "One of " + joined(all_methods().names()) +
+                       "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
       ->type_name("NAME");
   command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
   command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
@@ -170,7 +190,7 @@ void add_distance_command(CLI::App& app, int& status) {
           ->add_option("--threads", options.threads,
                        "Threads of the solve; direct shares its passes over large point sets")
           ->type_name("K");
-  command->footer(kDistanceFooter);
+  command->footer(distance_footer());
   command->callback([=, &status] {
     arguments->query.engine_options_set =
         iterations->count() + stop_rule->count() + instruction_set->count() + threads->count() > 0;

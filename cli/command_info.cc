@@ -42,7 +42,7 @@ void add_info_command(CLI::App& app, int& status) {
       ->add_option(
           "file", arguments->path,
           "Results file, of a finished run or an unfinished one; without it: build, machine, methods, "
-          "generators")
+          "generators, shapes of set files")
       ->type_name("FILE.h5");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(kInfoFooter);

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <chrono>
-#include <memory>
 #include <optional>
 
 #include "engine/distance/solver.h"
@@ -56,26 +55,32 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
   report.result = method.result();
 }
 
-// An unreachable A has settled it: its Farkas direction has all of Q on one side.
+// An unreachable A has settled it: its Farkas direction has all of Q on one side. Of other sets than point
+// sets only a ball around the origin that they know of proves anything.
 OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& result, double time_limit) {
-  if (result.status == DistanceStatus::unreachable)
-    return {OriginInInterior::Answer::violated, result.normal};
-  return origin_in_interior(dynamic_cast<const PointSet&>(Q), time_limit);
+  using Answer = OriginInInterior::Answer;
+  if (result.status == DistanceStatus::unreachable) return {Answer::violated, result.normal};
+  if (const PointSet* points = as_point_set(Q)) return origin_in_interior(*points, time_limit);
+  const Vector origin = Vector::Zero(Q.dimension());
+  return {Q.inner_radius_unchecked(origin.data()) > 0 ? Answer::holds : Answer::unknown, {}};
+}
+
+ReportedSet reported(const ConvexSet& set) {
+  const PointSet* points = as_point_set(set);
+  return {set.structure(), points == nullptr ? 0 : points->size()};
 }
 
 }  // namespace
 
 std::string resolved_method(const std::string& name) { return name == "glpk" ? "glpk_dual" : name; }
 
-DistanceReport answer(const DistanceQuery& query, const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q,
-                      const MethodRegistry& methods) {
-  const Instance instance{std::make_shared<PointSet>(A), std::make_shared<PointSet>(Q), std::nullopt};
+DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods) {
   DistanceReport report;
   report.method = resolved_method(query.method);
   report.tolerance = query.options.tolerance;
-  report.n = static_cast<int>(A.rows());
-  report.n_points_A = A.cols();
-  report.n_points_Q = Q.cols();
+  report.n = instance.A->dimension();
+  report.A = reported(*instance.A);
+  report.Q = reported(*instance.Q);
   report.witness = query.witness;
   if (const auto method = engine_method(report.method)) {
     solve_by_engine(query, *method, instance, report);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
 #include "cli/distance_report.h"
@@ -22,9 +21,8 @@ struct DistanceQuery {
 /// The registered name of a method: `glpk` stands for glpk_dual.
 std::string resolved_method(const std::string& name);
 
-/// Answers the query for the hulls of the columns of A and Q. Throws UnknownNameError for a method that is
-/// not in `methods`, InvalidParameterError for options that the method does not have.
-DistanceReport answer(const DistanceQuery& query, const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q,
-                      const MethodRegistry& methods);
+/// Answers the query for A and Q of `instance`. Throws UnknownNameError for a method that is not in
+/// `methods`, InvalidParameterError for sets that the method does not take or options that it does not have.
+DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods);
 
 }  // namespace raygauge::cli

@@ -13,6 +13,8 @@ namespace {
 
 Json json_array(const Vector& vector) { return std::vector<double>(vector.begin(), vector.end()); }
 
+Json json_points(const ReportedSet& set) { return set.n_points == 0 ? Json() : Json(set.n_points); }
+
 Json json_counters(const DistanceCounters& counters) {
   return {{"outer_iterations", counters.outer_iterations},
           {"ray_iterations", counters.ray_iterations},
@@ -73,6 +75,11 @@ std::string weights_line(const DistanceResult& r) {
 }
 
 std::string precondition_line(const DistanceReport& report) {
+  if (report.precondition.answer == OriginInInterior::Answer::unknown && std::isinf(report.result.upper)) {
+    return line("unproven",
+                "the origin was not found to be in the interior of Q, which a gauge needs: without that "
+                "there may be no upper bound");
+  }
   // Of an unreachable A the status says it already.
   if (report.precondition.answer != OriginInInterior::Answer::violated ||
       report.result.status == DistanceStatus::unreachable) {
@@ -98,6 +105,21 @@ std::string counters_line(const DistanceCounters& c) {
                               counted(c.refactorisations, "refactorisation") + ", " +
                               std::to_string(c.support_queries) + " support queries, " +
                               counted(c.points_priced, "point") + " priced");
+}
+
+/// "3 points in A", "smooth A".
+std::string set_text(const ReportedSet& set, const char* name) {
+  if (set.n_points > 0) return counted(set.n_points, "point") + " in " + name;
+  switch (set.structure) {
+    case SupportStructure::smooth:
+      return std::string("smooth ") + name;
+    case SupportStructure::polytope:
+      return std::string("polytope ") + name;
+    case SupportStructure::point:
+      return std::string("one point ") + name;
+    default:
+      return std::string("general ") + name;
+  }
 }
 
 /// What is known of contact when the bounds are as they are.
@@ -135,8 +157,8 @@ Json distance_json(const DistanceReport& report) {
                {"violated_preconditions", violated_preconditions(report)},
                {"method", report.method},
                {"n", report.n},
-               {"n_points_A", report.n_points_A},
-               {"n_points_Q", report.n_points_Q},
+               {"n_points_A", json_points(report.A)},
+               {"n_points_Q", json_points(report.Q)},
                {"normal", json_array(r.normal)}};
   if (report.witness) json["contact_point"] = json_array(r.contact_point);
   if (r.status == DistanceStatus::contains_origin) json["origin_weights"] = json_weights(r.origin_weights);
@@ -160,8 +182,8 @@ std::string distance_text(const DistanceReport& report) {
   return line("distance", fmt::format("{:.17g}", r.distance)) + line("bounds", bounds_text(report)) +
          line("status", fmt::format("{}: {}", to_string(r.status), verdict(r))) + precondition_line(report) +
          normal_line(r) + weights_line(r) + contact_line(report) +
-         line("sets", fmt::format("n = {}, {} in A, {} in Q", report.n, counted(report.n_points_A, "point"),
-                                  counted(report.n_points_Q, "point"))) +
+         line("sets",
+              fmt::format("n = {}, {}, {}", report.n, set_text(report.A, "A"), set_text(report.Q, "Q"))) +
          line("method", fmt::format("{}, {:.3g} ms", report.method, report.seconds * 1e3)) +
          counters_line(r.counters);
 }

@@ -11,6 +11,12 @@
 
 namespace raygauge::cli {
 
+/// What a report says of a set.
+struct ReportedSet {
+  SupportStructure structure = SupportStructure::unknown;
+  std::ptrdiff_t n_points = 0;  ///< 0: it is no point set
+};
+
 /// One answered query, as the program reports it.
 struct DistanceReport {
   DistanceResult result;
@@ -18,8 +24,8 @@ struct DistanceReport {
   double tolerance = 0;
   double seconds = 0;  ///< the solve alone, without reading the sets
   int n = 0;
-  std::ptrdiff_t n_points_A = 0;
-  std::ptrdiff_t n_points_Q = 0;
+  ReportedSet A;
+  ReportedSet Q;
   bool witness = false;  ///< whether the contact point was asked for
 
   /// Whether the origin lies in the interior of Q, as a gauge needs, and if not a direction with all of Q on
@@ -28,8 +34,9 @@ struct DistanceReport {
 };
 
 /// The object that --json prints: distance, lower, upper, status, violated_preconditions
-/// ("origin_in_interior_of_Q" where that is proven false), method, n, n_points_A, n_points_Q, normal,
-/// contact_point (with --witness: empty where there is none), origin_weights (of contains_origin), counters.
+/// ("origin_in_interior_of_Q" where that is proven false), method, n, n_points_A, n_points_Q (null
+/// where the set is no point set), normal, contact_point (with --witness: empty where there is none),
+/// origin_weights (of contains_origin), counters.
 Json distance_json(const DistanceReport& report);
 
 /// Several lines for people.

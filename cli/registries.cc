@@ -6,6 +6,7 @@
 #include "generators/registry.h"
 
 namespace raygauge::cli {
+
 GeneratorRegistry all_generators() {
   GeneratorRegistry registry("generator");
   register_generators(registry);
@@ -16,15 +17,6 @@ MethodRegistry all_methods() {
   MethodRegistry registry("method");
   register_engine_methods(registry);
   register_baselines(registry);
-  return registry;
-}
-
-MethodRegistry methods_for_point_sets() {
-  const MethodRegistry all = all_methods();
-  MethodRegistry registry("method");
-  for (const std::string& name : all.names()) {
-    if (all.find(name).point_sets) registry.add(all.find(name));
-  }
   return registry;
 }
 

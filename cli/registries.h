@@ -13,7 +13,4 @@ GeneratorRegistry all_generators();
 /// Every method of this build: the engine's and the baselines'.
 MethodRegistry all_methods();
 
-/// Those of them that take point sets: each is asked by a load of two points.
-MethodRegistry methods_for_point_sets();
-
 }  // namespace raygauge::cli

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/toml_source.h"
 
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "cli/input_file.h"
+#include "cli/toml_keys.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::cli {
@@ -15,15 +17,28 @@ namespace {
 
 constexpr std::string_view kOverrideMark = "--set ";
 
+/// An override has no lines.
+std::string line_text(const std::string& path, std::uint32_t line) {
+  return path.starts_with(kOverrideMark) ? path : path + ":" + std::to_string(line);
+}
+
 std::string region_text(const toml::source_region& source) {
-  std::string path = source.path ? *source.path : std::string();
-  if (path.starts_with(kOverrideMark)) return path;
-  return path + ":" + std::to_string(source.begin.line);
+  return line_text(source.path ? *source.path : std::string(), source.begin.line);
+}
+
+[[noreturn]] void reject_endless_key(const std::string& place) {
+  throw InvalidParameterError(place + ": a key of more than " + std::to_string(kMostKeyParts) + " parts");
+}
+
+toml::table parse_bounded(const std::string& text, const std::string& path) {
+  if (const std::uint32_t line = line_of_endless_key(text); line > 0)
+    reject_endless_key(line_text(path, line));
+  return toml::parse(text, path);
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
   try {
-    return toml::parse(text, path);
+    return parse_bounded(text, path);
   } catch (const toml::parse_error& error) {
     std::string message(error.description());
     for (char& c : message) c = c == '\n' ? ' ' : c;
@@ -54,7 +69,7 @@ bool is_word(const std::string& text) {
 /// The table {value = TEXT}; empty if TEXT is not TOML.
 std::optional<toml::table> parse_value(const std::string& text, const std::string& mark) {
   try {
-    return toml::parse("value = " + text, mark);
+    return parse_bounded("value = " + text, mark);
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }
@@ -127,6 +142,7 @@ void apply_override(toml::table& root, const std::string& text) {
     throw InvalidParameterError(mark + ": expected KEY=VALUE, as in sweep.n=3,4");
   }
   const std::vector<std::string> parts = split(trimmed(text.substr(0, equals)), '.');
+  if (parts.size() > kMostKeyParts) reject_endless_key(mark);
   toml::table value = override_value(trimmed(text.substr(equals + 1)), mark);
   std::size_t next = 0;
   toml::table& owner = owner_of(root, parts, next, mark);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "cli/counted.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::cli {
@@ -16,6 +18,8 @@ constexpr double kMaxRangeValues = 1e6;
 
 /// How far, in steps, `to` may lie from the last value and still be met.
 constexpr double kStepRounding = 1e-9;
+
+constexpr Range kAnyReal{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 std::string text_of(const toml::node& node) {
   std::ostringstream text;
@@ -137,6 +141,41 @@ std::vector<double> read_reals(const toml::node& node, const std::string& key, c
   return read_list<double>(
       node, key, [&](const toml::node& element) { return read_real(element, key, range); },
       [&](const toml::table& table) { return range_values(table, key, range); });
+}
+
+double read_number(const toml::node& node, const std::string& key) {
+  if (node.is_floating_point() && std::isnan(*node.value<double>())) reject(node, key, "a number");
+  return read_real(node, key, kAnyReal);
+}
+
+Eigen::VectorXd read_vector(const toml::node& node, const std::string& key) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->empty()) reject(node, key, "a nonempty list of numbers");
+  Eigen::VectorXd vector(static_cast<Eigen::Index>(list->size()));
+  for (Eigen::Index k = 0; k < vector.size(); ++k) {
+    const toml::node& element = (*list)[static_cast<std::size_t>(k)];
+    if (element.is_floating_point() && !std::isfinite(*element.value<double>()))
+      reject(element, key, "made of finite numbers");
+    vector[k] = read_number(element, key);
+  }
+  return vector;
+}
+
+Eigen::MatrixXd read_matrix(const toml::node& node, const std::string& key) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->empty()) reject(node, key, "a nonempty list of rows");
+  std::vector<Eigen::VectorXd> rows;
+  for (const toml::node& element : *list) {
+    rows.push_back(read_vector(element, "a row of " + key));
+    if (rows.back().size() != rows.front().size()) {
+      throw InvalidParameterError(place_of(element) + ": a row of " + key + " has " +
+                                  counted(rows.back().size(), "number") + ", the first one has " +
+                                  std::to_string(rows.front().size()));
+    }
+  }
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), rows.front().size());
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)];
+  return matrix;
 }
 
 ParameterValue read_parameter(const toml::node& node, const std::string& key) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ double read_real(const toml::node& node, const std::string& key, const Range& ra
 /// {from = 1e-2, to = 1e-10, factor = 0.1}; `to` is included where the steps meet it. Integers rounded.
 std::vector<std::int64_t> read_integers(const toml::node& node, const std::string& key, const Range& range);
 std::vector<double> read_reals(const toml::node& node, const std::string& key, const Range& range);
+
+/// A number, infinite ones included.
+double read_number(const toml::node& node, const std::string& key);
+
+/// A nonempty list of finite numbers, and a list of such lists of one length, the rows of a matrix.
+Eigen::VectorXd read_vector(const toml::node& node, const std::string& key);
+Eigen::MatrixXd read_matrix(const toml::node& node, const std::string& key);
 
 /// A parameter's value, or the values of a list or a range of them.
 ParameterValue read_parameter(const toml::node& node, const std::string& key);

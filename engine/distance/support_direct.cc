@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/distance/scaling.h"
 #include "engine/floating_point.h"
 
 namespace raygauge {
@@ -54,7 +55,9 @@ void SupportDirect::ask(const double* u) {
   if (bound > lower_ || counters_.support_queries == 2) {
     lower_ = bound;
     const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
-    for (int k = 0; k < n_; ++k) normal_[static_cast<std::size_t>(k)] = u[k] * length;
+    // The direction that the sets were asked along, to which the smallest components do not belong.
+    for (int k = 0; k < n_; ++k)
+      normal_[static_cast<std::size_t>(k)] = Scaling::direction_component(1.0, u[k]) * length;
   }
 }
 

@@ -94,7 +94,8 @@ void ZhengYamane::bound_from_below() {
   if (bound <= lower_ && outer_iterations_ > 1) return;
   lower_ = std::max(bound, lower_);
   const double length = h_Q.value > 0 ? 1.0 / h_Q.value : 1.0;
-  for (int k = 0; k < n_; ++k) normal_[static_cast<std::size_t>(k)] = shooter_.normal()[k] * length;
+  for (int k = 0; k < n_; ++k)
+    normal_[static_cast<std::size_t>(k)] = Scaling::direction_component(1.0, shooter_.normal()[k]) * length;
 }
 
 // The least scale at which the hull of the last vertices of Q meets that of the last vertices of A.
