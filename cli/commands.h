@@ -16,8 +16,8 @@ enum ExitStatus : int {
 };
 
 /// Each subcommand is one file, command_NAME.cc, that adds itself to the program and, when chosen, leaves its
-/// exit status in `status`. Errors are thrown as raygauge::Error; main prints them as one line and exits with
-/// kBadInput.
+/// exit status in `status`. Errors are thrown as raygauge::Error; program.cc prints them as one line and
+/// exits with kBadInput.
 void add_run_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
 void add_table_command(CLI::App& app, int& status);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "engine/sweep/order_statistics.h"
 
@@ -105,16 +106,19 @@ TEST(MediansKnown, TimesOfRecordsThatDisagreeDoNotCount) {
 double coverage_at_the_end(const Experiment& experiment, double sigma, int cells) {
   std::mt19937_64 random(5);
   std::lognormal_distribution<double> seconds(0, sigma);
+  std::vector<Record> records(static_cast<std::size_t>(experiment.repetitions), solve(1));
   int covered = 0;
   for (int cell = 0; cell < cells; ++cell) {
-    std::vector<Record> records;
+    std::span<Record> done;
     do {
-      const auto look = static_cast<std::size_t>(next_look(experiment, static_cast<int>(records.size())));
-      while (records.size() < look) records.push_back(solve(seconds(random)));
-    } while (records.size() < static_cast<std::size_t>(experiment.repetitions) &&
-             !medians_known(records, 1, experiment.stop_when_within));
+      const auto look = static_cast<std::size_t>(next_look(experiment, static_cast<int>(done.size())));
+      for (Record& record : std::span(records).subspan(done.size(), look - done.size())) {
+        record.seconds = seconds(random);
+      }
+      done = std::span(records).first(look);
+    } while (done.size() < records.size() && !medians_known(done, 1, experiment.stop_when_within));
     std::vector<double> times;
-    for (const Record& record : records) times.push_back(record.seconds);
+    for (const Record& record : done) times.push_back(record.seconds);
     const auto interval = order_statistic_interval(times);
     if (interval->lower <= 1 && 1 <= interval->upper) ++covered;
   }

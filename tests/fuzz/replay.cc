@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// Runs one fuzz target over its seeds and over every input that once broke a promise: one test a file.
+// Runs one fuzz target over its seeds and over every input that once broke a promise: one test a file. The
+// program replay_TARGET is this and fuzz_TARGET.cc.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the program that runs: replay_TARGET.
+std::string target;
+
 /// The files of corpus/TARGET and found/TARGET.
 std::vector<fs::path> frozen_inputs() {
   std::vector<fs::path> inputs;
   for (const char* kind : {"corpus", "found"}) {
-    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / RAYGAUGE_FUZZ_TARGET;
+    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / target;
     if (!fs::is_directory(folder)) continue;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) inputs.push_back(entry.path());
   }
@@ -50,3 +54,10 @@ INSTANTIATE_TEST_SUITE_P(FuzzRegressions, Input, testing::ValuesIn(frozen_inputs
 
 }  // namespace
 }  // namespace raygauge::fuzz
+
+int main(int argc, char** argv) {
+  const std::string program = std::filesystem::path(argv[0]).filename();
+  raygauge::fuzz::target = program.substr(std::string("replay_").size());
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

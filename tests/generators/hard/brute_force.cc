@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,69 +28,68 @@ std::vector<RationalVector> columns_of(const Eigen::MatrixXd& A, const Eigen::Ma
   return columns;
 }
 
-// The unique solution of Σ x_k column_k = (0; 1); empty if there is none or the columns are dependent.
-std::optional<RationalVector> solve(const std::vector<const RationalVector*>& columns) {
-  const std::size_t rows = columns.front()->size();
-  const std::size_t count = columns.size();
-  std::vector<RationalVector> tableau(rows, RationalVector(count + 1));
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t k = 0; k < count; ++k) tableau[row][k] = (*columns[k])[row];
+// One step of Gauss and Jordan's elimination, on one more vector: row `pivot` of `column` becomes row `row`,
+// in which column becomes 1 there and 0 elsewhere.
+void eliminate(const RationalVector& column, std::size_t pivot, std::size_t row, RationalVector& vector) {
+  std::swap(vector[row], vector[pivot]);
+  if (vector[row] == 0) return;
+  vector[row] /= column[pivot];
+  for (std::size_t i = 0; i < vector.size(); ++i) {
+    const Rational& entry = column[i == pivot ? row : i];
+    if (i != row && entry != 0) vector[i] -= entry * vector[row];
   }
-  tableau[rows - 1][count] = 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t pivot = k;
-    while (pivot < rows && tableau[pivot][k] == 0) ++pivot;
-    if (pivot == rows) return std::nullopt;
-    std::swap(tableau[k], tableau[pivot]);
-    for (std::size_t row = 0; row < rows; ++row) {
-      if (row == k || tableau[row][k] == 0) continue;
-      const Rational factor = tableau[row][k] / tableau[k][k];
-      for (std::size_t j = k; j <= count; ++j) tableau[row][j] -= factor * tableau[k][j];
-    }
-  }
-  for (std::size_t row = count; row < rows; ++row) {
-    if (tableau[row][count] != 0) return std::nullopt;
-  }
-  RationalVector x(count);
-  for (std::size_t k = 0; k < count; ++k) x[k] = tableau[k][count] / tableau[k][k];
-  return x;
 }
 
+// Tries every set of independent columns: each is a smaller one and a column behind its last.
 class Search {
  public:
   Search(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q)
-      : columns_(columns_of(A, Q)), columns_of_A_(static_cast<std::size_t>(A.cols())) {
-    extend(0);
+      : columns_of_Q_(static_cast<std::size_t>(Q.cols())), rows_(static_cast<std::size_t>(A.rows()) + 1) {
+    RationalVector right(rows_);
+    right.back() = 1;
+    extend(columns_of(A, Q), right);
   }
 
   const std::optional<Rational>& best() const { return best_; }
 
  private:
-  void extend(std::size_t first) {
-    if (!chosen_.empty()) try_chosen();
-    if (chosen_.size() == columns_.front().size()) return;
-    for (std::size_t k = first; k < columns_.size(); ++k) {
-      if (chosen_.empty() && k >= columns_of_A_) return;  // Σα = 1 needs a point of A
-      chosen_.push_back(&columns_[k]);
-      extend(k + 1);
-      chosen_.pop_back();
+  // `columns`, those behind the last one chosen, and `right`: after the elimination of the chosen.
+  void extend(std::span<const RationalVector> columns, const RationalVector& right) {
+    const std::size_t row = is_of_Q_.size();
+    for (; !columns.empty(); columns = columns.subspan(1)) {
+      const bool is_of_Q = columns.size() <= columns_of_Q_;
+      if (row == 0 && is_of_Q) return;  // Σα = 1 needs a point of A
+      const RationalVector& column = columns.front();
+      std::size_t pivot = row;
+      while (pivot < rows_ && column[pivot] == 0) ++pivot;
+      if (pivot == rows_) continue;  // dependent, with whatever is added
+      is_of_Q_.push_back(is_of_Q);
+      RationalVector next_right = right;
+      eliminate(column, pivot, row, next_right);
+      try_solution(next_right);
+      if (row + 1 < rows_) {
+        std::vector<RationalVector> next(columns.begin() + 1, columns.end());
+        for (RationalVector& other : next) eliminate(column, pivot, row, other);
+        extend(next, next_right);
+      }
+      is_of_Q_.pop_back();
     }
   }
 
-  void try_chosen() {
-    const auto x = solve(chosen_);
-    if (!x) return;
+  // The chosen columns times the first entries of `right` are (0; 1), if its other entries are 0.
+  void try_solution(const RationalVector& right) {
     Rational distance = 0;
-    for (std::size_t k = 0; k < x->size(); ++k) {
-      if ((*x)[k] < 0) return;
-      if (chosen_[k] >= &columns_[0] + columns_of_A_) distance += (*x)[k];
+    for (std::size_t k = 0; k < rows_; ++k) {
+      const bool is_chosen = k < is_of_Q_.size();
+      if (is_chosen ? right[k] < 0 : right[k] != 0) return;
+      if (is_chosen && is_of_Q_[k]) distance += right[k];
     }
     if (!best_ || distance < *best_) best_ = distance;
   }
 
-  std::vector<RationalVector> columns_;
-  std::size_t columns_of_A_;
-  std::vector<const RationalVector*> chosen_;
+  std::size_t columns_of_Q_;
+  std::size_t rows_;
+  std::vector<bool> is_of_Q_;  // of the chosen columns
   std::optional<Rational> best_;
 };
 
