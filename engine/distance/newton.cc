@@ -53,7 +53,7 @@ Real combine(const PieceList<Real>& list, Real* point) {
     const Real weight = list.weight[static_cast<std::size_t>(i)];
     for (int k = 0; k < list.n; ++k) {
       point[k] += weight * list.point(i)[k];
-      size += weight * real::fabs(list.point(i)[k]);
+      size += weight * elementary::fabs(list.point(i)[k]);
     }
   }
   return size;
@@ -330,7 +330,7 @@ bool Newton<Real>::advance(const Real* step) {
   } else if (try_facet(step)) {
     return true;
   }
-  const Real length = real::sqrt(dot(step, step, n_));
+  const Real length = elementary::sqrt(dot(step, step, n_));
   Real share = length > kLongestStep ? kLongestStep / length : Real{1};
   for (int trial = 0; trial < kShortenings; ++trial) {
     for (int k = 0; k < n_; ++k) {

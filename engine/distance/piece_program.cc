@@ -109,7 +109,7 @@ void PieceProgram<Real>::add_differences(const PieceList<Real>& list, int sign, 
     const Real* s_i = list.point(i);
     Real* entries = system_.data() + std::ptrdiff_t{row} * columns_;
     for (int k = 0; k < n_; ++k) entries[k] = sign * (s_i[k] - s_0[k]);
-    const Real length = real::sqrt(dot(entries, entries, n_));
+    const Real length = elementary::sqrt(dot(entries, entries, n_));
     const Real stretch = length > 0 ? along / length : Real{1};
     stretch_[static_cast<std::size_t>(row)] = stretch;
     for (int k = 0; k < n_; ++k) {
@@ -148,7 +148,7 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
   Real trace = 0, length = 0;
   for (int k = 0; k < n_; ++k) {
     trace += K[k * columns_ + k];
-    length += objective.weight_A * real::fabs(s_A[k]) + objective.weight_Q * real::fabs(s_Q[k]);
+    length += objective.weight_A * elementary::fabs(s_A[k]) + objective.weight_Q * elementary::fabs(s_Q[k]);
   }
   // H u = 0: this fixes u·d; and something to divide by where the pieces are flat.
   flat_ = !(trace > 0);
@@ -178,13 +178,14 @@ bool PieceProgram<Real>::eliminate(int size) {
   Real largest = 0;
   for (int i = 0; i < size; ++i) {
     const int end = definite ? i + 1 : size;
-    for (int k = definite ? i : 0; k < end; ++k) largest = std::max(largest, real::fabs(K[i * columns_ + k]));
+    for (int k = definite ? i : 0; k < end; ++k)
+      largest = std::max(largest, elementary::fabs(K[i * columns_ + k]));
   }
   const Real threshold = Real{1e-3} * kNoPivot<Real> * largest;
   for (int p = 0; p < size; ++p) {
     if (!definite) exchange_rows(p, size);
     Real* row = K + std::ptrdiff_t{p} * columns_;
-    if (!(real::fabs(row[p]) > threshold)) return false;
+    if (!(elementary::fabs(row[p]) > threshold)) return false;
     const Real inverse = 1 / row[p];
     for (int i = p + 1; i < size; ++i) {
       Real* other = K + std::ptrdiff_t{i} * columns_;
@@ -211,7 +212,8 @@ void PieceProgram<Real>::exchange_rows(int p, int size) {
   Real* K = system_.data();
   int best = p;
   for (int i = p + 1; i < size; ++i) {
-    if (real::fabs(K[std::ptrdiff_t{i} * columns_ + p]) > real::fabs(K[std::ptrdiff_t{best} * columns_ + p]))
+    if (elementary::fabs(K[std::ptrdiff_t{i} * columns_ + p]) >
+        elementary::fabs(K[std::ptrdiff_t{best} * columns_ + p]))
       best = i;
   }
   if (best == p) return;
@@ -264,7 +266,7 @@ template <class Real>
 bool PieceProgram<Real>::add_violated(PieceList<Real>& list, int sign) const {
   if (list.count == list.active_count) return false;
   const Real reference = model(list, list.active[0], sign);
-  Real most = reference + kSlightly<Real> * real::fabs(reference);
+  Real most = reference + kSlightly<Real> * elementary::fabs(reference);
   int violated = -1;
   for (int i = 0; i < list.count; ++i) {
     const auto end = list.active.data() + list.active_count;

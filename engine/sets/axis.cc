@@ -49,7 +49,7 @@ Real Axis::radial_part(const Real* u, Real* radial) const noexcept {
   for (int pass = 0; pass < kPasses; ++pass) {
     const Real left = dot(radial, a, n);
     for (int k = 0; k < n; ++k) radial[k] -= left * a[k];
-    if (real::fabs(left) <= largest_magnitude(radial, n)) return normalize(radial, n, radial);
+    if (elementary::fabs(left) <= largest_magnitude(radial, n)) return normalize(radial, n, radial);
   }
   std::fill_n(radial, n, Real{0});
   return 0;

@@ -39,7 +39,7 @@ bool Ball::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   for (int k = 0; k < n; ++k) inside -= Quad{center_[k]} * center_[k];
   const Quad discriminant = along * along + inside * square;
   if (!(discriminant >= 0)) return false;
-  const Quad denominator = along + real::sqrt(discriminant);
+  const Quad denominator = along + elementary::sqrt(discriminant);
   if (!(denominator > 0)) return false;
   for (int k = 0; k < n; ++k) normal[k] = x[k] - square / denominator * center_[k];
   return true;

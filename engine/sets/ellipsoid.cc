@@ -23,7 +23,7 @@ bool solve_in_quad(const Eigen::MatrixXd& M, bool transposed, Quad* b) {
   for (int p = 0; p < n; ++p) {
     int best = p;
     for (int i = p + 1; i < n; ++i) {
-      if (real::fabs(entry(i, p)) > real::fabs(entry(best, p))) best = i;
+      if (elementary::fabs(entry(i, p)) > elementary::fabs(entry(best, p))) best = i;
     }
     if (entry(best, p) == 0) return false;
     std::swap_ranges(&entry(p, 0), &entry(p, 0) + n, &entry(best, 0));

@@ -26,12 +26,12 @@ template <class Real>
 Real unit_maximiser_1(Real* v, int n) {
   int best = 0;
   for (int k = 1; k < n; ++k) {
-    if (real::fabs(v[k]) > real::fabs(v[best])) best = k;
+    if (elementary::fabs(v[k]) > elementary::fabs(v[best])) best = k;
   }
   const Real largest = v[best];
   std::fill_n(v, n, Real{0});
-  if (largest != 0) v[best] = real::copysign(Real{1}, largest);
-  return real::fabs(largest);
+  if (largest != 0) v[best] = elementary::copysign(Real{1}, largest);
+  return elementary::fabs(largest);
 }
 
 // ‖v‖_1, and v replaced by its signs.
@@ -39,8 +39,8 @@ template <class Real>
 Real unit_maximiser_infinity(Real* v, int n) {
   Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    sum += real::fabs(v[k]);
-    if (v[k] != 0) v[k] = real::copysign(Real{1}, v[k]);
+    sum += elementary::fabs(v[k]);
+    if (v[k] != 0) v[k] = elementary::copysign(Real{1}, v[k]);
   }
   return sum;
 }
@@ -55,14 +55,14 @@ Real unit_maximiser(Real* v, int n, double p) {
   const Real q_minus_1 = 1 / (Real{p} - 1);
   Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    const Real t = real::fabs(v[k]) / largest;
-    const Real power = real::pow(t, q_minus_1);
+    const Real t = elementary::fabs(v[k]) / largest;
+    const Real power = elementary::pow(t, q_minus_1);
     sum += t * power;
-    v[k] = real::copysign(power, v[k]);
+    v[k] = elementary::copysign(power, v[k]);
   }
-  const Real scale = real::pow(sum, 1 / Real{p});
+  const Real scale = elementary::pow(sum, 1 / Real{p});
   for (int k = 0; k < n; ++k) v[k] /= scale;
-  return largest * real::pow(sum, (Real{p} - 1) / p);
+  return largest * elementary::pow(sum, (Real{p} - 1) / p);
 }
 
 }  // namespace
@@ -131,12 +131,12 @@ Real PNormBall::gauge(const Real* x, Real* normal) const {
   if (largest == 0) return 0;
   Real sum = 0;
   for (int k = 0; k < n; ++k) {
-    const Real t = real::fabs(normal[k]) / largest;
-    const Real power = real::pow(t, Real{p_} - 1);
+    const Real t = elementary::fabs(normal[k]) / largest;
+    const Real power = elementary::pow(t, Real{p_} - 1);
     sum += t * power;
-    normal[k] = real::copysign(power, normal[k]) / semi_axes_[k];
+    normal[k] = elementary::copysign(power, normal[k]) / semi_axes_[k];
   }
-  return largest * real::pow(sum, 1 / Real{p_});
+  return largest * elementary::pow(sum, 1 / Real{p_});
 }
 
 bool PNormBall::has_gauge() const {
@@ -176,9 +176,9 @@ void PNormBall::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int
   for (int j = 0; j < n; ++j) {
     const Real g_j = point[j] - center_[j], w_j = semi_axes_[j];
     for (int k = 0; k < n; ++k) hessian[j * n + k] = -curvature * g_j * (point[k] - center_[k]);
-    const bool zero = !(real::fabs(w_j * u[j]) > kSmallest * norm);
+    const bool zero = !(elementary::fabs(w_j * u[j]) > kSmallest * norm);
     hessian[j * n + j] +=
-        curvature * (zero ? w_j * w_j * real::pow(Real{kSmallest}, q_minus_1 - 1) : norm * g_j / u[j]);
+        curvature * (zero ? w_j * w_j * elementary::pow(Real{kSmallest}, q_minus_1 - 1) : norm * g_j / u[j]);
   }
 }
 

@@ -10,7 +10,7 @@ raygauge::Quad powq(raygauge::Quad, raygauge::Quad) noexcept;
 }
 #endif
 
-namespace raygauge::real {
+namespace raygauge::elementary {
 
 #ifdef __SIZEOF_FLOAT128__
 Quad sqrt(Quad x) noexcept { return sqrtq(x); }
@@ -20,4 +20,4 @@ Quad sqrt(Quad x) noexcept { return std::sqrt(x); }
 Quad pow(Quad x, Quad y) noexcept { return std::pow(x, y); }
 #endif
 
-}  // namespace raygauge::real
+}  // namespace raygauge::elementary

@@ -30,7 +30,7 @@ inline constexpr double kRoundoff<Quad> = 8 * std::numeric_limits<long double>::
 #endif
 
 /// The elementary functions that support functions are made of, by one name for either precision.
-namespace real {
+namespace elementary {
 
 inline double sqrt(double x) noexcept { return std::sqrt(x); }
 inline double fabs(double x) noexcept { return std::fabs(x); }
@@ -42,5 +42,5 @@ inline Quad copysign(Quad x, Quad y) noexcept { return (x < 0) == (y < 0) ? x : 
 Quad sqrt(Quad x) noexcept;
 Quad pow(Quad x, Quad y) noexcept;
 
-}  // namespace real
+}  // namespace elementary
 }  // namespace raygauge

@@ -25,7 +25,7 @@ auto dot(const Real* u, const Other* v, int n) noexcept -> decltype(*u * *v) {
 template <class Real>
 Real largest_magnitude(const Real* u, int n) noexcept {
   Real largest = 0;
-  for (int k = 0; k < n; ++k) largest = std::max(largest, real::fabs(u[k]));
+  for (int k = 0; k < n; ++k) largest = std::max(largest, elementary::fabs(u[k]));
   return largest;
 }
 
@@ -54,7 +54,7 @@ inline double normalize(const double* u, int n, double* unit) noexcept {
 
 /// The same in quadruple precision, whose range the squares of doubles do not leave.
 inline Quad normalize(const Quad* u, int n, Quad* unit) noexcept {
-  const Quad length = real::sqrt(dot(u, u, n));
+  const Quad length = elementary::sqrt(dot(u, u, n));
   for (int k = 0; k < n; ++k) unit[k] = length > 0 ? u[k] / length : Quad{0};
   return length;
 }
@@ -73,7 +73,7 @@ inline double length(const double* u, int n) noexcept {
   }
   return std::scalbn(std::sqrt(sum), exponent);
 }
-inline Quad length(const Quad* u, int n) noexcept { return real::sqrt(dot(u, u, n)); }
+inline Quad length(const Quad* u, int n) noexcept { return elementary::sqrt(dot(u, u, n)); }
 
 /// What is proven of a length computed from numbers of magnitude `size` in some tens of operations per
 /// coordinate: `length` less its rounding error; 0 where nothing is left.

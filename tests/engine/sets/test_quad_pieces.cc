@@ -80,7 +80,7 @@ TEST_P(QuadPieces, HoldTheSupportInequalityToThirtyDigits) {
     for (int j = 0; j < at_u.pieces.count; ++j) {
       const Quad of_point = dot(u.data(), at_u.pieces.point(j), n());
       const Quad value = at_u.pieces.value[static_cast<std::size_t>(j)];
-      EXPECT_LE(static_cast<double>(real::fabs(value - of_point)), 2 * error(u)) << "piece " << j;
+      EXPECT_LE(static_cast<double>(elementary::fabs(value - of_point)), 2 * error(u)) << "piece " << j;
     }
     for (const double away : {1e-14, 1e-8, 1.0}) {
       const Vector v = u + away * sphere_points(n(), 1, random);
@@ -111,8 +111,8 @@ void expect_flat_face(const Body& body, const Vector& from, const Vector& to, co
     square += (point[k] - Quad{center[k]}) * (point[k] - Quad{center[k]});
     EXPECT_NEAR(static_cast<double>(normal[k]), axis[k], 1e-15);
   }
-  EXPECT_LT(static_cast<double>(real::fabs(along)), 1e-31);
-  EXPECT_LE(static_cast<double>(real::sqrt(square)), radius * (1 + 1e-15));
+  EXPECT_LT(static_cast<double>(elementary::fabs(along)), 1e-31);
+  EXPECT_LE(static_cast<double>(elementary::sqrt(square)), radius * (1 + 1e-15));
 }
 
 TEST(QuadFacets, AreFlatToThirtyDigits) {

@@ -31,7 +31,7 @@ void expect_normal_at(const ConvexSet& S, const Vector& x, double error = 1e-24)
   const Quad* s = pieces.point(0);
   const Quad t = dot(target.data(), s, n) / dot(s, s, n);
   for (int k = 0; k < n; ++k) {
-    const Quad residual = real::fabs(target[static_cast<std::size_t>(k)] - t * s[k]);
+    const Quad residual = elementary::fabs(target[static_cast<std::size_t>(k)] - t * s[k]);
     EXPECT_LT(static_cast<double>(residual), error * x.norm()) << "coordinate " << k;
   }
 }
