@@ -171,8 +171,8 @@ std::string verdict(const DistanceResult& r) {
     return "A contains the origin: the distance is 0, whatever Q is";
   if (r.status == DistanceStatus::unreachable) {
     return "no multiple of Q meets A: along the direction u below, u·a < 0 for every point a of A and u·q >= "
-           "0 for "
-           "every point q of Q (so the origin is not in the interior of Q, which a gauge needs)";
+           "0 for every point q of Q, or u·a <= 0 and u·q > 0 but at the origin (so the origin is not in the "
+           "interior of Q, which a gauge needs)";
   }
   return limit_text(r.status) + compared_with_contact(r);
 }

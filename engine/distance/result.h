@@ -18,7 +18,7 @@ enum class DistanceStatus : std::uint8_t {
   optimal,          ///< upper - lower <= tolerance * upper
   contains_origin,  ///< 0 in A, proven: d = 0
   unreachable,      ///< no multiple of Q meets A, proven by a Farkas direction (normal): d = +infinity
-  precision_limit,  ///< the bounds hold but could not be brought within the tolerance in double precision
+  precision_limit,  ///< the bounds hold but could not be brought within the tolerance
   iteration_limit,  ///< stopped by DistanceOptions::max_iterations
   time_limit,       ///< stopped by DistanceOptions::time_limit
 };

@@ -70,7 +70,8 @@ struct DistanceSolver::Workspace {
   bool refine_by(Method& method, const double* first, const ConvexSet& A, const ConvexSet& Q,
                  Effects effects);
   void bind_oracles(const ConvexSet& A, const ConvexSet& Q);
-  void solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void solve_by_support(const ConvexSet& A, const ConvexSet& Q);
+  void report_contact_by_support(int n, Effects effects);
 };
 
 void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
@@ -81,6 +82,7 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
     solve_direct(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     if (is_unfinished()) refine(A, Q, effects);
+    if (concluded == Concluded::support_direct) report_contact_by_support(A.dimension(), effects);
   }
   result.seconds = stopwatch.seconds();
   // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
@@ -113,7 +115,7 @@ void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet
     point_set_direct.solve(*points_A, *points_Q, options, stopwatch, effects, result);
     concluded = Concluded::point_set_direct;
   } else {
-    solve_by_support(A, Q, effects);
+    solve_by_support(A, Q);
   }
 }
 
@@ -128,7 +130,7 @@ void DistanceSolver::Workspace::bind_oracles(const ConvexSet& A, const ConvexSet
   oracle_Q.bind(Q, scaling.factor_Q(), kernels);
 }
 
-void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q) {
   concluded = Concluded::support_direct;
   const int n = A.dimension();
   bind_oracles(A, Q);
@@ -140,6 +142,10 @@ void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const Conve
   result.distance = std::max(result.lower, std::min(support_direct.objective(), result.upper));
   result.normal = scaling.factor_A()[0] * Vector::Map(support_direct.normal(), n);
   result.counters = support_direct.counters();
+}
+
+// Once it is certain whose answer it is: room that is taken and given back would be allocated at every solve.
+void DistanceSolver::Workspace::report_contact_by_support(int n, Effects effects) {
   if (double* contact = result.room_for_contact(effects, n)) {
     support_direct.contact_point(contact);
     const double share = result.status == DistanceStatus::contains_origin ? 0.0 : 1 / scaling.factor_A()[0];
@@ -183,7 +189,6 @@ bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const Convex
   result.status = DistanceStatus::unreachable;
   result.distance = result.lower = result.upper = kInfinity;
   result.normal = -Vector::Map(u, n);
-  result.contact_point.resize(0);
   return true;
 }
 
