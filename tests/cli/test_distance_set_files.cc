@@ -61,8 +61,9 @@ TEST_F(DistanceOfSetFiles, MeetsPointsFromAFileOrStandardInput) {
 }
 
 TEST_F(DistanceOfSetFiles, SaysWhereNothingProvesTheOriginInsideQ) {
-  const std::string text =
-      run("shape = \"point_set\"\npoints = [[1, 1]]", "shape = \"ball\"\ncenter = [1, 0]\nradius = 1").out;
+  const std::string text = run("shape = \"point_set\"\npoints = [[0, 1]]",
+                               "shape = \"ellipsoid\"\ncenter = [1, 0]\nfactor = [[1, 0], [0, 1]]")
+                               .out;
   EXPECT_NE(text.find("\nunproven   the origin was not found to be in the interior of Q"), std::string::npos)
       << text;
   EXPECT_EQ(run(kCapsule, kUnitBall).out.find("unproven"), std::string::npos);
