@@ -20,9 +20,10 @@ template <class Real>
 constexpr double kSlack = 900 * kRoundoff<Real>;  // of dependent equations, relative to the curvature
 constexpr double kLeastCurvature = 1e-9;          // added where the pieces have none, relative to the points
 
+// Numbers beyond the range of doubles are as good as infinite here.
 template <class Real>
 bool is_finite(Real x) {
-  return x - x == 0;
+  return std::isfinite(static_cast<double>(x));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ template <class Real>
 void PointSet::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 1 || size_ != 1) return;
   const int n = dimension();
-  for (int k = 0; k < n; ++k) pieces.point(0)[k] = data_[static_cast<std::size_t>(k * kLanes)];
+  for (int k = 0; k < n; ++k) pieces.point(0)[k] = data_[static_cast<std::size_t>(k) * kLanes];
   pieces.value[0] = dot(u, pieces.point(0), n);
   std::fill_n(pieces.hessian(0), static_cast<std::ptrdiff_t>(n) * n, Real{0});
   pieces.count = 1;
