@@ -109,7 +109,7 @@ std::string encode_provenance(const Provenance& provenance) {
 
 ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
-  hdf5::read_file(path, [&](H5::Group& root) {
+  hdf5::read_own_file(path, [&](H5::Group& root) {
     check_head(root, path.string());
     results.records = read_records(root, path.string());
     results.provenance = read_provenance(root, path.string());
@@ -119,7 +119,7 @@ ResultsFile decode_results(const std::filesystem::path& path) {
 
 std::vector<Record> decode_cell(const std::filesystem::path& path) {
   std::vector<Record> records;
-  hdf5::read_file(path, [&](H5::Group& root) {
+  hdf5::read_own_file(path, [&](H5::Group& root) {
     check_head(root, path.string());
     records = read_records(root, path.string());
   });
@@ -128,7 +128,7 @@ std::vector<Record> decode_cell(const std::filesystem::path& path) {
 
 Provenance decode_provenance(const std::filesystem::path& path) {
   Provenance provenance;
-  hdf5::read_file(path, [&](H5::Group& root) {
+  hdf5::read_own_file(path, [&](H5::Group& root) {
     check_head(root, path.string());
     provenance = read_provenance(root, path.string());
   });

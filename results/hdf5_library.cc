@@ -8,12 +8,14 @@
 #include <fstream>
 #include <mutex>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 
 #include "results/atomic_file.h"
 #include "results/exceptions.h"
+#include "results/global_heap.h"
 
 namespace raygauge::hdf5 {
 namespace {
@@ -118,6 +120,16 @@ void read_file(const std::filesystem::path& path, const std::function<void(H5::G
     H5::Group root = file.openGroup("/");
     body(root);
   });
+}
+
+void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+  require_hdf5(path);
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  if (has_damaged_global_heap(bytes.view())) {
+    throw ResultsError(path.string() + ": truncated or damaged: a text does not lie within its heap");
+  }
+  read_file(path, body);
 }
 
 }  // namespace raygauge::hdf5

@@ -22,6 +22,9 @@ std::string file_image(const std::function<void(H5::Group&)>& fill);
 /// HDF5, truncated or damaged.
 void read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
 
+/// The same for a file that raygauge wrote, in whose damaged copies HDF5 could be lost (global_heap.h).
+void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
+
 /// Throws ResultsError unless `path` is a regular file that begins as an HDF5 file does.
 void require_hdf5(const std::filesystem::path& path);
 
