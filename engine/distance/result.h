@@ -55,7 +55,8 @@ struct DistanceResult {
 
   double distance =
       kUnset;  ///< d_Q(A) of (5): within [lower, upper]; 0 for contains_origin, +inf for unreachable
-  double lower = kUnset;  ///< certified: -h_A(u)/h_Q(-u) of (10) at u = normal, rounded down
+  double lower = kUnset;  ///< certified: -h_A(u)/h_Q(-u) of (10) at u = normal, rounded down; where
+                          ///< quadruple precision proved it, the normal is the u of doubles nearest to it
   double upper = kUnset;  ///< certified: Σβ_j of a feasible combination, rounded up
   DistanceStatus status = DistanceStatus::precision_limit;
   double sigma = kUnset;    ///< `zheng_yamane`: the last σ_k of (8)
