@@ -169,8 +169,8 @@ void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, E
   }
   const int n = A.dimension();
   start.reserve(static_cast<std::size_t>(n));
-  std::copy_n(result.normal.data(), n, start.data());
-  const double* known = result.lower > 0 ? start.data() : nullptr;
+  const double* known = result.lower > 0 && result.normal.size() == n ? start.data() : nullptr;
+  if (known != nullptr) std::copy_n(result.normal.data(), n, start.data());
   for (const double* first : {known, static_cast<const double*>(nullptr)}) {
     if (!is_unfinished()) return;
     if (refine_by(quad_newton, first, A, Q, effects)) concluded = Concluded::quad_newton;
