@@ -186,18 +186,20 @@ void Newton<Real>::bound_from_above() {
   const Real size_Q = combine(now_->Q, y);
   const Real ratio = shift_ > 0 ? projected_ratio(x, y) : now_->ratio;
   if (!(ratio >= 0)) return;
-  const Real size = size_A + ratio * size_Q;
+  Real size = size_A + ratio * size_Q;
   for (int k = 0; k < n_; ++k) {
-    residual_vector_[static_cast<std::size_t>(k)] =
-        x[k] - ratio * y[k] - shift_ * ball_center_[static_cast<std::size_t>(k)];
+    const Real shift_k = shift_ * ball_center_[static_cast<std::size_t>(k)];
+    residual_vector_[static_cast<std::size_t>(k)] = x[k] - ratio * y[k] - shift_k;
+    size += elementary::fabs(shift_k);
   }
   residual_ = length(residual_vector_.data(), n_);
   const Real rounding =
       std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error()) +
       (n_ + now_->A.active_count + now_->Q.active_count + 8) * 2 * kRoundoff<Real> * size;
   const Real cost = (residual_ + rounding) / inner_radius_;
-  if (shift_ > 0 && cost > shift_) return;
-  const double bound = up((ratio + (shift_ > 0 ? shift_ : cost)) * (1 + (n_ + 16) * 2 * kRoundoff<Real>));
+  const Real upwards = 1 + (n_ + 16) * 2 * kRoundoff<Real>;
+  if (shift_ > 0 && cost * upwards > shift_) return;
+  const double bound = up((ratio + (shift_ > 0 ? shift_ : cost)) * upwards);
   if (!(bound < upper_)) return;
   upper_ = bound;
   for (int k = 0; k < n_; ++k) contact_[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);

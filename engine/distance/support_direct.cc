@@ -174,7 +174,7 @@ double SupportDirect::gauge_of_rounding() {
     }
     axis[k] = 0;
     const double of_combination = (n_ + 8) * std::numeric_limits<double>::epsilon() * A_->magnitude(k);
-    sum += (A_->coordinate_error(k) + of_combination) * most;
+    sum += (A_->coordinate_error(k) + of_combination + kUnderflow) * most;
   }
   return sum;
 }

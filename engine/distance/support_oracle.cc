@@ -116,7 +116,11 @@ double SupportOracle::coordinate_error(int k) const noexcept {
 
 double SupportOracle::gauge(const double* x, double* normal) {
   const int n = set_->dimension();
-  for (int k = 0; k < n; ++k) direction_[static_cast<std::size_t>(k)] = x[k] / factor_[k];
+  for (int k = 0; k < n; ++k) {
+    const double unscaled = x[k] / factor_[k];
+    if (x[k] != 0 && !std::isnormal(unscaled)) return kInfinity;  // not x any more
+    direction_[static_cast<std::size_t>(k)] = unscaled;
+  }
   const double gauge = set_->gauge_unchecked(direction_.data(), normal);
   for (int k = 0; k < n; ++k) normal[k] /= factor_[k];
   return gauge;

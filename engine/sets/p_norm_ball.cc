@@ -145,6 +145,10 @@ bool PNormBall::has_gauge() const {
 
 double PNormBall::do_gauge(const double* x, double* normal) const {
   if (!has_gauge()) return kInfinity;
+  // Below the normal range a quotient has no relative error bound.
+  for (int k = 0; k < dimension(); ++k) {
+    if (x[k] != 0 && !std::isnormal(x[k] / semi_axes_[k])) return kInfinity;
+  }
   return gauge(x, normal) * (1 + (2 * dimension() + 16) * std::numeric_limits<double>::epsilon());
 }
 

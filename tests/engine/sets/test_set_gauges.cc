@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/distance/support_oracle.h"
+#include "engine/kernel/kernel.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/p_norm_ball.h"
@@ -59,6 +61,24 @@ TEST(Gauge, OfAnEvenLargerPIsTheLargestCoordinate) {
   EXPECT_NEAR(ball.gauge_unchecked(x.data(), normal.data()), 7, 1e-13);
   EXPECT_LT(normal[0], 0);
   EXPECT_EQ(normal[1], 0);
+}
+
+TEST(Gauge, IsUnknownWhereAQuotientUnderflows) {
+  const Vector x{{5 * std::numeric_limits<double>::denorm_min(), 0}};  // 5/2 of it is not representable
+  Vector normal(2);
+  EXPECT_EQ(PNormBall(Vector::Zero(2), Vector{{2, 2}}, 3).gauge_unchecked(x.data(), normal.data()),
+            kInfinity);
+}
+
+TEST(Gauge, OfAScaledSetIsUnknownWhereUnscalingUnderflows) {
+  const PNormBall ball(Vector::Zero(2), Vector{{0x1p-1000, 0x1p-1000}}, 3);
+  const double factor[2] = {0x1p1000, 0x1p1000};
+  SupportOracle oracle;
+  oracle.bind(ball, factor, best_kernels());
+  Vector normal(2);
+  const Vector x{{0.75, 0}}, tiny{{1e-20, 0}};  // tiny: 1e-321 beside the ball itself
+  EXPECT_GE(oracle.gauge(x.data(), normal.data()), 0.75);
+  EXPECT_EQ(oracle.gauge(tiny.data(), normal.data()), kInfinity);
 }
 
 TEST(Gauge, IsUnknownAwayFromTheOrigin) {
