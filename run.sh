@@ -130,7 +130,7 @@ main() {
       configure
       build
       say "Testing"
-      (cd -- "$root" && ctest --preset "$preset" --parallel "$jobs" "$@")
+      (cd -- "$root" && ctest --preset "$preset" --parallel $((jobs + 1)) "$@")
       ;;
     install) install_packages build "$@" ;;
     help | --help | -h) usage ;;

@@ -19,7 +19,7 @@
 #include "baselines/gauge_lp.h"
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::clp {
 namespace {
 
 enum class Variant { primal, dual };
@@ -160,10 +160,13 @@ Component<SolveMethod> component(const std::string& name, const std::string& var
 }
 
 }  // namespace
+}  // namespace raygauge::clp
+
+namespace raygauge {
 
 void register_clp_methods(MethodRegistry& registry) {
-  registry.add(component("clp_primal", "primal", Variant::primal));
-  registry.add(component("clp_dual", "dual", Variant::dual));
+  registry.add(clp::component("clp_primal", "primal", clp::Variant::primal));
+  registry.add(clp::component("clp_dual", "dual", clp::Variant::dual));
 }
 
 const char* clp_version() { return CLP_VERSION; }

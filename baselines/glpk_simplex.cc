@@ -15,7 +15,7 @@
 #include "baselines/glpk_environment.h"
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::glpk {
 namespace {
 
 struct Settings {
@@ -166,10 +166,13 @@ Component<SolveMethod> component(const std::string& name, const std::string& var
 }
 
 }  // namespace
+}  // namespace raygauge::glpk
+
+namespace raygauge {
 
 void register_glpk_methods(MethodRegistry& registry) {
-  registry.add(component("glpk_primal", "primal", GLP_PRIMAL));
-  registry.add(component("glpk_dual", "dual", GLP_DUAL));
+  registry.add(glpk::component("glpk_primal", "primal", GLP_PRIMAL));
+  registry.add(glpk::component("glpk_dual", "dual", GLP_DUAL));
 }
 
 const char* glpk_version() { return glp_version(); }

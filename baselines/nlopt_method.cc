@@ -14,7 +14,7 @@
 #include "baselines/cone_program.h"
 #include "engine/exceptions.h"
 
-namespace raygauge {
+namespace raygauge::nlopt_baseline {
 namespace {
 
 struct Settings {
@@ -146,10 +146,14 @@ Component<SolveMethod> component(const std::string& name, const std::string& des
 }
 
 }  // namespace
+}  // namespace raygauge::nlopt_baseline
+
+namespace raygauge {
 
 void register_nlopt_methods(MethodRegistry& registry) {
-  registry.add(component("nlopt_slsqp", "the sequential quadratic programming (SLSQP)", NLOPT_LD_SLSQP));
-  registry.add(component("nlopt_mma", "the method of moving asymptotes (MMA)", NLOPT_LD_MMA));
+  registry.add(nlopt_baseline::component("nlopt_slsqp", "the sequential quadratic programming (SLSQP)",
+                                         NLOPT_LD_SLSQP));
+  registry.add(nlopt_baseline::component("nlopt_mma", "the method of moving asymptotes (MMA)", NLOPT_LD_MMA));
 }
 
 std::string nlopt_library_version() {

@@ -7,7 +7,7 @@
 #include "generators/component.h"
 #include "generators/separated_spheres.h"
 
-namespace raygauge {
+namespace raygauge::clustered {
 namespace {
 
 constexpr const char* kName = "clustered";
@@ -57,14 +57,17 @@ Instance generate(const InstanceKey& key, const Parameters& parameters) {
 }
 
 }  // namespace
+}  // namespace raygauge::clustered
+
+namespace raygauge {
 
 Component<Generator> clustered_generator() {
   return generator_component(
-      kName, "as example2, the points of either sphere in clusters",
+      clustered::kName, "as example2, the points of either sphere in clusters",
       {separation_parameter(),
        {"clusters", std::int64_t{16}, 2, 1e6, "clusters on either sphere, in antipodal pairs", {}},
        {"spread", 0.01, 1e-12, 0.5, "radius of a cluster", {}}},
-      generate);
+      clustered::generate);
 }
 
 }  // namespace raygauge

@@ -10,7 +10,7 @@
 #include "generators/component.h"
 #include "generators/random.h"
 
-namespace raygauge {
+namespace raygauge::example1 {
 namespace {
 
 constexpr const char* kName = "example1";
@@ -141,10 +141,14 @@ std::vector<ParameterInfo> parameters() {
 }
 
 }  // namespace
+}  // namespace raygauge::example1
+
+namespace raygauge {
 
 Component<Generator> example1_generator() {
-  return generator_component(kName, "a truncated cone and an ellipsoid at a known distance (Example 1)",
-                             parameters(), generate, 2);
+  return generator_component(example1::kName,
+                             "a truncated cone and an ellipsoid at a known distance (Example 1)",
+                             example1::parameters(), example1::generate, 2);
 }
 
 }  // namespace raygauge

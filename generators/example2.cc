@@ -5,7 +5,7 @@
 #include "generators/component.h"
 #include "generators/separated_spheres.h"
 
-namespace raygauge {
+namespace raygauge::example2 {
 namespace {
 
 constexpr const char* kName = "example2";
@@ -20,10 +20,14 @@ Instance generate(const InstanceKey& key, const Parameters& parameters) {
 }
 
 }  // namespace
+}  // namespace raygauge::example2
+
+namespace raygauge {
 
 Component<Generator> example2_generator() {
-  return generator_component(kName, "N random points on each of two separated unit spheres (Example 2)",
-                             {separation_parameter()}, generate);
+  return generator_component(example2::kName,
+                             "N random points on each of two separated unit spheres (Example 2)",
+                             {separation_parameter()}, example2::generate);
 }
 
 }  // namespace raygauge

@@ -5,7 +5,7 @@
 #include "generators/component.h"
 #include "generators/separated_spheres.h"
 
-namespace raygauge {
+namespace raygauge::needle {
 namespace {
 
 constexpr const char* kName = "needle";
@@ -34,11 +34,14 @@ Instance generate(const InstanceKey& key, const Parameters& parameters) {
 }
 
 }  // namespace
+}  // namespace raygauge::needle
+
+namespace raygauge {
 
 Component<Generator> needle_generator() {
   return generator_component(
-      kName, "as example2, both sets stretched along one random direction",
-      {separation_parameter(), {"aspect", 1e4, 1.0, 1e12, "factor of the stretch", {}}}, generate);
+      needle::kName, "as example2, both sets stretched along one random direction",
+      {separation_parameter(), {"aspect", 1e4, 1.0, 1e12, "factor of the stretch", {}}}, needle::generate);
 }
 
 }  // namespace raygauge

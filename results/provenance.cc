@@ -38,7 +38,7 @@ BuildInfo build_info() {
 std::vector<ComponentVersion> library_versions() {
   return {{"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"HDF5", hdf5_version()},
-          {"OpenMP", std::to_string(_OPENMP)}};
+          {"OpenMP", RAYGAUGE_OPENMP_DATE}};
 }
 
 Session describe_session(const Experiment& experiment, int threads,

@@ -4,7 +4,6 @@
 // truncated cone, across a chosen normal, before the gauge body is scaled.
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "engine/sets/point_set.h"
 #include "engine/sets/truncated_cone.h"
 #include "tests/engine/point_clouds.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_newton {
 namespace {
@@ -58,7 +58,7 @@ Pair touching_pair(int n, Contact contact, bool cone_is_gauge, double truth, Ran
       p = height * a + r_t * t, u = ((1 - share) * a + share * beside).normalized();
       break;
   }
-  const Eigen::MatrixXd R = gaussian_points(n, n, random).householderQr().householderQ();
+  const Eigen::MatrixXd R = orthogonal_factor(gaussian_points(n, n, random));
   Vector semi_axes(n);
   for (double& axis : semi_axes) axis = uniform(0.3, 1.5, random);
   const Eigen::MatrixXd L = R * semi_axes.asDiagonal();

@@ -5,13 +5,15 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  static const fuzz::ScratchFile file(".h5");
-  file.write(fuzz::as_text(data, size));
-  fuzz::expect_success_or_error([&] {
+namespace raygauge::fuzz {
+
+void check_dataset(std::string_view input) {
+  static const ScratchFile file(".h5");
+  file.write(input);
+  expect_success_or_error([&] {
     const Eigen::MatrixXd points = read_points({file.path(), "/A"});
-    fuzz::require(points.size() > 0 && points.allFinite(), "accepted points are finite and not empty");
+    require(points.size() > 0 && points.allFinite(), "accepted points are finite and not empty");
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

@@ -6,21 +6,23 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
+namespace raygauge::fuzz {
+
+void check_experiment_file(std::string_view input) {
   static const GeneratorRegistry generators = cli::all_generators();
   static const MethodRegistry methods = cli::all_methods();
-  static const fuzz::ScratchFile file(".toml");
-  file.write(fuzz::as_text(data, size));
-  fuzz::expect_success_or_error([&] {
+  static const ScratchFile file(".toml");
+  file.write(input);
+  expect_success_or_error([&] {
     const Experiment experiment = cli::read_experiment(file.path(), {}, generators, methods);
     validate(experiment);
     const std::vector<Cell> grid = grid_of(experiment);
-    fuzz::require(!grid.empty(), "an accepted experiment has cells");
+    require(!grid.empty(), "an accepted experiment has cells");
     for (const Cell& cell : grid) {
-      fuzz::require(cell.n >= 1 && cell.N >= 1, "cells have n >= 1 and N >= 1");
-      fuzz::require(cell.tolerance > 0 && cell.tolerance < 1, "cells have a tolerance in (0, 1)");
+      require(cell.n >= 1 && cell.N >= 1, "cells have n >= 1 and N >= 1");
+      require(cell.tolerance > 0 && cell.tolerance < 1, "cells have a tolerance in (0, 1)");
     }
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

@@ -7,7 +7,7 @@
 #include "analysis/filter.h"
 #include "tests/fuzz/harness.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::filter {
 namespace {
 
 Record limited_record() {
@@ -20,17 +20,19 @@ Record limited_record() {
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::filter
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  static const Record plain, limited = fuzz::limited_record();
-  fuzz::expect_success_or_error([&] {
-    const std::string expression(fuzz::as_text(data, size));
+namespace raygauge::fuzz {
+
+void check_filter(std::string_view input) {
+  static const Record plain, limited = filter::limited_record();
+  expect_success_or_error([&] {
+    const std::string expression(input);
     const Filter filter(expression), negated("!(" + expression + ")");
     for (const Record& record : {plain, limited}) {
-      fuzz::require(filter(record) != negated(record), "a record passes a condition or its negation");
+      require(filter(record) != negated(record), "a record passes a condition or its negation");
     }
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

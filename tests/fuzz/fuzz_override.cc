@@ -11,7 +11,7 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::experiment_override {
 namespace {
 
 constexpr std::string_view kExperiment = R"(name = "base"
@@ -53,23 +53,25 @@ void expect_same(const Experiment& a, const Experiment& b) {
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::experiment_override
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
+namespace raygauge::fuzz {
+
+void check_override(std::string_view input) {
   static const GeneratorRegistry generators = cli::all_generators();
   static const MethodRegistry methods = cli::all_methods();
-  static const fuzz::ScratchFile base(".base.toml"), stored(".stored.toml");
-  base.write(fuzz::kExperiment);
-  const std::vector<std::string> overrides = fuzz::lines_of(fuzz::as_text(data, size));
+  static const ScratchFile base(".base.toml"), stored(".stored.toml");
+  base.write(experiment_override::kExperiment);
+  const std::vector<std::string> overrides = experiment_override::lines_of(input);
   std::string text;
   Experiment experiment;
-  fuzz::expect_success_or_error([&] {
+  expect_success_or_error([&] {
     experiment = cli::read_experiment(base.path(), overrides, generators, methods);
     text = experiment.text;
   });
-  if (text.empty()) return 0;
+  if (text.empty()) return;
   stored.write(text);
-  fuzz::expect_same(experiment, cli::read_experiment(stored.path(), {}, generators, methods));
-  return 0;
+  experiment_override::expect_same(experiment, cli::read_experiment(stored.path(), {}, generators, methods));
 }
+
+}  // namespace raygauge::fuzz

@@ -8,7 +8,7 @@
 #include "cli/point_file.h"
 #include "tests/fuzz/harness.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::point_file {
 namespace {
 
 std::string written(const Eigen::MatrixXd& points) {
@@ -25,17 +25,19 @@ std::string written(const Eigen::MatrixXd& points) {
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::point_file
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  fuzz::expect_success_or_error([&] {
-    const Eigen::MatrixXd points = cli::parse_points(fuzz::as_text(data, size), "input");
-    fuzz::require(points.rows() > 0 && points.cols() > 0, "accepted points are not empty");
-    fuzz::require(points.allFinite(), "accepted points are finite");
-    const Eigen::MatrixXd again = cli::parse_points(fuzz::written(points), "copy");
-    fuzz::require(again.rows() == points.rows() && again.cols() == points.cols() && again == points,
-                  "points written and read again are the same");
+namespace raygauge::fuzz {
+
+void check_point_file(std::string_view input) {
+  expect_success_or_error([&] {
+    const Eigen::MatrixXd points = cli::parse_points(input, "input");
+    require(points.rows() > 0 && points.cols() > 0, "accepted points are not empty");
+    require(points.allFinite(), "accepted points are finite");
+    const Eigen::MatrixXd again = cli::parse_points(point_file::written(points), "copy");
+    require(again.rows() == points.rows() && again.cols() == points.cols() && again == points,
+            "points written and read again are the same");
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

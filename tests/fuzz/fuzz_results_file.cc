@@ -6,22 +6,24 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  static const fuzz::ScratchFile file(".h5"), copy(".copy.h5");
-  file.write(fuzz::as_text(data, size));
+namespace raygauge::fuzz {
+
+void check_results_file(std::string_view input) {
+  static const ScratchFile file(".h5"), copy(".copy.h5");
+  file.write(input);
   ResultsFile results;
   bool is_read = false;
-  fuzz::expect_success_or_error([&] {
+  expect_success_or_error([&] {
     results = read_results(file.path());
     is_read = true;
   });
-  if (!is_read) return 0;
+  if (!is_read) return;
   write_results(copy.path(), results);
   const ResultsFile again = read_results(copy.path());
-  fuzz::require(again.records.size() == results.records.size() &&
-                    again.provenance.identity == results.provenance.identity &&
-                    again.provenance.sessions.size() == results.provenance.sessions.size(),
-                "results written and read again are the same");
-  return 0;
+  require(again.records.size() == results.records.size() &&
+              again.provenance.identity == results.provenance.identity &&
+              again.provenance.sessions.size() == results.provenance.sessions.size(),
+          "results written and read again are the same");
 }
+
+}  // namespace raygauge::fuzz

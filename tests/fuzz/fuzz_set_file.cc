@@ -7,7 +7,7 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/set_text.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::set_file {
 namespace {
 
 /// h(u) = u·s(u), unless the numbers of the set are too large for its products.
@@ -26,16 +26,18 @@ void require_support_point(const ConvexSet& set, const Vector& u) {
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::set_file
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  fuzz::expect_success_or_error([&] {
-    const cli::SetPointer set = fuzz::set_of(fuzz::as_text(data, size));
-    fuzz::require(set != nullptr && set->dimension() >= 1, "an accepted set lives in some R^n");
+namespace raygauge::fuzz {
+
+void check_set_file(std::string_view input) {
+  expect_success_or_error([&] {
+    const cli::SetPointer set = set_of(input);
+    require(set != nullptr && set->dimension() >= 1, "an accepted set lives in some R^n");
     const int n = set->dimension();
-    fuzz::require_support_point(*set, Vector::Unit(n, 0));
-    fuzz::require_support_point(*set, -Vector::Ones(n));
+    set_file::require_support_point(*set, Vector::Unit(n, 0));
+    set_file::require_support_point(*set, -Vector::Ones(n));
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

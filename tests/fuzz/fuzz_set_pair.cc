@@ -12,7 +12,7 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/set_text.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::set_pair {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -74,19 +74,20 @@ void check_every_method(const ConvexSet& A, const ConvexSet& Q, double tolerance
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::set_pair
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
+namespace raygauge::fuzz {
+
+void check_set_pair(std::string_view text) {
   constexpr std::string_view kBetween = "\n---\n";
-  const std::string_view text = fuzz::as_text(data, size);
   const std::size_t between = text.find(kBetween);
-  if (between == std::string_view::npos) return 0;
-  fuzz::expect_success_or_error([&] {
-    const cli::SetPointer A = fuzz::set_of(text.substr(0, between));
-    const cli::SetPointer Q = fuzz::set_of(text.substr(between + kBetween.size()));
-    if (A->dimension() != Q->dimension() || A->dimension() > fuzz::kMostDimensions) return;
-    for (const double tolerance : {1e-3, 1e-10}) fuzz::check_every_method(*A, *Q, tolerance);
+  if (between == std::string_view::npos) return;
+  expect_success_or_error([&] {
+    const cli::SetPointer A = set_of(text.substr(0, between));
+    const cli::SetPointer Q = set_of(text.substr(between + kBetween.size()));
+    if (A->dimension() != Q->dimension() || A->dimension() > set_pair::kMostDimensions) return;
+    for (const double tolerance : {1e-3, 1e-10}) set_pair::check_every_method(*A, *Q, tolerance);
   });
-  return 0;
 }
+
+}  // namespace raygauge::fuzz

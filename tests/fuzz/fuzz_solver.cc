@@ -14,7 +14,7 @@
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/point_sets_input.h"
 
-namespace raygauge::fuzz {
+namespace raygauge::fuzz::solver {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -75,14 +75,16 @@ void check_every_solver(const PointSet& A, const PointSet& Q, double tolerance, 
 }
 
 }  // namespace
-}  // namespace raygauge::fuzz
+}  // namespace raygauge::fuzz::solver
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace raygauge;
-  const fuzz::PointSetsInput input({data, size});
-  const PointSet A(input.A()), Q(input.Q());
+namespace raygauge::fuzz {
+
+void check_solver(std::string_view input) {
+  const PointSetsInput instance(input);
+  const PointSet A(instance.A()), Q(instance.Q());
   const ExactLpResult truth = solve_exact_lp(A, Q);
-  fuzz::require(verify(A, Q, truth), "the exact linear program proves its answer");
-  fuzz::check_every_solver(A, Q, input.tolerance(), truth);
-  return 0;
+  require(verify(A, Q, truth), "the exact linear program proves its answer");
+  solver::check_every_solver(A, Q, instance.tolerance(), truth);
 }
+
+}  // namespace raygauge::fuzz

@@ -2,19 +2,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "engine/exceptions.h"
 
-/// Defined once in each fuzz target; called by libFuzzer, and by the replay of frozen inputs. What escapes it
-/// is a finding.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace raygauge::fuzz {
+
+/// The fuzz targets: each takes any bytes; what escapes it is a finding.
+void check_point_file(std::string_view input);
+void check_experiment_file(std::string_view input);
+void check_set_file(std::string_view input);
+void check_set_pair(std::string_view text);
+void check_override(std::string_view input);
+void check_results_file(std::string_view input);
+void check_dataset(std::string_view input);
+void check_filter(std::string_view input);
+void check_solver(std::string_view input);
 
 /// A promise of the library that an input broke.
 class BrokenPromise : public std::logic_error {
@@ -24,10 +29,6 @@ class BrokenPromise : public std::logic_error {
 
 inline void require(bool holds, const std::string& promise) {
   if (!holds) throw BrokenPromise(promise);
-}
-
-inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
 }
 
 /// Runs `call`. It may succeed or throw Error with a message; everything else is a finding.

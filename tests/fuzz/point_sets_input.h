@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/sets/point_set.h"
@@ -25,7 +25,7 @@ namespace raygauge::fuzz {
 ///               7:   the same, moved by k / 64 - 2 neighbouring doubles.
 class PointSetsInput {
  public:
-  explicit PointSetsInput(std::span<const std::uint8_t> bytes) : bytes_(bytes) {
+  explicit PointSetsInput(std::string_view bytes) : bytes_(bytes) {
     n_ = 1 + take() % 4;
     const int N_A = 1 + take() % 8, N_Q = 1 + take() % 12;
     constexpr double kTolerances[] = {1e-6, 1e-9, 1e-12, 0x1p-50};
@@ -41,8 +41,8 @@ class PointSetsInput {
  private:
   std::uint8_t take() {
     if (bytes_.empty()) return 0;
-    const std::uint8_t byte = bytes_.front();
-    bytes_ = bytes_.subspan(1);
+    const auto byte = static_cast<std::uint8_t>(bytes_.front());
+    bytes_.remove_prefix(1);
     return byte;
   }
 
@@ -90,7 +90,7 @@ class PointSetsInput {
     return points;
   }
 
-  std::span<const std::uint8_t> bytes_;
+  std::string_view bytes_;
   std::vector<double> seen_;
   int n_ = 1;
   double tolerance_ = 0;

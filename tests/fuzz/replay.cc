@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// Runs one fuzz target over its seeds and over every input that once broke a promise: one test a file. The
-// program replay_TARGET is this and fuzz_TARGET.cc.
+// Runs every fuzz target over its seeds (corpus/TARGET) and over every input that once broke a promise
+// (found/TARGET): one test a file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,45 +20,65 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the program that runs: replay_TARGET.
-std::string target;
+struct Target {
+  std::string name;
+  void (*check)(std::string_view input);
+};
 
-/// The files of corpus/TARGET and found/TARGET.
-std::vector<fs::path> frozen_inputs() {
-  std::vector<fs::path> inputs;
-  for (const char* kind : {"corpus", "found"}) {
-    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / target;
+const std::vector<Target>& targets() {
+  static const std::vector<Target> all = {
+      {"point_file", check_point_file}, {"experiment_file", check_experiment_file},
+      {"set_file", check_set_file},     {"set_pair", check_set_pair},
+      {"override", check_override},     {"results_file", check_results_file},
+      {"dataset", check_dataset},       {"filter", check_filter},
+#ifdef RAYGAUGE_HAS_EXACT
+      {"solver", check_solver},
+#endif
+  };
+  return all;
+}
+
+struct FrozenInput {
+  Target target;
+  fs::path file;
+};
+
+std::vector<FrozenInput> inputs_in(const std::string& kind) {
+  std::vector<FrozenInput> inputs;
+  for (const Target& target : targets()) {
+    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / target.name;
     if (!fs::is_directory(folder)) continue;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) inputs.push_back(entry.path());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      inputs.push_back({target, entry.path()});
   }
-  std::sort(inputs.begin(), inputs.end());
+  std::sort(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
   return inputs;
 }
 
-std::string test_name(const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.parent_path().parent_path().filename() / info.param.stem();
+std::string test_name(const testing::TestParamInfo<FrozenInput>& info) {
+  std::string name = info.param.target.name + "_" + info.param.file.stem().string();
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 
-class Input : public testing::TestWithParam<fs::path> {};
+class Input : public testing::TestWithParam<FrozenInput> {};
 
 TEST_P(Input, BreaksNoPromise) {
-  std::ifstream file(GetParam(), std::ios::binary);
-  ASSERT_TRUE(file) << GetParam();
+  std::ifstream file(GetParam().file, std::ios::binary);
+  ASSERT_TRUE(file) << GetParam().file;
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NO_THROW(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+  EXPECT_NO_THROW(GetParam().target.check(bytes));
 }
 
-INSTANTIATE_TEST_SUITE_P(FuzzRegressions, Input, testing::ValuesIn(frozen_inputs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Seeds, Input, testing::ValuesIn(inputs_in("corpus")), test_name);
+INSTANTIATE_TEST_SUITE_P(Found, Input, testing::ValuesIn(inputs_in("found")), test_name);
+
+TEST(Targets, EachHasSeeds) {
+  std::set<std::string> with_seeds;
+  for (const FrozenInput& input : inputs_in("corpus")) with_seeds.insert(input.target.name);
+  for (const Target& target : targets()) EXPECT_TRUE(with_seeds.contains(target.name)) << target.name;
+}
 
 }  // namespace
 }  // namespace raygauge::fuzz
-
-int main(int argc, char** argv) {
-  const std::string program = std::filesystem::path(argv[0]).filename();
-  raygauge::fuzz::target = program.substr(std::string("replay_").size());
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-
 #include "tests/generators/points_of.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_example2 {
 namespace {
@@ -29,7 +28,7 @@ TEST(Example2, PutsThePointsOfAOnAUnitSphereAtTheGivenSeparation) {
     const Eigen::MatrixXd A = points_of(generate("example2", {1, 3, 200, 0}, {{"separation", separation}}).A);
     const Eigen::MatrixXd edges = (A.colwise() - A.col(0)).transpose();
     const Vector squares = (A.colwise().squaredNorm().array() - A.col(0).squaredNorm()).matrix().transpose();
-    const Vector center = edges.colPivHouseholderQr().solve(squares / 2);
+    const Vector center = solution(edges, squares / 2);
     EXPECT_NEAR(center.norm(), 2 * separation, 1e-11 * separation);
     EXPECT_LT(((A.colwise() - center).colwise().norm().array() - 1).abs().maxCoeff(), 1e-11 * separation);
   }

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include "tests/generators/points_of.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_needle {
 namespace {
@@ -23,7 +22,10 @@ TEST(Needle, StretchesBothSetsByOneMapAlongOneDirection) {
   const Instance before = generate("needle", {1, 3, 50, 0}, round);
   const Instance after = generate("needle", {1, 3, 50, 0}, long_and_thin);
   const Eigen::Matrix3d Q = points_of(before.Q).leftCols(3), mapped_Q = points_of(after.Q).leftCols(3);
-  const Eigen::Matrix3d map = mapped_Q * Q.inverse();
+  Eigen::Matrix3d map;  // map Q = mapped_Q, row by row
+  for (int row = 0; row < 3; ++row) {
+    map.row(row) = solution(Q.transpose(), mapped_Q.row(row).transpose()).transpose();
+  }
   const Eigen::MatrixXd error = map * points_of(before.A) - points_of(after.A);
   EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_NEAR(map.trace(), 1e6 + 2, 1e-7);

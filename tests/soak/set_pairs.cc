@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::newton, DistanceMethod::direct,
                                                     DistanceMethod::zheng_yamane};
-constexpr double kSecondsPerSolve = 1;
+constexpr double kSecondsPerPair = 1;
 
 // The tightest proofs so far, and who gave them.
 struct Proofs {
@@ -70,7 +70,7 @@ std::optional<std::string> SetPairs::check(std::int64_t number) {
     DistanceOptions options;
     options.method = kMethods[m];
     options.tolerance = kTolerances[static_cast<std::size_t>(stream.integer(0, 2))];
-    options.time_limit = kSecondsPerSolve;
+    options.time_limit = kSecondsPerPair;
     solvers_[m].set_options(options);
     const DistanceResult& result = solvers_[m].solve(*A.set, *Q.set);
     const std::string name(raygauge::to_string(kMethods[m]));

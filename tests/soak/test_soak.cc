@@ -13,6 +13,7 @@
 #include "generators/registry.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/run.h"
+#include "tests/soak/set_pairs.h"
 #include "tests/soak/variant.h"
 
 namespace raygauge::test_soak {
@@ -163,6 +164,25 @@ TEST(SoakDualValue, EnclosesWhatCancelsTwice) {
     EXPECT_LE(Rational(dual.below), -sum) << trial;
     EXPECT_GE(Rational(dual.above), -sum) << trial;
   }
+}
+
+TEST(Soak, FindsNothingFalseInAHundredThousandSolves) {
+  soak::RunOptions options;
+  options.solves = 100000;
+  options.threads = 2;
+  const soak::RunResult result = soak::run(
+      options, [] { return false; }, [](const soak::Progress&) {});
+  EXPECT_FALSE(result.violation) << result.violation->family << ": " << result.violation->what;
+  EXPECT_GE(result.progress.tally.total().solves, options.solves);
+}
+
+TEST(Soak, FindsNoContradictionInTenThousandPairsOfSets) {
+  soak::SetPairs pairs(1);
+  for (int i = 0; i < 10000; ++i) {
+    const auto violation = pairs.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_EQ(pairs.tally().pairs, 10000);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/engine/sets/set_cases.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,6 +20,7 @@
 #include "engine/sets/support_mapping_set.h"
 #include "engine/sets/truncated_cone.h"
 #include "engine/sets/union_hull.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge {
 namespace {
@@ -53,7 +52,7 @@ SetCase ellipsoid(int n, Random& random) {
   const Eigen::MatrixXd L = gaussian_points(n, n, random) + 2 * Eigen::MatrixXd::Identity(n, n);
   return {"ellipsoid", std::make_shared<Ellipsoid>(c, L),
           [=](Random& r) -> Vector { return c + L * on_sphere(n, r); },
-          [=](const Vector& x) { return L.fullPivLu().solve(x - c).norm() - 1; }};
+          [=](const Vector& x) { return solution(L, x - c).norm() - 1; }};
 }
 
 SetCase flat_ellipsoid(int n, Random& random) {
@@ -158,7 +157,7 @@ SetCase affine_image(int n, Random& random) {
   const Vector t = gaussian(n, random);
   return {"affine_image", std::make_shared<AffineImage>(inner.set, M, t),
           [=](Random& r) -> Vector { return M * inner.sample(r) + t; },
-          [=](const Vector& x) { return inner.excess(M.fullPivLu().solve(x - t)); }};
+          [=](const Vector& x) { return inner.excess(solution(M, x - t)); }};
 }
 
 SetCase rigid_image(int n, Random& random) {
@@ -215,8 +214,8 @@ SetCase own_mapping(int n, Random& random) {
 }  // namespace
 
 Eigen::MatrixXd random_rotation(int n, Random& random) {
-  Eigen::MatrixXd R = gaussian_points(n, n, random).householderQr().householderQ();
-  if (R.determinant() < 0) R.col(0) *= -1;
+  Eigen::MatrixXd R = orthogonal_factor(gaussian_points(n, n, random));
+  if (determinant(R) < 0) R.col(0) *= -1;
   return R;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_isotropic_map {
 namespace {
@@ -63,7 +64,7 @@ TEST(IsotropicMap, IsMadeOfASampleOfALargeSet) {
   Random random(74);
   const PointSet large(needle(3, 30000, 100, random));
   ASSERT_NE(large.isotropic(), nullptr);
-  EXPECT_NEAR(large.isotropic()->F.determinant(), 100 / std::pow(3, 1.5), 2);
+  EXPECT_NEAR(determinant(large.isotropic()->F), 100 / std::pow(3, 1.5), 2);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 //     d_Q(A) = max(0, (gauge_K(c) - r) / s).
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,6 +24,7 @@
 #include "engine/sets/union_hull.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_set_distances {
 namespace {
@@ -75,7 +75,7 @@ std::vector<Body> bodies(int n) {
   std::vector<Body> all = {
       {"ball", std::make_shared<Ball>(zero, 2), [](const Vector& x) { return x.norm() / 2; }},
       {"ellipsoid", std::make_shared<Ellipsoid>(zero, L),
-       [L](const Vector& x) { return L.fullPivLu().solve(x).norm(); }},
+       [L](const Vector& x) { return solution(L, x).norm(); }},
       {"box", std::make_shared<Box>(-w, 2 * w),
        [w](const Vector& x) {
          return x.cwiseQuotient(w).cwiseMax(0).maxCoeff() / 2 < (-x).cwiseQuotient(w).maxCoeff()

@@ -3,7 +3,6 @@
 // Second-order information and inner radii of every set, held to its support function.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
