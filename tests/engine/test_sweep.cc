@@ -164,7 +164,7 @@ TEST_F(Sweep, TimesAreThoseOfOneSolve) {
   experiment.n = {3};
   experiment.N = {10};
   experiment.min_seconds = 3e-3;
-  experiment.methods = {{"ray", "short", {{"busy_seconds", 1e-3}}},
+  experiment.methods = {{"ray", "short", {{"busy_seconds", 1e-4}}},
                         {"ray", "long", {{"busy_seconds", 4e-3}}}};
   MemorySink sink;
   run(experiment, sink);
@@ -172,7 +172,7 @@ TEST_F(Sweep, TimesAreThoseOfOneSolve) {
   for (const auto& entry : sink.cells()) {
     for (const Record& record : entry.second.records) {
       const bool is_short = record.method == "short";
-      EXPECT_GE(record.seconds, is_short ? 1e-3 : 4e-3);
+      EXPECT_GE(record.seconds, is_short ? 1e-4 : 4e-3);
       EXPECT_GE(record.seconds * record.inner_repetitions, 3e-3 * (1 - 1e-12));
       if (is_short && record.inner_repetitions > 1) ++repeated_short_samples;
       if (!is_short) {
