@@ -77,6 +77,8 @@ HardCase rounded(const std::string& generator, const Parameters& parameters, int
 }
 
 std::vector<HardCase> balls() {
+  // Of p-norm balls with p = 1e6 a few end at precision_limit from n = 5 on; which ones depends on the
+  // instruction set.
   return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}},
           rounded("hard_tangent_disc", {{"epsilon", 1e-8}}),
           {"hard_tangent_disc", {{"epsilon", 0.0}}},
@@ -85,7 +87,6 @@ std::vector<HardCase> balls() {
           rounded("hard_p_norm_ball", {{"p", 1.5}}),
           rounded("hard_p_norm_ball", {}),
           rounded("hard_p_norm_ball", {{"p", 100.0}}),
-          // From n = 5 on a few in a thousand end at precision_limit, which ones depends on the instruction set.
           rounded("hard_p_norm_ball", {{"p", 1e6}}, 3),
           rounded("hard_p_norm_ball", {{"object", kPoint}}),
           {"hard_p_norm_ball", {{"object", kAroundOrigin}}},
