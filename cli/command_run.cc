@@ -19,7 +19,6 @@
 #include "engine/exceptions.h"
 #include "engine/sweep/estimate.h"
 #include "engine/sweep/sweep.h"
-#include "results/results_file.h"
 #include "results/run_writer.h"
 
 namespace raygauge::cli {
@@ -131,7 +130,7 @@ int run_experiment(const RunArguments& arguments, const Experiment& experiment,
                  place.c_str(), resume_command(arguments, stored > 0).c_str());
     return kInterrupted + InterruptGuard::signal() - SIGINT;
   }
-  if (!arguments.quiet) print_end(experiment, path, sweep, read_results(path).records);
+  if (!arguments.quiet) print_end(experiment, path, sweep, writer.results().records);
   return kAnswered;
 }
 

@@ -50,12 +50,16 @@ ResultsFile read_once(const fs::path& path) {
   if (fs::exists(path) || parts.sessions.empty()) results = decode_results(path);
   add_sessions(results.provenance, parts);
   add_cells(results.records, results.cells(), parts);
-  std::stable_sort(results.records.begin(), results.records.end(),
-                   [](const Record& a, const Record& b) { return a.cell < b.cell; });
+  sort_by_cell(results.records);
   return results;
 }
 
 }  // namespace
+
+void sort_by_cell(std::vector<Record>& records) {
+  std::stable_sort(records.begin(), records.end(),
+                   [](const Record& a, const Record& b) { return a.cell < b.cell; });
+}
 
 std::set<std::uint64_t> ResultsFile::cells() const {
   std::set<std::uint64_t> result;

@@ -24,6 +24,9 @@ struct ResultsFile {
   bool finished() const { return cells().size() == provenance.cell_count; }
 };
 
+/// Puts records that are in order within each cell into the order of a results file.
+void sort_by_cell(std::vector<Record>& records);
+
 /// The results at `path`: the file, the parts of a run that is unfinished or still going on, or both; the
 /// records of a cell that is in both are the file's. Throws ResultsError for a file that is missing, not
 /// HDF5, truncated or not raygauge's, and SchemaVersionError for another schema version.

@@ -3,6 +3,7 @@
 #include "results/run_writer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -10,7 +11,6 @@
 #include "results/exceptions.h"
 #include "results/hdf5_library.h"
 #include "results/identity.h"
-#include "results/results_file.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -57,13 +57,13 @@ void RunWriter::resume_existing() {
     throw ResultsError(directory_.folder().string() +
                        ": holds cells, but no session that tells their experiment");
   }
-  const ResultsFile results = read_results(path_.string());
-  const std::string difference = identity_difference(results.provenance.identity, provenance_.identity);
+  results_ = read_results(path_.string());
+  const std::string difference = identity_difference(results_.provenance.identity, provenance_.identity);
   if (!difference.empty()) {
     throw OtherExperimentError(path_.string() + ": holds another experiment: " + difference);
   }
-  done_ = results.cells();
-  session_ = static_cast<int>(results.provenance.sessions.size());
+  done_ = results_.cells();
+  session_ = static_cast<int>(results_.provenance.sessions.size());
 }
 
 void RunWriter::refuse_foreign_file() const {
@@ -117,11 +117,16 @@ void RunWriter::begin_session() {
     fs::remove(path_);
   }
   store_session();
+  if (session_ == 0) {
+    results_.provenance = provenance_;
+  } else {
+    results_.provenance.sessions.push_back(provenance_.sessions.front());
+  }
   session_begun_ = true;
 }
 
 void RunWriter::store(const CellResult& cell) {
-  const std::vector<Record> records = arranged(cell);
+  std::vector<Record> records = arranged(cell);
   claim(cell.cell);
   try {
     directory_.store_cell(cell.cell, encode_cell(records));
@@ -130,6 +135,8 @@ void RunWriter::store(const CellResult& cell) {
     stored_.erase(cell.cell);
     throw;
   }
+  const std::scoped_lock lock(mutex_);
+  std::move(records.begin(), records.end(), std::back_inserter(results_.records));
 }
 
 void RunWriter::finish(const Calibration& calibration) {
@@ -137,11 +144,13 @@ void RunWriter::finish(const Calibration& calibration) {
   if (session_begun_) {
     provenance_.sessions.front().finished_at = utc_now();
     provenance_.sessions.front().calibration = calibration;
+    results_.provenance.sessions.back() = provenance_.sessions.front();
     store_session();
   }
   if (mode_ == RunMode::force && !session_begun_) return;
   if (directory_.parts().empty()) return;
-  directory_.store_target(encode_results(read_results(path_.string())));
+  sort_by_cell(results_.records);
+  directory_.store_target(encode_results(results_));
   directory_.clear();
 }
 

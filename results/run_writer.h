@@ -12,6 +12,7 @@
 #include "engine/sweep/record.h"
 #include "engine/sweep/sweep.h"
 #include "results/provenance.h"
+#include "results/results_file.h"
 #include "results/run_directory.h"
 
 namespace raygauge {
@@ -57,6 +58,9 @@ class RunWriter final : public RecordSink {
   /// finished as well; it can still be resumed. Throws ResultsError; the parts then stay.
   void finish(const Calibration& calibration = {});
 
+  /// What the run holds, earlier sessions included. Not while cells are being stored.
+  const ResultsFile& results() const noexcept { return results_; }
+
  private:
   void refuse_existing() const;
   void resume_existing();
@@ -76,6 +80,7 @@ class RunWriter final : public RecordSink {
 
   std::mutex mutex_;                ///< guards what follows
   std::set<std::uint64_t> stored_;  ///< by this session
+  ResultsFile results_;             ///< what the disk holds, so that finish() need not read it again
   bool session_begun_ = false;
 };
 

@@ -46,7 +46,7 @@ void Frustum::do_magnitude(double* magnitude) const {
 }
 
 // The distances of c from the two planes and from the nappe, which is z -> R(z) = r_b - k z in the half-plane
-// of c and the axis_.
+// of c and the axis.
 double Frustum::do_inner_radius(const double* c) const {
   const int n = dimension();
   const double* a = axis_.direction().data();
