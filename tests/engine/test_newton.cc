@@ -88,8 +88,8 @@ DistanceOptions newton(double tolerance) {
 
 constexpr std::array kContacts = {Contact::base_disc, Contact::nappe, Contact::base_rim, Contact::top_rim};
 
-class Newton : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Roles, Newton, testing::Bool(), [](const auto& instance) {
+class Newton : public ::testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Roles, Newton, ::testing::Bool(), [](const auto& instance) {
   return instance.param ? std::string("ConeIsTheGauge") : std::string("EllipsoidIsTheGauge");
 });
 

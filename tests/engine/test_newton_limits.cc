@@ -79,7 +79,7 @@ TEST(NewtonLimits, AGaugeOfMorePiecesThanItKeepsIsAnsweredRightly) {
   EXPECT_GE(result.upper, truth * (1 - 1e-14));
 }
 
-class Sizes : public testing::TestWithParam<int> {};
+class Sizes : public ::testing::TestWithParam<int> {};
 
 // A squared residual would vanish; nothing may be concluded from that.
 TEST_P(Sizes, LeaveTheBoundsOfBallsTrue) {
@@ -98,7 +98,7 @@ TEST_P(Sizes, LeaveTheBoundsOfBallsTrue) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(PowersOfTwo, Sizes, testing::Values(-700, -600, -560, -540, -500, 0, 450, 500));
+INSTANTIATE_TEST_SUITE_P(PowersOfTwo, Sizes, ::testing::Values(-700, -600, -560, -540, -500, 0, 450, 500));
 
 // A ball that all but touches the origin from outside: its distance is |c| - r over the unit ball.
 TEST(NewtonLimits, BallsThatAllButTouchTheOriginHaveTrueBounds) {
