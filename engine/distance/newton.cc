@@ -91,6 +91,7 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   now_ = &points_[0];
   next_ = &points_[1];
   A.center_unchecked(center_.data());
+  graded_ = unconditional_ = pair_.bind(A, Q);
   if (start != nullptr) {
     std::copy_n(start, n_, now_->u.data());
   } else {
@@ -104,7 +105,10 @@ template <class Real>
 void Newton<Real>::choose_start(const ConvexSet& Q) {
   Real* u = now_->u.data();
   std::copy_n(center_.data(), n_, u);
-  if constexpr (std::is_same_v<Real, Quad>) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (unconditional_ && Q.gauge_unchecked(u, target_.data()) < kInfinity)
+      std::copy_n(target_.data(), n_, u);
+  } else {
     if (Q.gauge_normal_unchecked(u, target_.data())) std::copy_n(target_.data(), n_, u);
   }
   for (int k = 0; k < n_; ++k) u[k] = -u[k];
@@ -143,6 +147,11 @@ template <class Real>
 bool Newton<Real>::evaluate(Point& point) {
   const Real* u = point.u.data();
   if (!oracle_A_.evaluate(u, point.A) || !oracle_Q_.evaluate(u, point.Q)) return false;
+  if (graded_ && point.A.count + point.Q.count > 2) {
+    graded_ = false;  // where pieces meet the system is not definite
+    grow(growing_);
+    return evaluate(point);
+  }
   point.A.warm = point.Q.warm = false;
   ++evaluations_;
   point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
@@ -229,11 +238,11 @@ bool Newton<Real>::is_closed() const noexcept {
 template <class Real>
 typename PieceProgram<Real>::Objective Newton<Real>::objective() {
   const Real ratio = now_->ratio;
-  if (!growing_ && !(shift_ > 0)) return {1, ratio, nullptr};
+  if (!growing_ && !(shift_ > 0)) return {1, ratio, nullptr, graded_};
   const double* along = growing_ ? center_.data() : ball_center_.data();
   const Real factor = growing_ ? 1 - ratio : -shift_;
   for (int k = 0; k < n_; ++k) linear_[static_cast<std::size_t>(k)] = factor * along[k];
-  return {growing_ ? ratio : Real{1}, ratio, linear_.data()};
+  return {growing_ ? ratio : Real{1}, ratio, linear_.data(), graded_ && !growing_};
 }
 
 template <class Real>
@@ -325,6 +334,19 @@ const Real* Newton<Real>::leave_facet() {
   return descent_.data();
 }
 
+// next_->u, so far along the step.
+template <class Real>
+void Newton<Real>::move(const Real* step, Real share, bool flat) {
+  const Real* u = now_->u.data();
+  Real* next = next_->u.data();
+  if (unconditional_ && !growing_) {
+    pair_.advance(u, step, share, flat, next);
+  } else {
+    for (int k = 0; k < n_; ++k) next[k] = u[k] + share * step[k];
+  }
+  normalize(next, n_, next);
+}
+
 template <class Real>
 bool Newton<Real>::advance(const Real* step) {
   if (on_facet_) {
@@ -334,32 +356,41 @@ bool Newton<Real>::advance(const Real* step) {
   }
   const Real length = elementary::sqrt(dot(step, step, n_));
   Real share = length > kLongestStep ? kLongestStep / length : Real{1};
+  bool flat = unconditional_ && pair_.has_flats();
   for (int trial = 0; trial < kShortenings; ++trial) {
-    for (int k = 0; k < n_; ++k) {
-      next_->u[static_cast<std::size_t>(k)] = now_->u[static_cast<std::size_t>(k)] + share * step[k];
-    }
-    normalize(next_->u.data(), n_, next_->u.data());
+    move(step, share, flat);
     if (!evaluate(*next_)) return false;
     if (accepts(*next_)) {
       keep(true);
       return true;
     }
     if (evaluations_ >= max_evaluations_) return false;
-    share *= kShorter;
+    if (!flat) share *= kShorter;
+    flat = false;
   }
   return false;
 }
 
 template <class Real>
+void Newton<Real>::grow(bool growing) {
+  growing_ = growing;
+  oracle_A_.grade(graded_ && !growing);
+  oracle_Q_.grade(graded_ && !growing);
+}
+
+template <class Real>
 DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
-  growing_ = false;
+  grow(false);
   if (!evaluate(*now_)) return DistanceStatus::precision_limit;
-  growing_ = !(now_->ratio > 0);
+  grow(!(now_->ratio > 0));
   if (growing_) now_->ratio = growth_ratio(*now_);
   int idle = 0;
   Real least_residual = kInfinity;
   for (;;) {
     if (lower_ > threshold_) return DistanceStatus::optimal;
+    if (unconditional_ && !growing_) {
+      pair_.meet(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A, now_->Q);
+    }
     const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
     if (step == nullptr) return DistanceStatus::precision_limit;
     if (!growing_) {
@@ -375,7 +406,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     if (stopwatch.expired()) return DistanceStatus::time_limit;
     if (!advance(step)) return DistanceStatus::precision_limit;
     if (growing_ && now_->A.support.above() < 0) {
-      growing_ = false;
+      grow(false);
       now_->ratio = -shifted_support(*now_) / now_->Q.support.value;
     }
   }

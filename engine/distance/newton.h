@@ -10,6 +10,7 @@
 #include "engine/distance/piece_program.h"
 #include "engine/distance/result.h"
 #include "engine/distance/stopwatch.h"
+#include "engine/distance/unconditional_pair.h"
 #include "engine/distance/weighted_points.h"
 
 namespace raygauge {
@@ -22,6 +23,7 @@ namespace raygauge {
 /// the second-order model of φ(u) = h_A(u) + ρ h_Q(-u), which is zero at u and negative wherever the ratio is
 /// larger (Dinkelbach); steps that do not raise the ratio are shortened. Convergence is quadratic, across
 /// edges where several pieces meet too. Where a step passes the normal of a flat face, that normal is tried.
+/// Two sets whose support points answer to u as powers do have steps of their own (UnconditionalPair).
 ///
 /// Certificates at every u: the ratio itself, rounded down, and with the weights α, β of the pieces
 ///
@@ -76,6 +78,8 @@ class Newton {
   bool is_closed() const noexcept;
   typename PieceProgram<Real>::Objective objective();
   const Real* leave_facet();
+  void move(const Real* step, Real share, bool flat);
+  void grow(bool growing);
   bool advance(const Real* step);
   bool try_facet(const Real* step);
   void settle(bool of_A);
@@ -105,6 +109,9 @@ class Newton {
   double upper_ = 0;
   Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
   bool on_facet_ = false;  // now_ is the normal of a flat face
+  bool unconditional_ = false;
+  bool graded_ = false;           // BasicSupportPieces::graded
+  UnconditionalPair<Real> pair_;  // where unconditional_
   AlignedBuffer<double> center_, ball_center_, normal_, contact_, point_;
   AlignedBuffer<Real> linear_, target_, residual_vector_, descent_;
 };

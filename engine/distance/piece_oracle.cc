@@ -76,6 +76,7 @@ void PieceOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
   make_room(list, SupportPieces::kCapacity);
   BasicSupportPieces<Real> pieces;
   pieces.dimension = n_;
+  pieces.graded = graded_;
   pieces.points = list.points.data();
   pieces.hessians = list.hessians.data();
   double magnitude = 0;

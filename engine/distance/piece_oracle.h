@@ -45,6 +45,9 @@ class PieceOracle {
   /// ConvexSet::facet_normal_unchecked in terms of u.
   bool facet_normal(const Real* u, const Real* v, Real* normal);
 
+  /// Whether Hessians are to be as BasicSupportPieces::graded says.
+  void grade(bool graded) noexcept { graded_ = graded; }
+
   double coordinate_error() const noexcept { return coordinate_error_; }
   const ConvexSet& set() const noexcept { return *set_; }
 
@@ -58,6 +61,7 @@ class PieceOracle {
   double sign_ = 1;
   int n_ = 0;
   bool curved_ = false;
+  bool graded_ = false;
   SupportOracle vertices_;
   int remembered_ = 0;
   int next_ = 0;  // slot of the vertex to forget once all are taken

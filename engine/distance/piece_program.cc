@@ -148,7 +148,7 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
   const Real* s_Q = Q.point(Q.active[0]);
   Real trace = 0, length = 0;
   for (int k = 0; k < n_; ++k) {
-    trace += K[k * columns_ + k];
+    trace += K[k * columns_ + k] * (objective.graded ? u[k] * u[k] : Real{1});
     length += objective.weight_A * elementary::fabs(s_A[k]) + objective.weight_Q * elementary::fabs(s_Q[k]);
   }
   // H u = 0: this fixes u·d; and something to divide by where the pieces are flat.
@@ -157,36 +157,38 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
   for (int j = 0; j < n_; ++j) {
     Real* row = K + std::ptrdiff_t{j} * columns_;
     for (int k = 0; k < n_; ++k) row[k] += along * u[j] * u[k];
-    row[j] += kNoPivot<Real> * along;
+    row[j] += kNoPivot<Real> * (along);
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
   }
   add_differences(A, 1, rows_A, along);
   add_differences(Q, -1, rows_Q, along);
   for (int i = n_; i < size; ++i) K[std::ptrdiff_t{i} * columns_ + i] = -slack * along;
-  if (!eliminate(size)) return false;
+  if (!eliminate(size, objective.graded)) return false;
   read_weights(A, objective.weight_A, rows_A);
   read_weights(Q, objective.weight_Q, rows_Q);
   return true;
 }
 
 // Gaussian elimination; the solution is left in step_. Without multipliers the matrix is positive definite
-// and needs no exchange of rows.
+// and needs no exchange of rows; nor do its pivots change, relative to its diagonal, with the scale of a row
+// and its column.
 template <class Real>
-bool PieceProgram<Real>::eliminate(int size) {
+bool PieceProgram<Real>::eliminate(int size, bool graded) {
   const bool definite = size == n_;
   Real* K = system_.data();
+  Real* x = step_.data();
   Real largest = 0;
   for (int i = 0; i < size; ++i) {
     const int end = definite ? i + 1 : size;
     for (int k = definite ? i : 0; k < end; ++k)
       largest = std::max(largest, elementary::fabs(K[i * columns_ + k]));
   }
-  const Real threshold = Real{1e-3} * kNoPivot<Real> * largest;
+  for (int i = 0; i < size; ++i) x[i] = graded ? K[i * columns_ + i] : largest;
   for (int p = 0; p < size; ++p) {
     if (!definite) exchange_rows(p, size);
     Real* row = K + std::ptrdiff_t{p} * columns_;
-    if (!(elementary::fabs(row[p]) > threshold)) return false;
+    if (!(elementary::fabs(row[p]) > Real{1e-3} * kNoPivot<Real> * x[p])) return false;
     const Real inverse = 1 / row[p];
     for (int i = p + 1; i < size; ++i) {
       Real* other = K + std::ptrdiff_t{i} * columns_;
@@ -195,7 +197,6 @@ bool PieceProgram<Real>::eliminate(int size) {
     }
     row[p] = inverse;
   }
-  Real* x = step_.data();
   bool finite = true;
   for (int p = size - 1; p >= 0; --p) {
     const Real* row = K + std::ptrdiff_t{p} * columns_;

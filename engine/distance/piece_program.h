@@ -26,6 +26,7 @@ class PieceProgram {
     Real weight_A = 1;
     Real weight_Q = 1;
     const Real* linear = nullptr;  ///< l; nullptr for zero
+    bool graded = false;           ///< H = D H' D, the entries of the diagonal D as different as they like
   };
 
   /// Writes the weights of both lists and returns the step d, n doubles; nullptr if no active set was found.
@@ -41,7 +42,7 @@ class PieceProgram {
                     Real slack);
   void add_curvature(const PieceList<Real>& list, Real weight);
   void add_differences(const PieceList<Real>& list, int sign, int row, Real along);
-  bool eliminate(int size);
+  bool eliminate(int size, bool graded);
   void exchange_rows(int p, int size);
   void read_weights(PieceList<Real>& list, Real scale, int row) const;
   bool drop_negative(PieceList<Real>& list) const;

@@ -74,6 +74,8 @@ void ConvexSet::do_facet_point(const double* normal, const double* /*target*/, d
   do_support(normal, point);
 }
 
+bool ConvexSet::do_is_unconditional(double* /*extent*/) const { return false; }
+
 void ConvexSet::do_quad_pieces(const Quad* /*u*/, QuadSupportPieces& /*pieces*/, int /*capacity*/) const {}
 
 bool ConvexSet::do_quad_facet_normal(const Quad* /*u*/, const Quad* /*v*/, Quad* /*normal*/) const {

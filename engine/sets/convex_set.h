@@ -37,6 +37,7 @@ struct BasicSupportPieces {
 
   int dimension = 0;
   int count = 0;
+  bool graded = false;  ///< wanted: Hessians of unconditional sets, with diagonals as large as they are
   std::array<Real, kCapacity> value{};
   Real* points = nullptr;    ///< room for kCapacity points, n numbers each
   Real* hessians = nullptr;  ///< room for kCapacity Hessians, n² numbers each
@@ -156,6 +157,12 @@ class ConvexSet {
     do_quad_facet_point(normal, target, point);
   }
 
+  /// True for a `smooth` set known to be unconditional about its centre c: with c + x it has every c +
+  /// diag(±1, ..., ±1) x. Writes the extents e_k >= 0 of its faces along the axes, for large p those of a
+  /// p-norm ball: if u_k = 0 and s is on the face across u, it is with any s_k in [c_k - e_k, c_k + e_k], but
+  /// for less than a rounding error of Quad.
+  bool is_unconditional_unchecked(double* extent) const { return do_is_unconditional(extent); }
+
   /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
   template <class Real = double>
   static constexpr double rounding_error(int n) noexcept {
@@ -182,6 +189,7 @@ class ConvexSet {
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
   virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;
   virtual void do_facet_point(const double* normal, const double* target, double* point) const;
+  virtual bool do_is_unconditional(double* extent) const;
   virtual void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const;
   virtual bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const;
   virtual void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const;

@@ -161,13 +161,23 @@ SupportStructure PNormBall::do_structure() const noexcept {
                                                                 : SupportStructure::polytope;
 }
 
+// Where t_k <= kLevel, z_k may be anything up to kLevel^(q-1), for no more than kLevel of S: a cube in all
+// but name for large p.
+bool PNormBall::do_is_unconditional(double* extent) const {
+  constexpr double kLevel = 1e-40;  // far below the rounding errors of Quad
+  const double share = std::pow(kLevel, 1 / (p_ - 1)) * (1 - 4 * std::numeric_limits<double>::epsilon());
+  Vector::Map(extent, dimension()) = share * semi_axes_;
+  return do_structure() == SupportStructure::smooth;
+}
+
 // With v = diag(w) u, N = ‖v‖_q, t = |v|/N and g = diag(w) sign(v) t^(q-1), the gradient less c, the Hessian
 // is (q - 1)/N (diag(w² t^(q-2)) - g gᵀ). Where u_k is not about zero w_k² t_k^(q-2) = N g_k/u_k, with N =
 // g·u: so the Hessian of a ball with p near 1 takes u to zero in spite of q - 1 = 1/(p - 1).
 template <class Real>
 void PNormBall::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
-  constexpr double kSmallest = 1e-10;  // of t; for q < 2 the curvature at t = 0 is infinite
   if (capacity < 1) return;
+  // Smaller t count as this one; for q < 2 the curvature at t = 0 is infinite.
+  const double smallest = pieces.graded && p_ > 2 ? 1e-200 : 1e-10;
   const int n = dimension();
   Real* point = pieces.point(0);
   Real* hessian = pieces.hessian(0);
@@ -180,9 +190,9 @@ void PNormBall::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int
   for (int j = 0; j < n; ++j) {
     const Real g_j = point[j] - center_[j], w_j = semi_axes_[j];
     for (int k = 0; k < n; ++k) hessian[j * n + k] = -curvature * g_j * (point[k] - center_[k]);
-    const bool zero = !(elementary::fabs(w_j * u[j]) > kSmallest * norm);
+    const bool zero = !(elementary::fabs(w_j * u[j]) > smallest * norm);
     hessian[j * n + j] +=
-        curvature * (zero ? w_j * w_j * elementary::pow(Real{kSmallest}, q_minus_1 - 1) : norm * g_j / u[j]);
+        curvature * (zero ? w_j * w_j * elementary::pow(Real{smallest}, q_minus_1 - 1) : norm * g_j / u[j]);
   }
 }
 

@@ -72,13 +72,11 @@ std::vector<HardCase> origin() {
           {"hard_flat", {{"crossing", false}, {"delta", 1e-300}}}};
 }
 
-HardCase rounded(const std::string& generator, const Parameters& parameters, int certified_n = 20) {
-  return {generator, parameters, 50, true, certified_n};
+HardCase rounded(const std::string& generator, const Parameters& parameters) {
+  return {generator, parameters, 50, true};
 }
 
 std::vector<HardCase> balls() {
-  // Of p-norm balls with p = 1e6 a few end at precision_limit from n = 5 on; which ones depends on the
-  // instruction set.
   return {{"hard_tangent_disc", {{"epsilon", 0x1p-10}}},
           rounded("hard_tangent_disc", {{"epsilon", 1e-8}}),
           {"hard_tangent_disc", {{"epsilon", 0.0}}},
@@ -87,7 +85,7 @@ std::vector<HardCase> balls() {
           rounded("hard_p_norm_ball", {{"p", 1.5}}),
           rounded("hard_p_norm_ball", {}),
           rounded("hard_p_norm_ball", {{"p", 100.0}}),
-          rounded("hard_p_norm_ball", {{"p", 1e6}}, 3),
+          rounded("hard_p_norm_ball", {{"p", 1e6}}),
           rounded("hard_p_norm_ball", {{"object", kPoint}}),
           {"hard_p_norm_ball", {{"object", kAroundOrigin}}},
           {"hard_ellipsoid", {{"aspect", 1.0}}},

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/distance/unconditional_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raygauge {
+namespace {
+
+// Where points hardly answer to u, the slope at one u tells little of the next.
+constexpr double kSteepest = 2;
+
+// u (1 + a d/u)^(1/a), for a = 0 its limit. The factor need not be more precise than a double.
+template <class Real>
+Real along_power(Real u, Real d, double a) {
+  constexpr double kFarthest = 4;  // of a coordinate of what was a unit vector
+  const auto relative = static_cast<double>(d / u);
+  const double change = a * relative;
+  double logarithm = relative;
+  if (a > 0) logarithm = (change > -1 ? std::log1p(change) : std::log(-1 - change)) / a;
+  const Real moved = u * std::copysign(std::exp(logarithm), 1 + change);
+  return elementary::fabs(moved) < kFarthest ? moved : u + d;
+}
+
+}  // namespace
+
+template <class Real>
+bool UnconditionalPair<Real>::Side::bind(const ConvexSet& S) {
+  center.reserve(static_cast<std::size_t>(S.dimension()));
+  extent.reserve(static_cast<std::size_t>(S.dimension()));
+  unconditional = S.is_unconditional_unchecked(extent.data());
+  if (unconditional) S.center_unchecked(center.data());
+  return S.structure() == SupportStructure::smooth || S.structure() == SupportStructure::point;
+}
+
+template <class Real>
+bool UnconditionalPair<Real>::bind(const ConvexSet& A, const ConvexSet& Q) {
+  n_ = A.dimension();
+  meeting_ = 0;
+  exponent_.reserve(static_cast<std::size_t>(n_));
+  meets_.reserve(static_cast<std::size_t>(n_));
+  return A_.bind(A) && Q_.bind(Q) && (A_.unconditional || Q_.unconditional);
+}
+
+// Any other set has a face of one point there, where the tangent leads; its points answer in a straight line.
+template <class Real>
+typename UnconditionalPair<Real>::Coordinate UnconditionalPair<Real>::coordinate(const Side& side, Real s_k,
+                                                                                 Real change,
+                                                                                 std::size_t k) const {
+  if (!side.unconditional) return {s_k - change, 0, elementary::fabs(change)};
+  return {side.center[k], side.extent[k], elementary::fabs(s_k - side.center[k])};
+}
+
+template <class Real>
+void UnconditionalPair<Real>::meet(const Real* u, Real ratio, Real shift, const double* shift_direction,
+                                   PieceList<Real>& A, PieceList<Real>& Q) {
+  Real* x = A.point(A.best);
+  Real* y = Q.point(Q.best);
+  meeting_ = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k) {
+    const std::size_t diagonal = k * static_cast<std::size_t>(n_) + k;
+    const Real change_A = A.hessian(A.best)[diagonal] * u[k], change_Q = -Q.hessian(Q.best)[diagonal] * u[k];
+    const Coordinate of_A = coordinate(A_, x[k], change_A, k);
+    const Coordinate of_Q = coordinate(Q_, y[k], change_Q, k);
+    const Real change = elementary::fabs(change_A - ratio * change_Q);
+    const auto exponent = static_cast<double>(change / (of_A.reach + ratio * of_Q.reach));
+    exponent_[k] = exponent > 0 ? std::min(exponent, kSteepest) : 0.0;  // nor for what is not a number
+
+    const Real move = shift * shift_direction[k];
+    const Real low = std::max(of_A.middle - of_A.extent - move, ratio * (of_Q.middle - of_Q.extent));
+    const Real high = std::min(of_A.middle + of_A.extent - move, ratio * (of_Q.middle + of_Q.extent));
+    meets_[k] = low <= high ? 1 : 0;
+    meeting_ += meets_[k];
+    if (meets_[k] == 0 || u[k] != 0 || A.count + Q.count > 2) continue;
+    const Real common = (low + high) / 2;
+    x[k] = common + move;
+    y[k] = common / ratio;
+  }
+}
+
+template <class Real>
+void UnconditionalPair<Real>::advance(const Real* u, const Real* step, Real share, bool flat,
+                                      Real* next) const {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k) {
+    const Real d = share * step[k];
+    if (flat && meets_[k] != 0) {
+      next[k] = 0;
+    } else {
+      next[k] = u[k] == 0 ? d : along_power(u[k], d, exponent_[k]);
+    }
+  }
+}
+
+template class UnconditionalPair<double>;
+template class UnconditionalPair<Quad>;
+
+}  // namespace raygauge

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Sets that are symmetric in every coordinate, and the extents of their faces.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/p_norm_ball.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge::test_unconditional {
+namespace {
+
+constexpr std::array kExponents = {1.1, 2.0, 3.0, 100.0, 1e6, 1e19};
+
+TEST(Unconditional, IsAPNormBall) {
+  Random random(91);
+  for (const double p : kExponents) {
+    const Vector center = gaussian_points(4, 1, random), semi_axes{{1, 0.5, 2, 4}};
+    const PNormBall ball(center, semi_axes, p);
+    Vector extent(4);
+    ASSERT_TRUE(ball.is_unconditional_unchecked(extent.data())) << "p = " << p;
+    const Vector u = gaussian_points(4, 1, random);
+    const double about_center = ball.support_function(u) - u.dot(center);
+    for (int k = 0; k < 4; ++k) {
+      Vector reflected = u;
+      reflected[k] = -u[k];
+      EXPECT_NEAR(ball.support_function(reflected) - reflected.dot(center), about_center, 1e-13);
+    }
+  }
+}
+
+// ‖z‖_p = 1 stays so if z_k = 0 becomes e_k/w_k in every such coordinate: (e_k/w_k)^p is far below the
+// rounding errors of Quad.
+TEST(Unconditional, FacesReachAsFarAsNoOneSees) {
+  for (const double p : kExponents) {
+    Vector extent(3);
+    const Vector semi_axes{{1, 0.5, 2}};
+    ASSERT_TRUE(PNormBall(Vector::Zero(3), semi_axes, p).is_unconditional_unchecked(extent.data()));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GE(extent[k], 0);
+      const long double share = static_cast<long double>(extent[k]) / semi_axes[k];
+      EXPECT_LE(std::log10(share) * p, -39.9L) << "p = " << p;
+    }
+  }
+}
+
+TEST(Unconditional, FacesOfLargePAreAlmostThoseOfABox) {
+  Vector extent(2);
+  ASSERT_TRUE(PNormBall(Vector::Zero(2), Vector::Ones(2), 1e6).is_unconditional_unchecked(extent.data()));
+  EXPECT_GT(extent[0], 0.9999);
+  EXPECT_LT(extent[0], 1);
+}
+
+TEST(Unconditional, IsNotKnownOfPolytopesAndOfOtherSets) {
+  Vector extent(2);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double p : {1.0, infinity}) {
+    EXPECT_FALSE(PNormBall(Vector::Zero(2), Vector::Ones(2), p).is_unconditional_unchecked(extent.data()));
+  }
+  const Ellipsoid ellipsoid(Vector::Zero(2), Eigen::Matrix2d{{1, 0.5}, {0, 1}});
+  EXPECT_FALSE(ellipsoid.is_unconditional_unchecked(extent.data()));
+}
+
+}  // namespace
+}  // namespace raygauge::test_unconditional
