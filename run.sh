@@ -59,9 +59,12 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" </dev/null
 }
 
+# A build folder that another generator than the presets' made, as clones of before it had, is configured afresh.
 configure() {
+  local cache=$root/build/$preset/CMakeCache.txt fresh=()
+  if [[ -f $cache ]] && ! grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache"; then fresh=(--fresh); fi
   say "Configuring (preset $preset)"
-  (cd -- "$root" && cmake --preset "$preset")
+  (cd -- "$root" && cmake --preset "$preset" "${fresh[@]}")
 }
 
 # build [OPTION...]: options of `cmake --build`.
