@@ -23,7 +23,7 @@ namespace raygauge {
 /// the second-order model of φ(u) = h_A(u) + ρ h_Q(-u), which is zero at u and negative wherever the ratio is
 /// larger (Dinkelbach); steps that do not raise the ratio are shortened. Convergence is quadratic, across
 /// edges where several pieces meet too. Where a step passes the normal of a flat face, that normal is tried.
-/// Two sets whose support points answer to u as powers do have steps of their own (UnconditionalPair).
+/// Sets whose support points answer to u as powers do have steps of their own (UnconditionalPair).
 ///
 /// Certificates at every u: the ratio itself, rounded down, and with the weights α, β of the pieces
 ///

@@ -57,6 +57,13 @@ SupportStructure ObjectPair::do_structure() const noexcept {
   return structure_of_sum(A2_.structure(), A1_.structure());
 }
 
+// Without extents: a point that was moved along a face would be in no recorded pair.
+bool ObjectPair::do_is_unconditional(double* extent) const {
+  if (!sum_is_unconditional(A2_, A1_, extent)) return false;
+  std::fill_n(extent, dimension(), 0.0);
+  return true;
+}
+
 void ObjectPair::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
   const int n = dimension();
   Scratch points_1(SupportPieces::kCapacity * n);

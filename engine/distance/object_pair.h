@@ -37,6 +37,7 @@ class ObjectPair final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   SupportStructure do_structure() const noexcept override;
+  bool do_is_unconditional(double* extent) const override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
   const ConvexSet& A2_;

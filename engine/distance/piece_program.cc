@@ -157,7 +157,7 @@ bool PieceProgram<Real>::solve_system(const Real* u, const Objective& objective,
   for (int j = 0; j < n_; ++j) {
     Real* row = K + std::ptrdiff_t{j} * columns_;
     for (int k = 0; k < n_; ++k) row[k] += along * u[j] * u[k];
-    row[j] += kNoPivot<Real> * (along);
+    row[j] += kNoPivot<Real> * along;
     row[size] = objective.weight_Q * s_Q[j] - objective.weight_A * s_A[j];
     if (objective.linear != nullptr) row[size] -= objective.linear[j];
   }

@@ -65,7 +65,7 @@ void UnconditionalPair<Real>::meet(const Real* u, Real ratio, Real shift, const 
     const Coordinate of_Q = coordinate(Q_, y[k], change_Q, k);
     const Real change = elementary::fabs(change_A - ratio * change_Q);
     const auto exponent = static_cast<double>(change / (of_A.reach + ratio * of_Q.reach));
-    exponent_[k] = exponent > 0 ? std::min(exponent, kSteepest) : 0.0;  // nor for what is not a number
+    exponent_[k] = exponent > 0 ? std::min(exponent, kSteepest) : 0.0;  // and for what is not a number
 
     const Real move = shift * shift_direction[k];
     const Real low = std::max(of_A.middle - of_A.extent - move, ratio * (of_Q.middle - of_Q.extent));
@@ -74,8 +74,8 @@ void UnconditionalPair<Real>::meet(const Real* u, Real ratio, Real shift, const 
     meeting_ += meets_[k];
     if (meets_[k] == 0 || u[k] != 0 || A.count + Q.count > 2) continue;
     const Real common = (low + high) / 2;
-    x[k] = common + move;
-    y[k] = common / ratio;
+    if (A_.unconditional) x[k] = common + move;
+    if (Q_.unconditional) y[k] = common / ratio;
   }
 }
 

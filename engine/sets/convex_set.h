@@ -49,6 +49,7 @@ struct BasicSupportPieces {
   BasicSupportPieces rest(int first) const noexcept {
     BasicSupportPieces view;
     view.dimension = dimension;
+    view.graded = graded;
     view.points = point(first);
     view.hessians = hessian(first);
     return view;

@@ -41,6 +41,10 @@ SupportStructure MinkowskiDifference::do_structure() const noexcept {
   return structure_of_sum(A2_->structure(), A1_->structure());
 }
 
+bool MinkowskiDifference::do_is_unconditional(double* extent) const {
+  return sum_is_unconditional(*A2_, *A1_, extent);
+}
+
 void MinkowskiDifference::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
   sum_pieces(*A2_, *A1_, -1.0, u, pieces, capacity);
 }

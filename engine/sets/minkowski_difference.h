@@ -23,6 +23,7 @@ class MinkowskiDifference final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
+  bool do_is_unconditional(double* extent) const override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

@@ -37,6 +37,10 @@ SupportStructure MinkowskiSum::do_structure() const noexcept {
   return structure_of_sum(A_->structure(), B_->structure());
 }
 
+bool MinkowskiSum::do_is_unconditional(double* extent) const {
+  return sum_is_unconditional(*A_, *B_, extent);
+}
+
 void MinkowskiSum::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
   sum_pieces(*A_, *B_, 1.0, u, pieces, capacity);
 }

@@ -76,6 +76,13 @@ void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude) {
   for (int k = 0; k < S.dimension(); ++k) magnitude[k] += of_T.data()[k];
 }
 
+bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent) {
+  Scratch of_T(S.dimension());
+  if (!S.is_unconditional_unchecked(extent) || !T.is_unconditional_unchecked(of_T.data())) return false;
+  for (int k = 0; k < S.dimension(); ++k) extent[k] += of_T.data()[k];
+  return true;
+}
+
 template <class Real>
 int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const Real* u,
                BasicSupportPieces<Real>& pieces, int capacity, Real* of_T) {

@@ -20,6 +20,9 @@ void sum_center(const ConvexSet& S, const ConvexSet& T, double sign, double* poi
 /// The magnitudes of S and T added up.
 void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude);
 
+/// Whether S ± T is unconditional because S and T are; its extents are theirs added up.
+bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent);
+
 /// The pieces of S ± T, S's index running slower than T's (add_pieces). Returns how many T has; their
 /// gradients are copied to `of_T` (room for kCapacity points) if that is not null.
 template <class Real>

@@ -6,8 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "engine/sets/ellipsoid.h"
+#include "engine/sets/minkowski_difference.h"
+#include "engine/sets/minkowski_sum.h"
 #include "engine/sets/p_norm_ball.h"
 #include "tests/engine/point_clouds.h"
 
@@ -53,6 +56,18 @@ TEST(Unconditional, FacesOfLargePAreAlmostThoseOfABox) {
   ASSERT_TRUE(PNormBall(Vector::Zero(2), Vector::Ones(2), 1e6).is_unconditional_unchecked(extent.data()));
   EXPECT_GT(extent[0], 0.9999);
   EXPECT_LT(extent[0], 1);
+}
+
+TEST(Unconditional, AreSumsAndDifferencesOfSuchSets) {
+  const auto cube = std::make_shared<PNormBall>(Vector::Zero(2), Vector{{1, 2}}, 1e6);
+  const auto other = std::make_shared<PNormBall>(Vector::Ones(2), Vector{{0.5, 4}}, 1e9);
+  Vector extent(2);
+  ASSERT_TRUE(MinkowskiSum(cube, other).is_unconditional_unchecked(extent.data()));
+  EXPECT_NEAR(extent[0], 1.5, 1e-3);
+  ASSERT_TRUE(MinkowskiDifference(cube, other).is_unconditional_unchecked(extent.data()));
+  EXPECT_NEAR(extent[1], 6, 1e-3);
+  const auto tilted = std::make_shared<Ellipsoid>(Vector::Zero(2), Eigen::Matrix2d{{1, 0.5}, {0, 1}});
+  EXPECT_FALSE(MinkowskiSum(cube, tilted).is_unconditional_unchecked(extent.data()));
 }
 
 TEST(Unconditional, IsNotKnownOfPolytopesAndOfOtherSets) {
