@@ -125,6 +125,7 @@ bool Newton<Real>::choose_ball(const ConvexSet& Q) {
   Q.center_unchecked(ball_center_.data());
   inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
   if (!(inner_radius_ > 0)) return false;
+  shift_ = kRoundoff<Real>;  // never zero, even if A is known exactly: a ball elsewhere pays for nothing else
   enlarge_shift(0);
   return true;
 }

@@ -20,6 +20,11 @@ constexpr int kSurroundingPoints = 2;
 // Rounds without a better bound after which rounding has the last word.
 int patience(int n) { return 16 + 4 * n; }
 
+// Along a direction so long that its products overflow, sets answer with what is no point.
+bool is_point(const double* x, int n) {
+  return std::all_of(x, x + n, [](double coordinate) { return std::isfinite(coordinate); });
+}
+
 }  // namespace
 
 void SupportDirect::begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
@@ -228,8 +233,8 @@ DistanceStatus SupportDirect::iterate(const Stopwatch& stopwatch) {
     best_objective =
         end == DirectProgram::End::bounded ? kInfinity : std::min(best_objective, program_.objective());
 
-    const bool A_enters = !stuck && h_A_.value > program_.threshold_A();
-    const bool Q_enters = !stuck && h_Q_.value > program_.threshold_Q();
+    const bool A_enters = !stuck && h_A_.value > program_.threshold_A() && is_point(point_A_.data(), n_);
+    const bool Q_enters = !stuck && h_Q_.value > program_.threshold_Q() && is_point(point_Q_.data(), n_);
     offered = A_enters || Q_enters;
     if (A_enters) offer_A(point_A_.data());
     if (Q_enters) offer_Q(point_Q_.data());

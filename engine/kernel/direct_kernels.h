@@ -167,6 +167,7 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
   int idle = 0;
   const int patience = 8 * basis->m + 64;
   while (basis->pivots < loop->pivot_limit) {
+    const std::int64_t pivots = basis->pivots;
     const Pricing pricing =
         single ? price_both<N, float>(*basis, *loop, {loop->A.single_blocks, loop->A.single_block_count},
                                       {loop->Q.single_blocks, loop->Q.single_block_count}, kSingleTolerance,
@@ -195,8 +196,9 @@ LoopEnd direct_loop_vn(BasisView* basis, DirectLoop* loop) {
     } else if (single) {
       single = ++idle <= basis->m && gained > 0;
       if (!single) idle = 0;
-    } else if (++idle > patience && !loop->bland) {
-      return LoopEnd::stalled;
+    } else if (++idle > patience && (!loop->bland || basis->pivots == pivots)) {
+      return LoopEnd::stalled;  // even by Bland's rule, where a column enters that cannot: one that is no
+                                // number
     }
   }
   return LoopEnd::pivot_limit;

@@ -129,5 +129,32 @@ TEST(NewtonLimits, ASimplexOfLongLegsKnowsTheBallInIt) {
   }
 }
 
+// Found by `raygauge_soak sets --seed 41`, pair 10735403. No ball around 0 lies in Q, which has 0 on its
+// boundary, and the points of A are exact, which left nothing to shift A by: a ball elsewhere in Q then paid
+// for residuals. The gauge of Q at x is |x|²/(2 x·c).
+TEST(NewtonLimits, BoundsHoldWhereTheOnlyKnownBallOfQIsNotAroundTheOrigin) {
+  const Vector c{{1, 0, 0}};
+  const Ball Q(c, 1);
+  for (const double height : {1e-4, 1e-2, 1.0}) {
+    Eigen::MatrixXd points(3, 2);
+    points << height, 2 * height, 1, -1, 0.5, 0.25;
+    double truth = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= 100000; ++i) {
+      const Vector x = points.col(0) + i * 1e-5 * (points.col(1) - points.col(0));
+      truth = std::min(truth, x.squaredNorm() / (2 * x.dot(c)));
+    }
+    for (int evaluations = 1; evaluations < 30; ++evaluations) {
+      DistanceOptions options;
+      options.method = DistanceMethod::newton;
+      options.tolerance = 1e-12;
+      options.max_iterations = evaluations;
+      const DistanceResult result = DistanceSolver(options).solve(PointSet(points), Q);
+      SCOPED_TRACE(std::to_string(evaluations) + " evaluations, height " + std::to_string(height));
+      EXPECT_LE(result.lower, truth);
+      EXPECT_GE(result.upper, truth * (1 - 1e-8));  // as near as the samples come
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_newton_limits

@@ -165,5 +165,21 @@ TEST_P(SetDistances, AreBoundedRightlyWhereLargeNumbersCancel) {
   }
 }
 
+// Found by `raygauge_soak sets --seed 41`, pair 10561392: with Q of no size nothing scales the linear
+// program, directions become so long that supports overflow, and points that are no numbers kept the pivots
+// waiting for ever.
+TEST_P(SetDistances, AreInfiniteWhereTheGaugeBodyIsTheOriginAlone) {
+  for (const int exponent : {-1000, -400, 0, 380, 389, 400, 500, 900}) {
+    const Vector center = std::ldexp(1.0, exponent) * Vector::Unit(3, 1);
+    const Vector semi_axes = std::ldexp(1.0, exponent) *
+                             Vector{{0x1.8aeba46d39c13p-5, 0x1.21611ba1e1548p-3, 0x1.c343e83cfa265p-6}};
+    const Ellipsoid A(center, Eigen::MatrixXd(semi_axes.asDiagonal()));
+    const DistanceResult result = DistanceSolver(options(1e-12)).solve(A, Ball(Vector::Zero(3), 0));
+    EXPECT_NE(result.status, DistanceStatus::optimal) << "2^" << exponent;
+    EXPECT_NE(result.status, DistanceStatus::contains_origin) << "2^" << exponent;
+    EXPECT_TRUE(std::isinf(result.upper)) << "2^" << exponent;
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_set_distances
