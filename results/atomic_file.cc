@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "results/exceptions.h"
 
@@ -71,6 +72,33 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes,
 
 void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
   write_atomically(path, bytes, path.string() + "." + std::to_string(::getpid()) + ".tmp");
+}
+
+AppendedFile::AppendedFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)),
+      size_(descriptor_ < 0 ? -1 : ::lseek(descriptor_, 0, SEEK_END)) {
+  if (size_ >= 0) return;
+  const int reason = errno;
+  if (descriptor_ >= 0) ::close(descriptor_);
+  throw ResultsError(path_.string() + ": cannot open: " + system_reason(reason));
+}
+
+AppendedFile::~AppendedFile() { ::close(descriptor_); }
+
+void AppendedFile::append(std::string_view block) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!write_all(descriptor_, block)) {
+      const int reason = errno;
+      if (::ftruncate(descriptor_, size_) != 0) errno = 0;  // half a block is no block to its readers either
+      throw ResultsError(path_.string() + ": cannot write: " + system_reason(reason));
+    }
+    size_ += static_cast<std::ptrdiff_t>(block.size());
+  }
+  if (::fdatasync(descriptor_) != 0) {
+    throw ResultsError(path_.string() + ": cannot write: " + system_reason(errno));
+  }
 }
 
 std::string system_reason(int error_number) { return std::generic_category().message(error_number); }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,27 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes,
 
 /// The same with a temporary file beside `path` that no other process uses.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file that grows block by block.
+class AppendedFile {
+ public:
+  /// Opens the file at `path`, which must exist. Throws ResultsError.
+  explicit AppendedFile(std::filesystem::path path);
+  ~AppendedFile();
+  AppendedFile(const AppendedFile&) = delete;
+  AppendedFile& operator=(const AppendedFile&) = delete;
+
+  /// Appends a block and brings it to the disk. Thread safe: blocks follow each other whole, and threads wait
+  /// for the disk together. Throws ResultsError with the system's reason; a block that did not fit is then
+  /// taken back. A kill may leave a part of the last block.
+  void append(std::string_view block);
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_;
+  std::mutex mutex_;  ///< guards the end of the file
+  std::ptrdiff_t size_;
+};
 
 /// The system's words for an errno value: "No space left on device".
 std::string system_reason(int error_number);

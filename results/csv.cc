@@ -44,11 +44,15 @@ struct Field {
 
 }  // namespace
 
-std::string csv_text(const std::vector<Record>& records, int time_digits) {
+std::string csv_header() {
+  std::string text;
+  for (const Column<Record>& column : record_columns()) text += (text.empty() ? "" : ",") + column.name;
+  return text + '\n';
+}
+
+std::string csv_rows(const std::vector<Record>& records, int time_digits) {
   const std::vector<Column<Record>>& columns = record_columns();
   std::string text;
-  for (const Column<Record>& column : columns) text += (text.empty() ? "" : ",") + column.name;
-  text += '\n';
   for (const Record& record : records) {
     for (const Column<Record>& column : columns) {
       if (&column != &columns.front()) text += ',';
@@ -57,6 +61,10 @@ std::string csv_text(const std::vector<Record>& records, int time_digits) {
     text += '\n';
   }
   return text;
+}
+
+std::string csv_text(const std::vector<Record>& records, int time_digits) {
+  return csv_header() + csv_rows(records, time_digits);
 }
 
 void write_csv(const std::string& path, const std::vector<Record>& records) {

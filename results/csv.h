@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/sweep/record.h"
@@ -14,6 +15,14 @@ namespace raygauge {
 /// booleans `true` and `false`; texts are quoted after RFC 4180 where they need it; lines end in LF.
 /// `time_digits` are the significant digits of columns in seconds: fewer of them compress better.
 std::string csv_text(const std::vector<Record>& records, int time_digits = 17);
+
+/// Its two parts: the header line, and the lines of the records.
+std::string csv_header();
+std::string csv_rows(const std::vector<Record>& records, int time_digits = 17);
+
+/// The inverse of csv_rows(), bit for bit where it wrote all digits. Throws ResultsError that names row (from
+/// 1) and column: "row 3, column seconds: 'soon' is not of type float64".
+std::vector<Record> read_csv_rows(std::string_view rows);
 
 /// Writes csv_text(). The file is replaced as a whole or not at all. Throws ResultsError.
 void write_csv(const std::string& path, const std::vector<Record>& records);

@@ -23,8 +23,7 @@ void check_head(const H5::Group& root, const std::string& file) {
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
   if (version != kSchemaVersion) {
-    throw SchemaVersionError(file + ": schema version " + std::to_string(version) +
-                             ", this raygauge reads version " + std::to_string(kSchemaVersion));
+    refuse_schema_version(file, version);
   }
 }
 
@@ -79,10 +78,6 @@ Provenance read_provenance(const H5::Group& root, const std::string& file) {
   return provenance;
 }
 
-std::vector<Record> read_records(const H5::Group& root, const std::string& file) {
-  return hdf5::read_table(root, "records", record_columns(), file + ": ");
-}
-
 }  // namespace
 
 std::string encode_results(const ResultsFile& results) {
@@ -90,13 +85,6 @@ std::string encode_results(const ResultsFile& results) {
     write_head(root);
     hdf5::write_table(root, "records", record_columns(), results.records, Layout::packed);
     write_provenance(root, results.provenance, Layout::plain);
-  });
-}
-
-std::string encode_cell(const std::vector<Record>& records) {
-  return hdf5::file_image([&](H5::Group& root) {
-    write_head(root);
-    hdf5::write_table(root, "records", record_columns(), records, Layout::plain);
   });
 }
 
@@ -111,19 +99,10 @@ ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
   hdf5::read_own_file(path, [&](H5::Group& root) {
     check_head(root, path.string());
-    results.records = read_records(root, path.string());
+    results.records = hdf5::read_table(root, "records", record_columns(), path.string() + ": ");
     results.provenance = read_provenance(root, path.string());
   });
   return results;
-}
-
-std::vector<Record> decode_cell(const std::filesystem::path& path) {
-  std::vector<Record> records;
-  hdf5::read_own_file(path, [&](H5::Group& root) {
-    check_head(root, path.string());
-    records = read_records(root, path.string());
-  });
-  return records;
 }
 
 Provenance decode_provenance(const std::filesystem::path& path) {

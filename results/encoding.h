@@ -12,15 +12,13 @@
 
 namespace raygauge {
 
-/// The bytes of the HDF5 files of a run: the merged file, and its parts, which hold one half of it each. All
-/// carry the root attributes `format` and `schema_version`.
+/// The bytes of the HDF5 files of a run: the merged file, and the parts that describe its sessions. All carry
+/// the root attributes `format` and `schema_version`.
 std::string encode_results(const ResultsFile& results);       ///< /records and /provenance
-std::string encode_cell(const std::vector<Record>& records);  ///< /records
 std::string encode_provenance(const Provenance& provenance);  ///< /provenance
 
 /// The inverses. Throw ResultsError or SchemaVersionError, naming file and place.
 ResultsFile decode_results(const std::filesystem::path& path);
-std::vector<Record> decode_cell(const std::filesystem::path& path);
 Provenance decode_provenance(const std::filesystem::path& path);
 
 }  // namespace raygauge

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "results/atomic_file.h"
+#include "results/cell_journal.h"
 #include "results/encoding.h"
 #include "results/exceptions.h"
 #include "results/run_directory.h"
@@ -32,15 +33,14 @@ void add_sessions(Provenance& provenance, const PartList& parts) {
   }
 }
 
-/// Adds the cells of `parts` that `records` does not have yet.
-void add_cells(std::vector<Record>& records, const std::set<std::uint64_t>& known, const PartList& parts) {
-  for (const auto& [cell, path] : parts.cells) {
-    if (known.count(cell) != 0) continue;
-    std::vector<Record> part = decode_cell(path);
-    for (const Record& record : part) {
-      if (record.cell != cell) throw ResultsError(path.string() + ": holds records of another cell");
-    }
-    records.insert(records.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+/// Adds the cells of `parts` that `results` does not have yet.
+void add_cells(ResultsFile& results, const PartList& parts) {
+  for (const auto& [session, path] : parts.journals) {
+    const std::set<std::uint64_t> known = results.cells();
+    std::vector<Record> part = read_cell_journal(path);
+    std::erase_if(part, [&known](const Record& record) { return known.count(record.cell) != 0; });
+    results.records.insert(results.records.end(), std::make_move_iterator(part.begin()),
+                           std::make_move_iterator(part.end()));
   }
 }
 
@@ -49,7 +49,7 @@ ResultsFile read_once(const fs::path& path) {
   ResultsFile results;
   if (fs::exists(path) || parts.sessions.empty()) results = decode_results(path);
   add_sessions(results.provenance, parts);
-  add_cells(results.records, results.cells(), parts);
+  add_cells(results, parts);
   sort_by_cell(results.records);
   return results;
 }

@@ -16,24 +16,29 @@ namespace raygauge {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kCellPrefix = "cell-";
-constexpr std::string_view kSessionPrefix = "session-";
-constexpr std::string_view kSuffix = ".h5";
+/// How the parts of a kind are called: their number stands between the two.
+struct PartKind {
+  std::string_view prefix;
+  std::string_view suffix;
+};
+
+constexpr PartKind kJournal = {"cells-", ".csv"};
+constexpr PartKind kSession = {"session-", ".h5"};
 constexpr std::string_view kTemporarySuffix = ".tmp";
 
-std::string part_name(std::string_view prefix, std::uint64_t number) {
+std::string part_name(const PartKind& kind, std::uint64_t number) {
+  constexpr std::size_t kWidth = 4;
   const std::string digits = std::to_string(number);
-  const std::size_t width = prefix == kCellPrefix ? 6 : 4;
-  const std::string zeros(digits.size() < width ? width - digits.size() : 0, '0');
-  return std::string(prefix) + zeros + digits + std::string(kSuffix);
+  const std::string zeros(digits.size() < kWidth ? kWidth - digits.size() : 0, '0');
+  return std::string(kind.prefix) + zeros + digits + std::string(kind.suffix);
 }
 
 /// The number of a part, if `name` is exactly what part_name makes of it.
-std::optional<std::uint64_t> part_number(std::string_view prefix, std::string_view name) {
-  if (!name.starts_with(prefix) || !name.ends_with(kSuffix)) return std::nullopt;
+std::optional<std::uint64_t> part_number(const PartKind& kind, std::string_view name) {
+  if (!name.starts_with(kind.prefix)) return std::nullopt;
   std::uint64_t number = 0;
-  std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number);
-  if (part_name(prefix, number) != name) return std::nullopt;
+  std::from_chars(name.data() + kind.prefix.size(), name.data() + name.size(), number);
+  if (part_name(kind, number) != name) return std::nullopt;
   return number;
 }
 
@@ -67,8 +72,8 @@ PartList list_parts(const fs::path& target) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
     const std::string name = entry.path().filename().string();
-    if (const auto cell = part_number(kCellPrefix, name)) result.cells[*cell] = entry.path();
-    if (const auto session = part_number(kSessionPrefix, name)) result.sessions[*session] = entry.path();
+    if (const auto session = part_number(kJournal, name)) result.journals[*session] = entry.path();
+    if (const auto session = part_number(kSession, name)) result.sessions[*session] = entry.path();
   }
   if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) {
     throw ResultsError(parts_folder(target).string() + ": cannot read the folder: " + error.message());
@@ -88,13 +93,12 @@ RunDirectory::~RunDirectory() {
   fs::remove(folder_, not_empty);
 }
 
-void RunDirectory::store_cell(std::uint64_t cell, const std::string& bytes) const {
-  const fs::path path = folder_ / part_name(kCellPrefix, cell);
-  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+fs::path RunDirectory::journal_path(std::uint64_t session) const {
+  return folder_ / part_name(kJournal, session);
 }
 
 void RunDirectory::store_session(std::uint64_t session, const std::string& bytes) const {
-  const fs::path path = folder_ / part_name(kSessionPrefix, session);
+  const fs::path path = folder_ / part_name(kSession, session);
   write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
 }
 
@@ -104,7 +108,7 @@ void RunDirectory::store_target(const std::string& bytes) const {
 
 void RunDirectory::clear() const {
   const PartList present = parts();
-  remove_all_of(present.cells);
+  remove_all_of(present.journals);
   remove_all_of(present.sessions);
 }
 

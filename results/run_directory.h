@@ -15,16 +15,17 @@ namespace raygauge {
 /// The files of a run that is not yet merged, in the folder TARGET.parts beside the results file TARGET:
 ///
 ///     session-0000.h5    one a session: who ran, where and when
-///     cell-000000.h5     one a finished cell: its records
+///     cells-0000.csv     one a session: the records of the cells that it has finished (CellJournal)
 ///     lock               locked by the process that writes
 ///     *.tmp              being written; renamed when complete and on the disk
 ///
-/// So a file without the suffix .tmp is whole, whenever the process was killed.
+/// So a session is whole, whenever the process was killed, and of cells the one that was being appended is
+/// not.
 struct PartList {
-  std::map<std::uint64_t, std::filesystem::path> cells;     ///< by cell
+  std::map<std::uint64_t, std::filesystem::path> journals;  ///< of cells, by session
   std::map<std::uint64_t, std::filesystem::path> sessions;  ///< by session
 
-  bool empty() const noexcept { return cells.empty() && sessions.empty(); }
+  bool empty() const noexcept { return journals.empty() && sessions.empty(); }
 };
 
 /// TARGET.parts.
@@ -33,7 +34,7 @@ std::filesystem::path parts_folder(const std::filesystem::path& target);
 /// The parts of `target` that are there; none where there is no folder.
 PartList list_parts(const std::filesystem::path& target);
 
-/// The folder of parts, held by the one process that writes it. Storing is thread safe for distinct parts.
+/// The folder of parts, held by the one process that writes it.
 class RunDirectory {
  public:
   /// Creates the folder (and the folders above it) where needed, locks it, and removes temporary files that a
@@ -48,8 +49,10 @@ class RunDirectory {
   const std::filesystem::path& folder() const noexcept { return folder_; }
   PartList parts() const { return list_parts(target_); }
 
-  /// Durably writes a part. Throws ResultsError; parts stored before are untouched.
-  void store_cell(std::uint64_t cell, const std::string& bytes) const;
+  /// Where the cells of a session are to be written.
+  std::filesystem::path journal_path(std::uint64_t session) const;
+
+  /// Durably writes the description of a session. Throws ResultsError; the one before it is then untouched.
   void store_session(std::uint64_t session, const std::string& bytes) const;
 
   /// Durably writes the target itself, by way of a temporary file in the folder. Throws ResultsError.

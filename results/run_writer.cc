@@ -3,7 +3,9 @@
 #include "results/run_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "results/exceptions.h"
 #include "results/hdf5_library.h"
 #include "results/identity.h"
+#include "results/schema.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -24,7 +27,25 @@ std::map<std::string, int> method_ranks(const Experiment& experiment) {
   return ranks;
 }
 
-std::string cells(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
+/// "3 cells"
+std::string cells_of(const PartList& parts) {
+  ResultsFile stored;
+  for (const auto& [session, path] : parts.journals) {
+    const std::vector<Record> part = read_cell_journal(path);
+    stored.records.insert(stored.records.end(), part.begin(), part.end());
+  }
+  const std::size_t count = stored.cells().size();
+  return std::to_string(count) + (count == 1 ? " cell" : " cells");
+}
+
+/// NaN has many bit patterns, but one spelling in a journal: so that a run that was resumed is, bit for bit,
+/// one that was not.
+void make_nan_plain(Record& record) {
+  for (const Column<Record>& column : record_columns()) {
+    if (column.type != ValueType::float64 || !std::isnan(std::get<double>(column.get(record)))) continue;
+    column.set(record, std::numeric_limits<double>::quiet_NaN());
+  }
+}
 
 }  // namespace
 
@@ -45,7 +66,7 @@ void RunWriter::refuse_existing() const {
     throw ResultsExistError(path_.string() + ": exists already; --resume completes it, --force replaces it");
   }
   if (const PartList parts = directory_.parts(); !parts.empty()) {
-    throw ResultsExistError(directory_.folder().string() + ": holds " + cells(parts.cells.size()) +
+    throw ResultsExistError(directory_.folder().string() + ": holds " + cells_of(parts) +
                             " of an unfinished run; --resume continues it, --force discards it");
   }
 }
@@ -88,6 +109,7 @@ std::vector<Record> RunWriter::arranged(const CellResult& cell) const {
                                   "', which is not in the experiment");
     }
     record.session = session_;
+    make_nan_plain(record);
   }
   const auto key = [this](const Record& record) {
     return std::make_tuple(record.repetition, method_rank_.at(record.method));
@@ -107,7 +129,7 @@ void RunWriter::claim(std::uint64_t cell) {
   if (done_.count(cell) != 0 || stored_.count(cell) != 0) {
     throw InvalidParameterError("cell " + std::to_string(cell) + " is stored already");
   }
-  if (!session_begun_) begin_session();
+  if (!journal_) begin_session();
   stored_.insert(cell);
 }
 
@@ -117,19 +139,19 @@ void RunWriter::begin_session() {
     fs::remove(path_);
   }
   store_session();
+  journal_.emplace(directory_.journal_path(static_cast<std::uint64_t>(session_)));
   if (session_ == 0) {
     results_.provenance = provenance_;
   } else {
     results_.provenance.sessions.push_back(provenance_.sessions.front());
   }
-  session_begun_ = true;
 }
 
 void RunWriter::store(const CellResult& cell) {
   std::vector<Record> records = arranged(cell);
   claim(cell.cell);
   try {
-    directory_.store_cell(cell.cell, encode_cell(records));
+    journal_->append(cell.cell, records);
   } catch (...) {
     const std::scoped_lock lock(mutex_);
     stored_.erase(cell.cell);
@@ -141,13 +163,13 @@ void RunWriter::store(const CellResult& cell) {
 
 void RunWriter::finish(const Calibration& calibration) {
   const std::scoped_lock lock(mutex_);
-  if (session_begun_) {
+  if (journal_) {
     provenance_.sessions.front().finished_at = utc_now();
     provenance_.sessions.front().calibration = calibration;
     results_.provenance.sessions.back() = provenance_.sessions.front();
     store_session();
   }
-  if (mode_ == RunMode::force && !session_begun_) return;
+  if (mode_ == RunMode::force && !journal_) return;
   if (directory_.parts().empty()) return;
   sort_by_cell(results_.records);
   directory_.store_target(encode_results(results_));

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "engine/sweep/experiment.h"
 #include "engine/sweep/record.h"
 #include "engine/sweep/sweep.h"
+#include "results/cell_journal.h"
 #include "results/provenance.h"
 #include "results/results_file.h"
 #include "results/run_directory.h"
@@ -30,10 +32,10 @@ enum class RunMode : std::uint8_t {
 ///     const SweepSummary summary = run_sweep(experiment, generators, methods, run, run.done());
 ///     run.finish(summary.calibration);
 ///
-/// Cells land in the run directory (RunDirectory) one file each; finish() merges them into `path`. A run that
-/// ends without finish(), by a kill or an exception, keeps every stored cell there for a resume. The merged
-/// file does not depend on the order in which cells finish, nor on how often the run was resumed, but for
-/// times, threads and sessions.
+/// Cells land in the journal of the session (CellJournal) in the run directory; finish() merges them into
+/// `path`. A run that ends without finish(), by a kill or an exception, keeps every stored cell there for a
+/// resume. The merged file does not depend on the order in which cells finish, nor on how often the run was
+/// resumed, but for times, threads and sessions.
 class RunWriter final : public RecordSink {
  public:
   /// Opens `path` for writing. Changes nothing that is there, but for leftovers of a kill. Throws
@@ -78,10 +80,10 @@ class RunWriter final : public RecordSink {
   std::set<std::uint64_t> done_;
   int session_ = 0;  ///< number of this session in the run
 
-  std::mutex mutex_;                ///< guards what follows
-  std::set<std::uint64_t> stored_;  ///< by this session
-  ResultsFile results_;             ///< what the disk holds, so that finish() need not read it again
-  bool session_begun_ = false;
+  std::mutex mutex_;                    ///< guards what follows
+  std::set<std::uint64_t> stored_;      ///< by this session
+  ResultsFile results_;                 ///< what the disk holds, so that finish() need not read it again
+  std::optional<CellJournal> journal_;  ///< once the session has begun: with its first cell
 };
 
 }  // namespace raygauge

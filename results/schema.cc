@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "results/exceptions.h"
+
 namespace raygauge {
 namespace {
 
@@ -23,6 +25,11 @@ std::string_view to_string(ValueType type) noexcept {
   constexpr std::array<std::string_view, 6> kNames = {"boolean", "int32",   "int64",
                                                       "uint64",  "float64", "text"};
   return kNames[static_cast<std::size_t>(type)];
+}
+
+void refuse_schema_version(const std::string& file, std::int64_t version) {
+  throw SchemaVersionError(file + ": schema version " + std::to_string(version) +
+                           ", this raygauge reads version " + std::to_string(kSchemaVersion));
 }
 
 // clang-format off

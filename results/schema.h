@@ -16,8 +16,11 @@ namespace raygauge {
 /// or of another type, unit or meaning.
 inline constexpr std::int32_t kSchemaVersion = 1;
 
-/// The root attribute `format` of every results file and of its parts.
+/// The root attribute `format` of every results file, and how a journal of cells begins.
 inline constexpr const char* kFormatName = "raygauge-results";
+
+/// Throws the SchemaVersionError of a file that was written under another version.
+[[noreturn]] void refuse_schema_version(const std::string& file, std::int64_t version);
 
 /// A row of /provenance/versions.
 struct VersionRow {

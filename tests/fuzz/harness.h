@@ -17,6 +17,8 @@ void check_set_file(std::string_view input);
 void check_set_pair(std::string_view text);
 void check_override(std::string_view input);
 void check_results_file(std::string_view input);
+void check_cell_journal(std::string_view input);
+void check_csv_rows(std::string_view input);
 void check_dataset(std::string_view input);
 void check_filter(std::string_view input);
 void check_solver(std::string_view input);

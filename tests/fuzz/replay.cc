@@ -27,10 +27,16 @@ struct Target {
 
 const std::vector<Target>& targets() {
   static const std::vector<Target> all = {
-      {"point_file", check_point_file}, {"experiment_file", check_experiment_file},
-      {"set_file", check_set_file},     {"set_pair", check_set_pair},
-      {"override", check_override},     {"results_file", check_results_file},
-      {"dataset", check_dataset},       {"filter", check_filter},
+      {"point_file", check_point_file},
+      {"experiment_file", check_experiment_file},
+      {"set_file", check_set_file},
+      {"set_pair", check_set_pair},
+      {"override", check_override},
+      {"results_file", check_results_file},
+      {"cell_journal", check_cell_journal},
+      {"csv_rows", check_csv_rows},
+      {"dataset", check_dataset},
+      {"filter", check_filter},
 #ifdef RAYGAUGE_HAS_EXACT
       {"solver", check_solver},
 #endif

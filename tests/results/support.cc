@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -103,6 +104,7 @@ ResultsFile sample_results(const Experiment& experiment) {
         for (const Record& record : stored.records) {
           if (record.repetition == repetition && record.method == method.label) {
             results.records.push_back(record);
+            if (std::isnan(record.upper)) results.records.back().upper = record.lower;
           }
         }
       }

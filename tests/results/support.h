@@ -32,13 +32,13 @@ class TemporaryFolder {
 Experiment small_experiment(int cell_count = 4, int repetitions = 3);
 
 /// What a sweep would store for a cell of small_experiment: a function of the cell alone, times included,
-/// with the methods in an order that is not the experiment's.
+/// with the methods in an order that is not the experiment's, and NaN in two patterns.
 CellResult cell_result(const Experiment& experiment, std::uint64_t cell);
 
 /// A session with every field set.
 Session sample_session();
 
-/// The whole run of an experiment, as it should read.
+/// The whole run of an experiment, as it should read: NaN in one pattern.
 ResultsFile sample_results(const Experiment& experiment);
 
 /// Every column of a record but its session, doubles bit by bit: equal texts are equal records.

@@ -40,5 +40,24 @@ TEST(AtomicFile, AFolderIsNotReplaced) {
   EXPECT_EQ(entries_of(folder.path()), std::vector<std::string>{"x"});
 }
 
+TEST(AppendedFile, GrowsByBlocks) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("x"), "a");
+  AppendedFile file(folder.file("x"));
+  file.append("b");
+  file.append("cd");
+  EXPECT_EQ(read_bytes(folder.file("x")), "abcd");
+}
+
+TEST(AppendedFile, TheSystemsReasonIsNamed) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(error_of([&] { AppendedFile(folder.file("x")); }),
+            folder.file("x") + ": cannot open: No such file or directory");
+  std::filesystem::create_symlink("/dev/full", folder.file("full"));
+  AppendedFile full(folder.file("full"));
+  EXPECT_EQ(error_of([&] { full.append("a"); }),
+            folder.file("full") + ": cannot write: No space left on device");
+}
+
 }  // namespace
 }  // namespace raygauge::test_atomic_file

@@ -97,6 +97,35 @@ TEST_F(Csv, TextsAreQuotedWhereTheyNeedIt) {
   EXPECT_NE(read_bytes(path_).find(",plain,,\"a \"\"quoted\"\", divided\nlabel\","), std::string::npos);
 }
 
+TEST_F(Csv, RowsAreReadBackBitForBit) {
+  std::vector<Record> records = sample_results(small_experiment()).records;
+  records[1].method = "a \"quoted\", divided\nlabel\r";
+  records[2].generator_parameters = "\"\"";
+  records[3].distance = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(fingerprints(read_csv_rows(csv_rows(records))), fingerprints(records));
+  EXPECT_TRUE(read_csv_rows("").empty());
+}
+
+TEST_F(Csv, ARowThatIsNoneIsNamed) {
+  const std::string rows = csv_rows({Record(), Record()});
+  const auto error_with = [&rows](const std::string& column, const std::string& field) {
+    std::vector<std::string> fields = split(split(rows, '\n').at(1), ',');
+    fields.at(position_of(column)) = field;
+    std::string row;
+    for (const std::string& one : fields) row += (row.empty() ? "" : ",") + one;
+    return error_of([&] { read_csv_rows(split(rows, '\n').at(0) + "\n" + row + "\n"); });
+  };
+  EXPECT_EQ(error_with("seconds", "soon"), "row 2, column seconds: 'soon' is not of type float64");
+  EXPECT_EQ(error_with("n", "3.5"), "row 2, column n: '3.5' is not of type int32");
+  EXPECT_EQ(error_with("n", "3000000000"), "row 2, column n: '3000000000' is not of type int32");
+  EXPECT_EQ(error_with("N", ""), "row 2, column N: '' is not of type int32");
+  EXPECT_EQ(error_with("agrees", "yes"), "row 2, column agrees: 'yes' is not of type boolean");
+  EXPECT_EQ(error_with("generator", "\"sphere"), "row 2, column generator: its quotes are not closed");
+  EXPECT_EQ(error_with("generator", "\"sphere\"s"), "row 2, column generator: no comma follows it");
+  EXPECT_EQ(error_with("started_at", "1,2"), "row 2, column started_at: the row does not end with it");
+  EXPECT_TRUE(error_with("status", "fine").starts_with("row 2, column status: unknown status 'fine'"));
+}
+
 TEST_F(Csv, AFolderThatIsMissingIsNamed) {
   const std::string path = folder_.file("missing/x.csv");
   EXPECT_EQ(error_of([&] { write_csv(path, {}); }), path + ": cannot write: No such file or directory");

@@ -100,11 +100,16 @@ TEST_F(OtherReaders, H5dumpShowsTheStructure) {
             std::string::npos);
 }
 
-TEST_F(OtherReaders, H5pyReadsThePartsOfAnUnfinishedRun) {
+TEST_F(OtherReaders, PythonReadsThePartsOfAnUnfinishedRun) {
   RunWriter run(folder_.file("going.h5"), experiment_, RunMode::create, sample_session());
   run.store(cell_result(experiment_, 2));
-  EXPECT_EQ(python("import h5py\nprint(h5py.File('going.h5.parts/cell-000002.h5')['records/N'][:])\n"),
-            "[102 102 102 102 102 102]\n");
+  EXPECT_EQ(
+      python(
+          "import h5py\nprint(h5py.File('going.h5.parts/session-0000.h5')['provenance/sessions/cores'][:])\n"
+          "import csv\n"
+          "rows = csv.DictReader(line for line in open('going.h5.parts/cells-0000.csv') if line[0] != '#')\n"
+          "print([row['N'] for row in rows])\n"),
+      "[2]\n['102', '102', '102', '102', '102', '102']\n");
 }
 
 }  // namespace

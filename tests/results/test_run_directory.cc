@@ -21,22 +21,22 @@ class RunDirectoryTest : public ::testing::Test {
 
 TEST_F(RunDirectoryTest, PartsAreFoundByNumberHoweverLarge) {
   const RunDirectory directory(target_);
-  directory.store_cell(0, "a");
-  directory.store_cell(12345678901, "b");
+  write_bytes(directory.journal_path(0), "a");
+  write_bytes(directory.journal_path(12345678901), "b");
   directory.store_session(3, "c");
   const PartList parts = list_parts(target_);
-  EXPECT_EQ(read_bytes(parts.cells.at(0)), "a");
-  EXPECT_EQ(read_bytes(parts.cells.at(12345678901)), "b");
+  EXPECT_EQ(parts.journals.at(0), directory.journal_path(0));
+  EXPECT_EQ(parts.journals.at(12345678901), directory.journal_path(12345678901));
   EXPECT_EQ(read_bytes(parts.sessions.at(3)), "c");
   EXPECT_EQ(entries_of(parts_),
-            (std::vector<std::string>{"cell-000000.h5", "cell-12345678901.h5", "lock", "session-0003.h5"}));
+            (std::vector<std::string>{"cells-0000.csv", "cells-12345678901.csv", "lock", "session-0003.h5"}));
 }
 
 TEST_F(RunDirectoryTest, WhatIsNoPartIsLeftAlone) {
   {
     const RunDirectory directory(target_);
     for (const char* name :
-         {"cell-1.h5", "cell-00000x.h5", "cell-000001.h5.bak", "notes.txt", "session-.h5"}) {
+         {"cells-1.csv", "cells-000x.csv", "cells-0001.csv.bak", "notes.txt", "session-.h5"}) {
       write_bytes(parts_ + "/" + name, "mine");
     }
     EXPECT_TRUE(directory.parts().empty());
@@ -53,9 +53,9 @@ TEST_F(RunDirectoryTest, AnEmptyOneIsRemovedAtTheEnd) {
 TEST_F(RunDirectoryTest, OneWithPartsStaysWithoutItsLock) {
   {
     const RunDirectory directory(target_);
-    directory.store_cell(1, "a");
+    directory.store_session(1, "a");
   }
-  EXPECT_EQ(entries_of(parts_), std::vector<std::string>{"cell-000001.h5"});
+  EXPECT_EQ(entries_of(parts_), std::vector<std::string>{"session-0001.h5"});
 }
 
 TEST_F(RunDirectoryTest, NoFolderMeansNoParts) { EXPECT_TRUE(list_parts(target_).empty()); }

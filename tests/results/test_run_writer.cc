@@ -151,7 +151,7 @@ TEST_F(RunWriterTest, PartsThatAKillLeftBehindTheMergedFileAreCleanedUp) {
 
 TEST_F(RunWriterTest, TemporaryFilesOfAKillAreIgnoredAndRemoved) {
   write(RunMode::create, {0, 1}, false);
-  write_bytes(path_ + ".parts/cell-000002.h5.tmp", "half a fi");
+  write_bytes(path_ + ".parts/cells-0001.csv.tmp", "half a fi");
   EXPECT_EQ(read_results(path_).cells(), (std::set<std::uint64_t>{0, 1}));
   write(RunMode::resume, {2, 3}, true);
   EXPECT_EQ(found(), expected());
@@ -208,9 +208,21 @@ TEST_F(RunWriterTest, ThreadsAndOrderMayChangeOnResume) {
   EXPECT_EQ(found(), expected());
 }
 
-TEST_F(RunWriterTest, ADamagedPartIsNamed) {
+TEST_F(RunWriterTest, ACellThatAKillCutShortIsDoneAgain) {
   write(RunMode::create, {0, 1}, false);
-  const std::string part = path_ + ".parts/cell-000001.h5";
+  const std::string journal = path_ + ".parts/cells-0000.csv";
+  write_bytes(journal, read_bytes(journal).substr(0, read_bytes(journal).size() - 1));
+  EXPECT_EQ(read_results(path_).cells(), std::set<std::uint64_t>{0});
+  write(RunMode::resume, {1}, false);
+  EXPECT_EQ(read_results(path_).cells(), (std::set<std::uint64_t>{0, 1}));
+  write(RunMode::resume, {2, 3}, true);
+  EXPECT_EQ(found(), expected());
+  EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{"x.h5"});
+}
+
+TEST_F(RunWriterTest, ADamagedSessionIsNamed) {
+  write(RunMode::create, {0, 1}, false);
+  const std::string part = path_ + ".parts/session-0000.h5";
   write_bytes(part, read_bytes(part).substr(0, 3000));
   EXPECT_EQ(error_opening(RunMode::resume).substr(0, part.size() + 22), part + ": truncated or damaged");
 }

@@ -38,10 +38,11 @@ class StorageFailure : public ::testing::Test {
     RunWriter run(path_, experiment_, RunMode::create, sample_session());
     run.store(cell_result(experiment_, 0));
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit = {4096, 4096};
+    const rlim_t size = std::filesystem::file_size(path_ + ".parts/cells-0000.csv");
+    const rlimit limit = {size + 500, size + 500};  // half a cell
     setrlimit(RLIMIT_FSIZE, &limit);
     std::fputs(error_of([&] { run.store(cell_result(experiment_, 1)); }).c_str(), stderr);
-    std::_Exit(0);
+    std::_Exit(std::filesystem::file_size(path_ + ".parts/cells-0000.csv") == size ? 0 : 1);
   }
   [[noreturn]] void open_without_privileges() const {
     if (getuid() == 0 && setuid(kNobody) != 0) std::_Exit(1);
@@ -55,15 +56,16 @@ class StorageFailure : public ::testing::Test {
 };
 
 TEST_F(StorageFailure, AFullDiskStopsACellAndKeepsTheOthers) {
+  RunWriter(path_, experiment_, RunMode::create, sample_session()).store(cell_result(experiment_, 0));
   {
-    RunWriter run(path_, experiment_, RunMode::create, sample_session());
-    run.store(cell_result(experiment_, 0));
-    fill_disk_under("cell-000001.h5");
+    RunWriter run(path_, experiment_, RunMode::resume, sample_session());
+    fill_disk_under("cells-0001.csv");
     EXPECT_EQ(error_of([&] { run.store(cell_result(experiment_, 1)); }),
-              path_ + ".parts/cell-000001.h5: cannot write: No space left on device");
+              path_ + ".parts/cells-0001.csv: cannot write: No space left on device");
   }
   EXPECT_EQ(read_results(path_).cells(), std::set<std::uint64_t>{0});
-  EXPECT_EQ(entries_of(path_ + ".parts"), (std::vector<std::string>{"cell-000000.h5", "session-0000.h5"}));
+  EXPECT_EQ(entries_of(path_ + ".parts"),
+            (std::vector<std::string>{"cells-0000.csv", "session-0000.h5", "session-0001.h5"}));
 }
 
 TEST_F(StorageFailure, AFullDiskStopsTheMergeAndKeepsTheParts) {
@@ -88,12 +90,12 @@ TEST_F(StorageFailure, AFullDiskStopsAnExportAndKeepsTheOldOne) {
   EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{"x.csv"});
 }
 
-TEST_F(StorageFailure, AWriteThatFailsHalfWayLeavesNoHalfFile) {
+TEST_F(StorageFailure, AWriteThatFailsHalfWayLeavesNoHalfCell) {
   EXPECT_EXIT(store_two_cells_the_second_too_large(), ::testing::ExitedWithCode(0),
-              "cell-000001.h5: cannot write: File too large");
+              "cells-0000.csv: cannot write: File too large");
   EXPECT_EQ(read_results(path_).cells(), std::set<std::uint64_t>{0});
   EXPECT_EQ(entries_of(path_ + ".parts"),
-            (std::vector<std::string>{"cell-000000.h5", "lock", "session-0000.h5"}));
+            (std::vector<std::string>{"cells-0000.csv", "lock", "session-0000.h5"}));
 }
 
 TEST_F(StorageFailure, AFileWhereAFolderShouldBeIsNamed) {
