@@ -10,7 +10,7 @@ namespace raygauge::hdf5 {
 namespace {
 
 constexpr hsize_t kChunkRows = 16384;
-constexpr int kDeflateLevel = 4;
+constexpr int kDeflateLevel = 1;  ///< level 4: 2 % smaller in half as much time again
 
 /// The same type behind its base class, which the C++ layer passes by value.
 H5::DataType plain(const H5::DataType& type) { return H5::DataType(type.getId()); }

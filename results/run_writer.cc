@@ -161,18 +161,30 @@ void RunWriter::store(const CellResult& cell) {
   std::move(records.begin(), records.end(), std::back_inserter(results_.records));
 }
 
+/// Writes the one file. Where that fails, the session's part is to know its end and its calibration.
+void RunWriter::merge() const {
+  try {
+    directory_.store_target(encode_results(results_));
+  } catch (const ResultsError&) {
+    try {
+      if (journal_) store_session();
+    } catch (const ResultsError&) {  // the disk takes nothing at all: what it has stays as it is
+    }
+    throw;
+  }
+}
+
 void RunWriter::finish(const Calibration& calibration) {
   const std::scoped_lock lock(mutex_);
   if (journal_) {
     provenance_.sessions.front().finished_at = utc_now();
     provenance_.sessions.front().calibration = calibration;
     results_.provenance.sessions.back() = provenance_.sessions.front();
-    store_session();
   }
   if (mode_ == RunMode::force && !journal_) return;
   if (directory_.parts().empty()) return;
   sort_by_cell(results_.records);
-  directory_.store_target(encode_results(results_));
+  merge();
   directory_.clear();
 }
 

@@ -70,6 +70,7 @@ class RunWriter final : public RecordSink {
   void claim(std::uint64_t cell);
   void begin_session();
   void store_session() const;
+  void merge() const;
   std::vector<Record> arranged(const CellResult& cell) const;
 
   std::filesystem::path path_;

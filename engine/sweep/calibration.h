@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-#include <string>
 #include <vector>
 
 #include "engine/sweep/sweep.h"
@@ -11,21 +9,25 @@
 
 namespace raygauge {
 
-/// Measures by how much `threads` threads that solve at once slow each other down: the first repetitions of a
-/// cell of median cost among `cells` are solved by one thread alone, then by all threads together: 3 to 15
-/// instances, as many as keep within a hundredth of the time of sweeping over `cells`. With
-/// t_serial(r) and t_j(r) the times of instance r alone and on thread j, a method's inflation is
-///
-///     median over r and j of  t_j(r) / t_serial(r).
-///
-/// Thread j runs on cpus[j] if `cpus` is not empty. Empty if SweepHooks::stop cut it short. Throws what a
-/// generator or a method throws.
-Calibration calibrate(const SweepPlan& plan, const std::vector<Cell>& cells, int threads,
-                      const std::vector<int>& cpus, const SweepHooks& hooks = {});
+/// The first repetitions of a cell, solved by one thread while no other does anything.
+struct LoneSolves {
+  Cell cell;
+  std::vector<Record> records;  ///< by repetition, then method; empty if SweepHooks::stop cut it short
+};
 
-/// The entry of a method whose solve of instance r took serial[r] = t_serial(r) seconds alone and
-/// parallel[j][r] = t_j(r) on thread j; parallel[j] is empty for a thread that the runtime did not grant.
-Calibration::Entry calibration_entry(const std::string& method, std::span<const double> serial,
-                                     const std::vector<std::span<const double>>& parallel);
+/// Solves alone the first repetitions of a cell of median cost among `cells`, which a sweep by `threads`
+/// threads is to take: 3 to 15 of them, as many as keep within a two-hundredth of the time of that sweep. The
+/// thread runs on cpus[0] if `cpus` is not empty. Throws what a generator or a method throws.
+LoneSolves solve_alone(const SweepPlan& plan, const std::vector<Cell>& cells, int threads,
+                       const std::vector<int>& cpus, const SweepHooks& hooks = {});
+
+/// By how much threads that solve at once slow each other down. With t_alone(r) the times of a method in
+/// `alone` and t(r) those of the same instances in the sweep's own `records` of that cell, which its other
+/// threads were running beside, the method's inflation is
+///
+///     median over r of  t(r) / t_alone(r).
+///
+/// Empty if `alone` is, or if the sweep was granted one thread only.
+Calibration calibration_of(const LoneSolves& alone, const std::vector<Record>& records);
 
 }  // namespace raygauge

@@ -56,6 +56,12 @@ std::optional<CellResult> CellRunner::run(const Cell& cell) {
   return result;
 }
 
+std::optional<CellResult> CellRunner::run_first(const Cell& cell, int repetitions) {
+  CellResult result{cell.index, {}};
+  if (!run_block(cell, 0, repetitions, result.records)) return std::nullopt;
+  return result;
+}
+
 Record CellRunner::blank_record(const Cell& cell, int repetition, std::size_t method) const {
   const Experiment& experiment = plan_.experiment();
   Record record;

@@ -36,6 +36,9 @@ class CellRunner {
   /// cell short. Throws what the generator or a method throws.
   std::optional<CellResult> run(const Cell& cell);
 
+  /// The same of so many first repetitions.
+  std::optional<CellResult> run_first(const Cell& cell, int repetitions);
+
  private:
   Record blank_record(const Cell& cell, int repetition, std::size_t method) const;
   void warm_up(const Cell& cell, const Instance& instance);

@@ -73,6 +73,33 @@ class CellQueue {
   bool abandoned_ = false;
 };
 
+/// Passes cells on; of the one that was solved alone before the sweep it takes the calibration.
+class CalibratingSink final : public RecordSink {
+ public:
+  CalibratingSink(RecordSink& sink, const LoneSolves& alone) : sink_(sink), alone_(alone) {}
+
+  void store(const CellResult& cell) override {
+    sink_.store(cell);
+    if (cell.cell == alone_.cell.index) calibration_ = calibration_of(alone_, cell.records);
+  }
+
+  /// When the sweep has ended.
+  const Calibration& calibration() const noexcept { return calibration_; }
+
+ private:
+  RecordSink& sink_;
+  const LoneSolves& alone_;
+  Calibration calibration_;
+};
+
+/// Puts the cell first: what was solved alone and what is solved among others are then close in time, on a
+/// machine whose clock wanders.
+void bring_forward(const Cell& cell, std::vector<Cell>& cells) {
+  const auto place = std::find_if(cells.begin(), cells.end(),
+                                  [&cell](const Cell& other) { return other.index == cell.index; });
+  std::rotate(cells.begin(), place, place + 1);
+}
+
 std::vector<Cell> cells_to_do(const SweepPlan& plan, const std::set<std::uint64_t>& done) {
   std::vector<Cell> cells;
   for (const Cell& cell : plan.cells()) {
@@ -110,20 +137,26 @@ SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& ge
                        const SweepHooks& hooks) {
   const SteadyClock::time_point start = SteadyClock::now();
   const SweepPlan plan(experiment, generators, methods);
-  const std::vector<Cell> cells = cells_to_do(plan, done);
+  std::vector<Cell> cells = cells_to_do(plan, done);
   SweepSummary summary;
   if (cells.empty()) return summary;
   summary.threads = sweep_threads(experiment, cells.size());
   const std::vector<int> cpus = experiment.pin_threads ? allowed_cpus() : std::vector<int>();
-  if (summary.threads > 1) summary.calibration = calibrate(plan, cells, summary.threads, cpus, hooks);
+  LoneSolves alone;
+  if (summary.threads > 1) {
+    alone = solve_alone(plan, cells, summary.threads, cpus, hooks);
+    bring_forward(alone.cell, cells);
+  }
 
-  CellQueue queue(cells, hooks);
+  CalibratingSink calibrating(sink, alone);
+  CellQueue queue(std::move(cells), hooks);
   std::atomic<int> granted{summary.threads};
   run_team(summary.threads, cpus, [&](int thread, int team_size) {
     granted = team_size;
-    work_through(queue, plan, sink, {thread, team_size, start}, hooks);
+    work_through(queue, plan, calibrating, {thread, team_size, start}, hooks);
   });
   summary.threads = granted;
+  summary.calibration = calibrating.calibration();
   summary.cells_done = queue.done();
   summary.stopped = !queue.complete();
   summary.wall_seconds = seconds_since(start);

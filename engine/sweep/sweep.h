@@ -15,8 +15,8 @@
 
 namespace raygauge {
 
-/// By how much solving on all threads at once inflates the time of one solve: per method, the median over the
-/// calibration cell's instances of (time with all threads busy) / (time alone).
+/// By how much solving on all threads at once inflates the time of one solve: per method, the median over
+/// instances of the calibration cell of (time in the sweep, all threads busy) / (time alone, before it).
 struct Calibration {
   struct Entry {
     std::string method;
@@ -56,7 +56,8 @@ struct SweepSummary {
   std::uint64_t cells_done = 0;  ///< of this call, resumed ones not counted
   bool stopped = false;          ///< by SweepHooks::stop, with cells left to do
   double wall_seconds = 0;       ///< calibration included
-  Calibration calibration;       ///< empty for TimingMode::serial, one thread or nothing to do
+  Calibration calibration;  ///< empty for TimingMode::serial, one thread, nothing to do or stopped before
+                            ///< its cell was done
 };
 
 /// Threads that a sweep of so many cells starts: one for TimingMode::serial, else Experiment::threads (0: one

@@ -30,6 +30,12 @@ TEST_F(Usage, VersionNamesCommitAndBuildType) {
   EXPECT_TRUE(contains(outcome.out, RAYGAUGE_BUILD_TYPE ")\n")) << outcome.out;
 }
 
+TEST_F(Usage, TheCurrentFolderIsNotSearchedForLibraries) {
+  write("libtomlplusplus.so.3", "whatever a stranger has put here");
+  const ProgramResult outcome = run_raygauge({"--version"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST_F(Usage, HelpOfTheProgramListsTheCommands) {
   const ProgramResult outcome = run_raygauge({"--help"});
   EXPECT_EQ(outcome.status, 0);

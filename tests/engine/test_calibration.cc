@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "engine/sweep/schedule.h"
 #include "tests/engine/fake_components.h"
 
 namespace raygauge::test_calibration {
@@ -11,9 +15,9 @@ namespace {
 
 class Calibrations : public ::testing::Test {
  protected:
-  Calibration run(const Experiment& experiment, int threads) {
+  LoneSolves run(const Experiment& experiment, const SweepHooks& hooks = {}) {
     const SweepPlan plan(experiment, generators_, methods_);
-    return calibrate(plan, plan.cells(), threads, {});
+    return solve_alone(plan, plan.cells(), 2, {}, hooks);
   }
 
   testing::CallLog log_;
@@ -21,28 +25,61 @@ class Calibrations : public ::testing::Test {
   MethodRegistry methods_ = testing::fake_methods(log_);
 };
 
-TEST_F(Calibrations, SolvesThatOnlyWaitTakeAtLeastTheirTime) {
-  Experiment experiment = testing::small_experiment();
-  experiment.methods = {{"ray", "short", {{"busy_seconds", 5e-3}}},
-                        {"ray", "long", {{"busy_seconds", 2e-2}}}};
-  const Calibration calibration = run(experiment, 2);
-  EXPECT_EQ(calibration.threads, 2);
-  ASSERT_EQ(calibration.entries.size(), 2u);
-  EXPECT_EQ(calibration.entries[0].method, "short");
-  EXPECT_EQ(calibration.entries[1].method, "long");
-  for (const Calibration::Entry& entry : calibration.entries) {
-    // How much longer is the scheduler's affair, and on a busy machine anything.
-    EXPECT_GT(entry.inflation, 0);
+/// What two methods took in each repetition of cell 5, on so many threads.
+std::vector<Record> records_of(const std::vector<double>& ours, const std::vector<double>& theirs,
+                               int concurrency) {
+  std::vector<Record> records;
+  for (std::size_t r = 0; r < ours.size(); ++r) {
+    for (const auto& [method, seconds] : {std::pair("ours", ours[r]), std::pair("theirs", theirs[r])}) {
+      Record& record = records.emplace_back();
+      record.cell = 5;
+      record.method = method;
+      record.repetition = static_cast<int>(r);
+      record.seconds = seconds;
+      record.concurrency = concurrency;
+    }
   }
-  EXPECT_GE(calibration.entries[0].parallel_seconds, 5e-3);
-  EXPECT_GE(calibration.entries[1].parallel_seconds, 2e-2);
-  EXPECT_GE(calibration.entries[0].serial_seconds, 5e-3);
-  EXPECT_GE(calibration.entries[1].serial_seconds, 2e-2);
+  return records;
+}
+
+LoneSolves alone(const std::vector<double>& ours, const std::vector<double>& theirs) {
+  return {{}, records_of(ours, theirs, 1)};
+}
+
+TEST_F(Calibrations, TheFirstInstancesOfACellOfMedianCostAreSolvedAlone) {
+  const Experiment experiment = testing::small_experiment();
+  const LoneSolves solves = run(experiment);
+  const SweepPlan plan(experiment, generators_, methods_);
+  std::vector<double> costs;
+  for (const Cell& cell : plan.cells()) costs.push_back(expected_cost(cell));
+  std::sort(costs.begin(), costs.end());
+  EXPECT_EQ(expected_cost(solves.cell), costs[(costs.size() - 1) / 2]);
+  ASSERT_EQ(solves.records.size(), 3U * 2);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(solves.records[i].cell, solves.cell.index);
+    EXPECT_EQ(solves.records[i].repetition, static_cast<int>(i / 2));
+    EXPECT_EQ(solves.records[i].method, i % 2 == 0 ? "first" : "second");
+    EXPECT_EQ(solves.records[i].concurrency, 1);
+  }
+}
+
+TEST_F(Calibrations, MoreInstancesWhereTheSweepIsLongButNoMoreThanAMedianNeeds) {
+  Experiment experiment = testing::small_experiment();
+  experiment.repetitions = 170;  // 12 cells · 170 / 2 threads · 0.005 = 5.1
+  EXPECT_EQ(run(experiment).records.size(), 5U * 2);
+  experiment.repetitions = 10000;
+  EXPECT_EQ(run(experiment).records.size(), 15U * 2);
+}
+
+TEST_F(Calibrations, NoMoreInstancesThanACellThatEndsEarlyIsSureToHave) {
+  Experiment experiment = testing::small_experiment();
+  experiment.repetitions = 10000;
+  experiment.stop_when_within = 0.1;
+  experiment.min_repetitions = 7;
+  EXPECT_EQ(run(experiment).records.size(), 7U * 2);
 }
 
 TEST_F(Calibrations, AskedToStopItIsEmpty) {
-  const Experiment experiment = testing::small_experiment();
-  const SweepPlan plan(experiment, generators_, methods_);
   std::atomic<int> samples{0};
   SweepHooks hooks;
   hooks.stop = [&] { return samples >= 3; };
@@ -51,65 +88,40 @@ TEST_F(Calibrations, AskedToStopItIsEmpty) {
     method.solve(request);
     return TimedSolve{1, 1};
   };
-  const Calibration calibration = calibrate(plan, plan.cells(), 2, {}, hooks);
-  EXPECT_TRUE(calibration.entries.empty());
+  const LoneSolves solves = run(testing::small_experiment(), hooks);
+  EXPECT_TRUE(solves.records.empty());
   EXPECT_EQ(samples, 3);
-}
-
-TEST_F(Calibrations, ThreadsThatTakeTwiceTheTimeInflateByTwo) {
-  Experiment experiment = testing::small_experiment();
-  const SweepPlan plan(experiment, generators_, methods_);
-  // The first samples, 3 instances by 2 methods, are those of the thread alone.
-  std::atomic<int> samples{0};
-  SweepHooks hooks;
-  hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
-    method.solve(request);
-    return TimedSolve{++samples <= 6 ? 0.5 : 1.0, 1};
-  };
-  const Calibration calibration = calibrate(plan, plan.cells(), 2, {}, hooks);
-  ASSERT_EQ(calibration.entries.size(), 2u);
-  for (const Calibration::Entry& entry : calibration.entries) {
-    EXPECT_EQ(entry.serial_seconds, 0.5);
-    EXPECT_EQ(entry.parallel_seconds, 1);
-    EXPECT_EQ(entry.inflation, 2);
-  }
-}
-
-TEST(CalibrationEntry, InflationIsTheMedianOfTheRatiosNotTheRatioOfTheMedians) {
-  const std::vector<double> alone = {1, 10, 100};
-  const std::vector<double> one = {2, 11, 110};     // ratios 2, 1.1, 1.1
-  const std::vector<double> other = {3, 13, 1000};  // ratios 3, 1.3, 10
-  const Calibration::Entry entry = calibration_entry("ours", alone, {one, other});
-  EXPECT_EQ(entry.method, "ours");
-  EXPECT_EQ(entry.serial_seconds, 10);
-  EXPECT_EQ(entry.parallel_seconds, 12) << "the mean of 11 and 13";
-  EXPECT_DOUBLE_EQ(entry.inflation, (1.3 + 2) / 2);
-}
-
-TEST(CalibrationEntry, IsOneWhereCompanyCostsNothing) {
-  const std::vector<double> times = {3e-6, 1e-6, 2e-6};
-  const Calibration::Entry entry = calibration_entry("ours", times, {times, times});
-  EXPECT_EQ(entry.serial_seconds, 2e-6);
-  EXPECT_EQ(entry.parallel_seconds, 2e-6);
-  EXPECT_EQ(entry.inflation, 1);
-}
-
-TEST(CalibrationEntry, LeavesOutAThreadThatWasNotGranted) {
-  const std::vector<double> alone = {1, 2, 4};
-  const std::vector<double> together = {1.5, 3, 6};
-  EXPECT_EQ(calibration_entry("ours", alone, {together, {}}).inflation, 1.5);
+  EXPECT_TRUE(calibration_of(solves, records_of({1}, {1}, 2)).entries.empty());
 }
 
 TEST_F(Calibrations, AFailureWhilePreparingIsRethrown) {
   Experiment experiment = testing::small_experiment();
   experiment.n = {91};
-  EXPECT_THROW(run(experiment, 2), InvalidParameterError);
+  EXPECT_THROW(run(experiment), InvalidParameterError);
 }
 
 TEST_F(Calibrations, AFailureWhileMeasuringIsRethrown) {
   Experiment experiment = testing::small_experiment();
   experiment.methods = {{"ray", "", {{"throw_at", std::int64_t{3}}}}};
-  EXPECT_THROW(run(experiment, 2), Error);
+  EXPECT_THROW(run(experiment), Error);
+}
+
+TEST(CalibrationOf, InflationIsTheMedianOfTheRatiosNotTheRatioOfTheMedians) {
+  const LoneSolves lone = alone({1, 10, 100}, {5, 5, 5});
+  // Ratios 3, 1.1 and 10; more repetitions than were solved alone are not compared.
+  const Calibration calibration = calibration_of(lone, records_of({3, 11, 1000, 7}, {5, 5, 5, 9}, 2));
+  EXPECT_EQ(calibration.threads, 2);
+  ASSERT_EQ(calibration.entries.size(), 2U);
+  EXPECT_EQ(calibration.entries[0].method, "ours");
+  EXPECT_EQ(calibration.entries[0].serial_seconds, 10);
+  EXPECT_EQ(calibration.entries[0].parallel_seconds, 11);
+  EXPECT_EQ(calibration.entries[0].inflation, 3);
+  EXPECT_EQ(calibration.entries[1].method, "theirs");
+  EXPECT_EQ(calibration.entries[1].inflation, 1);
+}
+
+TEST(CalibrationOf, IsEmptyWhereTheRuntimeGrantedOneThread) {
+  EXPECT_TRUE(calibration_of(alone({1, 2}, {1, 2}), records_of({1, 2}, {1, 2}, 1)).entries.empty());
 }
 
 }  // namespace

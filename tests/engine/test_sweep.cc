@@ -121,13 +121,13 @@ class MeetingOfTwo {
 TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
   Experiment experiment = small_experiment();
   experiment.threads = 2;
-  // Calibration solves 3 instances by 2 methods on one thread, then on both.
-  constexpr int kCalibrationSamples = 3 * 2 + 2 * 3 * 2;
+  // Before the sweep one thread solves 3 instances by 2 methods.
+  constexpr int kSamplesAlone = 3 * 2;
   std::atomic<int> samples{0};
   MeetingOfTwo meeting;
   SweepHooks hooks;
   hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
-    if (++samples > kCalibrationSamples) meeting.attend();
+    if (++samples > kSamplesAlone) meeting.attend();
     method.solve(request);
     return TimedSolve{1e-3, 1};
   };
@@ -145,6 +145,26 @@ TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
     }
   }
   EXPECT_EQ(threads, (std::set<int>{0, 1}));
+}
+
+TEST_F(Sweep, TheSolvesOfItsFirstCellAreComparedWithThoseMadeAlone) {
+  Experiment experiment = small_experiment();
+  experiment.threads = 2;
+  std::atomic<int> samples{0};
+  SweepHooks hooks;
+  hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
+    method.solve(request);
+    return TimedSolve{++samples <= 6 ? 0.5 : 1.0, 1};  // 3 instances by 2 methods alone
+  };
+  MemorySink sink;
+  const SweepSummary summary = run(experiment, sink, {}, hooks);
+  EXPECT_EQ(summary.calibration.threads, 2);
+  ASSERT_EQ(summary.calibration.entries.size(), 2u);
+  for (const Calibration::Entry& entry : summary.calibration.entries) {
+    EXPECT_EQ(entry.serial_seconds, 0.5);
+    EXPECT_EQ(entry.parallel_seconds, 1);
+    EXPECT_EQ(entry.inflation, 2);
+  }
 }
 
 TEST_F(Sweep, WarmUpSolvesComeOnTopOfTheTimedOnes) {

@@ -77,6 +77,7 @@ TEST_F(StorageFailure, AFullDiskStopsTheMergeAndKeepsTheParts) {
   }
   EXPECT_FALSE(std::filesystem::exists(path_));
   EXPECT_TRUE(read_results(path_).finished());
+  EXPECT_NE(read_results(path_).provenance.sessions.front().finished_at, sample_session().finished_at);
   RunWriter(path_, experiment_, RunMode::resume, sample_session()).finish();
   EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{"x.h5"});
 }
