@@ -20,8 +20,28 @@ constexpr double kShorter = 0.4;
 constexpr int kFacetTrials = 6;        // in one solve
 constexpr double kSameNormal = 1e-14;  // of two flat faces: 1 - the cosine of their angle
 constexpr int kTurns = 9;              // between two faces in search of a point of both
-constexpr int kPatience = 4;           // steps without a better bound
 constexpr int kGrowthEvaluations = 24;
+
+// Whether it is worth going on: far from the end the ratio rises while the residual may even grow, close to
+// it the residual falls.
+template <class Real>
+class Progress {
+ public:
+  bool is_made(Real ratio, Real residual) {
+    constexpr double kHigher = 1.01, kSmaller = 0.5;
+    constexpr int kPatience = 8;
+    const bool higher = ratio > kHigher * highest_ratio_;
+    idle_ = higher || residual < kSmaller * least_residual_ ? 0 : idle_ + 1;
+    if (higher) highest_ratio_ = ratio;
+    least_residual_ = std::min(least_residual_, residual);
+    return idle_ <= kPatience;
+  }
+
+ private:
+  Real highest_ratio_ = 0;
+  Real least_residual_ = kInfinity;
+  int idle_ = 0;
+};
 
 // Quadruple precision begins where doubles ended, and its evaluations take a hundred times as long.
 template <class Real>
@@ -79,6 +99,7 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   upper_ = kInfinity;
   combination_.clear(n_);
   evaluations_ = 0;
+  witness_evaluations_ = 0;
   facets_tried_ = 0;
   on_facet_ = false;
   tolerance_ = options.tolerance;
@@ -385,8 +406,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
   if (!evaluate(*now_)) return DistanceStatus::precision_limit;
   grow(!(now_->ratio > 0));
   if (growing_) now_->ratio = growth_ratio(*now_);
-  int idle = 0;
-  Real least_residual = kInfinity;
+  Progress<Real> progress;
   for (;;) {
     if (lower_ > threshold_) return DistanceStatus::optimal;
     if (unconditional_ && !growing_) {
@@ -397,9 +417,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     if (!growing_) {
       bound_from_above();
       if (is_closed()) return DistanceStatus::optimal;
-      idle = residual_ < 0.5 * least_residual ? 0 : idle + 1;
-      least_residual = std::min(least_residual, residual_);
-      if (idle > kPatience + 4) return DistanceStatus::precision_limit;
+      if (!progress.is_made(now_->ratio, residual_)) return DistanceStatus::precision_limit;
     } else if (evaluations_ > kGrowthEvaluations) {
       return DistanceStatus::precision_limit;
     }
@@ -428,7 +446,7 @@ bool Newton<Real>::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceO
 }
 
 template <class Real>
-void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult& result) const {
+void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult& result) {
   result.status = status;
   result.lower = lower_;
   result.upper = upper_;
@@ -438,16 +456,22 @@ void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult
     result.normal[k] = lower_ > 0 ? normal_[static_cast<std::size_t>(k)]
                                   : static_cast<double>(now_->u[static_cast<std::size_t>(k)]);
   }
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    std::copy_n(contact_.data(), n_, contact);
+    ++witness_evaluations_;
+  }
+  result.counters = counters();
+}
+
+template <class Real>
+DistanceCounters Newton<Real>::counters() const {
   DistanceCounters counters;
-  counters.outer_iterations = 1;
+  counters.outer_iterations = evaluations_ > 0 ? 1 : 0;
   counters.ray_iterations = evaluations_;
   counters.support_queries = 2 * evaluations_;
   counters.pivots = program_.systems();
-  if (double* contact = result.room_for_contact(effects, n_)) {
-    std::copy_n(contact_.data(), n_, contact);
-    ++counters.witness_evaluations;
-  }
-  result.counters = counters;
+  counters.witness_evaluations = witness_evaluations_;
+  return counters;
 }
 
 template class Newton<double>;

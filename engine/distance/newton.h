@@ -51,7 +51,10 @@ class Newton {
   const double* direction() const noexcept { return lower_ > 0 ? normal_.data() : nullptr; }
 
   /// Writes the bounds of the last solve and what belongs to them.
-  void report(DistanceStatus status, Effects effects, DistanceResult& result) const;
+  void report(DistanceStatus status, Effects effects, DistanceResult& result);
+
+  /// What the last solve did, whether or not it was concluded.
+  DistanceCounters counters() const;
 
   /// See DistanceSolver.
   void keep_combination(bool keep) noexcept { keeps_combination_ = keep; }
@@ -93,6 +96,7 @@ class Newton {
   double tolerance_ = 0;
   std::int64_t max_evaluations_ = 0;
   std::int64_t evaluations_ = 0;
+  std::int64_t witness_evaluations_ = 0;
   PieceOracle<Real> oracle_A_, oracle_Q_;
   PieceProgram<Real> program_;
   Point points_[2];

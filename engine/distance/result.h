@@ -29,9 +29,10 @@ std::string_view to_string(DistanceStatus status) noexcept;
 /// The inverse of to_string. Throws UnknownNameError.
 DistanceStatus distance_status_from_string(std::string_view name);
 
-/// What a solve did. Effects that were not asked for leave their counters at zero.
+/// What a solve did, all methods together where one handed over to another. Effects that were not asked for
+/// leave their counters at zero.
 struct DistanceCounters {
-  std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1 for `direct`)
+  std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1 but for `zheng_yamane`)
   std::int64_t ray_iterations =
       0;                    ///< N_rs of the paper: iterations of the ray shooter, all outer ones together
   std::int64_t pivots = 0;  ///< basis changes

@@ -58,11 +58,13 @@ struct DistanceSolver::Workspace {
 
   AlignedBuffer<double> start;
 
-  Stopwatch stopwatch;  // over all methods that take part
+  Stopwatch stopwatch;        // over all methods that take part
+  DistanceCounters counters;  // of all of them
 
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void account(const DistanceCounters& of_method);
   bool is_unfinished() const;
   bool is_out_of_reach(const ConvexSet& A, const ConvexSet& Q);
   void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
@@ -78,12 +80,14 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
   stopwatch.start(options.time_limit);
   result.sigma = DistanceResult::kUnset;
   result.origin_weights.clear();
+  counters = {};
   if (!solve_iteratively(A, Q, effects)) {
     solve_direct(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     if (is_unfinished()) refine(A, Q, effects);
     if (concluded == Concluded::support_direct) report_contact_by_support(A.dimension(), effects);
   }
+  result.counters = counters;
   result.seconds = stopwatch.seconds();
   // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
   if (!(result.lower <= result.upper)) {
@@ -97,15 +101,33 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
 bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   if (options.method == DistanceMethod::zheng_yamane) {
     concluded = Concluded::zheng_yamane;
-    return zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
+    const bool done = zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
+    account(zheng_yamane.counters());
+    return done;
   }
   if (options.method == DistanceMethod::newton) {
     concluded = Concluded::newton;
-    if (newton.solve(A, Q, options, stopwatch, effects, result)) return true;
+    bool done = newton.solve(A, Q, options, stopwatch, effects, result);
+    account(newton.counters());
+    if (done) return true;
     concluded = Concluded::quad_newton;
-    return quad_newton.solve(A, Q, options, stopwatch, effects, result, newton.direction());
+    done = quad_newton.solve(A, Q, options, stopwatch, effects, result, newton.direction());
+    account(quad_newton.counters());
+    return done;
   }
   return false;
+}
+
+// Adds what a method did. K is that of the first that did anything: the others did not scale Q again.
+void DistanceSolver::Workspace::account(const DistanceCounters& of_method) {
+  if (counters.outer_iterations == 0) counters.outer_iterations = of_method.outer_iterations;
+  counters.ray_iterations += of_method.ray_iterations;
+  counters.pivots += of_method.pivots;
+  counters.support_queries += of_method.support_queries;
+  counters.points_priced += of_method.points_priced;
+  counters.refactorisations += of_method.refactorisations;
+  counters.exact_pivots += of_method.exact_pivots;
+  counters.witness_evaluations += of_method.witness_evaluations;
 }
 
 void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
@@ -117,6 +139,7 @@ void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet
   } else {
     solve_by_support(A, Q);
   }
+  account(result.counters);
 }
 
 // The tolerances of the linear program suit a gauge body of magnitude 1.
@@ -150,7 +173,7 @@ void DistanceSolver::Workspace::report_contact_by_support(int n, Effects effects
     support_direct.contact_point(contact);
     const double share = result.status == DistanceStatus::contains_origin ? 0.0 : 1 / scaling.factor_A()[0];
     for (int k = 0; k < n; ++k) contact[k] *= share;
-    ++result.counters.witness_evaluations;
+    ++counters.witness_evaluations;
   }
 }
 
@@ -192,23 +215,15 @@ bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const Convex
   return true;
 }
 
-// True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds. The
-// counters are those of all.
+// True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds.
 template <class Method>
 bool DistanceSolver::Workspace::refine_by(Method& method, const double* first, const ConvexSet& A,
                                           const ConvexSet& Q, Effects effects) {
-  const DistanceCounters before = result.counters;
-  if (!method.solve(A, Q, options, stopwatch, effects, result, first)) {
-    if (!(method.gap() < result.upper - result.lower)) return false;
-    method.report(DistanceStatus::precision_limit, effects, result);
-  }
-  result.counters.outer_iterations = before.outer_iterations;
-  result.counters.ray_iterations += before.ray_iterations;
-  result.counters.pivots += before.pivots;
-  result.counters.support_queries += before.support_queries;
-  result.counters.points_priced += before.points_priced;
-  result.counters.refactorisations += before.refactorisations;
-  return true;
+  const bool done = method.solve(A, Q, options, stopwatch, effects, result, first);
+  const bool closer = !done && method.gap() < result.upper - result.lower;
+  if (closer) method.report(DistanceStatus::precision_limit, effects, result);
+  account(method.counters());
+  return done || closer;
 }
 
 DistanceSolver::DistanceSolver(const DistanceOptions& options) : workspace_(std::make_unique<Workspace>()) {

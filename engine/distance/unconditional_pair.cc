@@ -8,19 +8,25 @@
 namespace raygauge {
 namespace {
 
+// A step that makes a coordinate this much smaller takes it to the face across u_k = 0.
+constexpr double kAtFace = 1e-6;
+
+// A step from there by which ln |s_k - c_k| rises less than this takes many like it to leave.
+constexpr double kCreeping = 1;
+
+constexpr double kFarthest = 4;  // of a coordinate of what was a unit vector
+
 // Where points hardly answer to u, the slope at one u tells little of the next.
 constexpr double kSteepest = 2;
 
 // u (1 + a d/u)^(1/a), for a = 0 its limit. The factor need not be more precise than a double.
 template <class Real>
 Real along_power(Real u, Real d, double a) {
-  constexpr double kFarthest = 4;  // of a coordinate of what was a unit vector
   const auto relative = static_cast<double>(d / u);
   const double change = a * relative;
   double logarithm = relative;
   if (a > 0) logarithm = (change > -1 ? std::log1p(change) : std::log(-1 - change)) / a;
-  const Real moved = u * std::copysign(std::exp(logarithm), 1 + change);
-  return elementary::fabs(moved) < kFarthest ? moved : u + d;
+  return u * std::copysign(std::exp(logarithm), 1 + change);
 }
 
 }  // namespace
@@ -40,6 +46,8 @@ bool UnconditionalPair<Real>::bind(const ConvexSet& A, const ConvexSet& Q) {
   meeting_ = 0;
   exponent_.reserve(static_cast<std::size_t>(n_));
   meets_.reserve(static_cast<std::size_t>(n_));
+  before_.reserve(static_cast<std::size_t>(n_));
+  std::fill_n(before_.data(), n_, Real{0});
   return A_.bind(A) && Q_.bind(Q) && (A_.unconditional || Q_.unconditional);
 }
 
@@ -67,6 +75,7 @@ void UnconditionalPair<Real>::meet(const Real* u, Real ratio, Real shift, const 
     const auto exponent = static_cast<double>(change / (of_A.reach + ratio * of_Q.reach));
     exponent_[k] = exponent > 0 ? std::min(exponent, kSteepest) : 0.0;  // and for what is not a number
 
+    if (elementary::fabs(u[k]) > kAtFace * before_[k]) before_[k] = 0;
     const Real move = shift * shift_direction[k];
     const Real low = std::max(of_A.middle - of_A.extent - move, ratio * (of_Q.middle - of_Q.extent));
     const Real high = std::min(of_A.middle + of_A.extent - move, ratio * (of_Q.middle + of_Q.extent));
@@ -80,16 +89,24 @@ void UnconditionalPair<Real>::meet(const Real* u, Real ratio, Real shift, const 
 }
 
 template <class Real>
-void UnconditionalPair<Real>::advance(const Real* u, const Real* step, Real share, bool flat,
-                                      Real* next) const {
+void UnconditionalPair<Real>::advance(const Real* u, const Real* step, Real share, bool flat, Real* next) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k) {
-    const Real d = share * step[k];
-    if (flat && meets_[k] != 0) {
-      next[k] = 0;
-    } else {
-      next[k] = u[k] == 0 ? d : along_power(u[k], d, exponent_[k]);
-    }
+    next[k] = flat && meets_[k] != 0 ? Real{0} : advance(u[k], share * step[k], share, k);
+    if (elementary::fabs(next[k]) < kAtFace * elementary::fabs(u[k])) before_[k] = elementary::fabs(u[k]);
   }
+}
+
+// Where the power of a step is out of bounds the step is straight, unless that would creep along the face.
+template <class Real>
+Real UnconditionalPair<Real>::advance(Real u_k, Real d, Real share, std::size_t k) const {
+  const Real straight = u_k + d;
+  if (u_k == 0) return straight;
+  const Real moved = along_power(u_k, d, exponent_[k]);
+  if (elementary::fabs(moved) < kFarthest) return moved;
+  const double answer = exponent_[k] * std::log(std::fabs(static_cast<double>(straight / u_k)));
+  const bool creeps = 0 < answer && answer < kCreeping && elementary::fabs(straight) < kAtFace * before_[k];
+  if (!creeps) return straight;
+  return moved < 0 ? -share * before_[k] : share * before_[k];
 }
 
 template class UnconditionalPair<double>;

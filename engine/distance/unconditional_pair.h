@@ -32,8 +32,10 @@ class UnconditionalPair {
   /// Whether faces meet, in some coordinates but not in all.
   bool has_flats() const noexcept { return 0 < meeting_ && meeting_ < n_; }
 
-  /// The way from u along share · step, n numbers; with `flat` to u_k = 0 where faces meet.
-  void advance(const Real* u, const Real* step, Real share, bool flat, Real* next) const;
+  /// The way from u along share · step, n numbers; with `flat` to u_k = 0 where faces meet. No step
+  /// tells how far away from a face: where one that had led there turns out to have been wrong, u_k returns
+  /// to share times what it was before.
+  void advance(const Real* u, const Real* step, Real share, bool flat, Real* next);
 
  private:
   struct Side {
@@ -45,6 +47,7 @@ class UnconditionalPair {
     Real middle, extent;  ///< of the face across u_k = 0
     Real reach;           ///< |s_k - c_k|
   };
+  Real advance(Real u_k, Real d, Real share, std::size_t k) const;
   Coordinate coordinate(const Side& side, Real s_k, Real change, std::size_t k) const;
 
   int n_ = 0;
@@ -52,6 +55,7 @@ class UnconditionalPair {
   Side A_, Q_;
   AlignedBuffer<double> exponent_;
   AlignedBuffer<int> meets_;
+  AlignedBuffer<Real> before_;  // |u_k| before the step that led to the face; 0 where it is not there
 };
 
 }  // namespace raygauge

@@ -58,6 +58,7 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
   lower_ = 0;
   upper_ = kInfinity;
   outer_iterations_ = 0;
+  witness_evaluations_ = 0;
   attempts_to_close_ = 0;
 }
 
@@ -125,18 +126,23 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
   for (int k = 0; k < n_; ++k) {
     result.normal[k] = normal_[static_cast<std::size_t>(k)] * (scaled_ ? scaling_.factor_Q()[k] : 1.0);
   }
-  DistanceCounters counters;
   if (double* contact = result.room_for_contact(effects, n_)) {
     last_vertices_.contact_point(contact);
     for (int k = 0; scaled_ && k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
-    ++counters.witness_evaluations;
+    ++witness_evaluations_;
   }
+  result.counters = counters();
+}
+
+DistanceCounters ZhengYamane::counters() const {
+  DistanceCounters counters;
   counters.outer_iterations = outer_iterations_;
   counters.ray_iterations = shooter_.iterations();
   counters.support_queries = 2 * shooter_.iterations();
   counters.pivots = shooter_.pivots();
   counters.refactorisations = shooter_.refactorisations();
-  result.counters = counters;
+  counters.witness_evaluations = witness_evaluations_;
+  return counters;
 }
 
 }  // namespace raygauge

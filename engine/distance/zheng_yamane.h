@@ -29,6 +29,9 @@ class ZhengYamane {
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
              const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
 
+  /// What the last solve did, whether or not it was concluded here.
+  DistanceCounters counters() const;
+
   void contact_combination(WeightedPoints& combination) const {
     last_vertices_.contact_combination(combination);
   }
@@ -60,6 +63,7 @@ class ZhengYamane {
   double upper_ = 0;
   double sigma_ = 0;
   std::int64_t outer_iterations_ = 0;
+  std::int64_t witness_evaluations_ = 0;
   int attempts_to_close_ = 0;
   AlignedBuffer<double> center_;
   AlignedBuffer<double> normal_;  // direction of lower_, scaled units
