@@ -11,6 +11,7 @@ namespace raygauge {
 namespace {
 
 constexpr int kAttemptsToClose = 8;     // outer iterations that pass the published test but leave a gap
+constexpr int kPatience = 3;            // outer iterations that do not raise η: rounding has the last word
 constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
 
 // Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for
@@ -60,6 +61,7 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
   outer_iterations_ = 0;
   witness_evaluations_ = 0;
   attempts_to_close_ = 0;
+  idle_ = 0;
 }
 
 ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
@@ -67,7 +69,9 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
   const bool endless = end == RayShooter::End::iteration_limit && options_.max_iterations == 0;
   if (end == RayShooter::End::missed || end == RayShooter::End::failed || endless) return Step::give_up;
   sigma_ = shooter_.sigma();
+  const double bound_before = lower_;
   bound_from_below();
+  idle_ = lower_ > bound_before ? 0 : idle_ + 1;
   if (end != RayShooter::End::hit) {
     status_ =
         end == RayShooter::End::time_limit ? DistanceStatus::time_limit : DistanceStatus::iteration_limit;
@@ -75,7 +79,7 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
     return Step::done;
   }
   if (!(eta_next_ > 0)) return Step::give_up;  // h_A(n_k) >= 0: the origin may lie in A
-  if (std::fabs(sigma_ - 1) >= options_.tolerance) return Step::go_on;
+  if (std::fabs(sigma_ - 1) >= options_.tolerance) return idle_ > kPatience ? Step::give_up : Step::go_on;
 
   bound_from_above();
   const bool closed = is_closed(lower_, upper_, options_.tolerance);

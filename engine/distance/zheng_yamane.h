@@ -65,6 +65,7 @@ class ZhengYamane {
   std::int64_t outer_iterations_ = 0;
   std::int64_t witness_evaluations_ = 0;
   int attempts_to_close_ = 0;
+  int idle_ = 0;
   AlignedBuffer<double> center_;
   AlignedBuffer<double> normal_;  // direction of lower_, scaled units
 };

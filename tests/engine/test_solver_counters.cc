@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "engine/sets/ellipsoid.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
+#include "tests/linear_algebra.h"
 
 namespace raygauge::test_solver_counters {
 namespace {
@@ -61,6 +63,27 @@ TEST_P(PublishedRule, StopsOnSigmaAndReportsTheTrueGap) {
     EXPECT_LE(published.counters.outer_iterations, certified.counters.outer_iterations);
     const bool closed = published.upper - published.lower <= 1e-6 * published.upper;
     EXPECT_EQ(published.status == DistanceStatus::optimal, closed) << to_string(published.status);
+  }
+}
+
+/// Semi-axes 0.5, 1 and 2, in random directions.
+Ellipsoid random_ellipsoid(const Vector& center, Random& random) {
+  const Eigen::Vector3d semi_axes(0.5, 1, 2);
+  return {center, orthogonal_factor(gaussian_points(3, 3, random)) * semi_axes.asDiagonal()};
+}
+
+// At a tolerance near what doubles resolve of rays, the same η used to come back 900 times.
+TEST(ZhengYamaneCounters, ItHandsOverWhenRoundingKeepsItWhereItIs) {
+  DistanceOptions options;
+  options.method = DistanceMethod::zheng_yamane;
+  options.tolerance = 1e-10;
+  DistanceSolver solver(options);
+  Random random(132);
+  for (int i = 0; i < 50; ++i) {
+    const Ellipsoid A = random_ellipsoid(8 * gaussian_points(3, 1, random).normalized(), random);
+    const DistanceResult& result = solver.solve(A, random_ellipsoid(Vector::Zero(3), random));
+    EXPECT_EQ(result.status, DistanceStatus::optimal) << "pair " << i;
+    EXPECT_LE(result.counters.outer_iterations, 40) << "pair " << i;
   }
 }
 
