@@ -75,13 +75,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 }
 
 AppendedFile::AppendedFile(std::filesystem::path path)
-    : path_(std::move(path)),
-      descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)),
-      size_(descriptor_ < 0 ? -1 : ::lseek(descriptor_, 0, SEEK_END)) {
-  if (size_ >= 0) return;
-  const int reason = errno;
-  if (descriptor_ >= 0) ::close(descriptor_);
-  throw ResultsError(path_.string() + ": cannot open: " + system_reason(reason));
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+  if (descriptor_ < 0) throw ResultsError(path_.string() + ": cannot open: " + system_reason(errno));
 }
 
 AppendedFile::~AppendedFile() { ::close(descriptor_); }
@@ -89,12 +84,13 @@ AppendedFile::~AppendedFile() { ::close(descriptor_); }
 void AppendedFile::append(std::string_view block) {
   {
     const std::scoped_lock lock(mutex_);
+    const off_t size = ::lseek(descriptor_, 0, SEEK_END);
     if (!write_all(descriptor_, block)) {
       const int reason = errno;
-      if (::ftruncate(descriptor_, size_) != 0) errno = 0;  // half a block is no block to its readers either
+      // Where that fails too: half a block is no block to its readers either.
+      if (size < 0 || ::ftruncate(descriptor_, size) != 0) errno = 0;
       throw ResultsError(path_.string() + ": cannot write: " + system_reason(reason));
     }
-    size_ += static_cast<std::ptrdiff_t>(block.size());
   }
   if (::fdatasync(descriptor_) != 0) {
     throw ResultsError(path_.string() + ": cannot write: " + system_reason(errno));

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <mutex>
 #include <string>
@@ -37,7 +36,6 @@ class AppendedFile {
   std::filesystem::path path_;
   int descriptor_;
   std::mutex mutex_;  ///< guards the end of the file
-  std::ptrdiff_t size_;
 };
 
 /// The system's words for an errno value: "No space left on device".

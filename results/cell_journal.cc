@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -18,6 +19,7 @@
 
 #include "results/csv.h"
 #include "results/exceptions.h"
+#include "results/run_directory.h"
 #include "results/schema.h"
 
 namespace raygauge {
@@ -29,6 +31,12 @@ constexpr std::string_view kCellMark = "# cell ";
 std::string format_mark() { return "# " + std::string(kFormatName) + ", schema version "; }
 
 std::string journal_head() { return format_mark() + std::to_string(kSchemaVersion) + "\n" + csv_header(); }
+
+/// `path`, where there is now a journal without cells.
+fs::path created(const fs::path& path) {
+  write_atomically(path, journal_head(), path.string() + std::string(kTemporarySuffix));
+  return path;
+}
 
 /// The line before the rows of a cell.
 std::string cell_heading(std::uint64_t cell, std::string_view rows) {
@@ -61,7 +69,7 @@ std::optional<JournalCell> whole_cell(std::string_view text) {
   const auto cell = take_number(rest);
   rest.remove_prefix(std::min<std::size_t>(2, rest.size()));
   const auto size = take_number(rest);
-  if (!cell || !size || *size > text.size() - heading.size()) return std::nullopt;
+  if (!cell || !size || *size == 0 || *size > text.size() - heading.size()) return std::nullopt;
   const std::string_view rows = text.substr(heading.size(), *size);
   if (cell_heading(*cell, rows) != heading) return std::nullopt;
   return JournalCell{*cell, rows, heading.size() + rows.size()};
@@ -72,6 +80,7 @@ std::string bytes_of(const fs::path& path) {
   if (!file) throw ResultsError(path.string() + ": cannot open: " + system_reason(errno));
   std::ostringstream bytes;
   bytes << file.rdbuf();
+  if (file.bad() || bytes.bad()) throw ResultsError(path.string() + ": cannot read: " + system_reason(errno));
   return std::move(bytes).str();
 }
 
@@ -103,8 +112,7 @@ std::vector<Record> records_of(const JournalCell& cell, const std::string& file)
 
 }  // namespace
 
-CellJournal::CellJournal(const fs::path& path)
-    : file_((write_atomically(path, journal_head(), path.string() + ".tmp"), path)) {}
+CellJournal::CellJournal(const fs::path& path) : file_(created(path)) {}
 
 void CellJournal::append(std::uint64_t cell, const std::vector<Record>& records) {
   const std::string rows = csv_rows(records);
@@ -126,7 +134,7 @@ std::vector<Record> read_cell_journal(const fs::path& path) {
       records.insert(records.end(), std::make_move_iterator(part.begin()),
                      std::make_move_iterator(part.end()));
     } else {
-      rest.remove_prefix(std::min(rest.find("\n" + std::string(kCellMark)), rest.size() - 1) + 1);
+      rest.remove_prefix(std::min(rest.find(kCellMark, 1), rest.size()));
     }
   }
   return records;

@@ -24,7 +24,8 @@ std::string real_field(double value, int digits) {
 }
 
 std::string text_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  // The # that begins a comment to many readers is quoted too.
+  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 

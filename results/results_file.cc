@@ -36,6 +36,9 @@ void add_sessions(Provenance& provenance, const PartList& parts) {
 /// Adds the cells of `parts` that `results` does not have yet.
 void add_cells(ResultsFile& results, const PartList& parts) {
   for (const auto& [session, path] : parts.journals) {
+    if (session >= results.provenance.sessions.size()) {
+      throw ResultsError(path.string() + ": the session of these cells is missing");
+    }
     const std::set<std::uint64_t> known = results.cells();
     std::vector<Record> part = read_cell_journal(path);
     std::erase_if(part, [&known](const Record& record) { return known.count(record.cell) != 0; });
@@ -68,12 +71,11 @@ std::set<std::uint64_t> ResultsFile::cells() const {
 }
 
 ResultsFile read_results(const std::string& path) {
-  // A run that ends while it is read replaces the parts by the file. The second time everything is in the
-  // file.
+  // A run that begins a session or ends while it is read adds parts, or replaces them by the file: what a
+  // list of the folder missed. The second time it is there.
   try {
     return read_once(path);
   } catch (const ResultsError&) {
-    if (!fs::exists(path)) throw;
     return read_once(path);
   }
 }

@@ -24,7 +24,6 @@ struct PartKind {
 
 constexpr PartKind kJournal = {"cells-", ".csv"};
 constexpr PartKind kSession = {"session-", ".h5"};
-constexpr std::string_view kTemporarySuffix = ".tmp";
 
 std::string part_name(const PartKind& kind, std::uint64_t number) {
   constexpr std::size_t kWidth = 4;

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "results/file_lock.h"
 
@@ -27,6 +28,9 @@ struct PartList {
 
   bool empty() const noexcept { return journals.empty() && sessions.empty(); }
 };
+
+/// Of files that are being written.
+inline constexpr std::string_view kTemporarySuffix = ".tmp";
 
 /// TARGET.parts.
 std::filesystem::path parts_folder(const std::filesystem::path& target);

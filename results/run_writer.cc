@@ -27,12 +27,16 @@ std::map<std::string, int> method_ranks(const Experiment& experiment) {
   return ranks;
 }
 
-/// "3 cells"
+/// "3 cells", or "cells" where they cannot be read.
 std::string cells_of(const PartList& parts) {
   ResultsFile stored;
-  for (const auto& [session, path] : parts.journals) {
-    const std::vector<Record> part = read_cell_journal(path);
-    stored.records.insert(stored.records.end(), part.begin(), part.end());
+  try {
+    for (const auto& [session, path] : parts.journals) {
+      const std::vector<Record> part = read_cell_journal(path);
+      stored.records.insert(stored.records.end(), part.begin(), part.end());
+    }
+  } catch (const ResultsError&) {
+    return "cells";
   }
   const std::size_t count = stored.cells().size();
   return std::to_string(count) + (count == 1 ? " cell" : " cells");
@@ -161,7 +165,8 @@ void RunWriter::store(const CellResult& cell) {
   std::move(records.begin(), records.end(), std::back_inserter(results_.records));
 }
 
-/// Writes the one file. Where that fails, the session's part is to know its end and its calibration.
+/// Writes the one file. Only where that fails the session's part is told of its end and its calibration: two
+/// more files brought to the disk would cost every run what they spare one that is killed right here.
 void RunWriter::merge() const {
   try {
     directory_.store_target(encode_results(results_));

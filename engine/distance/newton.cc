@@ -97,6 +97,7 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   }
   lower_ = 0;
   upper_ = kInfinity;
+  residual_ = kInfinity;
   combination_.clear(n_);
   evaluations_ = 0;
   witness_evaluations_ = 0;

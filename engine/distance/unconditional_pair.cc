@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raygauge {
 namespace {
@@ -27,6 +28,14 @@ Real along_power(Real u, Real d, double a) {
   double logarithm = relative;
   if (a > 0) logarithm = (change > -1 ? std::log1p(change) : std::log(-1 - change)) / a;
   return u * std::copysign(std::exp(logarithm), 1 + change);
+}
+
+// The way from u > 0 back to the greater `before`, for a smaller share a part of it in equal ratios: there
+// may be a hundred powers of ten between them. The root, because the first trial is rarely too far.
+template <class Real>
+Real way_back(Real u, Real before, double share) {
+  const Real from = std::max(u, Real{std::numeric_limits<double>::min()});
+  return from * std::exp(std::cbrt(share) * std::log(static_cast<double>(before / from)));
 }
 
 }  // namespace
@@ -92,7 +101,8 @@ template <class Real>
 void UnconditionalPair<Real>::advance(const Real* u, const Real* step, Real share, bool flat, Real* next) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k) {
     next[k] = flat && meets_[k] != 0 ? Real{0} : advance(u[k], share * step[k], share, k);
-    if (elementary::fabs(next[k]) < kAtFace * elementary::fabs(u[k])) before_[k] = elementary::fabs(u[k]);
+    const Real length = elementary::fabs(u[k]);
+    if (before_[k] == 0 && elementary::fabs(next[k]) < kAtFace * length) before_[k] = length;
   }
 }
 
@@ -106,7 +116,8 @@ Real UnconditionalPair<Real>::advance(Real u_k, Real d, Real share, std::size_t 
   const double answer = exponent_[k] * std::log(std::fabs(static_cast<double>(straight / u_k)));
   const bool creeps = 0 < answer && answer < kCreeping && elementary::fabs(straight) < kAtFace * before_[k];
   if (!creeps) return straight;
-  return moved < 0 ? -share * before_[k] : share * before_[k];
+  const Real back = way_back(elementary::fabs(u_k), before_[k], static_cast<double>(share));
+  return moved < 0 ? -back : back;
 }
 
 template class UnconditionalPair<double>;

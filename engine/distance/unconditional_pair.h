@@ -32,9 +32,9 @@ class UnconditionalPair {
   /// Whether faces meet, in some coordinates but not in all.
   bool has_flats() const noexcept { return 0 < meeting_ && meeting_ < n_; }
 
-  /// The way from u along share · step, n numbers; with `flat` to u_k = 0 where faces meet. No step
-  /// tells how far away from a face: where one that had led there turns out to have been wrong, u_k returns
-  /// to share times what it was before.
+  /// The way from u along share · step, n numbers; with `flat` to u_k = 0 where faces meet. No step tells how
+  /// far away from a face: where one that had led there turns out to have been wrong, u_k returns to what it
+  /// was before, or for a smaller share so much of that way.
   void advance(const Real* u, const Real* step, Real share, bool flat, Real* next);
 
  private:

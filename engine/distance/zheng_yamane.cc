@@ -10,8 +10,8 @@
 namespace raygauge {
 namespace {
 
-constexpr int kAttemptsToClose = 8;     // outer iterations that pass the published test but leave a gap
-constexpr int kPatience = 3;            // outer iterations that do not raise η: rounding has the last word
+constexpr int kAttemptsToClose = 8;  // outer iterations that pass the published test but leave a gap
+constexpr int kPatience = 3;  // outer iterations that do not raise the bound: rounding has the last word
 constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
 
 // Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for

@@ -23,7 +23,8 @@ namespace raygauge {
 /// upper bound, and the iteration goes on until the gap is closed.
 ///
 /// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this
-/// does not hold the solve is not concluded here: solve() returns false and the caller turns to `direct`.
+/// does not hold, a ray fails or goes in circles, or rounding keeps the bound from rising, the solve is not
+/// concluded here: solve() returns false and the caller turns to `direct`.
 class ZhengYamane {
  public:
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,

@@ -204,6 +204,7 @@ TEST(PowerSteps, AreFew) {
                                                          {100, 100, 30},
                                                          {1e6, 1e6, 30},
                                                          {1e6, 3, 40},
+                                                         {1e6, 1.5, 50},
                                                          {3, 1e6, 30}}) {
     for (const int n : {3, 8, 20}) {
       Random random(82);

@@ -85,11 +85,23 @@ TEST_F(CellJournalTest, CutShortAnywhereItHoldsTheCellsBefore) {
 TEST_F(CellJournalTest, ACellIsLeftOutWhereverABitOfItFlips) {
   const std::vector<std::size_t> lengths = write({0, 1, 2});
   const std::string bytes = read_bytes(path_);
-  for (std::size_t i = lengths[1]; i < lengths[2]; i += 3) {
+  for (std::size_t i = lengths[1]; i < lengths[2]; ++i) {
     std::string damaged = bytes;
     damaged[i] = static_cast<char>(damaged[i] ^ 1);
     write_bytes(path_, damaged);
     ASSERT_EQ(found(), (std::set<std::uint64_t>{0, 2})) << i;
+  }
+}
+
+TEST_F(CellJournalTest, CellsAfterOneThatIsTornOrEmptyAreRead) {
+  const std::vector<std::size_t> lengths = write({0, 1, 2});
+  const std::string bytes = read_bytes(path_);
+  const std::string before = bytes.substr(0, lengths[1]), after = bytes.substr(lengths[2]);
+  const std::string torn = bytes.substr(lengths[1], (lengths[2] - lengths[1]) / 2);
+  for (const std::string& middle : {torn, std::string(lengths[2] - lengths[1], '\0'), std::string("#"),
+                                    std::string("# cell 2: 0 bytes, CRC-32 00000000\n")}) {
+    write_bytes(path_, before + middle + after);
+    EXPECT_EQ(found(), (std::set<std::uint64_t>{0, 2})) << middle;
   }
 }
 

@@ -95,6 +95,9 @@ TEST_F(Csv, TextsAreQuotedWhereTheyNeedIt) {
   record.method = "a \"quoted\", divided\nlabel";
   write_csv(path_, {record});
   EXPECT_NE(read_bytes(path_).find(",plain,,\"a \"\"quoted\"\", divided\nlabel\","), std::string::npos);
+  record.method = "newton #2";
+  write_csv(path_, {record});
+  EXPECT_NE(read_bytes(path_).find(",plain,,\"newton #2\","), std::string::npos);
 }
 
 TEST_F(Csv, RowsAreReadBackBitForBit) {

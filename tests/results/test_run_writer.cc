@@ -227,6 +227,24 @@ TEST_F(RunWriterTest, ADamagedSessionIsNamed) {
   EXPECT_EQ(error_opening(RunMode::resume).substr(0, part.size() + 22), part + ": truncated or damaged");
 }
 
+TEST_F(RunWriterTest, CellsWithoutTheirSessionAreNotTakenForAnotherOnes) {
+  write(RunMode::create, {0}, false);
+  write(RunMode::resume, {1}, false);
+  std::filesystem::remove(path_ + ".parts/session-0001.h5");
+  const std::string journal = path_ + ".parts/cells-0001.csv";
+  EXPECT_EQ(error_opening(RunMode::resume), journal + ": the session of these cells is missing");
+  std::filesystem::remove(journal);
+  write(RunMode::resume, {1, 2, 3}, true);
+  EXPECT_EQ(found(), expected());
+}
+
+TEST_F(RunWriterTest, CreateRefusesPartsThatItCannotCount) {
+  write(RunMode::create, {0, 1}, false);
+  write_bytes(path_ + ".parts/cells-0000.csv", "");
+  EXPECT_EQ(error_opening(RunMode::create),
+            path_ + ".parts: holds cells of an unfinished run; --resume continues it, --force discards it");
+}
+
 TEST_F(RunWriterTest, ACellIsStoredOnlyOnce) {
   write(RunMode::create, {0}, false);
   RunWriter run(path_, experiment_, RunMode::resume, sample_session());
