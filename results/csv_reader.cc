@@ -31,7 +31,7 @@ class FieldReader {
  private:
   std::string take_plain() {
     const std::size_t length = std::min(rest_.find_first_of(",\n"), rest_.size());
-    const std::string field(rest_.substr(0, length));
+    std::string field(rest_.substr(0, length));
     rest_.remove_prefix(length);
     return field;
   }
