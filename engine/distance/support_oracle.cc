@@ -25,13 +25,15 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
   if (points_ == nullptr) {
     magnitude_.reserve(n);
     S.magnitude_unchecked(magnitude_.data());
+    const bool is_origin = *std::max_element(magnitude_.data(), magnitude_.data() + n) == 0;
     double largest = 0;
     for (std::size_t k = 0; k < n; ++k) {
       magnitude_[k] *= factor_[k];
       largest = std::max(largest, magnitude_[k]);
     }
     largest_magnitude_ = largest;
-    coordinate_error_ = ConvexSet::rounding_error(S.dimension()) * largest + kUnderflow;
+    underflow_ = is_origin ? 0.0 : kUnderflow;
+    coordinate_error_ = ConvexSet::rounding_error(S.dimension()) * largest + underflow_;
     return;
   }
   coordinate_error_ = 0;
@@ -70,7 +72,7 @@ SupportValue SupportOracle::verify(const double* u, double sign, double known, d
   const int n = set_->dimension();
   double magnitude = 0;
   for (int k = 0; k < n; ++k) magnitude += std::fabs(u[k]) * magnitude_[static_cast<std::size_t>(k)];
-  result.error = ConvexSet::rounding_error(n) * magnitude + kUnderflow;
+  result.error = ConvexSet::rounding_error(n) * magnitude + underflow_;
   return result;
 }
 
@@ -111,7 +113,7 @@ double SupportOracle::magnitude(int k) const noexcept {
 }
 
 double SupportOracle::coordinate_error(int k) const noexcept {
-  return points_ != nullptr ? 0.0 : ConvexSet::rounding_error(set_->dimension()) * magnitude(k) + kUnderflow;
+  return points_ != nullptr ? 0.0 : ConvexSet::rounding_error(set_->dimension()) * magnitude(k) + underflow_;
 }
 
 double SupportOracle::gauge(const double* x, double* normal) {

@@ -57,6 +57,7 @@ class SupportOracle {
   const double* factor_ = nullptr;
   const Kernels* kernels_ = nullptr;
   WorkingSet working_;
+  double underflow_ = 0;  // what underflow may cost: nothing where all numbers are 0, of a set that is {0}
   double coordinate_error_ = 0;
   double largest_magnitude_ = 0;
   AlignedBuffer<double> unit_;  // n ones, where no scaling is asked for
