@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -95,6 +97,15 @@ void AppendedFile::append(std::string_view block) {
   if (::fdatasync(descriptor_) != 0) {
     throw ResultsError(path_.string() + ": cannot write: " + system_reason(errno));
   }
+}
+
+std::string file_bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ResultsError(path.string() + ": cannot open: " + system_reason(errno));
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (file.bad() || bytes.bad()) throw ResultsError(path.string() + ": cannot read: " + system_reason(errno));
+  return std::move(bytes).str();
 }
 
 std::string system_reason(int error_number) { return std::generic_category().message(error_number); }

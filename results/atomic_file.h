@@ -38,6 +38,9 @@ class AppendedFile {
   std::mutex mutex_;  ///< guards the end of the file
 };
 
+/// The whole file. Throws ResultsError with the system's reason.
+std::string file_bytes(const std::filesystem::path& path);
+
 /// The system's words for an errno value: "No space left on device".
 std::string system_reason(int error_number);
 

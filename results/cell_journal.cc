@@ -6,14 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -75,15 +72,6 @@ std::optional<JournalCell> whole_cell(std::string_view text) {
   return JournalCell{*cell, rows, heading.size() + rows.size()};
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ResultsError(path.string() + ": cannot open: " + system_reason(errno));
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (file.bad() || bytes.bad()) throw ResultsError(path.string() + ": cannot read: " + system_reason(errno));
-  return std::move(bytes).str();
-}
-
 void check_head(std::string_view text, const std::string& file) {
   const std::string mark = format_mark();
   std::string_view rest = text.substr(std::min(mark.size(), text.size()));
@@ -120,7 +108,7 @@ void CellJournal::append(std::uint64_t cell, const std::vector<Record>& records)
 }
 
 std::vector<Record> read_cell_journal(const fs::path& path) {
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = file_bytes(path);
   check_head(bytes, path.string());
   std::string_view rest(bytes);
   rest.remove_prefix(journal_head().size());

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <mutex>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -124,9 +123,7 @@ void read_file(const std::filesystem::path& path, const std::function<void(H5::G
 
 void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
   require_hdf5(path);
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  if (has_damaged_global_heap(bytes.view())) {
+  if (has_damaged_global_heap(file_bytes(path))) {
     throw ResultsError(path.string() + ": truncated or damaged: a text does not lie within its heap");
   }
   read_file(path, body);
