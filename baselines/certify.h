@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "baselines/gauge_lp.h"
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 
 namespace raygauge {
 

@@ -12,7 +12,7 @@
 #include "baselines/exact_columns.h"
 #include "baselines/float_start.h"
 #include "engine/exceptions.h"
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {

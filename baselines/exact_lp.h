@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "baselines/exact_number.h"
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 #include "engine/sets/point_set.h"
 
 namespace raygauge {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {

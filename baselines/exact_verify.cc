@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/exceptions.h"
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {

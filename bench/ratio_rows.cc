@@ -14,7 +14,7 @@
 
 #include "bench/streaming_pass.h"
 #include "bench/timed_medians.h"
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "engine/sweep/order_statistics.h"
 
 namespace raygauge::bench {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/ratio_rows.h"
-#include "engine/kernel/kernel.h"
+#include "engine/kernels/kernel.h"
 
 namespace raygauge::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bench/workload.h"
-#include "engine/distance/point_set_direct.h"
+#include "engine/methods/column_generation/sifting.h"
 #include "engine/sweep/order_statistics.h"
 
 namespace raygauge::bench {
@@ -30,7 +30,7 @@ struct Pair {
   double trusted = std::numeric_limits<double>::infinity();
 };
 
-double seconds_of(PointSetDirect& solver, const Instance& instance, const DistanceOptions& options,
+double seconds_of(Sifting& solver, const Instance& instance, const DistanceOptions& options,
                   DistanceResult& result) {
   constexpr int kRepeats = 8;  // a solve is short against the clock's resolution
   const auto begin = std::chrono::steady_clock::now();
@@ -42,7 +42,7 @@ double seconds_of(PointSetDirect& solver, const Instance& instance, const Distan
 
 // Medians over the cell's instances, of the best of the rounds.
 Pair measure_cell(int n, int N, const Settings& settings) {
-  PointSetDirect proving, trusting;
+  Sifting proving, trusting;
   trusting.trust_simplex(true);
   DistanceOptions options;
   options.tolerance = settings.tolerance;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/truncated_cone.h"
 

@@ -5,7 +5,7 @@
 
 #include "bench/streaming_pass.h"
 #include "bench/workload.h"
-#include "engine/kernel/kernel.h"
+#include "engine/kernels/kernel.h"
 
 namespace raygauge::bench {
 namespace {

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "cli/program.h"
+#include "cli/commands/program.h"
 
 int main(int argc, char** argv) { return raygauge::cli::run_program(argc, argv); }

@@ -15,10 +15,6 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
-# g++ looks for memory to free when its heap has grown to 256 MB, and whenever it has doubled. First at 2 GB, which no
-# file here needs, it never does: a twentieth of the instructions and a tenth of the time to compile are spared.
-add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>)
-
 # Programs look for libraries where they were linked. CMake's own search path, for what is not installed yet, ends with an
 # empty entry: the folder that one happens to be in.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
@@ -27,16 +23,11 @@ set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 # No room waits for another one's archive before it compiles: both cores stay busy.
 set(CMAKE_OPTIMIZE_DEPENDENCIES ON)
 
-# Half of the compile time goes into a few large headers. Compiler caches cannot follow precompiled ones, though.
+# Half of the compile time goes into a few large headers, which each room precompiles. Compiler caches cannot follow
+# precompiled headers.
 if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
-
-# The other half goes into compiling the same templates in file after file: several files of a room are compiled as one,
-# so that even names without linkage are unique within a room. Off (-DRAYGAUGE_UNITY_BUILD=OFF) while one of them is
-# edited again and again.
-option(RAYGAUGE_UNITY_BUILD "Compile several files of a room as one" ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8 CACHE STRING "Files compiled as one")
 
 # Usage requirements of our own code only; never exported to users of the package.
 add_library(raygauge_warnings INTERFACE)
@@ -48,51 +39,24 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
                          -Wno-maybe-uninitialized)
 endif()
 
-# A target of nothing but precompiled headers, for others to reuse.
-file(WRITE ${PROJECT_BINARY_DIR}/nothing.cc "")
-function(raygauge_headers name)
-  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/nothing.cc)
-  target_link_libraries(${name} PRIVATE raygauge_warnings)
-endfunction()
+# No product and sum is fused where a CPU could: instances, statistics and error-free transformations have the same bits on
+# every machine. The vector kernels, which ask for fused operations by name, say so themselves.
+add_compile_options(-ffp-contract=off)
 
-set(_headers_of_rooms <algorithm> <cmath> <functional> <map> <memory> <string> <vector> <Eigen/Core>)
-
-# The headers of all rooms that are optimised at `level`: g++ takes the level from what is precompiled.
-function(raygauge_reuse_headers target level)
-  string(REPLACE "-" "" _headers "raygauge_headers_${level}")
-  if(NOT TARGET ${_headers})
-    raygauge_headers(${_headers})
-    target_link_libraries(${_headers} PRIVATE raygauge::engine)
-    target_compile_options(${_headers} PRIVATE $<$<CONFIG:Release>:${level}> -ffp-contract=off)
-    target_precompile_headers(${_headers} PRIVATE ${_headers_of_rooms})
-  endif()
-  target_precompile_headers(${target} REUSE_FROM ${_headers})
-endfunction()
-
-# raygauge_room(NAME [LEVEL -Ox] SOURCES...) declares the library of one top-level folder. A room where little time is
-# spent says with LEVEL how much it is optimised in a release: half of the time to compile it goes into -O3.
+# raygauge_room(NAME [EXTRA...] [SOURCES sources...]) declares the library of one top-level folder, made of every source
+# in it (or of SOURCES alone) and of EXTRA.
 function(raygauge_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 _room "" "LEVEL" "")
-  add_library(raygauge_${name} STATIC ${_room_UNPARSED_ARGUMENTS})
+  cmake_parse_arguments(PARSE_ARGV 1 _room "" "" "SOURCES")
+  if(NOT _room_SOURCES)
+    file(GLOB_RECURSE _room_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cc)
+    list(REMOVE_ITEM _room_SOURCES main.cc)
+  endif()
+  add_library(raygauge_${name} STATIC ${_room_SOURCES} ${_room_UNPARSED_ARGUMENTS})
   add_library(raygauge::${name} ALIAS raygauge_${name})
   target_include_directories(raygauge_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_warnings>)
-  set_target_properties(raygauge_${name} PROPERTIES UNITY_BUILD ${RAYGAUGE_UNITY_BUILD})
-  if(_room_LEVEL)
-    # What these rooms compute is the same, bit for bit, on any machine: nothing is fused where a CPU could.
-    target_compile_options(raygauge_${name} PRIVATE $<$<CONFIG:Release>:${_room_LEVEL}> -ffp-contract=off)
-    raygauge_reuse_headers(raygauge_${name} ${_room_LEVEL})
-  else()
-    target_precompile_headers(raygauge_${name} PRIVATE ${_headers_of_rooms})
-  endif()
-endfunction()
-
-# raygauge_compile_together(TARGET COUNT) compiles at least so many files of a target as one: the templates that they
-# share are compiled once, which spares a fifth of the work. At 30 the compiler takes 1.3 GB.
-function(raygauge_compile_together target count)
-  if(CMAKE_UNITY_BUILD_BATCH_SIZE LESS count)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${count})
-  endif()
+  target_precompile_headers(raygauge_${name} PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
+                                                     <Eigen/Core>)
 endfunction()
 
 # raygauge_require(PACKAGE DEBIAN_PACKAGE ...) finds a package or says in one line what to install.

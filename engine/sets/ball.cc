@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/ball.h"
 
-#include "engine/exact_sum.h"
+#include "engine/numerics/exact_sum.h"
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 

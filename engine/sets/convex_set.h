@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/sets/quad.h"
+#include "engine/numerics/quad.h"
 
 namespace raygauge {
 

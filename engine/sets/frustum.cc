@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sets/vector_kernels.h"
+#include "engine/numerics/vector_kernels.h"
 
 namespace raygauge {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/set_sums.h"
-#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 

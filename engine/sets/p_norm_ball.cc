@@ -8,9 +8,9 @@
 #include <string>
 
 #include "engine/exceptions.h"
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 namespace {

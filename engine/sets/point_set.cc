@@ -9,8 +9,8 @@
 #include <string>
 
 #include "engine/exceptions.h"
-#include "engine/kernel/kernel.h"
-#include "engine/sets/vector_kernels.h"
+#include "engine/kernels/kernel.h"
+#include "engine/numerics/vector_kernels.h"
 
 namespace raygauge {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/vector_kernels.h"
 
 namespace raygauge {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "engine/sweep/method.h"
 
 namespace raygauge {

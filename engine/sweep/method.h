@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 #include "engine/sweep/instance.h"
 #include "engine/sweep/registry.h"
 

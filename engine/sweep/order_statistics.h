@@ -25,8 +25,8 @@ struct OrderStatisticInterval {
 /// <= x_(m) are a sample of, d = order_statistic_rank(m, confidence); it is the inverse of the sign test, and
 /// not interpolated. Covers the median of any continuous distribution with probability `confidence` or more
 /// (Conover 1999, "Practical Nonparametric Statistics", section 3.2). Empty where there are too few values;
-/// they hold no NaN. (Reports interpolate: see analysis/statistics.h. For a stopping rule the plain interval
-/// is the cautious one.)
+/// they hold no NaN. (Reports interpolate: see analysis/statistics/statistics.h. For a stopping rule the
+/// plain interval is the cautious one.)
 std::optional<OrderStatisticInterval> order_statistic_interval(std::vector<double> values,
                                                                double confidence = 0.95);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/splitmix64.h"
+#include "engine/numerics/splitmix64.h"
 
 namespace raygauge {
 std::vector<std::size_t> seeded_order(std::size_t count, std::uint64_t seed, std::uint64_t stream) {

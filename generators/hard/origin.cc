@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "generators/hard/origin.h"
 
-#include "engine/floating_point.h"
+#include "engine/numerics/floating_point.h"
 #include "generators/component.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/polytopes.h"

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/figures/figure.h"
+#include "analysis/render/figures/figure.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_figures {

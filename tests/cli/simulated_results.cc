@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 #include "tests/analysis/records.h"
 #include "tests/results/support.h"
 

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "engine/sweep/repetitions.h"
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::test_adaptive_run {

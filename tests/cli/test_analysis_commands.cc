@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 #include "tests/analysis/records.h"
 #include "tests/cli/program_fixture.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <sstream>
 
-#include "cli/registries.h"
+#include "cli/input/registries.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::testing::test_distance_command {

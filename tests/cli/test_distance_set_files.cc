@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "cli/registries.h"
-#include "cli/shapes.h"
+#include "cli/input/registries.h"
+#include "cli/input/shapes.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::testing::test_distance_set_files {

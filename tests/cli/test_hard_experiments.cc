@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/experiment_file.h"
-#include "cli/registries.h"
+#include "cli/input/experiment_file.h"
+#include "cli/input/registries.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::test_hard_experiments {

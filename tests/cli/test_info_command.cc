@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "baselines/registry.h"
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::testing::test_info_command {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "engine/sets/point_set.h"
 
 namespace raygauge {

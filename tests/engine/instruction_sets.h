@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/distance/options.h"
+#include "engine/methods/options.h"
 
 namespace raygauge {
 

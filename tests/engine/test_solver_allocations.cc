@@ -9,8 +9,8 @@
 #include <string>
 #include <tuple>
 
-#include "engine/distance/growth_distance.h"
-#include "engine/distance/object_distance.h"
+#include "engine/queries/growth_distance.h"
+#include "engine/queries/object_distance.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/truncated_cone.h"

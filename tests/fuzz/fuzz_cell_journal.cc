@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "results/cell_journal.h"
-#include "results/csv.h"
-#include "results/results_file.h"
+#include "results/journal/cell_journal.h"
+#include "results/journal/csv.h"
+#include "results/run/results_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -4,7 +4,7 @@
 // and read again.
 #include <optional>
 
-#include "results/csv.h"
+#include "results/journal/csv.h"
 #include "tests/fuzz/harness.h"
 
 namespace raygauge::fuzz {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A file of points in HDF5, by the bytes, asked for its dataset /A.
-#include "results/dataset.h"
+#include "results/schema/dataset.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

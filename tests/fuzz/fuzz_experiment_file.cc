@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // An experiment in TOML: what is accepted has a grid whose cells lie within their documented ranges.
-#include "cli/experiment_file.h"
-#include "cli/registries.h"
+#include "cli/input/experiment_file.h"
+#include "cli/input/registries.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

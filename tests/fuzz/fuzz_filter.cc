@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "analysis/filter.h"
+#include "analysis/data/filter.h"
 #include "tests/fuzz/harness.h"
 
 namespace raygauge::fuzz::filter {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/experiment_file.h"
-#include "cli/registries.h"
+#include "cli/input/experiment_file.h"
+#include "cli/input/registries.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/point_file.h"
+#include "cli/input/point_file.h"
 #include "tests/fuzz/harness.h"
 
 namespace raygauge::fuzz::point_file {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A results file, by the bytes: it is read or refused, and what is read can be written and read again.
 #include "results/exceptions.h"
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "cli/set_file.h"
+#include "cli/input/set_file.h"
 #include "tests/fuzz/scratch_file.h"
 
 namespace raygauge::fuzz {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/distance/solver.h"
 #include "engine/exceptions.h"
+#include "engine/queries/solver.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/truncated_cone.h"
 #include "tests/generators/points_of.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 

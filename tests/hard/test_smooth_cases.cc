@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/point_set.h"
 #include "tests/generators/points_of.h"

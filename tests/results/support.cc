@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "support.h"
+#include "tests/results/support.h"
 
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
@@ -12,8 +12,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "results/identity.h"
-#include "results/schema.h"
+#include "results/run/identity.h"
+#include "results/schema/schema.h"
 
 namespace raygauge::testing {
 namespace fs = std::filesystem;

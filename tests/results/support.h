@@ -9,7 +9,7 @@
 
 #include "engine/sweep/experiment.h"
 #include "engine/sweep/record.h"
-#include "results/results_file.h"
+#include "results/run/results_file.h"
 
 namespace raygauge::testing {
 

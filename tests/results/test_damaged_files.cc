@@ -4,12 +4,12 @@
 #include <H5Cpp.h>
 #include <gtest/gtest.h>
 
-#include "results/column_io.h"
 #include "results/exceptions.h"
-#include "results/hdf5_library.h"
-#include "results/results_file.h"
-#include "results/schema.h"
-#include "support.h"
+#include "results/hdf5/hdf5_library.h"
+#include "results/run/results_file.h"
+#include "results/schema/column_io.h"
+#include "results/schema/schema.h"
+#include "tests/results/support.h"
 
 namespace raygauge::test_damaged_files {
 namespace {

@@ -11,9 +11,9 @@
 #include <random>
 #include <thread>
 
-#include "results/results_file.h"
-#include "results/run_writer.h"
-#include "support.h"
+#include "results/run/results_file.h"
+#include "results/run/run_writer.h"
+#include "tests/results/support.h"
 
 namespace raygauge::test_kill {
 namespace {

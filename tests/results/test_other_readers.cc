@@ -7,9 +7,9 @@
 #include <array>
 #include <cstdio>
 
-#include "results/run_writer.h"
-#include "results/schema.h"
-#include "support.h"
+#include "results/run/run_writer.h"
+#include "results/schema/schema.h"
+#include "tests/results/support.h"
 
 namespace raygauge::test_other_readers {
 namespace {

@@ -10,11 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "results/csv.h"
 #include "results/exceptions.h"
-#include "results/results_file.h"
-#include "results/run_writer.h"
-#include "support.h"
+#include "results/journal/csv.h"
+#include "results/run/results_file.h"
+#include "results/run/run_writer.h"
+#include "tests/results/support.h"
 
 namespace raygauge::test_storage_failures {
 namespace {

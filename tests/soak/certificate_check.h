@@ -5,7 +5,7 @@
 #include <string>
 
 #include "baselines/exact_number.h"
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 
 namespace raygauge::soak {
 

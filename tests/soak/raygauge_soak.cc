@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "results/provenance.h"
+#include "results/provenance/provenance.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 

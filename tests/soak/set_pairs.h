@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 
 namespace raygauge::soak {
 

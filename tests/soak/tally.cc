@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/distance/options.h"
+#include "engine/methods/options.h"
 
 namespace raygauge::soak {
 namespace {

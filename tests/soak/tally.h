@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "engine/distance/result.h"
+#include "engine/methods/result.h"
 
 namespace raygauge::soak {
 

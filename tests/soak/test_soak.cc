@@ -9,7 +9,7 @@
 #include <random>
 
 #include "baselines/exact_verify.h"
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "generators/registry.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/run.h"

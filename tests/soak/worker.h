@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/distance/solver.h"
+#include "engine/queries/solver.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/tally.h"
 #include "tests/soak/variant.h"

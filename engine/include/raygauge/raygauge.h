@@ -3,14 +3,14 @@
 #pragma once
 
 // The whole public interface of the library: sets, the distance between them, and sweeps over many of them.
-#include "engine/distance/gradient.h"
-#include "engine/distance/growth_distance.h"
-#include "engine/distance/object_distance.h"
-#include "engine/distance/options.h"
-#include "engine/distance/origin_in_interior.h"
-#include "engine/distance/result.h"
-#include "engine/distance/solver.h"
 #include "engine/exceptions.h"
+#include "engine/methods/options.h"
+#include "engine/methods/result.h"
+#include "engine/queries/gradient.h"
+#include "engine/queries/growth_distance.h"
+#include "engine/queries/object_distance.h"
+#include "engine/queries/origin_in_interior.h"
+#include "engine/queries/solver.h"
 #include "engine/sets/affine_image.h"
 #include "engine/sets/axis.h"
 #include "engine/sets/ball.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/distance/object_distance.h"
+#include "engine/queries/object_distance.h"
 #include "engine/sets/axis.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/cylinder.h"

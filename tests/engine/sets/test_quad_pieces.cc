@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/cylinder.h"
 #include "engine/sets/truncated_cone.h"
-#include "engine/sets/vector_kernels.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_quad_pieces {

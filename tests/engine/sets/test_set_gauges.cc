@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/distance/support_oracle.h"
-#include "engine/kernel/kernel.h"
+#include "engine/kernels/kernel.h"
+#include "engine/methods/column_generation/support_oracle.h"
+#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/p_norm_ball.h"
-#include "engine/sets/vector_kernels.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_set_gauges {

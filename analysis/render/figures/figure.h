@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/data/filter.h"
+#include "analysis/render/gnuplot.h"
+#include "engine/exceptions.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// The records lack what a figure shows. The message says which figure needs what.
+class FigureNeedsError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Widths of the columns of a printed page.
+enum class FigureSize : std::uint8_t {
+  single,      ///< 3.5 inches
+  double_wide  ///< 7.16 inches
+};
+
+/// "single" or "double". Throws UnknownNameError.
+FigureSize figure_size_from_string(const std::string& name);
+
+/// In inches.
+double width_of(FigureSize size);
+
+struct FigureOptions {
+  FigureSize size = FigureSize::double_wide;
+  Filter filter;
+  std::vector<std::string> baselines;  ///< of ratios; empty: default_baselines()
+};
+
+/// A figure before it is drawn.
+struct Drawing {
+  std::string script;  ///< for gnuplot, without the terminal
+  double width = 0;    ///< inches
+  double height = 0;
+};
+
+struct Figure {
+  std::string name;
+  std::string description;
+  /// Throws FigureNeedsError.
+  std::function<Drawing(const std::vector<Record>&, const FigureOptions&)> make;
+};
+
+/// Every figure: a new one is one file and one line in figure.cc.
+const std::vector<Figure>& figures();
+
+/// Throws UnknownNameError, which lists the known ones.
+const Figure& figure_named(const std::string& name);
+
+/// The picture as the bytes of a file. Throws FigureNeedsError and GnuplotError.
+std::string draw(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
+                 ImageFormat format);
+
+}  // namespace raygauge

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/render/figures/figure.h"
+
+namespace raygauge {
+
+/// Where things are in a figure of equal panels, side by side and below each other, under a legend that goes
+/// across. Lengths in inches.
+struct PanelGrid {
+  std::size_t columns = 1;
+  std::size_t rows = 1;
+  std::size_t legend_columns = 1;
+  double width = 0;
+  double legend = 0;    ///< height of the legend
+  double x_labels = 0;  ///< height of what stands below each row but the last
+  double gap = 0.12;    ///< between columns
+  static constexpr double kLeft = 0.52;
+  static constexpr double kRight = 0.17;  // half of "10^{-10}" below the end of an axis
+  static constexpr double kBottom = 0.42;
+  static constexpr double kTitle = 0.2;
+
+  double panel_width() const;
+  double panel_height() const;
+  double height() const;
+
+  /// Whether a panel stands in the first column.
+  bool is_left(std::size_t panel) const { return panel % columns == 0; }
+  /// Whether no panel of `count` stands below.
+  bool is_lowest(std::size_t panel, std::size_t count) const { return panel + columns >= count; }
+
+  /// gnuplot's margins of a panel.
+  std::string margins(std::size_t panel) const;
+  /// The labels that all panels share.
+  std::string axis_labels(const std::string& x, const std::string& y) const;
+  /// The legend, a plot of its own across the whole width: inside a panel it would have to fit there. After
+  /// it, borders and tics are set for the panels.
+  std::string legend_plot(const std::vector<std::string>& methods) const;
+};
+
+/// The grid for so many panels and a legend of the methods, with at most `most_columns`.
+PanelGrid panel_grid(std::size_t panels, const std::vector<std::string>& methods, FigureSize size,
+                     std::size_t most_columns);
+
+}  // namespace raygauge

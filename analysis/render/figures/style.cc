@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/figures/style.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "analysis/data/columns.h"
+#include "analysis/render/figures/figure.h"
+#include "analysis/render/number_text.h"
+#include "analysis/studies/table3/cell_ratio.h"
+
+namespace raygauge::figure_style {
+namespace {
+
+struct Look {
+  const char* color;
+  const char* dash;
+  int point;
+};
+
+// Markers of gnuplot: 7 ●, 5 ■, 9 ▲, 13 ◆; the numbers below them are the open ones.
+constexpr std::array<Look, 4> kOurs = {
+    {{"#D55E00", "1", 7}, {"#0072B2", "1", 5}, {"#009E73", "1", 9}, {"#CC79A7", "1", 13}}};
+constexpr std::array<Look, 4> kCompetitors = {
+    {{"#000000", "'-'", 6}, {"#8C8C8C", "'.'", 4}, {"#56B4E9", "'-'", 8}, {"#E69F00", "'.'", 12}}};
+
+constexpr Look kPaper = {"#8C8C8C", "1", 2};
+
+Look look_of(const std::string& method, const std::vector<std::string>& methods) {
+  if (method == kPaperCurve) return kPaper;
+  const bool competitor = is_competitor(method);
+  const auto here = std::find(methods.begin(), methods.end(), method);
+  const auto rank = static_cast<std::size_t>(std::count_if(
+      methods.begin(), here, [&](const std::string& other) { return is_competitor(other) == competitor; }));
+  return competitor ? kCompetitors[rank % kCompetitors.size()] : kOurs[rank % kOurs.size()];
+}
+
+void require_one(const std::string& figure, const std::vector<Record>& records, const std::string& name) {
+  const AnalysisColumn& column = analysis_column(name);
+  std::set<Value> values;
+  for (const Record& record : records) values.insert(column.get(record));
+  if (values.size() <= 1) return;
+  std::string found;
+  for (const Value& value : values) found += (found.empty() ? "" : "; ") + text_of(value);
+  throw FigureNeedsError("figure " + figure + " shows one " + name + ", the records have several (" + found +
+                         "); choose with --where");
+}
+
+}  // namespace
+
+std::string line_style(const std::string& method, const std::vector<std::string>& methods) {
+  const Look look = look_of(method, methods);
+  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1 pt " +
+         std::to_string(look.point) + " ps 0.45";
+}
+
+std::string step_style(const std::string& method, const std::vector<std::string>& methods) {
+  const Look look = look_of(method, methods);
+  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1.4";
+}
+
+std::string line_color(const std::string& method, const std::vector<std::string>& methods) {
+  return look_of(method, methods).color;
+}
+
+std::string screen(double fraction) { return significant(fraction, 6); }
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    // Once for the double quotes, once for the enhanced mode.
+    if (std::string("_^{}@&~\\").find(c) != std::string::npos) result += "\\\\";
+    if (c == '"' || c == '\\' || c == '`') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string one_two_five_ticks(double low, double high) {
+  std::string ticks;
+  int count = 0;
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high;
+       ++exponent) {
+    for (const int step : {1, 2, 5}) {
+      const double tick = step * std::pow(10, exponent);
+      if (tick < low || tick > high) continue;
+      ticks += (ticks.empty() ? "" : ", ") + significant(tick, 12);
+      ++count;
+    }
+  }
+  if (count < 2) ticks = significant(low, 2) + ", " + significant(high, 2);
+  return "(" + ticks + ")";
+}
+
+std::string decade_ticks(double low, double high) {
+  constexpr double kMost = 4;
+  const int first = static_cast<int>(std::ceil(std::log10(low)));
+  const int last = static_cast<int>(std::floor(std::log10(high)));
+  const int step = std::max(1, static_cast<int>(std::ceil((last - first) / kMost)));
+  std::string ticks;
+  for (int exponent = first; exponent <= last; ++exponent) {
+    if (exponent % step != 0) continue;
+    const std::string power = std::to_string(exponent);
+    ticks += (ticks.empty() ? "'10^{" : ", '10^{") + power + "}' 1e" + power;
+  }
+  return "(" + ticks + ")";
+}
+
+std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
+                                       const Filter& filter, const std::vector<std::string>& same) {
+  std::vector<Record> kept = filtered(records, filter);
+  if (kept.empty()) {
+    throw FigureNeedsError("figure " + figure + ": " +
+                           (records.empty() ? std::string("no records")
+                                            : "no record passes the filter '" + filter.expression() + "'"));
+  }
+  for (const std::string& name : same) require_one(figure, kept, name);
+  return kept;
+}
+
+}  // namespace raygauge::figure_style

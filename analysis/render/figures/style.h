@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/data/filter.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge::figure_style {
+
+// What figures have in common: looks, and the checks of what they need.
+
+/// In the place of a method: what the paper published. Grey, with crosses; the last of a figure's `methods`.
+inline constexpr const char* kPaperCurve = "paper";
+
+/// How a method's curve looks, for gnuplot: colours of Okabe and Ito, which colour-blind readers tell apart;
+/// methods of raygauge solid with filled markers, competitors dashed with open ones, so that the curves also
+/// differ in grey. `methods` are all of the figure.
+std::string line_style(const std::string& method, const std::vector<std::string>& methods);
+
+/// The same without markers, for step functions.
+std::string step_style(const std::string& method, const std::vector<std::string>& methods);
+
+/// "#D55E00": the colour in line_style().
+std::string line_color(const std::string& method, const std::vector<std::string>& methods);
+
+/// A fraction of the width or height of the whole picture, for gnuplot's "screen".
+std::string screen(double fraction);
+
+/// `text` as it stands in a string of gnuplot's enhanced mode, with its quotes.
+std::string quoted(const std::string& text);
+
+/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)"; where there are fewer
+/// than two of them, the ends with two digits.
+std::string one_two_five_ticks(double low, double high);
+
+/// About four powers of ten within [low, high], as gnuplot's list.
+std::string decade_ticks(double low, double high);
+
+/// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in one of
+/// the columns `same`: `figure` shows one of each.
+std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
+                                       const Filter& filter,
+                                       const std::vector<std::string>& same = {
+                                           "generator", "generator_parameters", "tolerance"});
+
+}  // namespace raygauge::figure_style

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/formats/csv_table.h"
+
+#include <cmath>
+
+#include "analysis/render/number_text.h"
+
+namespace raygauge {
+namespace {
+
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_header(const Table& table, std::size_t column) {
+  std::string text;
+  for (const auto& line : table.header) {
+    if (!line[column].empty()) text += (text.empty() ? "" : " ") + line[column];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string csv_table(const Table& table) {
+  const std::size_t columns = table.header.empty() ? 0 : table.header.front().size();
+  std::string text;
+  for (std::size_t c = 0; c < columns; ++c) {
+    if (c > 0) text += ',';
+    text += field(csv_header(table, c));
+  }
+  text += "\n";
+  for (const TableRow& row : table.rows) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const TableCell& cell = row.cells[c];
+      if (c > 0) text += ',';
+      text += std::isnan(cell.number) ? field(cell.text) : round_trip(cell.number);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/report/report.h"
+
+#include "analysis/render/report/page_assets.h"
+#include "analysis/studies/table3/cell_ratio.h"
+#include "engine/exceptions.h"
+#include "results/provenance/provenance.h"
+
+namespace raygauge::report {
+namespace {
+
+/// The methods with what their look depends on: raygauge's own or not, and the place among those.
+Json methods_json(const std::vector<std::string>& names) {
+  Json methods = Json::array();
+  int own = 0;
+  int competitors = 0;
+  for (const std::string& method : names) {
+    const bool competitor = is_competitor(method);
+    methods.push_back(
+        {{"name", method}, {"competitor", competitor}, {"rank", competitor ? competitors++ : own++}});
+  }
+  return methods;
+}
+
+std::string page_title(const std::vector<MergedFile>& files) {
+  std::string title = "raygauge";
+  for (const MergedFile& file : files) {
+    const std::size_t slash = file.path.find_last_of('/');
+    title += (&file == &files.front() ? ": " : ", ") +
+             (slash == std::string::npos ? file.path : file.path.substr(slash + 1));
+  }
+  return title;
+}
+
+std::string escaped_html(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// JSON that may stand inside a script element: no "<" begins a tag there.
+std::string script_json(const Json& value) {
+  std::string result;
+  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+void replace_mark(std::string& page, const std::string& mark, const std::string& text) {
+  const std::size_t place = page.find(mark);
+  if (place != std::string::npos) page.replace(place, mark.size(), text);
+}
+
+Input input_of(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines) {
+  std::vector<Record> records = filtered(merged.records, filter);
+  if (records.empty()) {
+    throw EmptySetError(merged.records.empty() ? "the files hold no record yet"
+                                               : "no record passes the filter '" + filter.expression() + "'");
+  }
+  Input input{merged, filter, std::move(records), {}, Truth(merged.records), baselines, {}};
+  input.methods = methods_of(input.records);
+  // Where the linear programs' baselines have no place, as with smooth sets, NLopt's are.
+  for (const char* prefix : {"glpk", "nlopt"}) {
+    if (input.baselines.empty()) input.baselines = default_baselines(merged.records, prefix);
+  }
+  if (!input.baselines.empty()) {
+    input.ratios = cell_ratios(input.records, baseline_records(merged.records, filter, input.baselines),
+                               input.baselines);
+  }
+  return input;
+}
+
+}  // namespace
+
+std::string make_page(const MergedResults& merged, const Filter& filter,
+                      const std::vector<std::string>& baselines) {
+  const Input input = input_of(merged, filter, baselines);
+  Json data = {{"title", page_title(merged.files)},
+               {"version", build_info().raygauge_version},
+               {"methods", methods_json(input.methods)},
+               {"sections", Json::array()}};
+  for (const SectionMaker& make : section_makers()) {
+    const std::optional<Section> section = make(input);
+    if (!section) continue;
+    data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", section->blocks}});
+  }
+  std::string page = page_template();
+  replace_mark(page, "<!--TITLE-->", escaped_html(data["title"]));
+  replace_mark(page, "/*STYLE*/", page_style());
+  replace_mark(page, "/*DATA*/", script_json(data));
+  replace_mark(page, "/*CHARTJS*/", chart_library());
+  replace_mark(page, "/*SCRIPT*/", page_script());
+  return page;
+}
+
+}  // namespace raygauge::report

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/data/filter.h"
+#include "analysis/data/merge.h"
+#include "analysis/data/truth.h"
+#include "analysis/studies/table3/cell_ratio.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge::report {
+
+/// An object whose members keep the order in which they were set.
+using Json = nlohmann::ordered_json;
+
+/// What a report is made of, and what more than one section needs of it.
+struct Input {
+  const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
+  Filter filter;
+  std::vector<Record> records;         ///< those that pass the filter
+  std::vector<std::string> methods;    ///< methods_of() them
+  Truth truth;                         ///< of all records
+  std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
+  std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines
+};
+
+/// A part of the page: blocks (blocks.h) under a title.
+struct Section {
+  std::string id;
+  std::string title;
+  Json blocks = Json::array();
+};
+
+/// Makes a section, or nothing where the records lack its data.
+using SectionMaker = std::function<std::optional<Section>(const Input&)>;
+
+/// Every section in its order on the page: a new one is one file in sections/ and one line in sections.cc.
+const std::vector<SectionMaker>& section_makers();
+
+/// The report of the records that pass `filter`: one HTML page that needs no network. `baselines` empty:
+/// default_baselines(), of GLPK or else of NLopt. Throws EmptySetError if no record passes, UnknownNameError
+/// for an unknown baseline.
+std::string make_page(const MergedResults& merged, const Filter& filter,
+                      const std::vector<std::string>& baselines);
+
+}  // namespace raygauge::report

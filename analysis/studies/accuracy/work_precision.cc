@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/accuracy/work_precision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/render/figures/curve_panel.h"
+#include "analysis/render/figures/style.h"
+#include "analysis/studies/accuracy/accuracy_tables.h"
+
+namespace raygauge {
+namespace {
+
+constexpr const char* kPrecisionNeeds =
+    "figure work_precision needs solves of known truth (a generator that knows it, or records of the method "
+    "exact) at "
+    "two or more tolerances";
+std::vector<PanelCurve> precision_curves(const AccuracyGroup& group, double AccuracyPoint::*quantity) {
+  std::vector<PanelCurve> curves;
+  for (const AccuracyCurve& curve : group.curves) {
+    PanelCurve drawn{curve.method, {}, {}};
+    for (const AccuracyPoint& point : curve.points) {
+      if (!std::isnan(point.*quantity))
+        drawn.points.emplace_back(1e6 * point.median_seconds, drawn_error(point.*quantity));
+    }
+    curves.push_back(std::move(drawn));
+  }
+  return curves;
+}
+
+std::string time_axis(const std::pair<double, double>& range) {
+  const auto [low, high] = range;
+  constexpr double kManyTicks = 300;
+  const std::string ticks = high / low > kManyTicks ? "10" : figure_style::one_two_five_ticks(low, high);
+  return range_setting("x", low, high) + "set format x '%g'\nset xtics nomirror " + ticks + "\n";
+}
+
+/// The two panels of a group, on the same axes.
+void add_panels(const AccuracyGroup& group, std::vector<CurvePanel>& panels) {
+  CurvePanel error{group.name + ": error", "", "",
+                   precision_curves(group, &AccuracyPoint::mean_relative_error)};
+  CurvePanel gap{group.name + ": gap", "", "", precision_curves(group, &AccuracyPoint::mean_relative_gap)};
+  std::vector<PanelCurve> both = error.curves;
+  both.insert(both.end(), gap.curves.begin(), gap.curves.end());
+  const std::string axes = "set logscale x\n" + time_axis(range_of(both, false, 1.2));
+  error.settings = gap.settings = axes;
+  panels.push_back(std::move(error));
+  panels.push_back(std::move(gap));
+}
+
+bool has_precision(const AccuracyGroup& group) {
+  return std::any_of(group.curves.begin(), group.curves.end(), [](const AccuracyCurve& curve) {
+    return curve.points.size() >= 2 && std::isfinite(curve.points.front().mean_relative_error);
+  });
+}
+
+}  // namespace
+
+Drawing work_precision(const std::vector<Record>& records, const FigureOptions& options) {
+  figure_style::comparable_records("work_precision", records, options.filter, {});
+  std::vector<AccuracyGroup> groups;
+  try {
+    groups = accuracy_groups(records, options.filter);
+  } catch (const EmptySetError&) {
+    throw FigureNeedsError(kPrecisionNeeds);
+  }
+  std::vector<CurvePanel> panels;
+  std::vector<std::string> methods;
+  for (const AccuracyGroup& group : groups) {
+    if (!has_precision(group)) continue;
+    add_panels(group, panels);
+    for (const AccuracyCurve& curve : group.curves) {
+      if (std::find(methods.begin(), methods.end(), curve.method) == methods.end())
+        methods.push_back(curve.method);
+    }
+  }
+  if (panels.empty()) throw FigureNeedsError(kPrecisionNeeds);
+  PanelGrid grid =
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 1 : 2);
+  grid.x_labels = 0.2;
+  for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
+  return draw_curve_panels(grid, panels, methods, "median time of a solve, µs",
+                           "relative error, relative gap");
+}
+
+}  // namespace raygauge

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/data/columns.h"
+#include "analysis/render/number_text.h"
+#include "analysis/render/report/blocks.h"
+#include "analysis/studies/compare/compare_circumstances.h"
+#include "analysis/studies/sections.h"
+#include "results/schema/schema.h"
+
+namespace raygauge::report {
+namespace {
+
+std::string value_words(const Value& value) {
+  const std::string text = text_of(value);
+  return text.empty() ? "-" : text;
+}
+
+/// Every column of a session, one a row; sessions side by side.
+Table sessions_table(const MergedFile& file) {
+  Table table;
+  table.title = file.path;
+  table.header = {{"session"}};
+  for (std::size_t s = 0; s < file.provenance.sessions.size(); ++s)
+    table.header[0].push_back(std::to_string(s));
+  for (const Column<Session>& column : session_columns()) {
+    TableRow row{{{column.name + (column.unit == "B" ? " (B)" : "")}}};
+    for (const Session& session : file.provenance.sessions)
+      row.cells.emplace_back(value_words(column.get(session)));
+    table.rows.push_back(std::move(row));
+  }
+  TableRow versions{{{"versions"}}};
+  for (const Session& session : file.provenance.sessions) {
+    versions.cells.emplace_back(versions_text(session));
+  }
+  table.rows.push_back(std::move(versions));
+  return table;
+}
+
+Table calibration_table(const MergedFile& file) {
+  Table table;
+  table.title = "time with all threads busy over time alone";
+  table.header = {{"session", "threads", "method", "alone", "busy", "median ratio"}};
+  for (std::size_t s = 0; s < file.provenance.sessions.size(); ++s) {
+    const Calibration& calibration = file.provenance.sessions[s].calibration;
+    for (const Calibration::Entry& entry : calibration.entries) {
+      table.rows.push_back({{{std::to_string(s)},
+                             {std::to_string(calibration.threads)},
+                             {entry.method},
+                             {time_words(entry.serial_seconds)},
+                             {time_words(entry.parallel_seconds)},
+                             {padded_significant(entry.inflation, 3)}}});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+std::optional<Section> provenance_section(const Input& input) {
+  Section section{"provenance", "Provenance", {}};
+  for (const MergedFile& file : input.merged.files) {
+    section.blocks.push_back(table_block(sessions_table(file)));
+    const Table calibration = calibration_table(file);
+    if (!calibration.rows.empty()) section.blocks.push_back(table_block(calibration));
+    section.blocks.push_back(verbatim_block("experiment of " + file.path, file.provenance.experiment_text));
+  }
+  return section;
+}
+
+}  // namespace raygauge::report

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "analysis/data/columns.h"
+#include "analysis/data/outliers.h"
+#include "analysis/render/number_text.h"
+#include "analysis/render/report/blocks.h"
+#include "analysis/render/words.h"
+#include "analysis/studies/sections.h"
+#include "analysis/studies/stability/stability.h"
+
+namespace raygauge::report {
+namespace {
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// "3 … 10 (8 values)".
+template <class Number>
+std::string range_words(const std::set<Number>& values) {
+  std::string first = significant(static_cast<double>(*values.begin()), 3);
+  if (values.size() == 1) return first;
+  return first + " … " + significant(static_cast<double>(*values.rbegin()), 6) + " (" +
+         std::to_string(values.size()) + " values)";
+}
+
+std::string run_line(const Input& input) {
+  std::set<int> n;
+  std::set<int> N;
+  std::set<double> tolerances;
+  std::set<std::string> generators;
+  std::set<CellKey> cells;
+  for (const Record& record : input.records) {
+    n.insert(record.n);
+    N.insert(record.N);
+    tolerances.insert(record.tolerance);
+    generators.insert(record.generator);
+    cells.insert(cell_key(record));
+  }
+  return counted(input.records.size(), "record") + " in " + counted(cells.size(), "cell") + " of " +
+         joined(generators) + ": n = " + range_words(n) + ", N = " + range_words(N) +
+         ", ε = " + range_words(tolerances) + ".";
+}
+
+std::string machine_line(const Input& input) {
+  std::set<std::string> machines;
+  std::set<std::string> builds;
+  for (const MergedFile& file : input.merged.files) {
+    for (const Session& session : file.provenance.sessions) {
+      machines.insert(session.machine.cpu_model + " (" + session.machine.hostname + ")");
+      builds.insert("raygauge " + session.build.raygauge_version + ", commit " +
+                    session.build.git_commit.substr(0, 12) + (session.build.git_dirty ? " modified" : ""));
+    }
+  }
+  std::string text;
+  for (const std::string& machine : machines) text += (text.empty() ? "On " : " and ") + machine;
+  for (const std::string& build : builds) text += "; " + build;
+  return text.empty() ? "Nothing is known of machine and build." : text + ".";
+}
+
+/// First line of the verdict: are the answers to be believed?
+std::string answers_line(const Input& input) {
+  std::size_t unsolved = 0;
+  std::size_t disagreeing = 0;
+  for (const Record& record : input.records) {
+    unsolved += is_solved(record) ? 0 : 1;
+    disagreeing += record.agrees ? 0 : 1;
+  }
+  std::string agreement;
+  if (disagreeing > 0) {
+    agreement = counted(disagreeing, "record") + (disagreeing == 1 ? " disagrees" : " disagree") +
+                " with other methods or the known distance; ";
+  } else if (input.methods.size() > 1) {
+    agreement = "all methods agree on every instance; ";
+  }
+  return "Answers: " + agreement +
+         (unsolved == 0 ? std::string("everything was solved")
+                        : counted(unsolved, "solve") + " stopped at a limit") +
+         ".";
+}
+
+/// How fast one method is against the baselines; "" where no cell tells.
+std::string speed_words(const Input& input, const std::string& method) {
+  std::vector<double> finite;
+  std::size_t faster = 0;
+  std::size_t unsolved = 0;
+  for (const CellRatio& ratio : input.ratios) {
+    if (ratio.times.method != method || std::isnan(ratio.ratio.ratio)) continue;
+    faster += ratio.ratio.interval.upper < 1 ? 1 : 0;
+    if (std::isfinite(ratio.ratio.ratio)) {
+      finite.push_back(ratio.ratio.ratio);
+    } else {
+      ++unsolved;
+    }
+  }
+  const std::string never = unsolved == 0 ? "" : ", unsolved in " + counted(unsolved, "cell");
+  if (finite.empty()) return unsolved == 0 ? "" : method + " is" + never.substr(1);
+  return method + " takes " + padded_significant(geometric_mean(finite), 2) +
+         " of the best baseline's time (geometric mean of " + counted(finite.size(), "cell") + ", worst " +
+         padded_significant(quantile(finite, 1), 2) + "), significantly faster in " + std::to_string(faster) +
+         never;
+}
+
+/// Second line: how fast against the baselines.
+std::string speed_line(const Input& input) {
+  if (input.baselines.empty()) return "Speed: no baseline among the methods, so no ratio.";
+  std::vector<std::string> words;
+  for (const std::string& method : input.methods) {
+    const std::string speed = is_competitor(method) ? "" : speed_words(input, method);
+    if (!speed.empty()) words.push_back(speed);
+  }
+  return words.empty() ? "Speed: no cell has both a method and a solved baseline."
+                       : "Speed: " + joined(words, "; ") + ".";
+}
+
+/// Third line: how good the bounds are, over all tolerances.
+std::string precision_line(const Input& input) {
+  std::map<std::string, StabilityRow> sums;
+  for (const StabilityTolerance& part : make_stability(input.records, input.truth)) {
+    for (const StabilityRow& row : part.totals) {
+      StabilityRow& sum = sums[row.method];
+      sum.solves += row.solves;
+      sum.certified += row.certified;
+      sum.worst_width = std::max(sum.worst_width, row.worst_width);
+    }
+  }
+  std::vector<std::string> words;
+  for (const std::string& method : input.methods) {
+    if (is_competitor(method)) continue;
+    const StabilityRow& sum = sums[method];
+    words.push_back(method + " certified " + std::to_string(sum.certified) + " of " +
+                    std::to_string(sum.solves) + " distances to the tolerance asked for (" +
+                    (std::isinf(sum.worst_width) ? "some without a bound"
+                                                 : "widest relative gap " + significant(sum.worst_width, 2)) +
+                    ")");
+  }
+  return words.empty() ? "Precision: only competitors were run." : "Precision: " + joined(words, "; ") + ".";
+}
+
+Table methods_table(const Input& input) {
+  Table table;
+  table.title = "methods";
+  table.header = {{"method", "records", "unsolved", "disagreeing", "outlying times"}};
+  const std::vector<CellTimes> all = cell_times(input.records);
+  for (const std::string& method : input.methods) {
+    std::size_t records = 0;
+    std::size_t unsolved = 0;
+    std::size_t disagreeing = 0;
+    std::size_t outliers = 0;
+    for (const CellTimes& times : all) {
+      if (times.method != method) continue;
+      records += times.seconds.size() + times.disagreeing;
+      unsolved += times.unsolved;
+      disagreeing += times.disagreeing;
+      if (!times.seconds.empty()) outliers += outlier_count(times.seconds);
+    }
+    const auto alarm = [](std::size_t count) {
+      return TableCell(std::to_string(count), count > 0 ? Emphasis::alarm : Emphasis::none);
+    };
+    table.rows.push_back({{{method},
+                           {std::to_string(records)},
+                           alarm(unsolved),
+                           alarm(disagreeing),
+                           {std::to_string(outliers)}}});
+  }
+  table.notes = {
+      "outlying: outside Tukey's fences, 1.5 interquartile ranges beyond the quartiles of its cell; flagged, "
+      "never dropped"};
+  return table;
+}
+
+}  // namespace
+
+std::optional<Section> summary_section(const Input& input) {
+  Section section{"summary", "Summary", {}};
+  section.blocks.push_back(text_block({answers_line(input), speed_line(input), precision_line(input)}, true));
+  section.blocks.push_back(text_block({run_line(input), machine_line(input)}));
+  if (!input.filter.expression().empty())
+    section.blocks.push_back(text_block({"Only records for which " + input.filter.expression() + "."}));
+  if (!input.merged.notes.empty()) section.blocks.push_back(text_block(input.merged.notes));
+  section.blocks.push_back(table_block(methods_table(input)));
+  return section;
+}
+
+}  // namespace raygauge::report

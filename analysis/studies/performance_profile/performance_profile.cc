@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/performance_profile/performance_profile.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "analysis/constants.h"
+#include "analysis/data/instances.h"
+#include "engine/exceptions.h"
+
+namespace raygauge {
+double ProfileCurve::rho(double tau) const {
+  const auto within = std::upper_bound(ratios.begin(), ratios.end(), tau) - ratios.begin();
+  return static_cast<double>(within) / static_cast<double>(instances);
+}
+
+std::vector<ProfileStep> ProfileCurve::steps(double last, std::size_t most) const {
+  std::vector<ProfileStep> corners;
+  const auto add = [&](double tau) { corners.push_back({tau, rho(tau)}); };
+  add(1);
+  const std::size_t stride = std::max<std::size_t>(1, ratios.size() / most);
+  for (std::size_t i = stride - 1; i < ratios.size(); i += stride) add(ratios[i]);
+  if (!ratios.empty()) add(ratios.back());
+  add(last);
+  return corners;
+}
+
+double profile_end(const std::vector<ProfileCurve>& curves) {
+  constexpr double kMargin = 1.2;
+  double end = 2;
+  for (const ProfileCurve& curve : curves) {
+    if (!curve.ratios.empty()) end = std::max(end, kMargin * curve.ratios.back());
+  }
+  return end;
+}
+
+std::vector<ProfileCurve> performance_profiles(const std::vector<Record>& records) {
+  if (records.empty()) throw EmptySetError("performance profiles of no records");
+  std::map<std::string, std::vector<double>> ratios;
+  std::size_t count = 0;
+  for (const auto& [cell, methods] : instances_by_cell(records)) {
+    std::map<std::pair<std::uint64_t, int>, double> fastest;
+    for (const MethodInstances& method : methods) {
+      for (const auto& [instance, record] : method.records) {
+        double& least = fastest.try_emplace(instance, kInfinity).first->second;
+        least = std::min(least, answer_seconds(*record));
+      }
+    }
+    count += fastest.size();
+    for (const MethodInstances& method : methods) {
+      for (const auto& [instance, record] : method.records) {
+        const double least = fastest.at(instance);
+        if (has_answer(*record)) ratios[method.method].push_back(least > 0 ? record->seconds / least : 1);
+      }
+    }
+  }
+  std::vector<ProfileCurve> curves;
+  for (const std::string& method : methods_of(records)) {
+    std::sort(ratios[method].begin(), ratios[method].end());
+    curves.push_back({method, std::move(ratios[method]), count});
+  }
+  return curves;
+}
+
+}  // namespace raygauge

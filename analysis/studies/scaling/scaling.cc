@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/scaling/scaling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "analysis/data/outliers.h"
+
+namespace raygauge {
+
+std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
+                                         std::size_t fewest) {
+  const std::vector<std::string> methods = methods_of(records);
+  std::map<std::tuple<CellKey, std::size_t, std::string>, ScalingCurve> curves;
+  for (const CellTimes& times : cell_times(records)) {
+    if (times.seconds.empty()) continue;
+    const double seconds = median(times.seconds);
+    if (!std::isfinite(seconds) || seconds <= 0) continue;
+    CellKey common = times.cell;
+    (axis == SizeAxis::n ? common.n : common.N) = 0;
+    const auto rank = std::find(methods.begin(), methods.end(), times.method) - methods.begin();
+    ScalingCurve& curve = curves[{common, static_cast<std::size_t>(rank), times.method_parameters}];
+    if (curve.sizes.empty()) {
+      curve.cell = times.cell;
+      curve.method = times.method;
+      curve.method_parameters = times.method_parameters;
+    }
+    curve.sizes.push_back(axis == SizeAxis::n ? times.cell.n : times.cell.N);
+    curve.medians.push_back(seconds);
+    curve.intervals.push_back(median_interval(times.seconds));
+    curve.outliers.push_back(outlier_count(times.seconds));
+    curve.counts.push_back(times.seconds.size());
+  }
+  std::vector<ScalingCurve> result;
+  for (auto& [key, curve] : curves) {
+    if (curve.sizes.size() >= fewest) result.push_back(std::move(curve));
+  }
+  return result;
+}
+
+PowerLaw fit_scaling(const ScalingCurve& curve) { return fit_power_law(curve.sizes, curve.medians); }
+
+}  // namespace raygauge

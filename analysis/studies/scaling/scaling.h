@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/power_law.h"
+#include "analysis/studies/table3/cell_ratio.h"
+
+namespace raygauge {
+
+/// The size that times are taken against.
+enum class SizeAxis : unsigned char { n, N };
+
+/// Median times of one method against one size, the other being fixed.
+struct ScalingCurve {
+  CellKey cell;  ///< of the curve's first point: all but the size on the axis is common
+  std::string method;
+  std::string method_parameters;
+  std::vector<double> sizes;          ///< sorted
+  std::vector<double> medians;        ///< seconds
+  std::vector<Interval> intervals;    ///< median_interval() of each, seconds
+  std::vector<std::size_t> outliers;  ///< outlier_count() of each
+  std::vector<std::size_t> counts;    ///< times of each
+};
+
+/// The curves of every method and problem with at least `fewest` sizes; cells whose median is infinite are
+/// left out.
+std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
+                                         std::size_t fewest = 2);
+
+/// seconds = factor · size^exponent over the medians of a curve with three sizes or more (two leave no
+/// interval). Throws as fit_power_law().
+PowerLaw fit_scaling(const ScalingCurve& curve);
+
+}  // namespace raygauge

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "analysis/render/number_text.h"
+#include "analysis/render/report/blocks.h"
+#include "analysis/studies/scaling/scaling.h"
+#include "analysis/studies/sections.h"
+
+namespace raygauge::report {
+namespace {
+
+constexpr double kMilli = 1e3;
+constexpr std::size_t kFewest = 3;  // sizes that leave a fit an interval
+
+const char* size_name(SizeAxis axis) { return axis == SizeAxis::n ? "n" : "N"; }
+
+Facets curve_facets(const ScalingCurve& curve, SizeAxis axis) {
+  Facets facets = problem_facets(curve.cell);
+  if (axis == SizeAxis::N) {
+    facets.emplace_back("n", std::to_string(curve.cell.n));
+  } else {
+    facets.emplace_back("N", std::to_string(curve.cell.N));
+  }
+  return facets;
+}
+
+Series series_of(const ScalingCurve& curve, SizeAxis axis) {
+  Series series{curve.method, "", curve_facets(curve, axis), {}};
+  if (curve.sizes.size() >= kFewest) {
+    const PowerLaw fit = fit_scaling(curve);
+    series.name = curve.method + " (exponent " + padded_significant(fit.exponent, 2) + ")";
+  }
+  for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
+    std::string remark = std::to_string(curve.counts[i]) + " times";
+    if (curve.outliers[i] > 0) remark += ", " + std::to_string(curve.outliers[i]) + " outliers";
+    series.points.push_back({curve.sizes[i], kMilli * curve.medians[i], kMilli * curve.intervals[i].lower,
+                             kMilli * curve.intervals[i].upper, remark});
+  }
+  return series;
+}
+
+Table exponents_table(const std::vector<ScalingCurve>& curves, SizeAxis axis) {
+  const std::string size = size_name(axis);
+  Table table;
+  table.title = "time = factor · " + size + "^exponent";
+  table.header = {
+      {"problem", "tolerance", axis == SizeAxis::n ? "N" : "n", "method", "exponent", "R²", "points"}};
+  table.key_columns = 4;
+  for (const ScalingCurve& curve : curves) {
+    if (curve.sizes.size() < kFewest) continue;
+    const PowerLaw fit = fit_scaling(curve);
+    const Facets facets = curve_facets(curve, axis);
+    table.rows.push_back(
+        {{{facets[0].second},
+          {facets[1].second},
+          {facets[2].second},
+          {curve.method},
+          {interval_words(fit.exponent, fit.exponent_interval.lower, fit.exponent_interval.upper),
+           Emphasis::strong},
+          {padded_significant(fit.r_squared, 3)},
+          {std::to_string(fit.points)}}});
+  }
+  table.notes = {"least squares of the logarithms of the medians; 95 % intervals of Student's t"};
+  return table;
+}
+
+void add_axis(const Input& input, SizeAxis axis, Section& section) {
+  const std::vector<ScalingCurve> curves = scaling_curves(input.records, axis);
+  if (curves.empty()) return;
+  Chart chart;
+  chart.caption = std::string("Median time of a solve against ") + size_name(axis) +
+                  "; bars: 95 % order-statistic intervals of the medians.";
+  chart.x.label = axis == SizeAxis::n ? "n, dimension" : "N, points in each set";
+  chart.y.label = "median time (ms)";
+  for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis));
+  section.blocks.push_back(chart_block(chart));
+  const Table exponents = exponents_table(curves, axis);
+  if (!exponents.rows.empty()) section.blocks.push_back(table_block(exponents));
+}
+
+}  // namespace
+
+std::optional<Section> scaling_section(const Input& input) {
+  Section section{"scaling", "Time against size", {}};
+  add_axis(input, SizeAxis::N, section);
+  add_axis(input, SizeAxis::n, section);
+  if (section.blocks.empty()) return std::nullopt;
+  return section;
+}
+
+}  // namespace raygauge::report

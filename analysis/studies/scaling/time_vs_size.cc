@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/scaling/time_vs_size.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/render/figures/curve_panel.h"
+#include "analysis/render/figures/style.h"
+#include "analysis/render/number_text.h"
+#include "analysis/studies/scaling/scaling.h"
+
+namespace raygauge {
+namespace {
+
+/// What distinguishes the two figures.
+struct SizeFigure {
+  const char* name;
+  SizeAxis axis;
+  const char* size;
+  const char* panel;
+  const char* label;
+};
+
+constexpr SizeFigure kAgainstN = {"time_vs_N", SizeAxis::N, "N", "n", "N, points in each set"};
+constexpr SizeFigure kAgainstDimension = {"time_vs_dimension", SizeAxis::n, "n", "N", "n, dimension"};
+
+/// A panel for each value of the other size.
+std::vector<CurvePanel> size_panels(const std::vector<Record>& records, const SizeFigure& figure) {
+  std::map<int, CurvePanel> panels;
+  for (const ScalingCurve& curve : scaling_curves(records, figure.axis, 1)) {
+    const int other = figure.axis == SizeAxis::N ? curve.cell.n : curve.cell.N;
+    PanelCurve drawn{curve.method, {}, {}};
+    for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
+      const double ms = 1e3 * curve.medians[i];
+      const double upper = 1e3 * curve.intervals[i].upper;
+      drawn.points.emplace_back(curve.sizes[i], ms);
+      // A bar that has no end is drawn to the point.
+      drawn.bars.emplace_back(1e3 * curve.intervals[i].lower, std::isinf(upper) ? ms : upper);
+    }
+    panels[other].title = std::string(figure.panel) + " = " + std::to_string(other);
+    panels[other].curves.push_back(std::move(drawn));
+  }
+  std::vector<CurvePanel> result;
+  for (auto& [other, panel] : panels) result.push_back(std::move(panel));
+  return result;
+}
+
+/// Every size is marked, and named where there is room; where that is for few, round numbers are instead.
+std::string size_ticks(const std::set<double>& sizes, const std::pair<double, double>& range,
+                       double panel_width, bool labelled) {
+  constexpr double kDigit = 0.07;   // inches
+  constexpr double kEnough = 0.75;  // of the sizes
+  const double inches = panel_width / std::log(range.second / range.first);
+  std::string ticks;
+  std::size_t named = 0;
+  double begin = panel_width;  // of the label to the right
+  for (const double size : std::vector<double>(sizes.rbegin(), sizes.rend())) {
+    const std::string label = significant(size, 12);
+    const double half = kDigit * static_cast<double>(label.size()) / 2;
+    const double place = inches * std::log(size / range.first);
+    const bool fits = place + half < begin - kDigit / 2;
+    if (fits) begin = place - half;
+    named += fits ? 1 : 0;
+    ticks += (ticks.empty() ? "'" : ", '") + (fits && labelled ? label : std::string()) + "' " + label;
+  }
+  if (static_cast<double>(named) < kEnough * static_cast<double>(sizes.size()))
+    return figure_style::one_two_five_ticks(range.first, range.second);
+  return "(" + ticks + ")";
+}
+
+/// All panels have the same axes; only the outer ones have numbers.
+void set_axes(std::vector<CurvePanel>& panels, const PanelGrid& grid, const SizeFigure& figure) {
+  std::vector<PanelCurve> all;
+  std::set<double> sizes;
+  for (const CurvePanel& panel : panels) {
+    for (const PanelCurve& curve : panel.curves) {
+      all.push_back(curve);
+      for (const auto& [size, ms] : curve.points) sizes.insert(size);
+    }
+  }
+  if (sizes.size() < 2) {
+    throw FigureNeedsError(std::string("figure ") + figure.name +
+                           " needs solved records at two or more values of " + figure.size);
+  }
+  const std::pair<double, double> range = range_of(all, false, 1.2);
+  const auto [low, high] = range_of(all, true, 1.4);
+  const std::string axes =
+      "set logscale xy\n" + range_setting("x", range.first, range.second) + range_setting("y", low, high);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const bool lowest = grid.is_lowest(p, panels.size());
+    panels[p].settings = axes + "set format x " + (lowest ? "'%g'" : "''") + "\nset xtics nomirror " +
+                         size_ticks(sizes, range, grid.panel_width(), lowest) + "\nset format y " +
+                         (grid.is_left(p) ? "'10^{%T}'" : "''") + "\n";
+  }
+}
+
+Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records,
+                    const FigureOptions& options) {
+  const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter);
+  const std::vector<std::string> methods = methods_of(kept);
+  std::vector<CurvePanel> panels = size_panels(kept, figure);
+  const PanelGrid grid =
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 2 : 4);
+  set_axes(panels, grid, figure);
+  return draw_curve_panels(grid, panels, methods, figure.label, "median time of a solve (ms)");
+}
+
+}  // namespace
+
+Drawing time_vs_N(const std::vector<Record>& records, const FigureOptions& options) {
+  return time_figure(kAgainstN, records, options);
+}
+
+Drawing time_vs_dimension(const std::vector<Record>& records, const FigureOptions& options) {
+  return time_figure(kAgainstDimension, records, options);
+}
+
+}  // namespace raygauge

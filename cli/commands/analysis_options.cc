@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/commands/analysis_options.h"
+
+#include <cstdio>
+
+#include "results/run/atomic_file.h"
+
+namespace raygauge::cli {
+
+void add_analysis_options(CLI::App& command, AnalysisArguments& arguments) {
+  command.add_option("files", arguments.files, "Results files; several are joined")
+      ->required()
+      ->type_name("FILE.h5")
+      ->default_str("");
+  command
+      .add_option("--where", arguments.where,
+                  "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
+      ->type_name("CONDITION");
+}
+
+void add_baseline_option(CLI::App& command, std::vector<std::string>& baselines) {
+  command
+      .add_option(
+          "--baseline", baselines,
+          "Methods that ratios refer to, the best of them in each cell; default: those whose label begins "
+          "with glpk")
+      ->delimiter(',')
+      ->type_name("METHOD,...")
+      ->default_str("");
+}
+
+MergedResults read_files(const AnalysisArguments& arguments) { return read_merged(arguments.files); }
+
+Filter filter_of(const AnalysisArguments& arguments) {
+  return arguments.where.empty() ? Filter() : Filter(arguments.where);
+}
+
+void write_output(const std::string& path, const std::string& text) {
+  if (path.empty()) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  } else {
+    write_atomically(path, text);
+  }
+}
+
+}  // namespace raygauge::cli

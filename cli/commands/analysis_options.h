@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/data/filter.h"
+#include "analysis/data/merge.h"
+
+namespace raygauge::cli {
+
+/// What every command that reads results takes: the files and a filter.
+struct AnalysisArguments {
+  std::vector<std::string> files;
+  std::string where;
+};
+
+void add_analysis_options(CLI::App& command, AnalysisArguments& arguments);
+
+/// --baseline, for commands that show ratios.
+void add_baseline_option(CLI::App& command, std::vector<std::string>& baselines);
+
+/// The records of the files, all of them: ratios need more than what passes the filter.
+MergedResults read_files(const AnalysisArguments& arguments);
+
+/// --where as a filter; without it, the one that passes everything.
+Filter filter_of(const AnalysisArguments& arguments);
+
+/// Prints to standard output, or writes `path` (if it is not empty) as a whole or not at all.
+void write_output(const std::string& path, const std::string& text);
+
+}  // namespace raygauge::cli

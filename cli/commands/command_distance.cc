@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/commands/commands.h"
+#include "cli/commands/distance_query.h"
+#include "cli/input/input_file.h"
+#include "cli/input/registries.h"
+#include "cli/input/set_source.h"
+#include "cli/input/shapes.h"
+#include "cli/output/distance_report.h"
+#include "engine/exceptions.h"
+
+namespace raygauge::cli {
+namespace {
+
+constexpr const char* kSources =
+    "A and Q are each the convex hull of points: a text file with one point a line (commas or blanks, # "
+    "comments), - for\n"
+    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply: its vertices); or what "
+    "a set file\n"
+    "(.toml) describes: shape = \"ball\" and every parameter of that shape. Shapes, and what describes them "
+    "(raygauge info\n"
+    "tells more):\n";
+
+constexpr const char* kExamples =
+    "\n"
+    "Examples:\n"
+    "  raygauge distance A.csv Q.csv --tolerance 1e-9\n"
+    "  raygauge distance points.h5:/A Q.obj --witness --json\n"
+    "  raygauge distance capsule.toml ellipsoid.toml --method newton --tolerance 1e-12\n"
+    "  printf '3 1 0\\n4 -1 2\\n' | raygauge distance - Q.csv --method zheng_yamane\n"
+    "\n"
+    "Exit status: 0 answered, 2 bad usage or input, 3 a limit was reached (bounds are printed).";
+
+std::string distance_footer() {
+  std::string text = kSources;
+  for (const Shape& shape : shapes()) {
+    std::string names;
+    for (const ShapeParameter& parameter : shape.parameters)
+      names += (names.empty() ? "" : ", ") + parameter.name;
+    text += fmt::format("  {:<21} {:<36} {}\n", shape.name, names, shape.description);
+  }
+  return text + kExamples;
+}
+
+const std::map<std::string, StopRule> kStopRules = {{"certified_gap", StopRule::certified_gap},
+                                                    {"published_sigma", StopRule::published_sigma}};
+const std::map<std::string, InstructionSet> kInstructionSets = {{"automatic", InstructionSet::automatic},
+                                                                {"baseline", InstructionSet::baseline},
+                                                                {"avx2", InstructionSet::avx2},
+                                                                {"avx512", InstructionSet::avx512}};
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& choices) {
+  std::vector<std::string> names;
+  for (const auto& entry : choices) names.push_back(entry.first);
+  return names;
+}
+
+template <class T>
+T chosen(const std::map<std::string, T>& choices, const std::string& kind, const std::string& name) {
+  const auto found = choices.find(name);
+  if (found == choices.end()) throw UnknownNameError(kind, name, names_of(choices));
+  return found->second;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+struct DistanceArguments {
+  std::string A;
+  std::string Q;
+  DistanceQuery query;
+  std::string stop_rule = "certified_gap";
+  std::string instruction_set = "automatic";
+  bool json = false;
+};
+
+void check_method(const std::string& name, const MethodRegistry& methods) {
+  methods.find(resolved_method(name));
+}
+
+void check_options(const DistanceOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    throw InvalidParameterError("--tolerance must lie in (0, 1), got " +
+                                to_string(ParameterValue(options.tolerance)));
+  }
+  if (!(options.time_limit >= 0)) {
+    throw InvalidParameterError("--time-limit must not be negative, got " +
+                                to_string(ParameterValue(options.time_limit)));
+  }
+  if (options.max_iterations < 0) {
+    throw InvalidParameterError("--max-iterations must not be negative, got " +
+                                std::to_string(options.max_iterations));
+  }
+  if (options.threads < 1 || options.threads > kMostThreads) {
+    throw InvalidParameterError("--threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
+                                std::to_string(options.threads));
+  }
+}
+
+Instance read_instance(const DistanceArguments& arguments) {
+  Instance instance{read_set_source(arguments.A), read_set_source(arguments.Q), std::nullopt};
+  if (instance.A->dimension() == instance.Q->dimension()) return instance;
+  const auto described = [](const std::string& source, const ConvexSet& set) {
+    return input_name(source) + " has n = " + std::to_string(set.dimension());
+  };
+  throw DimensionMismatchError(
+      "A and Q must have the same dimension: " + described(arguments.A, *instance.A) + ", " +
+      described(arguments.Q, *instance.Q));
+}
+
+int exit_status(DistanceStatus status) {
+  switch (status) {
+    case DistanceStatus::optimal:
+    case DistanceStatus::contains_origin:
+    case DistanceStatus::unreachable:
+      return kAnswered;
+    default:
+      return kLimitReached;
+  }
+}
+
+int run(DistanceArguments arguments) {
+  const MethodRegistry methods = all_methods();
+  DistanceQuery& query = arguments.query;
+  query.options.stop_rule = chosen(kStopRules, "stop rule", arguments.stop_rule);
+  query.options.instruction_set = chosen(kInstructionSets, "instruction set", arguments.instruction_set);
+  check_method(query.method, methods);
+  check_options(query.options);
+  if (arguments.A == kStandardInput && arguments.Q == kStandardInput) {
+    throw InvalidParameterError("only one of A and Q can come from standard input");
+  }
+  const DistanceReport report = answer(query, read_instance(arguments), methods);
+  const std::string text = arguments.json ? json_text(distance_json(report)) + "\n" : distance_text(report);
+  std::fputs(text.c_str(), stdout);
+  return exit_status(report.result.status);
+}
+
+}  // namespace
+
+void add_distance_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<DistanceArguments>();
+  CLI::App* command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
+  command->add_option("A", arguments->A, "Set A, the object: a file of points or a set file")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: likewise")
+      ->required()
+      ->type_name("FILE");
+  DistanceOptions& options = arguments->query.options;
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "Stop when upper - lower <= tolerance * upper; in (0, 1)")
+      ->type_name("EPS");
+  command
+      ->add_option("--method", arguments->query.method,
+                   "One of " + joined(all_methods().names()) +
+                       "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
+      ->type_name("NAME");
+  command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
+  command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
+  CLI::Option* iterations = command
+                                ->add_option("--max-iterations", options.max_iterations,
+                                             "Largest number of basis changes; 0: chosen from n")
+                                ->type_name("K");
+  command->add_option("--time-limit", options.time_limit, "Seconds for the solve")->type_name("SECONDS");
+  CLI::Option* stop_rule =
+      command
+          ->add_option("--stop-rule", arguments->stop_rule,
+                       "certified_gap, or published_sigma (zheng_yamane only: |σ_k - 1| < EPS)")
+          ->type_name("RULE");
+  CLI::Option* instruction_set = command
+                                     ->add_option("--instruction-set", arguments->instruction_set,
+                                                  "Vector kernels: " + joined(names_of(kInstructionSets)))
+                                     ->type_name("NAME");
+  CLI::Option* threads =
+      command
+          ->add_option("--threads", options.threads,
+                       "Threads of the solve; direct shares its passes over large point sets")
+          ->type_name("K");
+  command->footer(distance_footer());
+  command->callback([=, &status] {
+    arguments->query.engine_options_set =
+        iterations->count() + stop_rule->count() + instruction_set->count() + threads->count() > 0;
+    status = run(*arguments);
+  });
+}
+
+}  // namespace raygauge::cli

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "cli/commands/analysis_options.h"
+#include "cli/commands/commands.h"
+#include "engine/exceptions.h"
+#include "results/journal/csv.h"
+
+namespace raygauge::cli {
+namespace {
+
+struct ExportArguments {
+  AnalysisArguments analysis;
+  std::string csv;
+};
+
+int export_records(const ExportArguments& arguments) {
+  const Filter filter = filter_of(arguments.analysis);
+  const std::vector<Record> records = filtered(read_files(arguments.analysis).records, filter);
+  if (records.empty() && !filter.expression().empty())
+    throw EmptySetError("no record passes the filter '" + filter.expression() + "'; nothing was written");
+  write_csv(arguments.csv, records);
+  return kAnswered;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command = app.add_subcommand("export", "Write the records of results files as CSV");
+  add_analysis_options(*command, arguments->analysis);
+  command
+      ->add_option("--csv", arguments->csv,
+                   "File to write: one line a record, the columns of docs/file-format.md")
+      ->required()
+      ->type_name("OUT.csv");
+  command->footer(
+      "Examples:\n"
+      "  raygauge export out/example2.h5 --csv out/example2.csv\n"
+      "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'");
+  command->callback([arguments, &status] { status = export_records(*arguments); });
+}
+
+}  // namespace raygauge::cli

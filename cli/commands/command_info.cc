@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "cli/commands/commands.h"
+#include "cli/output/build_report.h"
+#include "cli/output/file_report.h"
+#include "results/run/results_file.h"
+
+namespace raygauge::cli {
+namespace {
+
+constexpr const char* kInfoFooter =
+    "Examples:\n"
+    "  raygauge info\n"
+    "  raygauge info out/example2.h5\n"
+    "  raygauge info out/example2.h5 --json\n"
+    "\n"
+    "Exit status: 0, or 2 for a file that is missing, damaged or no results file.";
+
+struct InfoArguments {
+  std::string path;
+  bool json = false;
+};
+
+std::string report(const InfoArguments& arguments) {
+  if (arguments.path.empty()) return arguments.json ? json_text(build_json()) + "\n" : build_text();
+  const ResultsFile results = read_results(arguments.path);
+  return arguments.json ? json_text(results_json(arguments.path, results)) + "\n"
+                        : results_text(arguments.path, results);
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command =
+      app.add_subcommand("info", "This build, machine and its solvers; or what a results file holds");
+  command
+      ->add_option(
+          "file", arguments->path,
+          "Results file, of a finished run or an unfinished one; without it: build, machine, methods, "
+          "generators, shapes of set files")
+      ->type_name("FILE.h5");
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->footer(kInfoFooter);
+  command->callback([arguments, &status] {
+    std::fputs(report(*arguments).c_str(), stdout);
+    status = kAnswered;
+  });
+}
+
+}  // namespace raygauge::cli

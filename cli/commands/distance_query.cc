@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/commands/distance_query.h"
+
+#include <array>
+#include <chrono>
+#include <optional>
+
+#include "engine/queries/solver.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge::cli {
+namespace {
+
+std::optional<DistanceMethod> engine_method(const std::string& name) {
+  constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::direct, DistanceMethod::zheng_yamane,
+                                                      DistanceMethod::newton};
+  for (const DistanceMethod method : kMethods) {
+    if (to_string(method) == name) return method;
+  }
+  return std::nullopt;
+}
+
+template <class Solve>
+double seconds_of(const Solve& solve) {
+  const auto start = std::chrono::steady_clock::now();
+  solve();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void solve_by_engine(const DistanceQuery& query, DistanceMethod method, const Instance& instance,
+                     DistanceReport& report) {
+  DistanceOptions options = query.options;
+  options.method = method;
+  DistanceSolver solver(options);
+  const Effects effects = query.witness ? Effects::witness : Effects::none;
+  report.seconds = seconds_of([&] { report.result = solver.solve(*instance.A, *instance.Q, effects); });
+}
+
+void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const Instance& instance,
+                       DistanceReport& report) {
+  const std::string name = "method '" + report.method + "'";
+  if (query.witness) {
+    throw InvalidParameterError(name +
+                                " computes no contact point: --witness needs direct, zheng_yamane or newton");
+  }
+  if (query.engine_options_set) {
+    throw InvalidParameterError(
+        "--max-iterations, --stop-rule, --instruction-set and --threads are for direct, zheng_yamane and "
+        "newton; " +
+        name + " has no such options");
+  }
+  method.load(instance);
+  report.seconds = seconds_of([&] { method.solve({query.options.tolerance, query.options.time_limit}); });
+  report.result = method.result();
+}
+
+// An unreachable A has settled it: its Farkas direction has all of Q on one side. Of other sets than point
+// sets only a ball around the origin that they know of proves anything.
+OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& result, double time_limit) {
+  using Answer = OriginInInterior::Answer;
+  if (result.status == DistanceStatus::unreachable) return {Answer::violated, result.normal};
+  if (const PointSet* points = as_point_set(Q)) return origin_in_interior(*points, time_limit);
+  const Vector origin = Vector::Zero(Q.dimension());
+  return {Q.inner_radius_unchecked(origin.data()) > 0 ? Answer::holds : Answer::unknown, {}};
+}
+
+ReportedSet reported(const ConvexSet& set) {
+  const PointSet* points = as_point_set(set);
+  return {set.structure(), points == nullptr ? 0 : points->size()};
+}
+
+}  // namespace
+
+std::string resolved_method(const std::string& name) { return name == "glpk" ? "glpk_dual" : name; }
+
+DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods) {
+  DistanceReport report;
+  report.method = resolved_method(query.method);
+  report.tolerance = query.options.tolerance;
+  report.n = instance.A->dimension();
+  report.A = reported(*instance.A);
+  report.Q = reported(*instance.Q);
+  report.witness = query.witness;
+  if (const auto method = engine_method(report.method)) {
+    solve_by_engine(query, *method, instance, report);
+  } else {
+    solve_by_baseline(query, *methods.make(report.method, {}), instance, report);
+  }
+  report.precondition = precondition_of(*instance.Q, report.result, query.options.time_limit);
+  return report;
+}
+
+}  // namespace raygauge::cli

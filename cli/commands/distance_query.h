@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/output/distance_report.h"
+#include "engine/methods/options.h"
+#include "engine/sweep/method.h"
+
+namespace raygauge::cli {
+
+/// A distance query by any method of the program.
+struct DistanceQuery {
+  std::string method = "direct";
+  DistanceOptions options;          ///< `method` of it is set from the name
+  bool engine_options_set = false;  ///< whether an option was chosen that only the engine's methods have
+  bool witness = false;
+};
+
+/// The registered name of a method: `glpk` stands for glpk_dual.
+std::string resolved_method(const std::string& name);
+
+/// Answers the query for A and Q of `instance`. Throws UnknownNameError for a method that is not in
+/// `methods`, InvalidParameterError for sets that the method does not take or options that it does not have.
+DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods);
+
+}  // namespace raygauge::cli

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/commands/dry_run.h"
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/output/terminal.h"
+
+namespace raygauge::cli {
+namespace {
+
+std::string value_text(int value) { return std::to_string(value); }
+const std::string& value_text(const std::string& value) { return value; }
+std::string value_text(double value) { return to_string(ParameterValue(value)); }
+
+std::string value_text(const ComponentSpec& component) {
+  std::string text = label_of(component);
+  if (text != component.name) text += " = " + component.name;
+  const std::string parameters = to_string(component.parameters);
+  return parameters.empty() ? text : text + " {" + parameters + "}";
+}
+
+template <class T>
+std::string list_text(const std::vector<T>& values, const char* separator) {
+  std::string text;
+  for (const T& value : values) {
+    if (!text.empty()) text += separator;
+    text += value_text(value);
+  }
+  return text;
+}
+
+/// Generators that differ in their parameters' values alone, such as one [[generator]] with lists makes.
+class Family {
+ public:
+  explicit Family(const GeneratorSpec& first) : first_(first) { add(first); }
+
+  bool may_hold(const GeneratorSpec& other) const {
+    return other.name == first_.name && other.n == first_.n && other.N == first_.N;
+  }
+
+  void add(const GeneratorSpec& spec) {
+    ++members_;
+    for (const auto& [name, value] : spec.parameters) {
+      Values& values = parameters_[name];
+      if (values.seen.insert(to_string(value)).second) values.in_order.push_back(to_string(value));
+    }
+  }
+
+  /// Whether the members are all combinations of their parameters' values, so that text() tells them all.
+  bool is_whole() const {
+    std::size_t combinations = 1;
+    for (const auto& entry : parameters_) combinations *= entry.second.in_order.size();
+    return combinations == members_;
+  }
+
+  /// "hard_vertex {body=cube,simplex lambda=1,3} n = 2 3"
+  std::string text() const {
+    std::string parameters;
+    for (const auto& [name, values] : parameters_) {
+      parameters += (parameters.empty() ? "" : " ") + name + "=" + list_text(values.in_order, ",");
+    }
+    std::string text = first_.name;
+    if (!parameters.empty()) text += " {" + parameters + "}";
+    if (!first_.n.empty()) text += " n = " + list_text(first_.n, " ");
+    if (!first_.N.empty()) text += " N = " + list_text(first_.N, " ");
+    return text;
+  }
+
+ private:
+  struct Values {
+    std::vector<std::string> in_order;
+    std::set<std::string> seen;
+  };
+  const GeneratorSpec& first_;
+  std::size_t members_ = 0;
+  std::map<std::string, Values> parameters_;
+};
+
+/// The end of the longest family of generators from `first` on.
+std::size_t end_of_family(const std::vector<GeneratorSpec>& generators, std::size_t first) {
+  Family family(generators[first]);
+  std::size_t end = first + 1;
+  for (std::size_t i = end; i < generators.size() && family.may_hold(generators[i]); ++i) {
+    family.add(generators[i]);
+    if (family.is_whole()) end = i + 1;
+  }
+  return end;
+}
+
+std::string grid_line(const std::string& heading, const std::string& text) {
+  constexpr std::size_t kWidth = 13;
+  return "  " + heading + std::string(kWidth - heading.size(), ' ') + text + "\n";
+}
+
+/// A line for each family.
+std::string generator_lines(const std::vector<GeneratorSpec>& generators) {
+  std::string lines;
+  for (std::size_t first = 0; first < generators.size();) {
+    const std::size_t end = end_of_family(generators, first);
+    Family family(generators[first]);
+    for (std::size_t i = first + 1; i < end; ++i) family.add(generators[i]);
+    lines += grid_line(first == 0 ? "generators" : "", family.text());
+    first = end;
+  }
+  return lines;
+}
+
+/// Separated by commas, on as many lines as it takes.
+std::string method_lines(const std::vector<ComponentSpec>& methods) {
+  constexpr std::size_t kWidth = 90;
+  std::string lines;
+  std::string line;
+  for (const ComponentSpec& method : methods) {
+    const std::string text = value_text(method) + (&method == &methods.back() ? "" : ",");
+    if (!line.empty() && line.size() + 1 + text.size() > kWidth) {
+      lines += grid_line(lines.empty() ? "methods" : "", line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + text;
+  }
+  return lines + grid_line(lines.empty() ? "methods" : "", line);
+}
+
+/// "20 a cell", or how many it may become.
+std::string repetitions_text(const Experiment& experiment) {
+  std::string most = std::to_string(experiment.repetitions) + " a cell";
+  if (experiment.stop_when_within == 0) return most;
+  return std::to_string(experiment.min_repetitions) + " to " + most +
+         ", until the medians are known within " + value_text(100 * experiment.stop_when_within) + " %";
+}
+
+}  // namespace
+
+std::string dry_run_text(const Experiment& experiment, const SweepEstimate& estimate) {
+  const bool paired = experiment.grid == GridMode::paired;
+  const bool serial = experiment.timing == TimingMode::serial;
+  const std::string at_most = experiment.stop_when_within > 0 ? "at most " : "";
+  std::string text = experiment.name;
+  if (!experiment.description.empty()) text += ": " + experiment.description;
+  text += "\n";
+  text += grid_line("n", list_text(experiment.n, " "));
+  text += grid_line("N", list_text(experiment.N, " ") + (paired ? "  (paired with n)" : ""));
+  text += grid_line("tolerance", list_text(experiment.tolerance, " "));
+  text += generator_lines(experiment.generators);
+  text += method_lines(experiment.methods);
+  text += grid_line("cells", std::to_string(estimate.cells));
+  text += grid_line("instances", at_most + std::to_string(estimate.instances) + " (" +
+                                     repetitions_text(experiment) + ", seed " +
+                                     std::to_string(experiment.seed) + ")");
+  text += grid_line("solves", at_most + std::to_string(estimate.records) + " timed, each limited to " +
+                                  duration_text(experiment.time_limit));
+  text += grid_line("timing", std::string(serial ? "serial" : "parallel") + ", " +
+                                  std::to_string(estimate.threads) +
+                                  (estimate.threads == 1 ? " thread" : " threads"));
+  text += grid_line("estimate", at_most + "about " + duration_text(estimate.seconds) + ", from probing " +
+                                    std::to_string(estimate.probed_cells) + " of the cells for " +
+                                    duration_text(estimate.probing_seconds));
+  return text;
+}
+
+}  // namespace raygauge::cli

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/input/point_source.h"
+
+#include "cli/input/mesh_file.h"
+#include "cli/input/point_file.h"
+#include "engine/exceptions.h"
+#include "results/schema/dataset.h"
+
+namespace raygauge::cli {
+
+Eigen::MatrixXd read_point_source(const std::string& source) {
+  if (const auto reference = parse_dataset_reference(source)) return read_points(*reference);
+  if (is_mesh_file(source)) return read_mesh_vertices(source);
+  if (source.ends_with(".h5") || source.ends_with(".hdf5")) {
+    throw InvalidParameterError(source + ": name the dataset, as in " + source + ":/points");
+  }
+  return read_point_file(source);
+}
+
+}  // namespace raygauge::cli

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/input/shapes.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "engine/exceptions.h"
+#include "engine/sets/affine_image.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/box.h"
+#include "engine/sets/capsule.h"
+#include "engine/sets/cylinder.h"
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/minkowski_difference.h"
+#include "engine/sets/minkowski_sum.h"
+#include "engine/sets/p_norm_ball.h"
+#include "engine/sets/point_set.h"
+#include "engine/sets/simplex.h"
+#include "engine/sets/truncated_cone.h"
+#include "engine/sets/union_hull.h"
+
+namespace raygauge::cli {
+namespace {
+
+/// One parameter with the way to read its value.
+template <class Read>
+struct Typed {
+  ShapeParameter parameter;
+  Read read;  ///< a member function of ShapeValues
+};
+
+template <class Read>
+Typed<Read> typed(const char* name, const char* type, const char* description, Read read) {
+  return {{name, type, description}, read};
+}
+
+auto number(const char* name, const char* description = "") {
+  return typed(name, "a number", description, &ShapeValues::number);
+}
+auto vector(const char* name, const char* description = "") {
+  return typed(name, "a vector", description, &ShapeValues::vector);
+}
+auto matrix(const char* name, const char* description) {
+  return typed(name, "a list of rows", description, &ShapeValues::matrix);
+}
+auto set(const char* name, const char* description = "") {
+  return typed(name, "a set", description, &ShapeValues::set);
+}
+auto sets(const char* name, const char* description) {
+  return typed(name, "a list of sets", description, &ShapeValues::sets);
+}
+auto file(const char* name, const char* description) {
+  return typed(name, "a file name", description, &ShapeValues::file);
+}
+
+/// A shape whose set is `make` of the parameters' values, in their order.
+template <class Make, class... Reads>
+Shape made_by(Make make, const char* name, const char* description, const Typed<Reads>&... parameters) {
+  return {name,
+          description,
+          {parameters.parameter...},
+          [=](const ShapeValues& values) -> std::function<SetPointer()> {
+            // Braces: the values are read, and complained about, from left to right.
+            const std::tuple read{(values.*parameters.read)(parameters.parameter.name)...};
+            return [=] { return std::apply(make, read); };
+          }};
+}
+
+/// A shape whose set is constructed of the parameters' values, in their order.
+template <class Set, class... Reads>
+Shape shape(const char* name, const char* description, const Typed<Reads>&... parameters) {
+  const auto construct = [](const auto&... values) -> SetPointer {
+    return std::make_shared<const Set>(values...);
+  };
+  return made_by(construct, name, description, parameters...);
+}
+
+SetPointer point_set(const Eigen::MatrixXd& rows) { return std::make_shared<PointSet>(rows.transpose()); }
+
+SetPointer itself(const SetPointer& set) { return set; }
+
+}  // namespace
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> kShapes = {
+      made_by(point_set, "point_set", "the convex hull of points", matrix("points", "one point a row")),
+      made_by(itself, "file", "what another file holds",
+              file("file",
+                   "points in any format or a set file; a relative name starts at the folder of this file")),
+      shape<Ball>("ball", "{x : |x - center| <= radius}", vector("center"), number("radius", ">= 0")),
+      shape<Ellipsoid>("ellipsoid", "{center + factor z : |z| <= 1}", vector("center"),
+                       matrix("factor", "n rows; its columns are the semi-axes where they are orthogonal")),
+      shape<PNormBall>("p_norm_ball", "{center + diag(semi_axes) z : ‖z‖_p <= 1}", vector("center"),
+                       vector("semi_axes", ">= 0"), number("p", "1 … inf")),
+      shape<Box>("box", "{x : lower <= x <= upper}", vector("lower"), vector("upper", ">= lower")),
+      shape<Simplex>("simplex", "conv{corner, corner + legs_1 e_1, …, corner + legs_n e_n}", vector("corner"),
+                     vector("legs", "of either sign")),
+      shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),
+                     vector("q"), number("radius", ">= 0")),
+      shape<Cylinder>("cylinder", "the cylinder around the segment from p to q", vector("p"),
+                      vector("q", "not p"), number("radius", ">= 0")),
+      shape<TruncatedCone>("truncated_cone", "the hull of two discs across the axis from base to top",
+                           vector("base"), number("base_radius", ">= 0"), vector("top", "not base"),
+                           number("top_radius", ">= 0; 0: a cone")),
+      shape<AffineImage>("affine_image", "{M x + t : x in S}", set("S"), matrix("M", "n × n, invertible"),
+                         vector("t")),
+      made_by(AffineImage::rigid, "rigid_image", "{R x + t : x in S}", set("S"),
+              matrix("R", "n × n, a rotation"), vector("t")),
+      shape<MinkowskiSum>("minkowski_sum", "A + B = {a + b : a in A, b in B}", set("A"), set("B")),
+      shape<MinkowskiDifference>("minkowski_difference", "A2 - A1 = {a2 - a1 : a2 in A2, a1 in A1}",
+                                 set("A2"), set("A1")),
+      shape<UnionHull>("union_hull", "the convex hull of a union", sets("sets", "one or more")),
+  };
+  return kShapes;
+}
+
+const Shape& find_shape(const std::string& name, const std::string& place) {
+  std::vector<std::string> known;
+  for (const Shape& shape : shapes()) {
+    if (shape.name == name) return shape;
+    known.push_back(shape.name);
+  }
+  throw UnknownNameError("shape", name, known, place);
+}
+
+}  // namespace raygauge::cli

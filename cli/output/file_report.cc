@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/output/file_report.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "cli/output/build_report.h"
+
+namespace raygauge::cli {
+namespace {
+
+/// The name and the description in an experiment's text; "" where it has none.
+struct Title {
+  std::string name;
+  std::string description;
+};
+
+Title title_of(const std::string& experiment_text) {
+  try {
+    const toml::table root = toml::parse(experiment_text);
+    return {root["name"].value_or(std::string()), root["description"].value_or(std::string())};
+  } catch (const toml::parse_error&) {
+    return {};  // a file of another program version; everything else in it still counts
+  }
+}
+
+/// The distinct values of one column, in increasing order.
+template <class Value>
+std::vector<Value> distinct(const std::vector<Record>& records,
+                            const std::function<Value(const Record&)>& value) {
+  std::set<Value> values;
+  for (const Record& record : records) values.insert(value(record));
+  return {values.begin(), values.end()};
+}
+
+std::string generator_of(const Record& record) {
+  const std::string& parameters = record.generator_parameters;
+  return record.generator + (parameters.empty() ? "" : " (" + parameters + ")");
+}
+
+/// Everything that is counted over the records.
+struct Contents {
+  std::vector<std::string> generators;
+  std::vector<std::string> methods;
+  std::vector<int> n;
+  std::vector<int> N;
+  std::vector<double> tolerance;
+  std::vector<int> repetition;
+  std::map<std::string, std::size_t> statuses;
+  std::size_t disagreements = 0;
+};
+
+Contents contents_of(const std::vector<Record>& records) {
+  Contents contents;
+  contents.generators = distinct<std::string>(records, generator_of);
+  contents.methods = distinct<std::string>(records, &Record::method);
+  contents.n = distinct<int>(records, &Record::n);
+  contents.N = distinct<int>(records, &Record::N);
+  contents.tolerance = distinct<double>(records, &Record::tolerance);
+  contents.repetition = distinct<int>(records, &Record::repetition);
+  for (const Record& record : records) {
+    ++contents.statuses[std::string(to_string(record.status))];
+    if (!record.agrees) ++contents.disagreements;
+  }
+  return contents;
+}
+
+Json calibration_json(const Calibration& calibration) {
+  Json list = Json::array();
+  for (const Calibration::Entry& entry : calibration.entries) {
+    list.push_back({{"method", entry.method},
+                    {"serial_seconds", entry.serial_seconds},
+                    {"parallel_seconds", entry.parallel_seconds},
+                    {"inflation", entry.inflation}});
+  }
+  return list;
+}
+
+Json session_json(const Session& session) {
+  Json versions = Json::object();
+  for (const ComponentVersion& component : session.versions) versions[component.name] = component.version;
+  return {{"started_at", session.started_at},
+          {"finished_at", session.finished_at},
+          {"threads", session.threads},
+          {"timing", session.timing},
+          {"raygauge_version", session.build.raygauge_version},
+          {"git_commit", session.build.git_commit},
+          {"git_dirty", session.build.git_dirty},
+          {"machine", machine_json(session.machine)},
+          {"versions", versions},
+          {"calibration", calibration_json(session.calibration)}};
+}
+
+std::string session_text(const Session& session) {
+  const std::string end =
+      session.finished_at.empty() ? "no end recorded (killed, or still running)" : session.finished_at;
+  return fmt::format("{} to {}; {} {}, timing {}; raygauge {} commit {:.12}{}; {} on {}", session.started_at,
+                     end, session.threads, session.threads == 1 ? "thread" : "threads", session.timing,
+                     session.build.raygauge_version, session.build.git_commit,
+                     session.build.git_dirty ? " modified" : "", session.machine.cpu_model,
+                     session.machine.hostname);
+}
+
+std::string statuses_text(const std::map<std::string, std::size_t>& statuses) {
+  std::string text;
+  for (const auto& [status, number] : statuses)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", status, number);
+  return text;
+}
+
+}  // namespace
+
+Json results_json(const std::string& path, const ResultsFile& results) {
+  const Title title = title_of(results.provenance.experiment_text);
+  const Contents contents = contents_of(results.records);
+  Json sessions = Json::array();
+  for (const Session& session : results.provenance.sessions) sessions.push_back(session_json(session));
+  return {{"file", path},
+          {"experiment", title.name},
+          {"description", title.description},
+          {"finished", results.finished()},
+          {"cells_done", results.cells().size()},
+          {"cells", results.provenance.cell_count},
+          {"records", results.records.size()},
+          {"generators", contents.generators},
+          {"methods", contents.methods},
+          {"n", contents.n},
+          {"N", contents.N},
+          {"tolerance", contents.tolerance},
+          {"repetitions", contents.repetition.size()},
+          {"statuses", contents.statuses},
+          {"disagreements", contents.disagreements},
+          {"sessions", sessions}};
+}
+
+std::string results_text(const std::string& path, const ResultsFile& results) {
+  const Title title = title_of(results.provenance.experiment_text);
+  const Contents contents = contents_of(results.records);
+  std::string text =
+      labelled("file", path) +
+      labelled("experiment", title.name + (title.description.empty() ? "" : ": " + title.description)) +
+      labelled("cells",
+               fmt::format("{} of {}{}", results.cells().size(), results.provenance.cell_count,
+                           results.finished() ? "" : " (unfinished: `raygauge run … --resume` goes on)")) +
+      labelled("records", std::to_string(results.records.size())) +
+      labelled("generators", fmt::format("{}", fmt::join(contents.generators, ", "))) +
+      labelled("methods", fmt::format("{}", fmt::join(contents.methods, ", "))) +
+      labelled("n", fmt::format("{}", fmt::join(contents.n, " "))) +
+      labelled("N", fmt::format("{}", fmt::join(contents.N, " "))) +
+      labelled("tolerance", fmt::format("{}", fmt::join(contents.tolerance, " "))) +
+      labelled("repetitions", std::to_string(contents.repetition.size())) +
+      labelled("statuses", statuses_text(contents.statuses)) +
+      labelled("disagreements",
+               fmt::format("{} of {} records", contents.disagreements, results.records.size()));
+  for (const Session& session : results.provenance.sessions)
+    text += labelled("session", session_text(session));
+  return text;
+}
+
+}  // namespace raygauge::cli

@@ -1,5 +1,0 @@
-// Copyright (c) 2026 The raygauge authors
-// SPDX-License-Identifier: MIT
-#define RAYGAUGE_ISA baseline
-#define RAYGAUGE_WIDTH 2
-#include "engine/kernel/kernel_impl.h"

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// Products with the basis and its inverse that the certificate needs. Part of kernel_impl.h.
+#pragma once
+
+#include "engine/kernels/pack.h"
+
+namespace raygauge::RAYGAUGE_ISA {
+namespace {
+
+inline Pack magnitude(Pack v) { return v > -v ? v : -v; }
+
+// Rows of one matrix: packs known at compile time for V > 0, else at most kMostPacks at a time.
+template <int V>
+struct Rows {
+  static constexpr int kMostPacks = V > 0 ? V* kRowPadding / kWidth : 4;
+  Pack value[kMostPacks];
+};
+
+// out = M v for a column-major matrix of `columns` columns, all rows; v is read with stride `stride`.
+template <int V, class Transform>
+inline void multiply(const double* M, int P, int columns, const double* v, double* out, Transform transform) {
+  const int total = P / kWidth;
+  constexpr int kChunk = Rows<V>::kMostPacks;
+  for (int first = 0; first < total; first += kChunk) {
+    const int count = V > 0 ? kChunk : (total - first < kChunk ? total - first : kChunk);
+    Rows<V> sum{};
+    for (int k = 0; k < columns; ++k) {
+      const Pack a = broadcast(v[k]);
+      const double* column = M + static_cast<std::ptrdiff_t>(k) * P + first * kWidth;
+      for (int p = 0; p < count; ++p) sum.value[p] += transform(a * load(column + p * kWidth));
+    }
+    for (int p = 0; p < count; ++p) store(out + (first + p) * kWidth, sum.value[p]);
+  }
+}
+
+inline Pack unchanged(Pack v) { return v; }
+
+// The largest entry; NaN if one of them is NaN or infinite, which the maximum alone may pass over: bounds on
+// rounding must not forget an overflow.
+inline double largest_entry(const double* v, int P) {
+  Pack top = load(v);
+  Pack zero = top - top;  // NOLINT(misc-redundant-expression)
+  for (int p = kWidth; p < P; p += kWidth) {
+    const Pack entry = load(v + p);
+    top = maximum(top, entry);
+    zero += entry - entry;  // NOLINT(misc-redundant-expression)
+  }
+  return largest_lane(top) + reduce_lanes(zero, [](Pack a, Pack c) { return a + c; })[0];
+}
+
+template <int V>
+MatrixNorms norms_v(const BasisView* basis) {
+  const int P = basis->P;
+  const int m = basis->m;
+  double* sum_E = basis->scratch;
+  double* sum_R = sum_E + P;
+  double* sum_B = sum_R + P;
+  double* product = basis->w;
+  for (int i = 0; i < P; ++i) sum_E[i] = sum_R[i] = sum_B[i] = 0;
+  for (int j = 0; j < m; ++j) {
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(j) * P;
+    multiply<V>(basis->R, P, m, basis->B + offset, product, unchanged);
+    product[j] -= 1.0;
+    for (int p = 0; p < P; p += kWidth) {
+      store(sum_E + p, load(sum_E + p) + magnitude(load(product + p)));
+      store(sum_R + p, load(sum_R + p) + magnitude(load(basis->R + offset + p)));
+      store(sum_B + p, load(sum_B + p) + magnitude(load(basis->B + offset + p)));
+    }
+  }
+  return {largest_entry(sum_E, P), largest_entry(sum_R, P), largest_entry(sum_B, P)};
+}
+
+template <int V>
+double refine_v(BasisView* basis, const double* b, bool correct) {
+  const int P = basis->P;
+  const int m = basis->m;
+  double* r = basis->w;
+  double* bound = basis->scratch;
+  double* result = bound + P;
+  multiply<V>(basis->B, P, m, basis->x(), r, unchanged);
+  for (int p = 0; p < P; p += kWidth) store(r + p, load(b + p) - load(r + p));
+  if (correct) {
+    multiply<V>(basis->R, P, m, r, result, unchanged);
+    for (int p = 0; p < P; p += kWidth) store(basis->x() + p, load(basis->x() + p) + load(result + p));
+    return 0;
+  }
+  const double gamma = 1.01 * (m + 2) * 0x1p-53;
+  // What products below the normal range lose; more than (m + 2) 2^-1074, because subnormals are slow.
+  constexpr double kUnderflow = 0x1p-1022;
+  multiply<V>(basis->B, P, m, basis->x(), bound, magnitude);
+  for (int p = 0; p < P; p += kWidth) {
+    store(bound + p,
+          gamma * (magnitude(load(b + p)) + load(bound + p) + magnitude(load(r + p))) + kUnderflow);
+  }
+  double* uncertain = result + P;
+  multiply<V>(basis->R, P, m, r, result, unchanged);
+  multiply<V>(basis->R, P, m, bound, uncertain, magnitude);
+  for (int p = 0; p < P; p += kWidth) store(result + p, magnitude(load(result + p)) + load(uncertain + p));
+  return largest_entry(result, P) + kUnderflow;
+}
+
+// Σ_i v_i M_ik for every column k, added to out_k.
+inline void transposed_multiply(const double* M, int P, int columns, const double* v, double* out) {
+  for (int k = 0; k < columns; ++k) {
+    const double* column = M + static_cast<std::ptrdiff_t>(k) * P;
+    Pack sum = load(v) * load(column);
+    for (int p = kWidth; p < P; p += kWidth) sum += load(v + p) * load(column + p);
+    out[k] += reduce_lanes(sum, [](Pack a, Pack c) { return a + c; })[0];
+  }
+}
+
+// yᵀ = c_Bᵀ R, as accurate as the inverse.
+inline void plain_duals(BasisView* basis) {
+  for (int i = 0; i < basis->P; ++i) basis->y[i] = 0;
+  transposed_multiply(basis->R, basis->P, basis->m, basis->cost, basis->y);
+}
+
+void duals(BasisView* basis) {
+  const int P = basis->P;
+  double* y = basis->y;
+  double* residual = basis->w;
+  plain_duals(basis);
+  for (int i = 0; i < P; ++i) residual[i] = 0;
+  transposed_multiply(basis->B, P, basis->m, y, residual);
+  for (int p = 0; p < P; p += kWidth) store(residual + p, load(basis->cost + p) - load(residual + p));
+  transposed_multiply(basis->R, P, basis->m, residual, y);
+}
+
+MatrixNorms norms(const BasisView* basis) {
+  switch (basis->P / kRowPadding) {
+    case 1:
+      return norms_v<1>(basis);
+    case 2:
+      return norms_v<2>(basis);
+    default:
+      return norms_v<0>(basis);
+  }
+}
+
+double refine(BasisView* basis, const double* b, bool correct) {
+  switch (basis->P / kRowPadding) {
+    case 1:
+      return refine_v<1>(basis, b, correct);
+    case 2:
+      return refine_v<2>(basis, b, correct);
+    default:
+      return refine_v<0>(basis, b, correct);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::RAYGAUGE_ISA

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/methods/options.h"
+
+namespace raygauge {
+
+/// Rows of a basis are padded to whole cache lines.
+constexpr int kRowPadding = 8;
+constexpr int padded_rows(int m) { return (m + kRowPadding - 1) / kRowPadding * kRowPadding; }
+
+/// A basis of m columns for  min c·x, Σ_i x_i col_i = b, x >= 0, with its explicit inverse R = B⁻¹. Plain
+/// views into a workspace, so that the vector kernels (compiled once per instruction set) share no code with
+/// the rest of the library.
+///
+/// All matrices are column-major with leading dimension P = padded_rows(m); padding rows are zero.
+struct BasisView {
+  int m = 0;
+  int P = 0;
+  double* R = nullptr;         ///< (m + 1) columns: R and then x = R b, updated together
+  double* B = nullptr;         ///< m columns: the basic columns themselves
+  double* y = nullptr;         ///< m duals, yᵀ = c_Bᵀ R, padded
+  double* cost = nullptr;      ///< m costs c_B, padded
+  std::int64_t* id = nullptr;  ///< m identities, meaning chosen by the caller
+  double* w = nullptr;         ///< scratch, P
+  double* columns = nullptr;   ///< scratch, 19 P: three columns and two blocks of points
+  double* scratch = nullptr;   ///< 3 P, for the certificate
+  double objective = 0;        ///< c_B·x
+  std::int64_t pivots = 0;
+
+  double* x() const { return R + static_cast<std::ptrdiff_t>(m) * P; }
+};
+
+/// Points to be priced, scaled for the solver: in the blocked layout of PointSet, and rounded to single
+/// precision in blocks of 16 (nullptr: not to be had). Single precision only ever chooses a column; nothing
+/// is concluded from it.
+struct PricedPoints {
+  const double* blocks = nullptr;
+  std::ptrdiff_t block_count = 0;
+  const float* single_blocks = nullptr;
+  std::ptrdiff_t single_block_count = 0;
+  std::ptrdiff_t size = 0;  ///< points; the lanes beyond, as many as fill the last block, repeat the last one
+};
+
+/// How a run of the simplex loop over priced points ended.
+enum class LoopEnd : std::uint8_t {
+  optimal,    ///< no column prices out
+  gap,        ///< the bounds over the priced points are within the tolerance
+  unbounded,  ///< a column without a positive pivot: the basis has lost its meaning numerically
+  stalled,    ///< no progress for long; the caller switches to Bland's rule
+  pivot_limit,
+};
+
+/// Parameters of a simplex loop over priced points; see Kernels::simplex_loop.
+struct SimplexLoop {
+  PricedPoints A;
+  PricedPoints Q;
+  double gap_tolerance =
+      0;  ///< stop when objective + h_A/h_Q <= gap_tolerance * objective and no artificial is left
+  double cost_tolerance =
+      1e-12;           ///< a column prices out if its reduced cost is below -cost_tolerance * its scale
+  double noise_A = 0;  ///< times Σ|y_k|: what rounding may make of the reduced cost of a point of A
+  double noise_Q = 0;
+  std::int64_t pivot_limit = 0;  ///< on BasisView::pivots
+  double cost_of_Q = 1;          ///< 0 in phase 1, where only artificial columns cost
+  int artificials = 0;           ///< basic artificial columns (in/out)
+  bool bland = false;
+  double h_A = 0;  ///< out, at LoopEnd::optimal and gap: h_A(u) and h_Q(-u) of the priced points at the duals
+  double h_Q = 0;
+  std::int64_t points_priced = 0;  ///< out, added to
+  std::int64_t pricings = 0;       ///< out, added to
+};
+
+/// Identities of basic columns in the direct method: points of A are 2i, points of Q are 2j + 1, artificials
+/// negative.
+constexpr std::int64_t id_of_A(std::ptrdiff_t i) { return 2 * static_cast<std::int64_t>(i); }
+constexpr std::int64_t id_of_Q(std::ptrdiff_t j) { return 2 * static_cast<std::int64_t>(j) + 1; }
+constexpr bool is_from_Q(std::int64_t id) { return id >= 0 && id % 2 == 1; }
+
+/// Result of bringing one column into the basis.
+enum class PivotResult : std::uint8_t { ok, no_pivot };
+
+/// Points with u·p > threshold, found while taking the maximum; see Kernels::collect.
+struct Collection {
+  std::int64_t* index = nullptr;  ///< capacity entries
+  double* value = nullptr;        ///< capacity entries
+  std::ptrdiff_t capacity = 0;
+  std::ptrdiff_t count = 0;
+  double threshold = 0;  ///< raised when the buffer runs full, so that the best are kept
+};
+
+struct MatrixNorms {
+  double residual = 0;  ///< ‖I - R B‖∞
+  double R = 0;         ///< ‖R‖∞
+  double B = 0;         ///< ‖B‖∞
+};
+
+/// The vector kernels of one instruction set.
+struct Kernels {
+  /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
+  double (*price)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+                  std::ptrdiff_t* index);
+
+  /// The same in single precision, over blocks of 16; u·p only chooses here.
+  float (*price_single)(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
+                        std::ptrdiff_t* index);
+
+  /// As price, and collects the points above a threshold in the same pass.
+  double (*collect)(const double* blocks, std::ptrdiff_t first_block, std::ptrdiff_t last_block, int n,
+                    const double* u, Collection* collection);
+
+  /// Brings `column` (m entries, padded with zeros) with reduced cost cost - y·column into the basis; the
+  /// identity of the column that leaves is written to `left`.
+  PivotResult (*pivot)(BasisView* basis, const double* column, double cost, double reduced_cost,
+                       std::int64_t id, bool bland, std::int64_t* left);
+
+  /// Primal simplex on the LP of Example 2 over the priced points, entering the best point of A and the best
+  /// of Q after each pricing. Basis rows: n coordinates, then convexity; m = n + 1.
+  LoopEnd (*simplex_loop)(BasisView* basis, SimplexLoop* loop);
+
+  /// ‖I - R B‖∞ (computed, rounding not included), and with it ‖R‖∞ and ‖B‖∞.
+  MatrixNorms (*norms)(const BasisView* basis);
+
+  /// One step of iterative refinement of x = R b by r = b - B x. With `correct`, x += R r. Without it,
+  /// returns max_i (|R r|_i + (|R| (γ (|b| + |B||x|) + γ |r|))_i): a bound on what is left of R (b - B x),
+  /// rounding included.
+  double (*refine)(BasisView* basis, const double* b, bool correct);
+
+  /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y.
+  void (*duals)(BasisView* basis);
+};
+
+/// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the
+/// machine lacks the instructions.
+const Kernels& kernels_for(InstructionSet isa);
+
+/// kernels_for(InstructionSet::automatic), looked up once.
+const Kernels& best_kernels() noexcept;
+
+/// The instruction set that `automatic` stands for here.
+InstructionSet best_instruction_set() noexcept;
+
+namespace baseline {
+extern const Kernels kKernels;
+}
+#if defined(__x86_64__)
+namespace avx2 {
+extern const Kernels kKernels;
+}
+namespace avx512 {
+extern const Kernels kKernels;
+}
+#endif
+
+}  // namespace raygauge

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// The vector kernels, written once and compiled once per instruction set: each including file defines
+// RAYGAUGE_ISA (a namespace) and RAYGAUGE_WIDTH (doubles in a register). Nothing of the standard library is
+// called from here, so that no inline function compiled for a newer machine can leak into the portable part
+// of the program.
+#pragma once
+
+#include "engine/kernels/certificate_kernels.h"
+#include "engine/kernels/simplex_kernels.h"
+
+namespace raygauge::RAYGAUGE_ISA {
+
+extern const Kernels kKernels;
+const Kernels kKernels = {price, price_single, collect, pivot, simplex_loop, norms, refine, duals};
+
+}  // namespace raygauge::RAYGAUGE_ISA

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/basis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+// A pivot of the equilibrated column below this makes the matrix numerically singular.
+constexpr double kSingular = 1e-14;
+
+// factor = [B | I] is reduced to [I | B⁻¹], row by row with row exchanges; every row is 2m long.
+bool gauss_jordan(double* factor, int m) {
+  const std::ptrdiff_t width = 2 * static_cast<std::ptrdiff_t>(m);
+  for (int k = 0; k < m; ++k) {
+    int pivot_row = k;
+    double largest = std::fabs(factor[k * width + k]);
+    for (int i = k + 1; i < m; ++i) {
+      const double candidate = std::fabs(factor[i * width + k]);
+      if (candidate > largest) {
+        largest = candidate;
+        pivot_row = i;
+      }
+    }
+    if (!(largest > kSingular)) return false;
+    if (pivot_row != k)
+      std::swap_ranges(factor + k * width, factor + (k + 1) * width, factor + pivot_row * width);
+    double* row = factor + k * width;
+    const double inverse = 1.0 / row[k];
+    for (std::ptrdiff_t j = 0; j < width; ++j) row[j] *= inverse;
+    for (int i = 0; i < m; ++i) {
+      if (i == k) continue;
+      double* other = factor + i * width;
+      const double multiple = other[k];
+      if (multiple == 0.0) continue;
+      for (std::ptrdiff_t j = 0; j < width; ++j) other[j] -= multiple * row[j];
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void Basis::reset(int m, const Kernels& kernels) {
+  kernels_ = &kernels;
+  const int P = padded_rows(m);
+  const std::size_t matrix = static_cast<std::size_t>(P) * static_cast<std::size_t>(m + 1);
+  const std::size_t scratch = 19 * static_cast<std::size_t>(P);
+  const std::size_t total = 2 * matrix + 6 * static_cast<std::size_t>(P) + scratch;
+  memory_.reserve(total);
+  ids_.reserve(static_cast<std::size_t>(P));
+  b_.reserve(static_cast<std::size_t>(P));
+  std::memset(memory_.data(), 0, total * sizeof(double));
+  std::memset(b_.data(), 0, static_cast<std::size_t>(P) * sizeof(double));
+  view_ = {};
+  view_.m = m;
+  view_.P = P;
+  double* next = memory_.data();
+  const auto take = [&next](std::size_t count) { return std::exchange(next, next + count); };
+  view_.R = take(matrix);
+  view_.B = take(matrix);
+  view_.y = take(static_cast<std::size_t>(P));
+  view_.cost = take(static_cast<std::size_t>(P));
+  view_.w = take(static_cast<std::size_t>(P));
+  view_.scratch = take(3 * static_cast<std::size_t>(P));
+  view_.columns = take(scratch);
+  view_.id = ids_.data();
+}
+
+void Basis::set_column(int i, const double* column, double cost, std::int64_t id) {
+  std::copy_n(column, view_.m, view_.B + static_cast<std::ptrdiff_t>(i) * view_.P);
+  view_.cost[i] = cost;
+  view_.id[i] = id;
+}
+
+bool Basis::refactor() {
+  const int m = view_.m;
+  const std::ptrdiff_t width = 2 * static_cast<std::ptrdiff_t>(m);
+  factor_.reserve(static_cast<std::size_t>(m * width));
+  for (int i = 0; i < m; ++i) {
+    for (int j = 0; j < m; ++j) {
+      factor_[static_cast<std::size_t>(i * width + j)] = column(j)[i];
+      factor_[static_cast<std::size_t>(i * width + m + j)] = i == j ? 1.0 : 0.0;
+    }
+  }
+  if (!gauss_jordan(factor_.data(), m)) return false;
+  double* x = view_.x();
+  std::fill_n(x, view_.P, 0.0);
+  for (int i = 0; i < m; ++i) {
+    for (int k = 0; k < m; ++k) {
+      const double r = factor_[static_cast<std::size_t>(i * width + m + k)];
+      view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i] = r;
+      x[i] += r * b_[static_cast<std::size_t>(k)];
+    }
+  }
+  refresh_duals();
+  return true;
+}
+
+void Basis::refresh_duals() {
+  kernels_->duals(&view_);
+  view_.objective = 0;
+  for (int i = 0; i < view_.m; ++i) view_.objective += view_.cost[i] * view_.x()[i];
+}
+
+double Basis::drift() const {
+  double largest = 0;
+  for (int k = 0; k < view_.m; ++k) {
+    double residual = b_[static_cast<std::size_t>(k)];
+    for (int i = 0; i < view_.m; ++i) residual -= column(i)[k] * view_.x()[i];
+    if (!(std::fabs(residual) <= largest)) largest = std::fabs(residual);  // NaN stays
+    if (std::isnan(largest)) break;
+  }
+  return largest;
+}
+
+Enclosure Basis::enclose(bool refine) {
+  // ‖E‖ as computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these
+  // bounds.
+  const MatrixNorms norms = kernels_->norms(&view_);
+  const double E = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
+  if (!(E < 0.5)) return {};
+  if (refine) kernels_->refine(&view_, b_.data(), true);
+  const double error = kernels_->refine(&view_, b_.data(), false);
+  if (!std::isfinite(error)) return {};
+  return {true, 1.02 * error / (1.0 - E)};
+}
+
+}  // namespace raygauge

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "engine/kernels/kernel.h"
+#include "engine/numerics/aligned_buffer.h"
+
+namespace raygauge {
+
+/// Proven statement about the basic solution x* = B⁻¹ b in exact arithmetic: |x*_i - x_i| <= error for every
+/// i.
+struct Enclosure {
+  bool valid = false;  ///< B is proven regular
+  double error = 0;
+};
+
+/// Owner of a simplex basis (see BasisView) and of the operations that are not on the hot path. b is the
+/// right-hand side.
+class Basis {
+ public:
+  /// Prepares an empty basis of m columns; everything is zero afterwards. Allocates only when m grows.
+  void reset(int m, const Kernels& kernels);
+
+  /// Puts `column` (m entries) at position i without touching the inverse; call refactor() when all are set.
+  void set_column(int i, const double* column, double cost, std::int64_t id);
+
+  /// R = B⁻¹ afresh by Gauss–Jordan with partial pivoting, then x and y. False if B is numerically singular;
+  /// R is then unusable.
+  bool refactor();
+
+  /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y; the objective too.
+  void refresh_duals();
+
+  /// |b - B x|∞ as computed: how far the updates of x have drifted.
+  double drift() const;
+
+  /// A proven enclosure of B⁻¹ b around x by Rump's theorem: with E = I - R B and ‖E‖∞ < 1,
+  /// |x* - x|∞ <= ‖R (b - B x)‖∞ / (1 - ‖E‖∞), every rounding error bounded. With `refine`, x takes a step of
+  /// iterative refinement first.
+  Enclosure enclose(bool refine);
+
+  BasisView& view() noexcept { return view_; }
+  const BasisView& view() const noexcept { return view_; }
+  double* right_hand_side() noexcept { return b_.data(); }
+  const double* column(int i) const noexcept { return view_.B + static_cast<std::ptrdiff_t>(i) * view_.P; }
+
+ private:
+  BasisView view_;
+  const Kernels* kernels_ = nullptr;
+  AlignedBuffer<double> memory_;
+  AlignedBuffer<std::int64_t> ids_;
+  AlignedBuffer<double> b_;
+  AlignedBuffer<double> factor_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/column_pool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/splitmix64.h"
+
+namespace raygauge {
+namespace {
+
+constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
+
+// Coordinates of a sample from which on pricing it in single precision saves more than making the copy takes.
+constexpr std::ptrdiff_t kWorthRounding = 8192;
+
+// Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
+// the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
+std::ptrdiff_t sample_blocks(const PointSet& S) {
+  const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
+  return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, static_cast<std::ptrdiff_t>(balanced / 16));
+}
+
+}  // namespace
+
+void ColumnPool::choose(const PointSet& S, const double* factor, bool trivial, bool in_single) {
+  magnitude_ = 0;
+  in_single_ = false;
+  for (int k = 0; k < S.dimension(); ++k) {
+    magnitude_ = std::max(magnitude_, factor[k] * S.coordinate_magnitude()[k]);
+  }
+  // Sets small enough to carry a single-precision copy are priced from the first-level cache.
+  if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial);
+  const std::ptrdiff_t sample = sample_blocks(S);
+  if (sample >= S.block_count()) return take_all(S, factor, trivial);
+  in_single_ = in_single && sample * kLanes * S.dimension() >= kWorthRounding;
+  take_sample(S, factor, sample);
+}
+
+std::ptrdiff_t ColumnPool::growth(const PointSet& S) { return 16 * sample_blocks(S); }
+
+void ColumnPool::grow_to(std::ptrdiff_t size) {
+  const std::ptrdiff_t blocks = (size + kLanes - 1) / kLanes;
+  const auto needed = static_cast<std::size_t>(blocks * n_ * kLanes);
+  if (needed > copy_.capacity()) copy_.reserve(std::max(needed, 2 * copy_.capacity()));
+  blocks_ = copy_.data();
+  single_blocks_ = nullptr;
+  if (!in_single_) return;
+  const std::ptrdiff_t pairs = (size + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes;
+  const auto needed_single = static_cast<std::size_t>(pairs * n_ * PointSet::kSingleLanes);
+  if (needed_single > single_copy_.capacity()) {
+    single_copy_.reserve(std::max(needed_single, 2 * single_copy_.capacity()));
+  }
+  single_blocks_ = single_copy_.data();
+}
+
+// The point at `position`, found in its `slot` of copy_; the first of a block stands in for those to come.
+void ColumnPool::place_single(std::ptrdiff_t position, const double* slot) {
+  constexpr std::ptrdiff_t kWide = PointSet::kSingleLanes;
+  float* to = single_copy_.data() + (position / kWide) * n_ * kWide + position % kWide;
+  const std::ptrdiff_t lanes = position % kWide == 0 ? kWide : 1;
+  for (int k = 0; k < n_; ++k) {
+    const auto value = static_cast<float>(slot[k * kLanes]);
+    for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) to[k * kWide + lane] = value;
+  }
+}
+
+PricedPoints ColumnPool::view() const noexcept {
+  return {blocks_, (size_ + kLanes - 1) / kLanes, single_blocks_,
+          (size_ + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes, size_};
+}
+
+void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial) {
+  n_ = S.dimension();
+  size_ = S.size();
+  complete_ = true;
+  if (trivial) {
+    blocks_ = S.data();
+    single_blocks_ = S.single_data();
+    return;
+  }
+  grow_to(size_);
+  double* copy = copy_.data();
+  for (std::ptrdiff_t b = 0; b < S.block_count(); ++b) {
+    for (int k = 0; k < n_; ++k) {
+      const std::ptrdiff_t offset = (b * n_ + k) * kLanes;
+      for (int lane = 0; lane < kLanes; ++lane) copy[offset + lane] = factor[k] * S.data()[offset + lane];
+    }
+  }
+}
+
+void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks) {
+  n_ = S.dimension();
+  size_ = blocks * kLanes;
+  complete_ = false;
+  grow_to(size_);
+  double* copy = copy_.data();
+  for (std::ptrdiff_t s = 0; s < blocks; ++s) {
+    const std::ptrdiff_t first = s * S.block_count() / blocks;
+    const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
+    // Which block of the stratum is fixed, so that a solve is reproducible.
+    const auto jump = static_cast<std::ptrdiff_t>(splitmix64(static_cast<std::uint64_t>(s)) %
+                                                  static_cast<std::uint64_t>(width));
+    const std::ptrdiff_t b = first + jump;
+    for (int k = 0; k < n_; ++k) {
+      const double* from = S.data() + (b * n_ + k) * kLanes;
+      double* to = copy + (s * n_ + k) * kLanes;
+      for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
+    }
+  }
+  if (!in_single_) return;
+  for (std::ptrdiff_t i = 0; i < size_; ++i) place_single(i, copy + (i / kLanes) * n_ * kLanes + i % kLanes);
+}
+
+void ColumnPool::place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride,
+                       const double* factor) {
+  double* slot = copy_.data() + (position / kLanes) * n_ * kLanes + position % kLanes;
+  double largest = magnitude_;
+  for (int k = 0; k < n_; ++k) {
+    const double value = (factor != nullptr ? factor[k] : 1.0) * point[k * stride];
+    slot[k * kLanes] = value;
+    largest = std::max(largest, std::fabs(value));
+  }
+  magnitude_ = largest;
+  // A new block starts with all its lanes equal, so that the unused ones never win.
+  if (position % kLanes == 0) {
+    for (int k = 0; k < n_; ++k) std::fill_n(slot + k * kLanes + 1, kLanes - 1, slot[k * kLanes]);
+  }
+  if (in_single_) place_single(position, slot);
+}
+
+void ColumnPool::add(const PointSet& S, const double* factor, std::int64_t index) {
+  grow_to(size_ + 1);
+  const double* point = S.data() + (index / kLanes) * n_ * kLanes + index % kLanes;
+  place(size_, point, kLanes, factor);
+  ++size_;
+}
+
+void ColumnPool::clear(int n) {
+  n_ = n;
+  size_ = 0;
+  complete_ = false;
+  in_single_ = false;
+  magnitude_ = 0;
+  grow_to(kLanes);
+}
+
+void ColumnPool::add(const double* point) {
+  grow_to(size_ + 1);
+  place(size_, point, 1, nullptr);
+  ++size_;
+}
+
+std::int64_t ColumnPool::index_in(const PointSet& S, const double* factor, std::ptrdiff_t i) const noexcept {
+  if (complete_) return std::min<std::int64_t>(i, S.size() - 1);
+  const double* slot = blocks_ + (i / kLanes) * n_ * kLanes + i % kLanes;
+  for (std::ptrdiff_t j = 0; j < S.size(); ++j) {
+    const double* p = S.data() + (j / kLanes) * n_ * kLanes + j % kLanes;
+    int k = 0;
+    while (k < n_ && factor[k] * p[k * kLanes] == slot[k * kLanes]) ++k;
+    if (k == n_) return j;
+  }
+  return -1;
+}
+
+void ColumnPool::copy_point(std::ptrdiff_t i, double* out) const noexcept {
+  const double* slot = blocks_ + (i / kLanes) * n_ * kLanes + i % kLanes;
+  for (int k = 0; k < n_; ++k) out[k] = slot[k * kLanes];
+}
+
+}  // namespace raygauge

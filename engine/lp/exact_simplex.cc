@@ -1,0 +1,343 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/exact_simplex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/kernels/kernel.h"
+#include "engine/numerics/splitmix64.h"
+
+namespace raygauge {
+namespace {
+
+std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
+
+std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }
+
+constexpr int kLowestTop = -1000;  // 2^1000 is a double
+
+// For exponents that may leave the range of int: beyond ±kFarOut every double is 0 or infinite anyway.
+int clamped(std::int64_t exponent) {
+  constexpr std::int64_t kFarOut = 100000;
+  return static_cast<int>(std::clamp(exponent, -kFarOut, kFarOut));
+}
+
+DoubleDouble scaled(const DoubleDouble& value, std::int64_t exponent) {
+  return {std::ldexp(value.high, clamped(exponent)), std::ldexp(value.low, clamped(exponent))};
+}
+
+double ratio(const BigInteger& numerator, const BigInteger& denominator, std::int64_t exponent) {
+  const ScaledDouble a = numerator.approximate();
+  const ScaledDouble b = denominator.approximate();
+  return std::ldexp(a.mantissa.high / b.mantissa.high, clamped(a.exponent - b.exponent + exponent));
+}
+
+const double* coordinates(const PointSet& S, std::ptrdiff_t i) {
+  return S.data() + (i / PointSet::kLanes) * S.dimension() * PointSet::kLanes + i % PointSet::kLanes;
+}
+
+}  // namespace
+
+ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::span<const std::int64_t> start,
+                                      const Stopwatch& stopwatch) {
+  A_ = A;
+  Q_ = Q;
+  n_ = A.set->dimension();
+  m_ = n_ + 1;
+  pivots_ = 0;
+  scaling_.compute(*A.set, *Q.set);
+  const auto size = static_cast<std::size_t>(m_);
+  column_.resize(size);
+  w_.resize(size);
+  Y_.resize(size);
+  start_from(start);
+  make_nonnegative();
+  perturb();
+  phase_ = reached() ? Phase::optimise : Phase::reach;
+  return run(stopwatch);
+}
+
+// From the unit basis, M = D = 1, one column after the other; columns that depend on those before are left
+// out.
+void ExactSimplex::start_from(std::span<const std::int64_t> start) {
+  basic_.assign(static_cast<std::size_t>(m_), {});
+  M_.assign(static_cast<std::size_t>(m_) * static_cast<std::size_t>(m_ + 1), {});
+  D_.assign_scaled(1, 0);
+  for (int i = 0; i < m_; ++i) M(i, i).assign_scaled(1, 0);
+  for (const std::int64_t id : start) {
+    if (id < 0) continue;
+    form_column(id);
+    compute_w();
+    int row = -1;
+    for (int i = 0; i < m_; ++i) {
+      if (!basic_[static_cast<std::size_t>(i)].artificial || w_[static_cast<std::size_t>(i)].is_zero())
+        continue;
+      if (row < 0 ||
+          w_[static_cast<std::size_t>(i)].bit_length() < w_[static_cast<std::size_t>(row)].bit_length()) {
+        row = i;
+      }
+    }
+    if (row >= 0) replace(row, id);
+  }
+}
+
+// A basic variable below zero gives way to an artificial one with the negated column: its row changes sign.
+void ExactSimplex::make_nonnegative() {
+  for (int i = 0; i < m_; ++i) {
+    if (x(i).sign() >= 0) continue;
+    for (int k = 0; k < m_; ++k) M(i, k).negate();
+    basic_[static_cast<std::size_t>(i)] = {};
+  }
+}
+
+void ExactSimplex::perturb() {
+  constexpr std::uint64_t kDistinct = 1U << 20;
+  for (int i = 0; i < m_; ++i) {
+    product_.assign_scaled(static_cast<double>(1 + splitmix64(static_cast<std::uint64_t>(i)) % kDistinct), 0);
+    perturbed(i).assign_product(D_, product_);
+  }
+}
+
+bool ExactSimplex::reached() const {
+  for (int i = 0; i < m_; ++i) {
+    if (basic_[static_cast<std::size_t>(i)].artificial && !x(i).is_zero()) return false;
+  }
+  return true;
+}
+
+ExactSimplex::End ExactSimplex::run(const Stopwatch& stopwatch) {
+  const std::int64_t limit = pivots_ + pivot_limit(m_);
+  for (;;) {
+    compute_duals();
+    const Candidate entering = price();
+    if (entering.id < 0) {
+      if (phase_ == Phase::optimise) return End::solved;
+      if (!reached()) return End::unreachable;
+      phase_ = Phase::optimise;
+      continue;
+    }
+    if (pivots_ >= limit || stopwatch.expired()) return End::stopped;
+    form_column(entering.id);
+    compute_w();
+    const int row = leaving_row();
+    // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
+    const bool out_of_turn = basic_[static_cast<std::size_t>(row)].artificial;
+    replace(row, entering.id);
+    if (out_of_turn) perturb();
+    if (phase_ == Phase::reach && reached()) phase_ = Phase::optimise;
+  }
+}
+
+// Y = D y: the rows of M whose variables cost 1.
+void ExactSimplex::compute_duals() {
+  for (BigInteger& y : Y_) y.clear();
+  for (int i = 0; i < m_; ++i) {
+    const bool costs =
+        phase_ == Phase::optimise ? is_basic_from_Q(i) : basic_[static_cast<std::size_t>(i)].artificial;
+    if (!costs) continue;
+    for (int k = 0; k < m_; ++k) Y_[static_cast<std::size_t>(k)].add(M(i, k));
+  }
+}
+
+bool ExactSimplex::is_basic_from_Q(int i) const {
+  const Basic& basic = basic_[static_cast<std::size_t>(i)];
+  return !basic.artificial && is_from_Q(basic.id);
+}
+
+double ExactSimplex::Direction::rough(const double* p) const {
+  double sum = constant.high;
+  for (std::size_t k = 0; k < unit.size(); ++k) sum += factor[k].high * (unit[k] * p[k * PointSet::kLanes]);
+  return sum;
+}
+
+double ExactSimplex::Direction::precise(const double* p) const {
+  DoubleDouble sum = constant;
+  for (std::size_t k = 0; k < unit.size(); ++k) sum = sum + factor[k] * (unit[k] * p[k * PointSet::kLanes]);
+  return sum.rounded();
+}
+
+// D times the reduced cost of a point p as a Direction, up to a positive factor that leaves no term above 2:
+// of A it is -Y_n - Σ_k Y_k a'_k, of Q it is cost · D + Σ_k Y_k q'_k.
+void ExactSimplex::aim(bool from_Q, Direction& direction) const {
+  const PointSet& S = from_Q ? *Q_.set : *A_.set;
+  const auto size = static_cast<std::size_t>(n_);
+  direction.factor.assign(size, {});
+  direction.unit.assign(size, 0);
+  std::vector<ScaledDouble> term(size);
+  ScaledDouble constant;
+  if (!from_Q) {
+    constant = Y_[size].approximate();
+    constant.mantissa = -constant.mantissa;
+  } else if (phase_ == Phase::optimise) {
+    constant = D_.approximate();
+  }
+  std::int64_t largest =
+      constant.mantissa.high != 0 ? constant.exponent : std::numeric_limits<std::int64_t>::min() / 2;
+  for (int k = 0; k < n_; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    term[at] = Y_[at].approximate();
+    const double magnitude = S.coordinate_magnitude()[k];
+    if (term[at].mantissa.high == 0 || magnitude == 0) continue;
+    const int top = std::max(std::ilogb(magnitude) + 1, kLowestTop);
+    direction.unit[at] = std::ldexp(1.0, -top);
+    term[at].exponent += top + (from_Q ? scaling_.shift_Q(k) : scaling_.shift_A(k));
+    largest = std::max(largest, term[at].exponent);
+  }
+  for (int k = 0; k < n_; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (S.coordinate_magnitude()[k] == 0) continue;
+    const DoubleDouble factor = scaled(term[at].mantissa, term[at].exponent - largest);
+    direction.factor[at] = from_Q ? factor : -factor;
+  }
+  direction.constant = scaled(constant.mantissa, constant.exponent - largest);
+}
+
+ExactSimplex::Candidate ExactSimplex::price() {
+  Candidate best;
+  price_set(A_, false, best);
+  price_set(Q_, true, best);
+  return best;
+}
+
+void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best) {
+  aim(from_Q, direction_);
+  // No term is above 2 in magnitude: n products and sums lose less than this.
+  const double rough_error = (n_ + 2) * (n_ + 2) * 0x1p-49;
+  const double error = (n_ + 2) * (n_ + 2) * 0x1p-96;
+  const auto count = points.chosen.empty() ? points.set->size() : std::ssize(points.chosen);
+  for (std::ptrdiff_t c = 0; c < count; ++c) {
+    const std::int64_t index = points.chosen.empty() ? c : points.chosen[static_cast<std::size_t>(c)];
+    const double* p = coordinates(*points.set, index);
+    if (direction_.rough(p) > rough_error) continue;
+    const double reduced_cost = direction_.precise(p);
+    if (reduced_cost <= error) consider(from_Q ? id_of_Q(index) : id_of_A(index), reduced_cost, error, best);
+  }
+}
+
+// Dantzig: the most negative reduced cost.
+void ExactSimplex::consider(std::int64_t id, double reduced_cost, double error, Candidate& best) {
+  if (best.id >= 0 && reduced_cost >= best.reduced_cost) return;
+  if (reduced_cost >= -error && exact_reduced_cost_sign(id) >= 0) return;
+  best = {id, reduced_cost};
+}
+
+int ExactSimplex::exact_reduced_cost_sign(std::int64_t id) {
+  form_column(id);
+  BigInteger sum;
+  if (is_from_Q(id) && phase_ == Phase::optimise) sum = D_;
+  for (int k = 0; k < m_; ++k) {
+    product_.assign_product(Y_[static_cast<std::size_t>(k)], column_[static_cast<std::size_t>(k)]);
+    sum.subtract(product_);
+  }
+  return sum.sign();
+}
+
+void ExactSimplex::form_column(std::int64_t id) {
+  const bool from_Q = is_from_Q(id);
+  const double* p = coordinates(from_Q ? *Q_.set : *A_.set, index_of(id));
+  for (int k = 0; k < n_; ++k) {
+    const double value = p[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes];
+    column_[static_cast<std::size_t>(k)].assign_scaled(from_Q ? -value : value,
+                                                       from_Q ? scaling_.shift_Q(k) : scaling_.shift_A(k));
+  }
+  column_[static_cast<std::size_t>(n_)].assign_scaled(from_Q ? 0 : 1, 0);
+}
+
+void ExactSimplex::compute_w() {
+  for (int i = 0; i < m_; ++i) {
+    BigInteger& sum = w_[static_cast<std::size_t>(i)];
+    sum.clear();
+    for (int k = 0; k < m_; ++k) {
+      product_.assign_product(M(i, k), column_[static_cast<std::size_t>(k)]);
+      sum.add(product_);
+    }
+  }
+}
+
+// An artificial variable that has reached zero must stay there once all have: it leaves at the first chance.
+int ExactSimplex::leaving_row() const {
+  int row = -1;
+  for (int i = 0; i < m_; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (phase_ == Phase::optimise && basic_[at].artificial && !w_[at].is_zero()) return i;
+    if (w_[at].sign() > 0 && (row < 0 || ratio_is_less(i, row))) row = i;
+  }
+  return row;
+}
+
+// x_i / w_i < x_r / w_r; among equals artificial variables go first, then the perturbation decides.
+bool ExactSimplex::ratio_is_less(int i, int r) const {
+  const BigInteger& w_i = w_[static_cast<std::size_t>(i)];
+  const BigInteger& w_r = w_[static_cast<std::size_t>(r)];
+  BigInteger left;
+  BigInteger right;
+  left.assign_product(x(i), w_r);
+  right.assign_product(x(r), w_i);
+  if (left != right) return left < right;
+  const bool artificial_i = basic_[static_cast<std::size_t>(i)].artificial;
+  const bool artificial_r = basic_[static_cast<std::size_t>(r)].artificial;
+  if (artificial_i != artificial_r) return artificial_i;
+  left.assign_product(perturbed(i), w_r);
+  right.assign_product(perturbed(r), w_i);
+  return left < right;
+}
+
+void ExactSimplex::replace(int r, std::int64_t id) {
+  const BigInteger p = w_[static_cast<std::size_t>(r)];
+  divisor_.assign(D_);
+  for (int i = 0; i < m_; ++i) {
+    if (i == r) continue;
+    const BigInteger& w = w_[static_cast<std::size_t>(i)];
+    for (int k = 0; k <= m_; ++k) {
+      product_.assign_product(p, M(i, k));
+      other_product_.assign_product(w, M(r, k));
+      product_.subtract(other_product_);
+      divisor_.divide(product_);
+      std::swap(M(i, k), product_);
+    }
+  }
+  D_ = p;
+  if (D_.sign() < 0) {
+    D_.negate();
+    for (BigInteger& entry : M_) entry.negate();
+  }
+  basic_[static_cast<std::size_t>(r)] = {id, false};
+  ++pivots_;
+}
+
+RoundedRatio ExactSimplex::distance() const {
+  BigInteger sum;
+  for (int i = 0; i < m_; ++i) {
+    if (is_basic_from_Q(i)) sum.add(x(i));
+  }
+  return rounded_ratio(sum, D_, -scaling_.lift());
+}
+
+void ExactSimplex::normal(double* u) const {
+  for (int k = 0; k < n_; ++k) u[k] = ratio(Y_[static_cast<std::size_t>(k)], D_, scaling_.shift_Q(k));
+}
+
+void ExactSimplex::weights_of_A(std::vector<PointWeight>& weights) const {
+  weights.clear();
+  for (int i = 0; i < m_; ++i) {
+    const Basic& basic = basic_[static_cast<std::size_t>(i)];
+    if (basic.artificial || is_from_Q(basic.id) || x(i).sign() == 0) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(index_of(basic.id)), ratio(x(i), D_, 0)});
+  }
+}
+
+void ExactSimplex::contact_point(double* p) const {
+  std::fill_n(p, n_, 0.0);
+  for (int i = 0; i < m_; ++i) {
+    const Basic& basic = basic_[static_cast<std::size_t>(i)];
+    if (basic.artificial || is_from_Q(basic.id)) continue;
+    const double alpha = ratio(x(i), D_, 0);
+    const double* a = coordinates(*A_.set, index_of(basic.id));
+    for (int k = 0; k < n_; ++k) p[k] += alpha * a[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes];
+  }
+}
+
+}  // namespace raygauge

@@ -1,0 +1,408 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/primal_simplex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/numerics/double_double.h"
+#include "engine/numerics/exact_sum.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+constexpr std::int64_t kPivotsBetweenLooks = 512;  // at the clock
+constexpr double kArtificialZero = 1e-13;          // weight of artificial columns that is rounding noise
+constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
+constexpr double kLargeCost = 0x1p42;
+constexpr int kRepairs = 3;
+constexpr double kDrift = 1e-9;             // of the equations, after which the inverse is computed afresh
+constexpr double kProgress = 1e-12;         // of the objective, relative, between two looks
+constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
+constexpr int kIdleLooks = 4;               // without progress: rounding leads the pivots in circles
+
+std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
+
+bool is_artificial(std::int64_t id) { return id < 0; }
+
+}  // namespace
+
+bool is_final(PrimalSimplex::End end) noexcept {
+  return end == PrimalSimplex::End::failed || end == PrimalSimplex::End::pivot_limit ||
+         end == PrimalSimplex::End::time_limit;
+}
+
+DistanceStatus status_of(PrimalSimplex::End end) noexcept {
+  switch (end) {
+    case PrimalSimplex::End::pivot_limit:
+      return DistanceStatus::iteration_limit;
+    case PrimalSimplex::End::time_limit:
+      return DistanceStatus::time_limit;
+    default:
+      return DistanceStatus::precision_limit;
+  }
+}
+
+void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels) {
+  n_ = n;
+  kernels_ = &kernels;
+  stage_ = Stage::optimise;
+  raises_ = 0;
+  repairs_ = 0;
+  refactorisations_ = 0;
+  max_pivots_ = max_pivots > 0 ? max_pivots : default_pivot_limit(n);
+  loop_ = {};
+  loop_.gap_tolerance = gap_tolerance;
+  loop_.cost_tolerance = 4 * std::numeric_limits<double>::epsilon() * (n + 1);
+  column_.reserve(static_cast<std::size_t>(padded_rows(n + 1)));
+  guess_.reserve(static_cast<std::size_t>(n));
+  white_.reserve(static_cast<std::size_t>(n));
+  single_.reserve(static_cast<std::size_t>(n));
+}
+
+// max sign · guess · p over the points: a start needs no more than single precision.
+double PrimalSimplex::price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index) {
+  if (points.single_blocks == nullptr) {
+    for (int k = 0; k < n_; ++k)
+      column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
+    return kernels_->price(points.blocks, points.block_count, n_, column_.data(), index);
+  }
+  for (int k = 0; k < n_; ++k) {
+    single_[static_cast<std::size_t>(k)] = static_cast<float>(sign * guess_[static_cast<std::size_t>(k)]);
+  }
+  return kernels_->price_single(points.single_blocks, points.single_block_count, n_, single_.data(), index);
+}
+
+// The point of A that the guess prefers, and artificial columns signed so that the basic solution is
+// nonnegative. The inverse of that basis is known in closed form.
+void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double* guess, double guess_error,
+                          const Frame* frame) {
+  basis_.reset(n_ + 1, *kernels_);
+  basis_.right_hand_side()[n_] = 1.0;
+
+  // The guess, scaled to h_Q(-u) = 1 as the final normal will be.
+  std::ptrdiff_t index = 0;
+  std::copy_n(guess, n_, guess_.data());
+  const double h_Q = price_guess(Q.view(), -1.0, &index);
+  const double length = h_Q > 0 ? 1.0 / h_Q : 1.0;
+  price_guess(A.view(), 1.0, &index);
+  for (int k = 0; k < n_; ++k) guess_[static_cast<std::size_t>(k)] = length * guess[k];
+
+  double* a = column_.data();
+  std::fill_n(a, basis_.view().P, 0.0);
+  A.copy_point(index, a);
+  a[n_] = 1.0;
+  basis_.set_column(n_, a, 0.0, id_of_A(index));
+  place_artificials(a, frame);
+  set_artificial_costs(guess_.data(), guess_error, frame);
+}
+
+// B = [F S, a; 0, 1] with the signs S: R = [S F⁻¹, -S F⁻¹ a; 0, 1], whose last column is x. F = I without a
+// frame.
+void PrimalSimplex::place_artificials(const double* a, const Frame* frame) {
+  BasisView& view = basis_.view();
+  double* R_last = view.R + static_cast<std::ptrdiff_t>(n_) * view.P;
+  double* white = white_.data();
+  std::copy_n(a, n_, white);
+  if (frame != nullptr) {
+    std::fill_n(white, n_, 0.0);
+    for (int k = 0; k < n_; ++k) {
+      for (int i = 0; i < n_; ++i) white[i] += frame->inverse[static_cast<std::ptrdiff_t>(k) * n_ + i] * a[k];
+    }
+  }
+  for (int k = 0; k < n_; ++k) {
+    const double sign = white[k] > 0 ? -1.0 : 1.0;
+    double* column = view.B + static_cast<std::ptrdiff_t>(k) * view.P;
+    if (frame == nullptr) {
+      column[k] = sign;
+      view.R[static_cast<std::ptrdiff_t>(k) * view.P + k] = sign;
+    } else {
+      for (int i = 0; i < n_; ++i) {
+        column[i] = sign * frame->F[static_cast<std::ptrdiff_t>(k) * n_ + i];
+        view.R[static_cast<std::ptrdiff_t>(i) * view.P + k] =
+            sign * frame->inverse[static_cast<std::ptrdiff_t>(i) * n_ + k];
+      }
+    }
+    view.id[k] = -1 - k;
+    R_last[k] = -sign * white[k];
+  }
+  R_last[n_] = 1.0;
+  std::copy_n(R_last, view.P, view.x());
+  loop_.artificials = n_;
+}
+
+// c_k = max(S_k F_k · guess, 0) + slack, and the duals of that basis: yᵀ F S = c.
+void PrimalSimplex::set_artificial_costs(const double* guess, double guess_error, const Frame* frame) {
+  BasisView& view = basis_.view();
+  double* white = white_.data();  // Fᵀ guess, then S c
+  double scale = 0;
+  for (int k = 0; k < n_; ++k) {
+    white[k] = guess[k];
+    if (frame != nullptr) {
+      white[k] = std::inner_product(guess, guess + n_, frame->F + static_cast<std::ptrdiff_t>(k) * n_, 0.0);
+    }
+    scale = std::max(scale, std::fabs(white[k]));
+  }
+  const double* x = view.x();
+  view.objective = 0;
+  for (int k = 0; k < n_; ++k) {
+    const double sign = std::signbit(basis_.column(k)[k]) ? -1.0 : 1.0;  // F_kk > 0
+    view.cost[k] = std::max(sign * white[k], 0.0) + guess_error * scale;
+    view.objective += view.cost[k] * x[k];
+    white[k] = sign * view.cost[k];
+  }
+  double t = 0;
+  for (int k = 0; k < n_; ++k) {
+    view.y[k] = white[k];
+    if (frame != nullptr) {
+      view.y[k] =
+          std::inner_product(white, white + n_, frame->inverse + static_cast<std::ptrdiff_t>(k) * n_, 0.0);
+    }
+    t -= view.y[k] * basis_.column(n_)[k];
+  }
+  view.y[n_] = t;
+}
+
+PrimalSimplex::End PrimalSimplex::solve(const ColumnPool& A, const ColumnPool& Q,
+                                        const Stopwatch& stopwatch) {
+  const End end = optimise(A, Q, stopwatch);
+  if (end == End::solved) basis_.refresh_duals();
+  return end;
+}
+
+PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool& Q,
+                                           const Stopwatch& stopwatch) {
+  BasisView& view = basis_.view();
+  loop_.A = A.view();
+  loop_.Q = Q.view();
+  loop_.noise_A = kUnitRoundoff * A.magnitude();
+  loop_.noise_Q = kUnitRoundoff * Q.magnitude();
+  idle_looks_ = 0;
+  least_objective_ = kInfinity;
+  for (;;) {
+    loop_.pivot_limit = std::min(max_pivots_, view.pivots + kPivotsBetweenLooks);
+    const LoopEnd end = kernels_->simplex_loop(&view, &loop_);
+    if (end == LoopEnd::pivot_limit) {
+      const bool out_of_pivots = view.pivots >= max_pivots_;
+      if (!out_of_pivots && !stopwatch.expired()) {
+        if (!look_after_basis()) return End::failed;
+        continue;
+      }
+      basis_.refresh_duals();
+      return out_of_pivots ? End::pivot_limit : End::time_limit;
+    }
+    if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
+      if (!repair()) return End::failed;
+      loop_.bland = end == LoopEnd::stalled;
+      continue;
+    }
+    const bool artificial = artificial_weight() > kArtificialZero;
+    const bool late = stopwatch.expired();
+    if (!artificial && !late && stage_ == Stage::optimise) return End::solved;
+    basis_.refresh_duals();
+    if (late) return End::time_limit;
+    if (artificial) return stage_ == Stage::optimise ? End::bounded : End::unreachable;
+    enter_stage(Stage::optimise);
+  }
+}
+
+// Now and then in a long solve. False where going on is useless.
+bool PrimalSimplex::look_after_basis() {
+  if (!(basis_.drift() <= kDrift)) {
+    ++refactorisations_;
+    if (!basis_.refactor()) return false;
+  }
+  const double objective = basis_.view().objective;
+  const bool better = objective < least_objective_ * (1 - kProgress);
+  idle_looks_ = better ? 0 : idle_looks_ + 1;
+  least_objective_ = std::min(least_objective_, objective);
+  return idle_looks_ < kIdleLooks;
+}
+
+bool PrimalSimplex::repair() {
+  if (++repairs_ > kRepairs) return false;
+  loop_.gap_tolerance = 0;
+  ++refactorisations_;
+  return basis_.refactor();
+}
+
+double PrimalSimplex::artificial_weight() const {
+  if (loop_.artificials == 0) return 0;
+  const BasisView& view = basis_.view();
+  double weight = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) weight += std::fabs(view.x()[i]);
+  }
+  return weight;
+}
+
+void PrimalSimplex::raise_bounds() {
+  if (++raises_ > kCostRaises) return enter_stage(Stage::reach);
+  BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) view.cost[i] = 8 * (view.cost[i] + 0.125);
+  }
+  basis_.refresh_duals();
+}
+
+void PrimalSimplex::enter_stage(Stage stage) {
+  stage_ = stage;
+  loop_.cost_of_Q = stage == Stage::reach ? 0.0 : 1.0;
+  BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) {
+      view.cost[i] = stage == Stage::reach ? 1.0 : kLargeCost;
+    } else {
+      view.cost[i] = is_from_Q(view.id[i]) ? loop_.cost_of_Q : 0.0;
+    }
+  }
+  ++refactorisations_;
+  if (!basis_.refactor()) basis_.refresh_duals();
+}
+
+double PrimalSimplex::threshold_A() const noexcept {
+  const double t = basis_.view().y[n_];
+  return -t + 2 * loop_.cost_tolerance * std::fabs(t) + dual_length() * loop_.noise_A;
+}
+
+double PrimalSimplex::threshold_Q() const noexcept {
+  return loop_.cost_of_Q + loop_.cost_tolerance + dual_length() * loop_.noise_Q;
+}
+
+double PrimalSimplex::dual_length() const noexcept {
+  double sum = 0;
+  for (int k = 0; k < n_; ++k) sum += std::fabs(basis_.view().y[k]);
+  return sum;
+}
+
+double PrimalSimplex::proven_upper() {
+  if (stage_ == Stage::reach) return kInfinity;
+  // As accurate as the gap asks for, most basic solutions are from the start; the others are refined.
+  double upper = loop_.gap_tolerance > 0 ? enclosed_upper(false) : kInfinity;
+  if (!(upper < kInfinity)) upper = enclosed_upper(true);
+  return upper < kInfinity ? upper : exact_upper();
+}
+
+// Σβ where every weight is proven to be positive; +infinity otherwise, or where the unrefined solution is not
+// good enough.
+double PrimalSimplex::enclosed_upper(bool refine) {
+  const Enclosure enclosure = basis_.enclose(refine);
+  if (!enclosure.valid) return kInfinity;
+  BasisView& view = basis_.view();
+  left_out_ = 0;
+  double sum = 0;
+  double error = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return kInfinity;
+    if (!is_from_Q(view.id[i])) continue;
+    sum += view.x()[i];
+    error += enclosure.error;
+  }
+  if (!refine && error > kNegligibleError * loop_.gap_tolerance * sum) return kInfinity;
+  view.objective = sum;
+  return (sum + error) * (1 + 2 * (view.m + 2) * kUnitRoundoff);
+}
+
+// Degenerate: some basic variables are zero. If leaving them out solves the equations exactly, that is a
+// proof too.
+double PrimalSimplex::exact_upper() {
+  left_out_ = kArtificialZero;
+  const BasisView& view = basis_.view();
+  const double* x = view.x();
+  double sum = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (x[i] <= kArtificialZero) continue;
+    if (is_artificial(view.id[i])) return kInfinity;
+    if (is_from_Q(view.id[i])) sum += x[i];
+  }
+  for (int k = 0; k < view.m; ++k) {
+    ExactSum row;
+    if (k == n_) row.add(-1.0);
+    for (int i = 0; i < view.m; ++i) {
+      if (x[i] > kArtificialZero) row.add_product(x[i], basis_.column(i)[k]);
+    }
+    if (!row.is_zero()) return kInfinity;
+  }
+  return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
+}
+
+double PrimalSimplex::upper_with_residual(double gauge_bound) const {
+  const BasisView& view = basis_.view();
+  const double* x = view.x();
+  double alpha = 0;
+  double beta = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
+    (is_from_Q(view.id[i]) ? beta : alpha) += x[i];
+  }
+  if (!(alpha > 0.5)) return kInfinity;
+  double residual = 0;
+  for (int k = 0; k < n_; ++k) {
+    DoubleDouble sum;
+    double magnitude = 0;
+    for (int i = 0; i < view.m; ++i) {
+      if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
+      const DoubleDouble term = two_product(x[i], basis_.column(i)[k]);
+      sum = sum + term;
+      magnitude += std::fabs(term.high);
+    }
+    const double lost = view.m * 0x1p-99 * magnitude + kUnderflow;
+    const double row = std::fabs(sum.rounded()) + lost;
+    if (!(row < kInfinity)) return kInfinity;  // an overflow, of which a maximum might lose sight
+    residual = std::max(residual, row);
+  }
+  const double rounding = 4 * (view.m + 4) * kUnitRoundoff;
+  return (beta + gauge_bound * residual) / alpha * (1 + rounding);
+}
+
+double PrimalSimplex::cone_radius() {
+  const Enclosure enclosure = basis_.enclose(true);
+  if (!enclosure.valid) return 0;
+  const BasisView& view = basis_.view();
+  double smallest = kInfinity;
+  double norm = 0;  // of R without its last column: r changes the first n equations only
+  int points_of_Q = 0;
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i])) return 0;
+    double row = 0;
+    for (int k = 0; k < n_; ++k) row += std::fabs(view.R[static_cast<std::ptrdiff_t>(k) * view.P + i]);
+    norm = std::max(norm, row);
+    if (!is_from_Q(view.id[i])) continue;
+    ++points_of_Q;
+    smallest = std::min(smallest, view.x()[i]);
+  }
+  if (points_of_Q != n_ || !(smallest > enclosure.error)) return 0;
+  // |B⁻¹ r|∞ <= |R r|∞ / (1 - ‖E‖) <= 2 ‖R‖ |r|∞, and that must not exceed the smallest weight.
+  return 0.49 * (smallest - enclosure.error) / norm;
+}
+
+void PrimalSimplex::origin_weights(std::vector<PointWeight>& weights) const {
+  const BasisView& view = basis_.view();
+  weights.clear();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i]) || !(view.x()[i] > left_out_)) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(view.id[i] / 2), view.x()[i]});
+  }
+}
+
+void PrimalSimplex::contact_point(double* point) const {
+  const BasisView& view = basis_.view();
+  std::fill_n(point, n_, 0.0);
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    for (int k = 0; k < n_; ++k) point[k] += view.x()[i] * basis_.column(i)[k];
+  }
+}
+
+void PrimalSimplex::points_of_A(WeightedPoints& points) const {
+  const BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    points.add(basis_.column(i), view.x()[i]);
+  }
+}
+
+}  // namespace raygauge

@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/column_generation/sifting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/lp/shared_pass.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+// The points just below the threshold are the next to be violated when the normal turns. Those within this
+// fraction of the last pass's violation are taken along: every third solve at n >= 20 is spared a pass by it,
+// and the working set hardly grows (measured over 0 … 1).
+constexpr double kReach = 0.2;
+
+// Coordinates of both sets up to which a pass costs less than the pivots it may spare.
+constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
+
+}  // namespace
+
+void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+                    const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
+  begin(A, Q, options, stopwatch);
+  working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A(), true);
+  working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q(), true);
+  chosen_A_ = chosen_Q_ = {};
+  start();
+  run(false, effects, result);
+}
+
+void Sifting::solve_restricted(const PointSet& A, const PointSet& Q, std::span<const std::int64_t> index_A,
+                               std::span<const std::int64_t> index_Q, const DistanceOptions& options,
+                               const Stopwatch& stopwatch, DistanceResult& result) {
+  begin(A, Q, options, stopwatch);
+  working_A_.clear(n_);
+  working_Q_.clear(n_);
+  for (const std::int64_t i : index_A) working_A_.add(A, scaling_.factor_A(), i);
+  for (const std::int64_t j : index_Q) working_Q_.add(Q, scaling_.factor_Q(), j);
+  chosen_A_ = index_A;
+  chosen_Q_ = index_Q;
+  start();
+  run(true, Effects::none, result);
+}
+
+void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+                    const Stopwatch& stopwatch) {
+  A_ = &A;
+  Q_ = &Q;
+  n_ = A.dimension();
+  tolerance_ = options.tolerance;
+  threads_ = options.threads;
+  pivots_are_limited_ = options.max_iterations > 0;
+  kernels_ = &kernels_for(options.instruction_set);
+  stopwatch_ = &stopwatch;
+  counters_ = {};
+  counters_.outer_iterations = 1;
+  gauge_per_residual_ = 0;
+  violators_A_ = violators_Q_ = {};
+  scaling_.compute(A, Q);
+  program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
+  direction_.reserve(2 * static_cast<std::size_t>(n_));
+}
+
+// Guess of the normal: from the centre of A towards the origin, as seen where Q is in isotropic position.
+// Exact for homothetic ellipsoids, and never far off in angle for anything round.
+void Sifting::start() {
+  double* guess = direction_.data();
+  A_->center_unchecked(guess);
+  for (int k = 0; k < n_; ++k) guess[k] *= -scaling_.factor_A()[k];
+  const bool framed = choose_frame();
+  if (framed) turn_guess(guess);
+  double largest = 0;
+  for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
+  for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
+  if (!(largest > 0)) guess[0] = 1.0;
+  const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
+  const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
+  program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr);
+}
+
+// The isotropic map of Q, scaled as Q is. False where none is needed.
+bool Sifting::choose_frame() {
+  const IsotropicMap* map = Q_->isotropic();
+  if (map == nullptr) return false;
+  const auto n = static_cast<std::size_t>(n_);
+  frame_.reserve(n * n);
+  inverse_frame_.reserve(n * n);
+  for (int j = 0; j < n_; ++j) {
+    for (int i = 0; i < n_; ++i) {
+      const std::size_t entry = static_cast<std::size_t>(j) * n + static_cast<std::size_t>(i);
+      frame_[entry] = scaling_.factor_Q()[i] * map->F(i, j);
+      inverse_frame_[entry] = map->inverse(i, j) / scaling_.factor_Q()[j];
+    }
+  }
+  return true;
+}
+
+// F⁻ᵀ F⁻¹ v in place of v.
+void Sifting::turn_guess(double* v) const {
+  using Map = Eigen::Map<const Eigen::MatrixXd>;
+  const Map inverse(inverse_frame_.data(), n_, n_);
+  Eigen::Map<Eigen::VectorXd> guess(v, n_);
+  Eigen::Map<Eigen::VectorXd> white(v + n_, n_);
+  white.noalias() = inverse * guess;
+  guess.noalias() = inverse.transpose() * white;
+}
+
+void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
+  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  for (;;) {
+    const PrimalSimplex::End end = program_.optimise(working_A_, working_Q_, *stopwatch_);
+    if (end == PrimalSimplex::End::bounded && (complete || restricted || bounds_mislead())) {
+      program_.raise_bounds();
+      continue;
+    }
+    const bool solved = end == PrimalSimplex::End::solved;
+    const bool trusted = trusts_simplex_ && solved;
+    if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
+    if (solved && complete && certify_as_priced(effects, result)) return;
+    if (solved) program_.refresh_duals();
+    const double estimate = program_.objective();
+    price_everything();
+    const double lower = lower_bound(h_A_, h_Q_);
+    if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    // Working sets as large as the sets hold points twice: rounding makes them price out again and again.
+    const bool growing = working_A_.size() + working_Q_.size() < A_->size() + Q_->size();
+    const bool violated = growing && (violators_A_.any || violators_Q_.any);
+    // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
+    if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
+      add_violators();
+      program_.encourage();
+      continue;
+    }
+    if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
+    double upper = program_.proven_upper();
+    const bool concluded = is_final(end) || restricted || (solved && !violated);
+    if (upper == kInfinity && concluded) upper = upper_despite_residual();
+    if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
+    if (is_closed(lower, upper, tolerance_)) {
+      return finish(DistanceStatus::optimal, lower, upper, effects, result);
+    }
+    if (is_final(end) || restricted) return settle(end, lower, upper, effects, result);
+    // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
+    // normal keep the answer open, not missing points.
+    const bool open = estimate - lower > tolerance_ * estimate;
+    if (violated && (open || end != PrimalSimplex::End::bounded)) {
+      add_violators();
+      program_.encourage();
+    } else if (end == PrimalSimplex::End::bounded) {
+      program_.raise_bounds();
+    } else if (!program_.repair()) {
+      return settle(end, lower, upper, effects, result);
+    }
+  }
+}
+
+// The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as
+// well as those of one more pass at better duals would, if that is good enough.
+bool Sifting::certify_as_priced(Effects effects, DistanceResult& result) {
+  if (!scaling_.trivial_A() || !scaling_.trivial_Q()) return false;
+  const double* y = program_.normal();
+  double* u = direction_.data();
+  for (int k = 0; k < n_; ++k) {
+    u[k] = y[k];
+    u[n_ + k] = -y[k];
+  }
+  h_A_ = {program_.priced_A(), dot_error(*A_, u)};
+  h_Q_ = {program_.priced_Q(), dot_error(*Q_, u)};
+  const double resolution = resolution_for(tolerance_);
+  if (!well_resolved(h_A_.value, h_A_.error, resolution) ||
+      !well_resolved(h_Q_.value, h_Q_.error, resolution)) {
+    return false;
+  }
+  const double lower = lower_bound(h_A_, h_Q_);
+  const double upper = program_.proven_upper();
+  if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
+  counters_.support_queries += 2;
+  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  return true;
+}
+
+// The bounds keep the normal near the guess; where that is good, the first pass finds the right points the
+// sooner. Where most bounds are active or a pass has been spent on it, it is not, and raising them over the
+// sample costs next to nothing.
+bool Sifting::bounds_mislead() const noexcept {
+  const bool passes_are_cheap = n_ * (A_->size() + Q_->size()) < kCheapNumbers;
+  return !passes_are_cheap && (counters_.support_queries > 0 || 5 * program_.artificials() > 3 * n_);
+}
+
+// At a degenerate optimum some weights are zero and cannot be proven nonnegative; and where a limit ended the
+// solve artificial columns may still carry weight. What they leave of the equations is paid for.
+double Sifting::upper_despite_residual() {
+  if (gauge_per_residual_ == 0) {
+    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, *stopwatch_);
+  }
+  return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
+}
+
+// Rounding (or a default pivot limit, which it takes rounding to reach) keeps the bounds apart. Over chosen
+// points the upper bound is all that is asked for.
+void Sifting::settle(PrimalSimplex::End end, double lower, double upper, Effects effects,
+                     DistanceResult& result) {
+  const bool restricted = !chosen_A_.empty();
+  const bool limited = end == PrimalSimplex::End::time_limit ||
+                       (end == PrimalSimplex::End::pivot_limit && pivots_are_limited_);
+  if (!limited && !(restricted && upper < kInfinity) && settle_exactly(lower, effects, result)) return;
+  finish(stopwatch_->expired() ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
+}
+
+bool Sifting::settle_exactly(double lower, Effects effects, DistanceResult& result) {
+  const bool restricted = !chosen_A_.empty();
+  start_.clear();
+  for (int i = 0; i <= n_; ++i) {
+    const std::int64_t id = program_.basic_ids()[i];
+    if (id < 0) continue;
+    if (id % 2 == 1) {
+      start_.push_back(id_of_Q(working_Q_.index_in(*Q_, scaling_.factor_Q(), id / 2)));
+    } else {
+      start_.push_back(id_of_A(working_A_.index_in(*A_, scaling_.factor_A(), id / 2)));
+    }
+  }
+  const ExactSimplex::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_);
+  if (end == ExactSimplex::End::stopped) return false;
+  if (end == ExactSimplex::End::unreachable) {
+    if (restricted) return false;
+    finish_exactly(DistanceStatus::unreachable, {kInfinity, kInfinity, kInfinity}, effects, result);
+    return true;
+  }
+  RoundedRatio distance = exact_.distance();
+  if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
+  const bool close = is_closed(distance.below, distance.above, tolerance_);
+  const DistanceStatus status = distance.above == 0 ? DistanceStatus::contains_origin
+                                : close             ? DistanceStatus::optimal
+                                                    : DistanceStatus::precision_limit;
+  finish_exactly(status, distance, effects, result);
+  return true;
+}
+
+// h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
+// out.
+void Sifting::price_everything() {
+  const double* y = program_.normal();
+  double* u = direction_.data();
+  double* v = u + n_;
+  for (int k = 0; k < n_; ++k) {
+    u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
+    v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
+  }
+  if (!working_A_.is_complete() || !working_Q_.is_complete()) {
+    const std::ptrdiff_t capacity = ColumnPool::growth(*A_);
+    const auto both = static_cast<std::size_t>(capacity + ColumnPool::growth(*Q_));
+    collected_.reserve(both);
+    collected_value_.reserve(both);
+    violators_A_.points = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
+    violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
+                           ColumnPool::growth(*Q_), 0, kInfinity};
+  }
+  h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
+  h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
+}
+
+SupportValue Sifting::price_set(const PointSet& S, const ColumnPool& working, const double* direction,
+                                double threshold, Violators& violators) {
+  ++counters_.support_queries;
+  counters_.points_priced += S.size();
+  const double resolution = resolution_for(tolerance_);
+  if (working.is_complete()) return support_value(*kernels_, S, direction, nullptr, resolution);
+  violators.points.threshold = threshold - violators.reach;
+  const double value = shared_pass(*kernels_, S, direction, violators.points, threads_);
+  violators.any = value > threshold;
+  violators.reach = violators.any ? kReach * (value - threshold) : 0;
+  const double error = dot_error(S, direction);
+  if (well_resolved(value, error, resolution)) return {value, error};
+  return support_value(*kernels_, S, direction, nullptr, resolution);
+}
+
+void Sifting::add_violators() {
+  const auto add = [](ColumnPool& working, const PointSet& S, const double* factor,
+                      const Collection& violators) {
+    for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
+      working.add(S, factor, std::min<std::int64_t>(violators.index[i], S.size() - 1));
+    }
+  };
+  add(working_A_, *A_, scaling_.factor_A(), violators_A_.points);
+  add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_.points);
+}
+
+void Sifting::finish(DistanceStatus status, double lower, double upper, Effects effects,
+                     DistanceResult& result) {
+  const int shift = -scaling_.distance_shift();
+  result.status = status;
+  result.lower = scaled_down(lower, shift);
+  result.upper = scaled_up(upper, shift);
+  // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
+  const bool closed = is_closed(result.lower, result.upper, tolerance_);
+  if (status == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
+  // In this order an objective that is not a number gives way to the lower bound.
+  result.distance = std::max(result.lower, std::min(std::ldexp(program_.objective(), shift), result.upper));
+
+  // u in the sets' own units, with h_Q(-u) = 1.
+  const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;
+  const double* v = direction_.data() + n_;
+  result.normal.resize(n_);
+  for (int k = 0; k < n_; ++k) result.normal[k] = -v[k] * length;
+
+  result.origin_weights.clear();
+  if (status == DistanceStatus::contains_origin) {
+    program_.origin_weights(result.origin_weights);
+    for (PointWeight& weight : result.origin_weights) {
+      weight.index = working_A_.index_in(*A_, scaling_.factor_A(), weight.index);
+    }
+  }
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    program_.contact_point(contact);
+    for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
+    ++counters_.witness_evaluations;
+  }
+  record_work(result);
+}
+
+// As finish(), in the sets' own units.
+void Sifting::finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
+                             DistanceResult& result) {
+  result.status = status;
+  result.lower = distance.below;
+  result.upper = distance.above;
+  result.distance = distance.nearest;
+  result.normal.resize(n_);
+  exact_.normal(result.normal.data());
+  result.origin_weights.clear();
+  if (status == DistanceStatus::contains_origin) exact_.weights_of_A(result.origin_weights);
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    exact_.contact_point(contact);
+    ++counters_.witness_evaluations;
+  }
+  counters_.exact_pivots = exact_.pivots();
+  record_work(result);
+}
+
+void Sifting::record_work(DistanceResult& result) {
+  counters_.pivots = program_.pivots();
+  counters_.ray_iterations = program_.pricings();
+  counters_.points_priced += program_.points_priced();
+  counters_.refactorisations = program_.refactorisations();
+  result.counters = counters_;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/certificates/certificate.h"
+#include "engine/certificates/gauge_bound.h"
+#include "engine/lp/column_pool.h"
+#include "engine/lp/exact_simplex.h"
+#include "engine/lp/primal_simplex.h"
+#include "engine/lp/scaling.h"
+#include "engine/methods/options.h"
+#include "engine/methods/result.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// The method `direct` on a pair of point sets. Small sets are priced whole (PrimalSimplex). Of large ones a
+/// sample is solved first; one pass over everything then collects the points that the sample's normal leaves
+/// on the wrong side, and the next pass usually proves the answer (Clarkson's sampling; "sifting").
+class Sifting {
+ public:
+  void solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options, const Stopwatch& stopwatch,
+             Effects effects, DistanceResult& result);
+
+  /// The same over some points only, given by their indices. `upper` is an upper bound on d_Q(A), `lower`
+  /// belongs to the chosen points' normal and is a lower bound on d_Q(A) all the same.
+  void solve_restricted(const PointSet& A, const PointSet& Q, std::span<const std::int64_t> index_A,
+                        std::span<const std::int64_t> index_Q, const DistanceOptions& options,
+                        const Stopwatch& stopwatch, DistanceResult& result);
+
+  /// For measuring what proofs cost (bench/safety_cost.cc) and for nothing else: a solve that the simplex
+  /// calls solved then ends there, with no bound known.
+  void trust_simplex(bool trust) noexcept { trusts_simplex_ = trust; }
+
+ private:
+  void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch);
+  void start();
+  bool choose_frame();
+  void turn_guess(double* v) const;
+  void run(bool restricted, Effects effects, DistanceResult& result);
+  bool certify_as_priced(Effects effects, DistanceResult& result);
+  bool bounds_mislead() const noexcept;
+  void price_everything();
+  double upper_despite_residual();
+  struct Violators {
+    Collection points;  // those above the threshold, and those as near below it as `reach`
+    bool any = false;   // whether one is above
+    double reach = 0;
+  };
+  SupportValue price_set(const PointSet& S, const ColumnPool& working, const double* direction,
+                         double threshold, Violators& violators);
+  void add_violators();
+  void settle(PrimalSimplex::End end, double lower, double upper, Effects effects, DistanceResult& result);
+  bool settle_exactly(double lower, Effects effects, DistanceResult& result);
+  void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
+  void finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
+                      DistanceResult& result);
+  void record_work(DistanceResult& result);
+
+  const PointSet* A_ = nullptr;
+  const PointSet* Q_ = nullptr;
+  const Kernels* kernels_ = nullptr;
+  int n_ = 0;
+  double tolerance_ = 0;
+  int threads_ = 1;
+  bool trusts_simplex_ = false;
+  bool pivots_are_limited_ = false;  // by the caller
+  Scaling scaling_;
+  ColumnPool working_A_;
+  ColumnPool working_Q_;
+  PrimalSimplex program_;
+  GaugeBound gauge_bound_;
+  double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
+  const Stopwatch* stopwatch_ = nullptr;
+  DistanceCounters counters_;
+
+  // The last resort, the points it may use (none given: all), and the basis it starts from.
+  ExactSimplex exact_;
+  std::span<const std::int64_t> chosen_A_;
+  std::span<const std::int64_t> chosen_Q_;
+  std::vector<std::int64_t> start_;
+
+  // The last pricing of the whole sets, in scaled units, and what priced out.
+  SupportValue h_A_;
+  SupportValue h_Q_;
+  Violators violators_A_;
+  Violators violators_Q_;
+
+  AlignedBuffer<double> direction_;  // u for A, then -u for Q, in the sets' own units: 2n
+  AlignedBuffer<double> frame_;      // n x n, and its inverse: see PrimalSimplex::Frame
+  AlignedBuffer<double> inverse_frame_;
+  AlignedBuffer<std::int64_t> collected_;
+  AlignedBuffer<double> collected_value_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,481 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/newton/newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "engine/numerics/floating_point.h"
+#include "engine/numerics/vector_kernels.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kShift = 4;          // δR in rounding errors of a combination
+constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
+constexpr int kShortenings = 10;      // of one step, each to kShorter of it
+constexpr double kShorter = 0.4;
+constexpr int kFacetTrials = 6;        // in one solve
+constexpr double kSameNormal = 1e-14;  // of two flat faces: 1 - the cosine of their angle
+constexpr int kTurns = 9;              // between two faces in search of a point of both
+constexpr int kGrowthEvaluations = 24;
+
+// Whether it is worth going on: far from the end the ratio rises while the residual may even grow, close to
+// it the residual falls.
+template <class Real>
+class Progress {
+ public:
+  bool is_made(Real ratio, Real residual) {
+    constexpr double kHigher = 1.01, kSmaller = 0.5;
+    constexpr int kPatience = 8;
+    const bool higher = ratio > kHigher * highest_ratio_;
+    idle_ = higher || residual < kSmaller * least_residual_ ? 0 : idle_ + 1;
+    if (higher) highest_ratio_ = ratio;
+    least_residual_ = std::min(least_residual_, residual);
+    return idle_ <= kPatience;
+  }
+
+ private:
+  Real highest_ratio_ = 0;
+  Real least_residual_ = kInfinity;
+  int idle_ = 0;
+};
+
+// Quadruple precision begins where doubles ended, and its evaluations take a hundred times as long.
+template <class Real>
+int default_evaluation_limit(int n) {
+  return std::is_same_v<Real, double> ? 100 + 10 * n : 60;
+}
+
+// rᵀ(Σ weight_i ∇²h_i)r over the active pieces.
+template <class Real>
+Real curvature_along(const PieceList<Real>& list, const Real* r) {
+  if (!list.curved) return 0;
+  Real sum = 0;
+  for (int a = 0; a < list.active_count; ++a) {
+    const int i = list.active[static_cast<std::size_t>(a)];
+    const Real weight = list.weight[static_cast<std::size_t>(i)];
+    for (int j = 0; j < list.n; ++j)
+      sum += weight * r[j] * dot(list.hessian(i) + std::ptrdiff_t{j} * list.n, r, list.n);
+  }
+  return sum;
+}
+
+// Σ weight_i s_i over the active pieces; returns Σ weight_i |s_i|₁, the scale of its rounding errors.
+template <class Real>
+Real combine(const PieceList<Real>& list, Real* point) {
+  Real size = 0;
+  std::fill_n(point, list.n, Real{0});
+  for (int a = 0; a < list.active_count; ++a) {
+    const int i = list.active[static_cast<std::size_t>(a)];
+    const Real weight = list.weight[static_cast<std::size_t>(i)];
+    for (int k = 0; k < list.n; ++k) {
+      point[k] += weight * list.point(i)[k];
+      size += weight * elementary::fabs(list.point(i)[k]);
+    }
+  }
+  return size;
+}
+
+bool is_smooth(const ConvexSet& S) { return S.structure() == SupportStructure::smooth; }
+
+double up(double x) { return x; }
+double up(Quad x) { return rounded_up(x); }
+
+}  // namespace
+
+template <class Real>
+bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                         const double* start) {
+  n_ = A.dimension();
+  const auto size = static_cast<std::size_t>(n_);
+  for (auto* buffer : {&center_, &ball_center_, &normal_, &contact_, &point_}) buffer->reserve(size);
+  for (auto* buffer : {&linear_, &target_, &residual_vector_, &descent_, &points_[0].u, &points_[1].u}) {
+    buffer->reserve(size);
+  }
+  lower_ = 0;
+  upper_ = kInfinity;
+  residual_ = kInfinity;
+  combination_.clear(n_);
+  evaluations_ = 0;
+  witness_evaluations_ = 0;
+  facets_tried_ = 0;
+  on_facet_ = false;
+  tolerance_ = options.tolerance;
+  max_evaluations_ = options.max_iterations > 0 ? options.max_iterations : default_evaluation_limit<Real>(n_);
+  program_.begin(n_);
+  if (!std::is_same_v<Real, double> && !is_smooth(A) && !is_smooth(Q)) return false;
+  const Kernels& kernels = kernels_for(options.instruction_set);
+  if (!oracle_A_.bind(A, 1.0, kernels) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
+  if (!choose_ball(Q)) return false;
+  now_ = &points_[0];
+  next_ = &points_[1];
+  A.center_unchecked(center_.data());
+  graded_ = unconditional_ = pair_.bind(A, Q);
+  if (start != nullptr) {
+    std::copy_n(start, n_, now_->u.data());
+  } else {
+    choose_start(Q);
+  }
+  return normalize(now_->u.data(), n_, now_->u.data()) > 0;
+}
+
+// Against the normal of Q where the ray to the centre of A leaves it, if Q knows that, or against the ray.
+template <class Real>
+void Newton<Real>::choose_start(const ConvexSet& Q) {
+  Real* u = now_->u.data();
+  std::copy_n(center_.data(), n_, u);
+  if constexpr (std::is_same_v<Real, double>) {
+    if (unconditional_ && Q.gauge_unchecked(u, target_.data()) < kInfinity)
+      std::copy_n(target_.data(), n_, u);
+  } else {
+    if (Q.gauge_normal_unchecked(u, target_.data())) std::copy_n(target_.data(), n_, u);
+  }
+  for (int k = 0; k < n_; ++k) u[k] = -u[k];
+}
+
+// The ball of Q that pays for residuals.
+template <class Real>
+bool Newton<Real>::choose_ball(const ConvexSet& Q) {
+  shift_ = 0;
+  std::fill_n(ball_center_.data(), n_, 0.0);
+  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
+  if (inner_radius_ > 0) return true;
+  if constexpr (std::is_same_v<Real, double>) return false;
+  Q.center_unchecked(ball_center_.data());
+  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
+  if (!(inner_radius_ > 0)) return false;
+  shift_ = kRoundoff<Real>;  // never zero, even if A is known exactly: a ball elsewhere pays for nothing else
+  enlarge_shift(0);
+  return true;
+}
+
+// δ: what pays for the rounding errors at that ratio, and little more.
+template <class Real>
+void Newton<Real>::enlarge_shift(Real ratio) {
+  const Real rounding = std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error());
+  shift_ = std::max(shift_, kShift * rounding / inner_radius_);
+}
+
+// The support function of A - δc.
+template <class Real>
+Real Newton<Real>::shifted_support(const Point& point) const {
+  const Real value = point.A.support.value;
+  return shift_ > 0 ? value - shift_ * dot(point.u.data(), ball_center_.data(), n_) : value;
+}
+
+template <class Real>
+bool Newton<Real>::evaluate(Point& point) {
+  const Real* u = point.u.data();
+  if (!oracle_A_.evaluate(u, point.A) || !oracle_Q_.evaluate(u, point.Q)) return false;
+  if (graded_ && point.A.count + point.Q.count > 2) {
+    graded_ = false;  // where pieces meet the system is not definite
+    grow(growing_);
+    return evaluate(point);
+  }
+  point.A.warm = point.Q.warm = false;
+  ++evaluations_;
+  point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
+  if (shift_ > 0) enlarge_shift(point.ratio);
+  bound_from_below(point);
+  return true;
+}
+
+template <class Real>
+void Newton<Real>::bound_from_below(const Point& point) {
+  const double bound = lower_bound(point.A.support, point.Q.support);
+  if (!(bound > lower_)) return;
+  lower_ = bound;
+  const Real length = 1 / point.Q.support.value;
+  for (int k = 0; k < n_; ++k)
+    normal_[static_cast<std::size_t>(k)] = static_cast<double>(point.u[static_cast<std::size_t>(k)] * length);
+}
+
+// The ratio of the growth distance (8).
+template <class Real>
+Real Newton<Real>::growth_ratio(const Point& point) const {
+  const Real along = -dot(point.u.data(), center_.data(), n_);
+  return along / (point.A.support.value + along + point.Q.support.value);
+}
+
+// The multiple of y nearest to x - δc: ρ itself is the less certain the smaller h_Q(-u) is.
+template <class Real>
+Real Newton<Real>::projected_ratio(const Real* x, const Real* y) const {
+  Real product = 0;
+  for (int k = 0; k < n_; ++k) product += (x[k] - shift_ * ball_center_[static_cast<std::size_t>(k)]) * y[k];
+  return product / dot(y, y, n_);
+}
+
+// The combinations x of A and y of Q with the weights of the step leave r = x - δc - ρy, if ρ >= 0:
+// x = ρy + r costs no more than ρ + gauge_Q(r), x = ρy + δ(c + r/δ) no more than ρ + δ.
+template <class Real>
+void Newton<Real>::bound_from_above() {
+  Real* x = target_.data();
+  Real* y = linear_.data();
+  const Real size_A = combine(now_->A, x);
+  const Real size_Q = combine(now_->Q, y);
+  const Real ratio = shift_ > 0 ? projected_ratio(x, y) : now_->ratio;
+  if (!(ratio >= 0)) return;
+  Real size = size_A + ratio * size_Q;
+  for (int k = 0; k < n_; ++k) {
+    const Real shift_k = shift_ * ball_center_[static_cast<std::size_t>(k)];
+    residual_vector_[static_cast<std::size_t>(k)] = x[k] - ratio * y[k] - shift_k;
+    size += elementary::fabs(shift_k);
+  }
+  residual_ = length(residual_vector_.data(), n_);
+  const Real rounding =
+      std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error()) +
+      (n_ + now_->A.active_count + now_->Q.active_count + 8) * 2 * kRoundoff<Real> * size;
+  const Real cost = (residual_ + rounding) / inner_radius_;
+  const Real upwards = 1 + (n_ + 16) * 2 * kRoundoff<Real>;
+  if (shift_ > 0 && cost * upwards > shift_) return;
+  const double bound = up((ratio + (shift_ > 0 ? shift_ : cost)) * upwards);
+  if (!(bound < upper_)) return;
+  upper_ = bound;
+  for (int k = 0; k < n_; ++k) contact_[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
+  if (!keeps_combination_) return;
+  combination_.clear(n_);
+  for (int a = 0; a < now_->A.active_count; ++a) {
+    const int i = now_->A.active[static_cast<std::size_t>(a)];
+    for (int k = 0; k < n_; ++k) {
+      point_[static_cast<std::size_t>(k)] = static_cast<double>(now_->A.point(i)[k]);
+    }
+    combination_.add(point_.data(), static_cast<double>(now_->A.weight[static_cast<std::size_t>(i)]));
+  }
+}
+
+template <class Real>
+void Newton<Real>::contact_combination(WeightedPoints& combination) const {
+  for (int i = 0; i < combination_.count(); ++i)
+    combination.add(combination_.point(i), combination_.weight(i));
+}
+
+template <class Real>
+bool Newton<Real>::is_closed() const noexcept {
+  if (lower_ > threshold_ || upper_ < threshold_) return true;
+  return raygauge::is_closed(lower_, upper_, tolerance_);
+}
+
+template <class Real>
+typename QuadraticProgram<Real>::Objective Newton<Real>::objective() {
+  const Real ratio = now_->ratio;
+  if (!growing_ && !(shift_ > 0)) return {1, ratio, nullptr, graded_};
+  const double* along = growing_ ? center_.data() : ball_center_.data();
+  const Real factor = growing_ ? 1 - ratio : -shift_;
+  for (int k = 0; k < n_; ++k) linear_[static_cast<std::size_t>(k)] = factor * along[k];
+  return {growing_ ? ratio : Real{1}, ratio, linear_.data(), graded_ && !growing_};
+}
+
+template <class Real>
+bool Newton<Real>::accepts(const Point& candidate) const {
+  const Real h_Q = candidate.Q.support.value;
+  const Real noise = 2 * (candidate.A.support.error + candidate.ratio * candidate.Q.support.error) / h_Q;
+  return candidate.ratio >= now_->ratio - (noise > 0 ? noise : Real{0}) ||
+         (growing_ && candidate.A.support.above() < 0);
+}
+
+// The candidate becomes the current point; with its predecessor's weights if the pieces are the same.
+template <class Real>
+void Newton<Real>::keep(bool weights) {
+  std::swap(now_, next_);
+  on_facet_ = !weights;
+  if (!weights) return;
+  for (const auto list : {&Point::A, &Point::Q}) {
+    const PieceList<Real>& old = next_->*list;
+    PieceList<Real>& list_now = now_->*list;
+    if (old.count > list_now.count) continue;
+    std::fill_n(list_now.weight.data(), list_now.count, Real{0});
+    std::copy_n(old.weight.data(), old.count, list_now.weight.data());
+    list_now.warm = true;
+  }
+}
+
+// The normal of a flat face near the way, and at it the point of the face that is nearest to where the other
+// set touches.
+template <class Real>
+bool Newton<Real>::try_facet(const Real* step) {
+  if (growing_ || facets_tried_ >= kFacetTrials) return false;
+  Real* end = linear_.data();
+  for (int k = 0; k < n_; ++k) end[k] = now_->u[static_cast<std::size_t>(k)] + step[k];
+  const bool of_A = oracle_A_.facet_normal(now_->u.data(), end, next_->u.data());
+  if (!of_A && !oracle_Q_.facet_normal(now_->u.data(), end, next_->u.data())) return false;
+  ++facets_tried_;
+  normalize(next_->u.data(), n_, next_->u.data());
+  if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
+  const bool shared = of_A && shares_facet();
+  if (shared) settle_near_center();
+  settle(of_A);
+  for (int turn = 0; shared && turn < kTurns; ++turn) settle(turn % 2 != 0);
+  keep(false);
+  return true;
+}
+
+// The face of A or Q at next_->u keeps its point nearest to that of the other set.
+template <class Real>
+void Newton<Real>::settle(bool of_A) {
+  const PieceList<Real>& other = of_A ? next_->Q : next_->A;
+  const Real scale = of_A ? next_->ratio : 1 / next_->ratio;
+  const Real* touched = other.point(other.best);
+  Real* target = linear_.data();
+  for (int k = 0; k < n_; ++k) target[k] = scale * touched[k];
+  if (of_A) {
+    oracle_A_.settle_on_facet(next_->u.data(), target, next_->A);
+  } else {
+    oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
+  }
+}
+
+// The face of Q keeps its point nearest to the centre of A, scaled: a beginning from which two discs meet at
+// once.
+template <class Real>
+void Newton<Real>::settle_near_center() {
+  Real* target = linear_.data();
+  for (int k = 0; k < n_; ++k) target[k] = center_[static_cast<std::size_t>(k)] / next_->ratio;
+  oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
+}
+
+// Whether Q has a flat face at next_->u too, as a homothet of A has.
+template <class Real>
+bool Newton<Real>::shares_facet() {
+  Real* normal = descent_.data();
+  const Real* u = next_->u.data();
+  if (!oracle_Q_.facet_normal(now_->u.data(), u, normal)) return false;
+  normalize(normal, n_, normal);
+  return dot(normal, u, n_) > 1 - kSameNormal;
+}
+
+// At the normal of a face φ has a kink that no Hessian describes, but r, with the point of the face nearest
+// to the other set, is its subgradient of least length: -r leads down, as far as the curvature along it says.
+template <class Real>
+const Real* Newton<Real>::leave_facet() {
+  const Real* r = residual_vector_.data();
+  const Real curvature = curvature_along(now_->A, r) + now_->ratio * curvature_along(now_->Q, r);
+  const Real length = curvature > 0 ? residual_ * residual_ / curvature : 1 / residual_;
+  for (int k = 0; k < n_; ++k) descent_[static_cast<std::size_t>(k)] = -length * r[k];
+  return descent_.data();
+}
+
+// next_->u, so far along the step.
+template <class Real>
+void Newton<Real>::move(const Real* step, Real share, bool flat) {
+  const Real* u = now_->u.data();
+  Real* next = next_->u.data();
+  if (unconditional_ && !growing_) {
+    pair_.advance(u, step, share, flat, next);
+  } else {
+    for (int k = 0; k < n_; ++k) next[k] = u[k] + share * step[k];
+  }
+  normalize(next, n_, next);
+}
+
+template <class Real>
+bool Newton<Real>::advance(const Real* step) {
+  if (on_facet_) {
+    step = leave_facet();
+  } else if (try_facet(step)) {
+    return true;
+  }
+  const Real length = elementary::sqrt(dot(step, step, n_));
+  Real share = length > kLongestStep ? kLongestStep / length : Real{1};
+  bool flat = unconditional_ && pair_.has_flats();
+  for (int trial = 0; trial < kShortenings; ++trial) {
+    move(step, share, flat);
+    if (!evaluate(*next_)) return false;
+    if (accepts(*next_)) {
+      keep(true);
+      return true;
+    }
+    if (evaluations_ >= max_evaluations_) return false;
+    if (!flat) share *= kShorter;
+    flat = false;
+  }
+  return false;
+}
+
+template <class Real>
+void Newton<Real>::grow(bool growing) {
+  growing_ = growing;
+  oracle_A_.grade(graded_ && !growing);
+  oracle_Q_.grade(graded_ && !growing);
+}
+
+template <class Real>
+DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
+  grow(false);
+  if (!evaluate(*now_)) return DistanceStatus::precision_limit;
+  grow(!(now_->ratio > 0));
+  if (growing_) now_->ratio = growth_ratio(*now_);
+  Progress<Real> progress;
+  for (;;) {
+    if (lower_ > threshold_) return DistanceStatus::optimal;
+    if (unconditional_ && !growing_) {
+      pair_.meet(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A, now_->Q);
+    }
+    const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
+    if (step == nullptr) return DistanceStatus::precision_limit;
+    if (!growing_) {
+      bound_from_above();
+      if (is_closed()) return DistanceStatus::optimal;
+      if (!progress.is_made(now_->ratio, residual_)) return DistanceStatus::precision_limit;
+    } else if (evaluations_ > kGrowthEvaluations) {
+      return DistanceStatus::precision_limit;
+    }
+    if (evaluations_ >= max_evaluations_) return DistanceStatus::iteration_limit;
+    if (stopwatch.expired()) return DistanceStatus::time_limit;
+    if (!advance(step)) return DistanceStatus::precision_limit;
+    if (growing_ && now_->A.support.above() < 0) {
+      grow(false);
+      now_->ratio = -shifted_support(*now_) / now_->Q.support.value;
+    }
+  }
+}
+
+template <class Real>
+bool Newton<Real>::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                         const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
+                         const double* start) {
+  if (!begin(A, Q, options, start)) return false;
+  const DistanceStatus status = iterate(stopwatch);
+  // The default limit is a guard: beyond it, and where nothing got better, `direct` has other means.
+  const bool limited = status == DistanceStatus::time_limit ||
+                       (status == DistanceStatus::iteration_limit && options.max_iterations > 0);
+  if (status != DistanceStatus::optimal && !limited) return false;
+  report(status, effects, result);
+  return true;
+}
+
+template <class Real>
+void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult& result) {
+  result.status = status;
+  result.lower = lower_;
+  result.upper = upper_;
+  result.distance = lower_;
+  result.normal.resize(n_);
+  for (int k = 0; k < n_; ++k) {
+    result.normal[k] = lower_ > 0 ? normal_[static_cast<std::size_t>(k)]
+                                  : static_cast<double>(now_->u[static_cast<std::size_t>(k)]);
+  }
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    std::copy_n(contact_.data(), n_, contact);
+    ++witness_evaluations_;
+  }
+  result.counters = counters();
+}
+
+template <class Real>
+DistanceCounters Newton<Real>::counters() const {
+  DistanceCounters counters;
+  counters.outer_iterations = evaluations_ > 0 ? 1 : 0;
+  counters.ray_iterations = evaluations_;
+  counters.support_queries = 2 * evaluations_;
+  counters.pivots = program_.systems();
+  counters.witness_evaluations = witness_evaluations_;
+  return counters;
+}
+
+template class Newton<double>;
+template class Newton<Quad>;
+
+}  // namespace raygauge

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "engine/certificates/weighted_points.h"
+#include "engine/methods/newton/power_steps.h"
+#include "engine/methods/newton/quadratic_program.h"
+#include "engine/methods/newton/sqp_oracle.h"
+#include "engine/methods/options.h"
+#include "engine/methods/result.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// The method `newton`: sequential quadratic programming on the dual
+///
+///     d_Q(A) = max_u -h_A(u) / h_Q(-u),
+///
+/// for sets that are maxima of smooth pieces (ConvexSet::structure). At u with ratio ρ one step d minimises
+/// the second-order model of φ(u) = h_A(u) + ρ h_Q(-u), which is zero at u and negative wherever the ratio is
+/// larger (Dinkelbach); steps that do not raise the ratio are shortened. Convergence is quadratic, across
+/// edges where several pieces meet too. Where a step passes the normal of a flat face, that normal is tried.
+/// Sets whose support points answer to u as powers do have steps of their own (PowerSteps).
+///
+/// Certificates at every u: the ratio itself, rounded down, and with the weights α, β of the pieces
+///
+///     d <= ρ + |Σ α_i s_i - ρ Σ β_j s_j| / R,      R the radius of a ball around 0 in Q,
+///
+/// rounding errors of the sets and of the sum added to the residual. In quadruple precision (Real = Quad)
+/// this gives certificates where those errors are too large for doubles: long thin sets, powers, many
+/// dimensions. There Q may also have the origin on its boundary: the target of A is moved by -δc, c the
+/// centre of Q and δ tiny, and where |r| <= δR, R the radius of a ball around c in Q, d <= ρ + δ. From a
+/// start with h_A(u) >= 0 the ratio -a_c·u / (h_A(u) - a_c·u + h_Q(-u)) of the growth distance (8) leads to
+/// where h_A(u) < 0.
+template <class Real>
+class Newton {
+ public:
+  /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
+  /// and the caller turns to `direct`. `start`, n doubles: the first direction u, where one is known.
+  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
+             const double* start = nullptr);
+
+  /// upper - lower of the last solve, +infinity where it proved nothing.
+  double gap() const noexcept { return upper_ - lower_; }
+
+  /// The direction of the last solve's lower bound; nullptr where that is 0.
+  const double* direction() const noexcept { return lower_ > 0 ? normal_.data() : nullptr; }
+
+  /// Writes the bounds of the last solve and what belongs to them.
+  void report(DistanceStatus status, Effects effects, DistanceResult& result);
+
+  /// What the last solve did, whether or not it was concluded.
+  DistanceCounters counters() const;
+
+  /// See DistanceSolver.
+  void keep_combination(bool keep) noexcept { keeps_combination_ = keep; }
+  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
+  void contact_combination(WeightedPoints& combination) const;
+
+ private:
+  struct Point {
+    PieceList<Real> A, Q;
+    AlignedBuffer<Real> u;
+    Real ratio = 0;  ///< of the phase: of `newton` or of the growth distance
+  };
+
+  bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, const double* start);
+  void choose_start(const ConvexSet& Q);
+  bool choose_ball(const ConvexSet& Q);
+  void enlarge_shift(Real ratio);
+  Real shifted_support(const Point& point) const;
+  Real growth_ratio(const Point& point) const;
+  Real projected_ratio(const Real* x, const Real* y) const;
+  bool evaluate(Point& point);
+  void bound_from_below(const Point& point);
+  void bound_from_above();
+  bool is_closed() const noexcept;
+  typename QuadraticProgram<Real>::Objective objective();
+  const Real* leave_facet();
+  void move(const Real* step, Real share, bool flat);
+  void grow(bool growing);
+  bool advance(const Real* step);
+  bool try_facet(const Real* step);
+  void settle(bool of_A);
+  bool shares_facet();
+  void settle_near_center();
+  bool accepts(const Point& candidate) const;
+  void keep(bool weights);
+  DistanceStatus iterate(const Stopwatch& stopwatch);
+
+  int n_ = 0;
+  double tolerance_ = 0;
+  std::int64_t max_evaluations_ = 0;
+  std::int64_t evaluations_ = 0;
+  std::int64_t witness_evaluations_ = 0;
+  SqpOracle<Real> oracle_A_, oracle_Q_;
+  QuadraticProgram<Real> program_;
+  Point points_[2];
+  Point* now_ = nullptr;
+  Point* next_ = nullptr;
+  bool growing_ = false;  // still in search of h_A(u) < 0
+  int facets_tried_ = 0;
+  bool keeps_combination_ = false;
+  WeightedPoints combination_;
+  double threshold_ = std::numeric_limits<double>::quiet_NaN();
+  double inner_radius_ = 0;  // R
+  Real shift_ = 0;           // δ
+  double lower_ = 0;
+  double upper_ = 0;
+  Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
+  bool on_facet_ = false;  // now_ is the normal of a flat face
+  bool unconditional_ = false;
+  bool graded_ = false;    // BasicSupportPieces::graded
+  PowerSteps<Real> pair_;  // where unconditional_
+  AlignedBuffer<double> center_, ball_center_, normal_, contact_, point_;
+  AlignedBuffer<Real> linear_, target_, residual_vector_, descent_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/result.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/exceptions.h"
+#include "engine/methods/options.h"
+
+namespace raygauge {
+namespace {
+
+constexpr std::array<std::string_view, 6> kStatusNames = {"optimal",         "contains_origin", "unreachable",
+                                                          "precision_limit", "iteration_limit", "time_limit"};
+constexpr std::array<std::string_view, 3> kMethodNames = {"direct", "zheng_yamane", "newton"};
+constexpr std::array<std::string_view, 4> kInstructionSetNames = {"automatic", "baseline", "avx2", "avx512"};
+
+}  // namespace
+
+std::string_view to_string(DistanceStatus status) noexcept {
+  return kStatusNames[static_cast<std::size_t>(status)];
+}
+
+std::string_view to_string(DistanceMethod method) noexcept {
+  return kMethodNames[static_cast<std::size_t>(method)];
+}
+
+std::string_view to_string(InstructionSet isa) noexcept {
+  return kInstructionSetNames[static_cast<std::size_t>(isa)];
+}
+
+DistanceStatus distance_status_from_string(std::string_view name) {
+  for (std::size_t i = 0; i < kStatusNames.size(); ++i) {
+    if (kStatusNames[i] == name) return static_cast<DistanceStatus>(i);
+  }
+  throw UnknownNameError("status", std::string(name), {kStatusNames.begin(), kStatusNames.end()});
+}
+
+}  // namespace raygauge

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/zheng_yamane/ray_shooter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace raygauge {
+namespace {
+
+constexpr double kZero = 1e-13;      // weight of artificial columns that is rounding noise
+constexpr double kFeasible = 1e-11;  // how negative a weight may be after the vertices were moved
+constexpr int kRayCostRaises = 14;
+constexpr int kRayRepairs = 2;
+constexpr int kIterationsBetweenLooks = 64;  // at the clock
+
+}  // namespace
+
+void RayShooter::begin(SupportOracle& A, SupportOracle& Q, int n, const double* a_c, const Kernels& kernels) {
+  A_ = &A;
+  Q_ = &Q;
+  n_ = n;
+  kernels_ = &kernels;
+  warm_ = false;
+  iterations_ = pivots_ = refactorisations_ = 0;
+  const auto size = static_cast<std::size_t>(n);
+  basis_ = &bases_[0];
+  spare_ = &bases_[1];
+  center_.reserve(size);
+  std::copy_n(a_c, n, center_.data());
+  slots_.reserve(2 * size * (size + 1));
+  column_.reserve(static_cast<std::size_t>(padded_rows(n)));
+  bases_[0].reset(n, kernels);
+  bases_[1].reset(n, kernels);
+}
+
+double* RayShooter::slot_A(std::int64_t slot) const noexcept {
+  return const_cast<double*>(slots_.data()) + 2 * slot * n_;
+}
+
+double* RayShooter::slot_Q(std::int64_t slot) const noexcept { return slot_A(slot) + n_; }
+
+// h_S(u) over the points at hand; the maximiser becomes the candidate column.
+double RayShooter::query(const double* u, double eta) {
+  best_A_ = A_->query(u, 1.0, slot_A(free_slot_));
+  best_Q_ = Q_->query(u, -1.0, slot_Q(free_slot_));
+  ++iterations_;
+  return support_of_column(u, eta);
+}
+
+// The same over the whole sets.
+double RayShooter::verify(const double* u, double eta) {
+  h_A_ = A_->verify(u, 1.0, best_A_, slot_A(free_slot_));
+  h_Q_ = Q_->verify(u, -1.0, best_Q_, slot_Q(free_slot_));
+  return support_of_column(u, eta);
+}
+
+double RayShooter::support_of_column(const double* u, double eta) {
+  form_column(free_slot_, eta, column_.data());
+  double h_S = 0;
+  for (int k = 0; k < n_; ++k) h_S += u[k] * column_[static_cast<std::size_t>(k)];
+  return h_S;
+}
+
+// s = s_A - a_c - η s_Q, equation (13b).
+void RayShooter::form_column(std::int64_t slot, double eta, double* column) const {
+  const double* a = slot_A(slot);
+  const double* q = slot_Q(slot);
+  for (int k = 0; k < n_; ++k) column[k] = a[k] - center_[static_cast<std::size_t>(k)] - eta * q[k];
+}
+
+// Artificial columns ±e_k at costs that make -a_c the first normal, scaled to h_S(u) = 1.
+void RayShooter::start_cold(double eta) {
+  Basis& basis = *basis_;
+  pivots_ += basis.view().pivots;
+  basis.reset(n_, *kernels_);
+  BasisView& view = basis.view();
+  raises_ = 0;
+  free_slot_ = n_;
+  std::fill_n(column_.data(), padded_rows(n_), 0.0);
+  double* u = view.y;
+  double largest = 0;
+  for (int k = 0; k < n_; ++k) u[k] = -center_[static_cast<std::size_t>(k)];
+  const double h_S = query(u, eta);
+  const double length = h_S > 0 ? 1.0 / h_S : 1.0;
+  for (int k = 0; k < n_; ++k) {
+    u[k] *= length;
+    largest = std::max(largest, std::fabs(u[k]));
+  }
+  for (int k = 0; k < n_; ++k) {
+    const double b = -center_[static_cast<std::size_t>(k)];
+    const double sign = b < 0 ? -1.0 : 1.0;
+    const std::ptrdiff_t diagonal = static_cast<std::ptrdiff_t>(k) * view.P + k;
+    basis.right_hand_side()[k] = b;
+    view.B[diagonal] = sign;
+    view.R[diagonal] = sign;
+    view.x()[k] = std::fabs(b);
+    view.cost[k] = std::max(sign * u[k], 0.0) + 0.25 * largest;
+    view.y[k] = sign * view.cost[k];
+    view.id[k] = -1 - k;
+    view.objective += view.cost[k] * view.x()[k];
+  }
+}
+
+// The same support points at another η; false if the ray does not pass through their hull.
+bool RayShooter::move_vertices(double eta) {
+  const BasisView& old = basis_->view();
+  pivots_ += spare_->view().pivots;
+  spare_->reset(n_, *kernels_);
+  for (int i = 0; i < n_; ++i) {
+    if (old.id[i] < 0) return false;
+    form_column(old.id[i], eta, column_.data());
+    spare_->set_column(i, column_.data(), 1.0, old.id[i]);
+    spare_->right_hand_side()[i] = basis_->right_hand_side()[i];
+  }
+  ++refactorisations_;
+  if (!spare_->refactor()) return false;
+  const double* x = spare_->view().x();
+  if (std::any_of(x, x + n_, [](double c) { return !(c >= -kFeasible); })) return false;
+  pivots_ += basis_->view().pivots;
+  basis_->view().pivots = 0;
+  std::swap(basis_, spare_);
+  return true;
+}
+
+double RayShooter::artificial_weight() const {
+  const BasisView& view = basis_->view();
+  double weight = 0;
+  for (int i = 0; i < n_; ++i) {
+    if (view.id[i] < 0) weight += std::fabs(view.x()[i]);
+  }
+  return weight;
+}
+
+RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max_iterations,
+                                  const Stopwatch& stopwatch) {
+  const bool kept = warm_ && (move_vertices(eta) || eta >= eta_shot_);
+  if (!kept) start_cold(eta);
+  warm_ = true;
+  eta_shot_ = eta;
+  int repairs = 0;
+  int idle = 0;
+  double least = basis_->view().objective;
+  for (;;) {
+    BasisView& view = basis_->view();
+    double h_S = query(view.y, eta);
+    sigma_ = view.objective;
+    const bool out_of_iterations = iterations_ >= max_iterations;
+    const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();
+    if (h_S <= 1 + tolerance || out_of_iterations || out_of_time) h_S = verify(view.y, eta);
+    if (out_of_iterations) return End::iteration_limit;
+    if (out_of_time) return End::time_limit;
+    if (h_S <= 1 + tolerance) {
+      if (artificial_weight() <= kZero) return End::hit;
+      if (++raises_ > kRayCostRaises) return End::missed;
+      for (int i = 0; i < n_; ++i) {
+        if (view.id[i] < 0) view.cost[i] = 8 * (view.cost[i] + 0.125);
+      }
+      basis_->refresh_duals();
+      least = view.objective;
+      continue;
+    }
+    idle = view.objective < least * (1 - 1e-15) ? 0 : idle + 1;
+    least = std::min(least, view.objective);
+    if (idle > 64 + 8 * n_) return End::failed;
+    std::int64_t left = 0;
+    if (kernels_->pivot(&view, column_.data(), 1.0, 1.0 - h_S, free_slot_, false, &left) == PivotResult::ok) {
+      // The slot of the vertex that left takes the next candidate; artificial columns free one that was never
+      // used.
+      free_slot_ = left >= 0 ? left : -1 - left;
+      continue;
+    }
+    ++refactorisations_;
+    if (++repairs > kRayRepairs || !basis_->refactor()) return End::failed;
+  }
+}
+
+const double* RayShooter::vertex_A(int l) const noexcept {
+  const std::int64_t slot = basis_->view().id[l];
+  return slot < 0 ? nullptr : slot_A(slot);
+}
+
+const double* RayShooter::vertex_Q(int l) const noexcept {
+  const std::int64_t slot = basis_->view().id[l];
+  return slot < 0 ? nullptr : slot_Q(slot);
+}
+
+}  // namespace raygauge

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/zheng_yamane/zheng_yamane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+constexpr int kAttemptsToClose = 8;  // outer iterations that pass the published test but leave a gap
+constexpr int kPatience = 3;  // outer iterations that do not raise the bound: rounding has the last word
+constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
+
+// Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for
+// rounding, and `direct` is the faster way out.
+std::int64_t default_iteration_limit(int n) { return 500 + 200 * static_cast<std::int64_t>(n); }
+
+}  // namespace
+
+bool ZhengYamane::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                        const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
+  stopwatch_ = &stopwatch;
+  begin(A, Q, options);
+  const std::int64_t limit =
+      options.max_iterations > 0 ? options.max_iterations : default_iteration_limit(n_);
+  for (;;) {
+    const RayShooter::End end = shooter_.shoot(eta_, inner_tolerance_, limit, *stopwatch_);
+    ++outer_iterations_;
+    const Step step = conclude(end);
+    if (step == Step::give_up) return false;
+    if (step == Step::done) break;
+    eta_ = eta_next_;
+  }
+  finish(effects, result);
+  return true;
+}
+
+void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options) {
+  options_ = options;
+  kernels_ = &kernels_for(options.instruction_set);
+  n_ = A.dimension();
+  const PointSet* points_A = as_point_set(A);
+  const PointSet* points_Q = as_point_set(Q);
+  scaled_ = points_A != nullptr && points_Q != nullptr;
+  if (scaled_) scaling_.compute(*points_A, *points_Q);
+  oracle_A_.bind(A, scaled_ && !scaling_.trivial_A() ? scaling_.factor_A() : nullptr, *kernels_);
+  oracle_Q_.bind(Q, scaled_ && !scaling_.trivial_Q() ? scaling_.factor_Q() : nullptr, *kernels_);
+  const auto size = static_cast<std::size_t>(n_);
+  center_.reserve(size);
+  normal_.reserve(size);
+  oracle_A_.center(center_.data());
+  shooter_.begin(oracle_A_, oracle_Q_, n_, center_.data(), *kernels_);
+  status_ = DistanceStatus::precision_limit;
+  eta_ = scaled_ ? std::ldexp(1.0, scaling_.distance_shift()) : 1.0;  // η_0 = 1 in the sets' own units
+  inner_tolerance_ = std::max(0.25 * options.tolerance, kTightestRay);
+  lower_ = 0;
+  upper_ = kInfinity;
+  outer_iterations_ = 0;
+  witness_evaluations_ = 0;
+  attempts_to_close_ = 0;
+  idle_ = 0;
+}
+
+ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
+  // It takes rounding to reach the default limit.
+  const bool endless = end == RayShooter::End::iteration_limit && options_.max_iterations == 0;
+  if (end == RayShooter::End::missed || end == RayShooter::End::failed || endless) return Step::give_up;
+  sigma_ = shooter_.sigma();
+  const double bound_before = lower_;
+  bound_from_below();
+  idle_ = lower_ > bound_before ? 0 : idle_ + 1;
+  if (end != RayShooter::End::hit) {
+    status_ =
+        end == RayShooter::End::time_limit ? DistanceStatus::time_limit : DistanceStatus::iteration_limit;
+    bound_from_above();
+    return Step::done;
+  }
+  if (!(eta_next_ > 0)) return Step::give_up;  // h_A(n_k) >= 0: the origin may lie in A
+  if (std::fabs(sigma_ - 1) >= options_.tolerance) return idle_ > kPatience ? Step::give_up : Step::go_on;
+
+  bound_from_above();
+  const bool closed = is_closed(lower_, upper_, options_.tolerance);
+  if (closed) status_ = DistanceStatus::optimal;
+  if (closed || options_.stop_rule == StopRule::published_sigma) return Step::done;
+  // The ray was shot too loosely, or rounding has the last word.
+  inner_tolerance_ = std::max(0.1 * inner_tolerance_, kTightestRay);
+  return ++attempts_to_close_ > kAttemptsToClose ? Step::give_up : Step::go_on;
+}
+
+// Equation (10): the next η is a lower bound, whatever the normal.
+void ZhengYamane::bound_from_below() {
+  const SupportValue& h_A = shooter_.h_A();
+  const SupportValue& h_Q = shooter_.h_Q();
+  const double bound = lower_bound(h_A, h_Q);
+  eta_next_ = h_Q.value > 0 ? -h_A.value / h_Q.value : 0.0;
+  if (bound <= lower_ && outer_iterations_ > 1) return;
+  lower_ = std::max(bound, lower_);
+  const double length = h_Q.value > 0 ? 1.0 / h_Q.value : 1.0;
+  for (int k = 0; k < n_; ++k)
+    normal_[static_cast<std::size_t>(k)] = Scaling::direction_component(1.0, shooter_.normal()[k]) * length;
+}
+
+// The least scale at which the hull of the last vertices of Q meets that of the last vertices of A.
+void ZhengYamane::bound_from_above() {
+  last_vertices_.begin(oracle_A_, oracle_Q_, n_, options_, *kernels_);
+  for (int l = 0; l < n_; ++l) {
+    if (shooter_.vertex_A(l) == nullptr) continue;
+    last_vertices_.offer_A(shooter_.vertex_A(l));
+    last_vertices_.offer_Q(shooter_.vertex_Q(l));
+  }
+  if (last_vertices_.offered() == 0) return;
+  last_vertices_.solve_offered(normal_.data(), *stopwatch_);
+  upper_ = std::min(upper_, last_vertices_.upper());
+}
+
+void ZhengYamane::finish(Effects effects, DistanceResult& result) {
+  const int shift = scaled_ ? -scaling_.distance_shift() : 0;
+  result.status = status_;
+  result.lower = scaled_down(lower_, shift);
+  result.upper = scaled_up(upper_, shift);
+  // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
+  const bool closed = is_closed(result.lower, result.upper, options_.tolerance);
+  if (status_ == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
+  result.distance = result.lower;
+  result.sigma = sigma_;
+  result.normal.resize(n_);
+  for (int k = 0; k < n_; ++k) {
+    result.normal[k] = normal_[static_cast<std::size_t>(k)] * (scaled_ ? scaling_.factor_Q()[k] : 1.0);
+  }
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    last_vertices_.contact_point(contact);
+    for (int k = 0; scaled_ && k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
+    ++witness_evaluations_;
+  }
+  result.counters = counters();
+}
+
+DistanceCounters ZhengYamane::counters() const {
+  DistanceCounters counters;
+  counters.outer_iterations = outer_iterations_;
+  counters.ray_iterations = shooter_.iterations();
+  counters.support_queries = 2 * shooter_.iterations();
+  counters.pivots = shooter_.pivots();
+  counters.refactorisations = shooter_.refactorisations();
+  counters.witness_evaluations = witness_evaluations_;
+  return counters;
+}
+
+}  // namespace raygauge

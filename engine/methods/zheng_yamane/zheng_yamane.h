@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/lp/scaling.h"
+#include "engine/methods/column_generation/support_column_generation.h"
+#include "engine/methods/column_generation/support_oracle.h"
+#include "engine/methods/options.h"
+#include "engine/methods/result.h"
+#include "engine/methods/zheng_yamane/ray_shooter.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// The method `zheng_yamane`: Algorithm 1 of Zheng & Yamane as published. From η_0 = 1,
+///
+///     shoot a ray at A - a_c - η_k Q for σ_k and n_k (11)–(16);   stop if |σ_k - 1| < ε;   η_{k+1} =
+///     -h_A(n_k)/h_Q(-n_k) (10),
+///
+/// each ray shooting starting from the vertices of the one before (Fig. 3c). Every η_{k+1} is a lower bound.
+/// With StopRule::certified_gap the program over the last vertices (SupportColumnGeneration::solve_offered)
+/// adds the upper bound, and the iteration goes on until the gap is closed.
+///
+/// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this
+/// does not hold, a ray fails or goes in circles, or rounding keeps the bound from rising, the solve is not
+/// concluded here: solve() returns false and the caller turns to `direct`.
+class ZhengYamane {
+ public:
+  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+             const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
+
+  /// What the last solve did, whether or not it was concluded here.
+  DistanceCounters counters() const;
+
+  void contact_combination(WeightedPoints& combination) const {
+    last_vertices_.contact_combination(combination);
+  }
+
+ private:
+  enum class Step : std::uint8_t { go_on, done, give_up };
+
+  void begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
+  Step conclude(RayShooter::End end);
+  void bound_from_below();
+  void bound_from_above();
+  void finish(Effects effects, DistanceResult& result);
+
+  DistanceOptions options_;
+  const Kernels* kernels_ = nullptr;
+  int n_ = 0;
+  bool scaled_ = false;
+  Scaling scaling_;
+  SupportOracle oracle_A_;
+  SupportOracle oracle_Q_;
+  RayShooter shooter_;
+  SupportColumnGeneration last_vertices_;
+  const Stopwatch* stopwatch_ = nullptr;
+  DistanceStatus status_ = DistanceStatus::precision_limit;
+  double eta_ = 1;
+  double eta_next_ = 1;
+  double inner_tolerance_ = 0;
+  double lower_ = 0;
+  double upper_ = 0;
+  double sigma_ = 0;
+  std::int64_t outer_iterations_ = 0;
+  std::int64_t witness_evaluations_ = 0;
+  int attempts_to_close_ = 0;
+  int idle_ = 0;
+  AlignedBuffer<double> center_;
+  AlignedBuffer<double> normal_;  // direction of lower_, scaled units
+};
+
+}  // namespace raygauge

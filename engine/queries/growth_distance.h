@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/queries/solver.h"
+
+namespace raygauge {
+
+enum class Separation : std::uint8_t {
+  separated,     ///< a plane lies between the objects, proven
+  intersecting,  ///< the objects share a point, proven
+  undecided,     ///< they touch to within the tolerance, or a limit was reached first
+};
+
+/// The answer of a separation test.
+struct SeparationResult {
+  Separation outcome = Separation::undecided;
+
+  /// For `separated`: u with max u·x over A2 below min u·x over A1. Otherwise empty.
+  Vector normal;
+
+  /// Bounds on the growth distance of the two objects about their centres, as far as they were needed.
+  double lower = DistanceResult::kUnset;
+  double upper = DistanceResult::kUnset;
+  DistanceCounters counters;
+};
+
+/// Computes the growth distance of Ong & Gilbert, equation (8) of Zheng & Yamane with η_k = 1: A scaled about
+/// its centre a_c and Q scaled about the origin touch at
+///
+///     σ = min{σ >= 0 : (a_c + σ(A - a_c)) ∩ σQ ≠ ∅} = d_B({a_c}),      B = Q - (A - a_c).
+///
+/// σ > 1 for separated sets, σ < 1 for penetrating ones. One solver per thread; a repeated solve of the same
+/// size allocates nothing.
+class GrowthDistanceSolver {
+ public:
+  /// `newton` is the default method here: B has second-order information wherever A and Q do. Throws
+  /// InvalidParameterError for an option outside its range.
+  explicit GrowthDistanceSolver(const DistanceOptions& options = newton_options());
+
+  /// σ with bounds; 0 and contains_origin where a_c = 0. The result belongs to the solver and lives until its
+  /// next solve or test. Throws DimensionMismatchError.
+  const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q);
+
+  /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
+  /// bound that is on one side of 1. Throws DimensionMismatchError.
+  const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
+
+ private:
+  static DistanceOptions newton_options();
+  const DistanceResult& solve_about(const ConvexSet& A, const ConvexSet& Q, double threshold);
+
+  DistanceSolver solver_;
+  SeparationResult separation_;
+  std::vector<double> center_A_, center_Q_, ray_;
+};
+
+}  // namespace raygauge

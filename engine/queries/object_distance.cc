@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/object_distance.h"
+
+#include <cmath>
+
+#include "engine/certificates/weighted_points.h"
+#include "engine/queries/object_pair.h"
+#include "engine/queries/solver.h"
+
+namespace raygauge {
+
+struct ObjectDistanceSolver::Workspace {
+  explicit Workspace(const DistanceOptions& options) : solver(options) {}
+
+  DistanceSolver solver;
+  SupportPairs pairs;
+  WeightedPoints combination;
+  ObjectDistance result;
+
+  void find_closest_points(int n);
+};
+
+// Every point of the combination is a difference that was asked for on the way, and its parts are on record.
+void ObjectDistanceSolver::Workspace::find_closest_points(int n) {
+  double sum = 0;
+  for (int i = 0; i < combination.count(); ++i) sum += combination.weight(i);
+  result.closest_point_1.setZero(n);
+  result.closest_point_2.setZero(n);
+  for (int i = 0; i < combination.count(); ++i) {
+    const double weight = combination.weight(i) / sum;
+    const double* difference = combination.point(i);
+    const double* a1 = pairs.partner(difference);
+    for (int k = 0; k < n; ++k) {
+      result.closest_point_1[k] += weight * a1[k];
+      result.closest_point_2[k] += weight * (a1[k] + difference[k]);
+    }
+  }
+  ++result.closest_point_evaluations;
+}
+
+ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
+    : workspace_(std::make_unique<Workspace>(options)) {}
+
+ObjectDistanceSolver::~ObjectDistanceSolver() = default;
+ObjectDistanceSolver::ObjectDistanceSolver(ObjectDistanceSolver&&) noexcept = default;
+ObjectDistanceSolver& ObjectDistanceSolver::operator=(ObjectDistanceSolver&&) noexcept = default;
+
+const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const ConvexSet& A2,
+                                                  const ConvexSet& Q, ObjectEffects effects) {
+  Workspace& workspace = *workspace_;
+  ObjectDistance& result = workspace.result;
+  const bool closest_points = has_effect(effects, ObjectEffects::closest_points);
+  const int n = A2.dimension();
+  workspace.pairs.clear(n);
+  const ObjectPair pair(A2, A1, closest_points ? &workspace.pairs : nullptr);
+  workspace.solver.keep_combination(closest_points);
+  result.distance = workspace.solver.solve(pair, Q);
+  result.closest_point_evaluations = result.gradient_evaluations = 0;
+  const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
+  if (closest_points && apart && workspace.solver.contact_combination(workspace.combination)) {
+    workspace.find_closest_points(n);
+  } else {
+    result.closest_point_1.resize(0);
+    result.closest_point_2.resize(0);
+  }
+  if (has_effect(effects, ObjectEffects::gradient) && apart) {
+    result.gradient_1 = result.distance.normal;
+    result.gradient_2 = -result.distance.normal;
+    ++result.gradient_evaluations;
+  } else {
+    result.gradient_1.resize(0);
+    result.gradient_2.resize(0);
+  }
+  return result;
+}
+
+}  // namespace raygauge

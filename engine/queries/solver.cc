@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/certificates/weighted_points.h"
+#include "engine/exceptions.h"
+#include "engine/lp/scaling.h"
+#include "engine/methods/column_generation/sifting.h"
+#include "engine/methods/column_generation/support_column_generation.h"
+#include "engine/methods/newton/newton.h"
+#include "engine/methods/zheng_yamane/zheng_yamane.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+void check_options(const DistanceOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    throw InvalidParameterError("tolerance must lie in (0, 1), got " + std::to_string(options.tolerance));
+  }
+  if (options.max_iterations < 0) {
+    throw InvalidParameterError("max_iterations must not be negative, got " +
+                                std::to_string(options.max_iterations));
+  }
+  if (!(options.time_limit >= 0)) {
+    throw InvalidParameterError("time_limit must not be negative, got " + std::to_string(options.time_limit));
+  }
+  if (options.threads < 1 || options.threads > kMostThreads) {
+    throw InvalidParameterError("threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
+                                std::to_string(options.threads));
+  }
+  if (options.stop_rule == StopRule::published_sigma && options.method != DistanceMethod::zheng_yamane) {
+    throw InvalidParameterError("stop_rule published_sigma belongs to method zheng_yamane");
+  }
+  kernels_for(options.instruction_set);
+}
+
+}  // namespace
+
+struct DistanceSolver::Workspace {
+  enum class Concluded : std::uint8_t {
+    sifting,
+    support_column_generation,
+    zheng_yamane,
+    newton,
+    quad_newton
+  };
+
+  DistanceOptions options;
+  DistanceResult result;
+  Sifting sifting;
+  SupportColumnGeneration support_column_generation;
+  SupportOracle oracle_A;
+  SupportOracle oracle_Q;
+  Scaling scaling;  // of the oracles
+  ZhengYamane zheng_yamane;
+  Newton<double> newton;
+  Newton<Quad> quad_newton;
+  Concluded concluded = Concluded::sifting;
+
+  AlignedBuffer<double> start;
+
+  Stopwatch stopwatch;        // over all methods that take part
+  DistanceCounters counters;  // of all of them
+
+  void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void account(const DistanceCounters& of_method);
+  bool is_unfinished() const;
+  bool is_out_of_reach(const ConvexSet& A, const ConvexSet& Q);
+  void refine(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  template <class Method>
+  bool refine_by(Method& method, const double* first, const ConvexSet& A, const ConvexSet& Q,
+                 Effects effects);
+  void bind_oracles(const ConvexSet& A, const ConvexSet& Q);
+  void solve_by_support(const ConvexSet& A, const ConvexSet& Q);
+  void report_contact_by_support(int n, Effects effects);
+};
+
+void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  stopwatch.start(options.time_limit);
+  result.sigma = DistanceResult::kUnset;
+  result.origin_weights.clear();
+  counters = {};
+  if (!solve_iteratively(A, Q, effects)) {
+    solve_direct(A, Q, effects);
+    // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
+    if (is_unfinished()) refine(A, Q, effects);
+    if (concluded == Concluded::support_column_generation) report_contact_by_support(A.dimension(), effects);
+  }
+  result.counters = counters;
+  result.seconds = stopwatch.seconds();
+  // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
+  if (!(result.lower <= result.upper)) {
+    result.status = DistanceStatus::precision_limit;
+    result.lower = 0;
+    result.upper = kInfinity;
+  }
+}
+
+// By the method asked for, if that is not `direct`. False where it gives up.
+bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (options.method == DistanceMethod::zheng_yamane) {
+    concluded = Concluded::zheng_yamane;
+    const bool done = zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
+    account(zheng_yamane.counters());
+    return done;
+  }
+  if (options.method == DistanceMethod::newton) {
+    concluded = Concluded::newton;
+    bool done = newton.solve(A, Q, options, stopwatch, effects, result);
+    account(newton.counters());
+    if (done) return true;
+    concluded = Concluded::quad_newton;
+    done = quad_newton.solve(A, Q, options, stopwatch, effects, result, newton.direction());
+    account(quad_newton.counters());
+    return done;
+  }
+  return false;
+}
+
+// Adds what a method did. K is that of the first that did anything: the others did not scale Q again.
+void DistanceSolver::Workspace::account(const DistanceCounters& of_method) {
+  if (counters.outer_iterations == 0) counters.outer_iterations = of_method.outer_iterations;
+  counters.ray_iterations += of_method.ray_iterations;
+  counters.pivots += of_method.pivots;
+  counters.support_queries += of_method.support_queries;
+  counters.points_priced += of_method.points_priced;
+  counters.refactorisations += of_method.refactorisations;
+  counters.exact_pivots += of_method.exact_pivots;
+  counters.witness_evaluations += of_method.witness_evaluations;
+}
+
+void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  const PointSet* points_A = as_point_set(A);
+  const PointSet* points_Q = as_point_set(Q);
+  if (points_A != nullptr && points_Q != nullptr) {
+    sifting.solve(*points_A, *points_Q, options, stopwatch, effects, result);
+    concluded = Concluded::sifting;
+  } else {
+    solve_by_support(A, Q);
+  }
+  account(result.counters);
+}
+
+// The tolerances of the linear program suit a gauge body of magnitude 1.
+void DistanceSolver::Workspace::bind_oracles(const ConvexSet& A, const ConvexSet& Q) {
+  const Kernels& kernels = kernels_for(options.instruction_set);
+  oracle_A.bind(A, nullptr, kernels);
+  oracle_Q.bind(Q, nullptr, kernels);
+  scaling.compute_common(A, Q, oracle_Q.magnitude());
+  if (scaling.trivial_A()) return;
+  oracle_A.bind(A, scaling.factor_A(), kernels);
+  oracle_Q.bind(Q, scaling.factor_Q(), kernels);
+}
+
+void DistanceSolver::Workspace::solve_by_support(const ConvexSet& A, const ConvexSet& Q) {
+  concluded = Concluded::support_column_generation;
+  const int n = A.dimension();
+  bind_oracles(A, Q);
+  support_column_generation.begin(oracle_A, oracle_Q, n, options, kernels_for(options.instruction_set));
+  result.status = support_column_generation.run(stopwatch);
+  result.lower = support_column_generation.lower();
+  result.upper = support_column_generation.upper();
+  // In this order an objective that is not a number gives way to the lower bound.
+  result.distance = std::max(result.lower, std::min(support_column_generation.objective(), result.upper));
+  result.normal = scaling.factor_A()[0] * Vector::Map(support_column_generation.normal(), n);
+  result.counters = support_column_generation.counters();
+}
+
+// Once it is certain whose answer it is: room that is taken and given back would be allocated at every solve.
+void DistanceSolver::Workspace::report_contact_by_support(int n, Effects effects) {
+  if (double* contact = result.room_for_contact(effects, n)) {
+    support_column_generation.contact_point(contact);
+    const double share = result.status == DistanceStatus::contains_origin ? 0.0 : 1 / scaling.factor_A()[0];
+    for (int k = 0; k < n; ++k) contact[k] *= share;
+    ++counters.witness_evaluations;
+  }
+}
+
+// At the limit of its precision, or of the iterations that are usually enough.
+bool DistanceSolver::Workspace::is_unfinished() const {
+  return result.status == DistanceStatus::precision_limit ||
+         (result.status == DistanceStatus::iteration_limit && options.max_iterations == 0);
+}
+
+// The solve once more by `newton`, unless that was tried before, and then in quadruple precision, from what
+// is known and from nothing.
+void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (is_out_of_reach(A, Q)) return;
+  if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
+    concluded = Concluded::newton;
+  }
+  const int n = A.dimension();
+  start.reserve(static_cast<std::size_t>(n));
+  const double* known = result.lower > 0 && result.normal.size() == n ? start.data() : nullptr;
+  if (known != nullptr) std::copy_n(result.normal.data(), n, start.data());
+  for (const double* first : {known, static_cast<const double*>(nullptr)}) {
+    if (!is_unfinished()) return;
+    if (refine_by(quad_newton, first, A, Q, effects)) concluded = Concluded::quad_newton;
+  }
+}
+
+// Where Q touches the origin, its multiples reach all that is strictly on their side of the tangent plane,
+// and nothing else: A may lie in that plane, which no Farkas direction separates from them.
+bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const ConvexSet& Q) {
+  const int n = A.dimension();
+  start.reserve(2 * static_cast<std::size_t>(n));
+  double* u = start.data();
+  if (!(result.lower > 0) || !Q.touches_origin_unchecked(u)) return false;
+  oracle_A.bind(A, nullptr, kernels_for(options.instruction_set));
+  if (oracle_A.verify(u, -1.0, kInfinity, u + n).above() > 0) return false;
+  result.status = DistanceStatus::unreachable;
+  result.distance = result.lower = result.upper = kInfinity;
+  result.normal = -Vector::Map(u, n);
+  return true;
+}
+
+// True if the answer is now that of `method`, which concluded the solve or has the closer pair of bounds.
+template <class Method>
+bool DistanceSolver::Workspace::refine_by(Method& method, const double* first, const ConvexSet& A,
+                                          const ConvexSet& Q, Effects effects) {
+  const bool done = method.solve(A, Q, options, stopwatch, effects, result, first);
+  const bool closer = !done && method.gap() < result.upper - result.lower;
+  if (closer) method.report(DistanceStatus::precision_limit, effects, result);
+  account(method.counters());
+  return done || closer;
+}
+
+DistanceSolver::DistanceSolver(const DistanceOptions& options) : workspace_(std::make_unique<Workspace>()) {
+  set_options(options);
+}
+
+DistanceSolver::~DistanceSolver() = default;
+DistanceSolver::DistanceSolver(DistanceSolver&&) noexcept = default;
+DistanceSolver& DistanceSolver::operator=(DistanceSolver&&) noexcept = default;
+
+const DistanceOptions& DistanceSolver::options() const noexcept { return workspace_->options; }
+
+void DistanceSolver::set_options(const DistanceOptions& options) {
+  check_options(options);
+  workspace_->options = options;
+}
+
+const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+  if (A.dimension() != Q.dimension()) {
+    throw DimensionMismatchError("A lives in R^" + std::to_string(A.dimension()) + ", Q in R^" +
+                                 std::to_string(Q.dimension()));
+  }
+  workspace_->solve(A, Q, effects);
+  return workspace_->result;
+}
+
+void DistanceSolver::keep_combination(bool keep) {
+  workspace_->newton.keep_combination(keep);
+  workspace_->quad_newton.keep_combination(keep);
+}
+
+bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
+  combination.clear(static_cast<int>(workspace_->result.normal.size()));
+  switch (workspace_->concluded) {
+    case Workspace::Concluded::sifting:
+      break;
+    case Workspace::Concluded::support_column_generation:
+      workspace_->support_column_generation.contact_combination(combination);
+      combination.scale(1 / workspace_->scaling.factor_A()[0]);
+      break;
+    case Workspace::Concluded::zheng_yamane:
+      workspace_->zheng_yamane.contact_combination(combination);
+      break;
+    case Workspace::Concluded::newton:
+      workspace_->newton.contact_combination(combination);
+      break;
+    case Workspace::Concluded::quad_newton:
+      workspace_->quad_newton.contact_combination(combination);
+      break;
+  }
+  return combination.count() > 0;
+}
+
+void DistanceSolver::set_threshold(double threshold) {
+  workspace_->newton.set_threshold(threshold);
+  workspace_->quad_newton.set_threshold(threshold);
+  workspace_->support_column_generation.set_threshold(threshold);
+}
+
+}  // namespace raygauge

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/hdf5/hdf5_library.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "results/exceptions.h"
+#include "results/hdf5/global_heap.h"
+#include "results/run/atomic_file.h"
+
+namespace raygauge::hdf5 {
+namespace {
+
+constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+constexpr std::size_t kImageIncrement = 65536;
+
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// While it lives, HDF5 reports its errors here instead of printing them.
+class ErrorCapture {
+ public:
+  ErrorCapture() {
+    H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_data_);
+    H5Eset_auto2(H5E_DEFAULT, &ErrorCapture::on_error, this);
+  }
+  ~ErrorCapture() { H5Eset_auto2(H5E_DEFAULT, printer_, printer_data_); }
+  ErrorCapture(const ErrorCapture&) = delete;
+  ErrorCapture& operator=(const ErrorCapture&) = delete;
+
+  /// The innermost description of the first error.
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  static herr_t on_error(hid_t stack, void* self) {
+    return H5Ewalk2(stack, H5E_WALK_UPWARD, &ErrorCapture::on_level, self);
+  }
+
+  static herr_t on_level(unsigned level, const H5E_error2_t* error, void* self) {
+    auto& reason = static_cast<ErrorCapture*>(self)->reason_;
+    if (level == 0 && reason.empty() && error->desc != nullptr) reason = error->desc;
+    return 0;
+  }
+
+  H5E_auto2_t printer_ = nullptr;
+  void* printer_data_ = nullptr;
+  std::string reason_;
+};
+
+}  // namespace
+
+void locked(const std::string& place, const std::string& failure, const std::function<void()>& body) {
+  const std::scoped_lock lock(library_mutex());
+  const ErrorCapture capture;
+  try {
+    body();
+  } catch (const H5::Exception& error) {
+    const std::string reason = capture.reason().empty() ? error.getDetailMsg() : capture.reason();
+    throw ResultsError(place + ": " + failure + ": " + reason);
+  } catch (const std::bad_alloc&) {
+    throw ResultsError(place + ": does not fit into memory");
+  } catch (const std::length_error&) {
+    throw ResultsError(place + ": does not fit into memory");
+  }
+}
+
+std::string file_image(const std::function<void(H5::Group&)>& fill) {
+  std::string image;
+  locked("file image", "HDF5 could not build it", [&] {
+    H5::FileAccPropList in_memory;
+    in_memory.setCore(kImageIncrement, false);
+    H5::H5File file("raygauge-image", H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, in_memory);
+    {
+      H5::Group root = file.openGroup("/");
+      fill(root);
+    }
+    file.flush(H5F_SCOPE_GLOBAL);
+    const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
+    image.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size) {
+      throw ResultsError("file image: HDF5 gave none");
+    }
+  });
+  return image;
+}
+
+void require_hdf5(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw ResultsError(path.string() + ": no such file");
+  }
+  if (status.type() == std::filesystem::file_type::directory) {
+    throw ResultsError(path.string() + ": a folder, not a file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ResultsError(path.string() + ": cannot open: " + system_reason(errno));
+  std::array<char, kSignature.size()> head{};
+  file.read(head.data(), head.size());
+  if (std::string_view(head.data(), static_cast<std::size_t>(file.gcount())) != kSignature) {
+    throw ResultsError(path.string() + ": not an HDF5 file");
+  }
+}
+
+void read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+  require_hdf5(path);
+  locked(path.string(), "truncated or damaged", [&] {
+    H5::H5File file(path.string(), H5F_ACC_RDONLY);
+    H5::Group root = file.openGroup("/");
+    body(root);
+  });
+}
+
+void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+  require_hdf5(path);
+  if (has_damaged_global_heap(file_bytes(path))) {
+    throw ResultsError(path.string() + ": truncated or damaged: a text does not lie within its heap");
+  }
+  read_file(path, body);
+}
+
+}  // namespace raygauge::hdf5

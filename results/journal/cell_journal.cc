@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/journal/cell_journal.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "results/exceptions.h"
+#include "results/journal/csv.h"
+#include "results/run/run_directory.h"
+#include "results/schema/schema.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kCellMark = "# cell ";
+
+std::string format_mark() { return "# " + std::string(kFormatName) + ", schema version "; }
+
+std::string journal_head() { return format_mark() + std::to_string(kSchemaVersion) + "\n" + csv_header(); }
+
+/// `path`, where there is now a journal without cells.
+fs::path created(const fs::path& path) {
+  write_atomically(path, journal_head(), path.string() + std::string(kTemporarySuffix));
+  return path;
+}
+
+/// The line before the rows of a cell.
+std::string cell_heading(std::uint64_t cell, std::string_view rows) {
+  std::array<char, 9> checksum{};
+  std::snprintf(checksum.data(), checksum.size(), "%08lx",
+                ::crc32_z(0, reinterpret_cast<const Bytef*>(rows.data()), rows.size()));
+  return std::string(kCellMark) + std::to_string(cell) + ": " + std::to_string(rows.size()) +
+         " bytes, CRC-32 " + checksum.data() + "\n";
+}
+
+/// The number at the front of `text`, which is taken off.
+std::optional<std::uint64_t> take_number(std::string_view& text) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return number;
+}
+
+struct JournalCell {
+  std::uint64_t cell;
+  std::string_view rows;
+  std::size_t size;  ///< of heading and rows
+};
+
+/// The cell at the front of `text`, if it is whole.
+std::optional<JournalCell> whole_cell(std::string_view text) {
+  const std::string_view heading = text.substr(0, std::min(text.find('\n'), text.size() - 1) + 1);
+  std::string_view rest = heading.substr(std::min(kCellMark.size(), heading.size()));
+  const auto cell = take_number(rest);
+  rest.remove_prefix(std::min<std::size_t>(2, rest.size()));
+  const auto size = take_number(rest);
+  if (!cell || !size || *size == 0 || *size > text.size() - heading.size()) return std::nullopt;
+  const std::string_view rows = text.substr(heading.size(), *size);
+  if (cell_heading(*cell, rows) != heading) return std::nullopt;
+  return JournalCell{*cell, rows, heading.size() + rows.size()};
+}
+
+void check_head(std::string_view text, const std::string& file) {
+  const std::string mark = format_mark();
+  std::string_view rest = text.substr(std::min(mark.size(), text.size()));
+  const auto version = text.starts_with(mark) ? take_number(rest) : std::nullopt;
+  if (!version) throw ResultsError(file + ": not a journal of raygauge's cells");
+  if (*version != static_cast<std::uint64_t>(kSchemaVersion)) {
+    refuse_schema_version(file, static_cast<std::int64_t>(*version));
+  }
+  if (!text.starts_with(journal_head()))
+    throw ResultsError(file + ": has other columns than a journal of cells");
+}
+
+std::vector<Record> records_of(const JournalCell& cell, const std::string& file) {
+  const std::string place = file + ": cell " + std::to_string(cell.cell);
+  std::vector<Record> records;
+  try {
+    records = read_csv_rows(cell.rows);
+  } catch (const ResultsError& error) {
+    throw ResultsError(place + ": " + error.what());
+  }
+  for (const Record& record : records) {
+    if (record.cell != cell.cell) throw ResultsError(place + " holds records of another cell");
+  }
+  return records;
+}
+
+}  // namespace
+
+CellJournal::CellJournal(const fs::path& path) : file_(created(path)) {}
+
+void CellJournal::append(std::uint64_t cell, const std::vector<Record>& records) {
+  const std::string rows = csv_rows(records);
+  file_.append(cell_heading(cell, rows) + rows);
+}
+
+std::vector<Record> read_cell_journal(const fs::path& path) {
+  const std::string bytes = file_bytes(path);
+  check_head(bytes, path.string());
+  std::string_view rest(bytes);
+  rest.remove_prefix(journal_head().size());
+  std::vector<Record> records;
+  std::set<std::uint64_t> known;
+  while (!rest.empty()) {
+    if (const auto cell = whole_cell(rest)) {
+      rest.remove_prefix(cell->size);
+      if (!known.insert(cell->cell).second) continue;  // stored again, after the disk had reported an error
+      std::vector<Record> part = records_of(*cell, path.string());
+      records.insert(records.end(), std::make_move_iterator(part.begin()),
+                     std::make_move_iterator(part.end()));
+    } else {
+      rest.remove_prefix(std::min(rest.find(kCellMark, 1), rest.size()));
+    }
+  }
+  return records;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/journal/csv.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "results/run/atomic_file.h"
+#include "results/schema/schema.h"
+
+namespace raygauge {
+namespace {
+
+constexpr int kAllDigits = 17;
+
+std::string real_field(double value, int digits) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
+          .ptr;
+  return {buffer.data(), end};
+}
+
+std::string text_field(const std::string& text) {
+  // The # that begins a comment to many readers is quoted too.
+  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// A value of a column as it stands in CSV.
+struct Field {
+  int digits = kAllDigits;
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return real_field(value, digits); }
+  std::string operator()(const std::string& text) const { return text_field(text); }
+  template <class Integer>
+  std::string operator()(Integer value) const {
+    return std::to_string(value);
+  }
+};
+
+}  // namespace
+
+std::string csv_header() {
+  std::string text;
+  for (const Column<Record>& column : record_columns()) text += (text.empty() ? "" : ",") + column.name;
+  return text + '\n';
+}
+
+std::string csv_rows(const std::vector<Record>& records, int time_digits) {
+  const std::vector<Column<Record>>& columns = record_columns();
+  std::string text;
+  for (const Record& record : records) {
+    for (const Column<Record>& column : columns) {
+      if (&column != &columns.front()) text += ',';
+      text += std::visit(Field{column.unit == "s" ? time_digits : kAllDigits}, column.get(record));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string csv_text(const std::vector<Record>& records, int time_digits) {
+  return csv_header() + csv_rows(records, time_digits);
+}
+
+void write_csv(const std::string& path, const std::vector<Record>& records) {
+  write_atomically(path, csv_text(records));
+}
+
+}  // namespace raygauge

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/run/results_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "results/exceptions.h"
+#include "results/journal/cell_journal.h"
+#include "results/run/atomic_file.h"
+#include "results/run/run_directory.h"
+#include "results/schema/encoding.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+/// Adds the sessions of `parts` that `provenance` does not have yet.
+void add_sessions(Provenance& provenance, const PartList& parts) {
+  for (const auto& [number, path] : parts.sessions) {
+    if (number < provenance.sessions.size()) continue;
+    Provenance part = decode_provenance(path);
+    if (number == 0) {
+      provenance = std::move(part);
+    } else if (number != provenance.sessions.size() || part.sessions.size() != 1) {
+      throw ResultsError(path.string() + ": the session before it is missing");
+    } else if (part.identity != provenance.identity) {
+      throw ResultsError(path.string() + ": belongs to another experiment than the sessions before it");
+    } else {
+      provenance.sessions.push_back(part.sessions.front());
+    }
+  }
+}
+
+/// Adds the cells of `parts` that `results` does not have yet.
+void add_cells(ResultsFile& results, const PartList& parts) {
+  for (const auto& [session, path] : parts.journals) {
+    if (session >= results.provenance.sessions.size()) {
+      throw ResultsError(path.string() + ": the session of these cells is missing");
+    }
+    const std::set<std::uint64_t> known = results.cells();
+    std::vector<Record> part = read_cell_journal(path);
+    std::erase_if(part, [&known](const Record& record) { return known.count(record.cell) != 0; });
+    results.records.insert(results.records.end(), std::make_move_iterator(part.begin()),
+                           std::make_move_iterator(part.end()));
+  }
+}
+
+ResultsFile read_once(const fs::path& path) {
+  const PartList parts = list_parts(path);
+  ResultsFile results;
+  if (fs::exists(path) || parts.sessions.empty()) results = decode_results(path);
+  add_sessions(results.provenance, parts);
+  add_cells(results, parts);
+  sort_by_cell(results.records);
+  return results;
+}
+
+}  // namespace
+
+void sort_by_cell(std::vector<Record>& records) {
+  std::stable_sort(records.begin(), records.end(),
+                   [](const Record& a, const Record& b) { return a.cell < b.cell; });
+}
+
+std::set<std::uint64_t> ResultsFile::cells() const {
+  std::set<std::uint64_t> result;
+  for (const Record& record : records) result.insert(result.end(), record.cell);
+  return result;
+}
+
+ResultsFile read_results(const std::string& path) {
+  // A run that begins a session or ends while it is read adds parts, or replaces them by the file: what a
+  // list of the folder missed. The second time it is there.
+  try {
+    return read_once(path);
+  } catch (const ResultsError&) {
+    return read_once(path);
+  }
+}
+
+void write_results(const std::string& path, const ResultsFile& results) {
+  write_atomically(path, encode_results(results));
+}
+
+}  // namespace raygauge

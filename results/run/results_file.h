@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/record.h"
+#include "results/provenance/provenance.h"
+
+namespace raygauge {
+
+/// What a results file holds.
+struct ResultsFile {
+  std::vector<Record> records;  ///< by cell, then repetition, then method in the order of the experiment
+  Provenance provenance;
+
+  /// The cells that have records.
+  std::set<std::uint64_t> cells() const;
+
+  /// Whether every cell of the grid has been done.
+  bool finished() const { return cells().size() == provenance.cell_count; }
+};
+
+/// Puts records that are in order within each cell into the order of a results file.
+void sort_by_cell(std::vector<Record>& records);
+
+/// The results at `path`: the file, the parts of a run that is unfinished or still going on, or both; the
+/// records of a cell that is in both are the file's. Throws ResultsError for a file that is missing, not
+/// HDF5, truncated or not raygauge's, and SchemaVersionError for another schema version.
+ResultsFile read_results(const std::string& path);
+
+/// Writes `results` as one self-describing file, aside first and renamed when complete: `path` is never seen
+/// half-written. Throws ResultsError (the message carries the system's reason).
+void write_results(const std::string& path, const ResultsFile& results);
+
+}  // namespace raygauge

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/run/run_directory.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "results/exceptions.h"
+#include "results/run/atomic_file.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+/// How the parts of a kind are called: their number stands between the two.
+struct PartKind {
+  std::string_view prefix;
+  std::string_view suffix;
+};
+
+constexpr PartKind kJournal = {"cells-", ".csv"};
+constexpr PartKind kSession = {"session-", ".h5"};
+
+std::string part_name(const PartKind& kind, std::uint64_t number) {
+  constexpr std::size_t kWidth = 4;
+  const std::string digits = std::to_string(number);
+  const std::string zeros(digits.size() < kWidth ? kWidth - digits.size() : 0, '0');
+  return std::string(kind.prefix) + zeros + digits + std::string(kind.suffix);
+}
+
+/// The number of a part, if `name` is exactly what part_name makes of it.
+std::optional<std::uint64_t> part_number(const PartKind& kind, std::string_view name) {
+  if (!name.starts_with(kind.prefix)) return std::nullopt;
+  std::uint64_t number = 0;
+  std::from_chars(name.data() + kind.prefix.size(), name.data() + name.size(), number);
+  if (part_name(kind, number) != name) return std::nullopt;
+  return number;
+}
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw ResultsError(folder.string() + ": cannot create the folder: " + error.message());
+}
+
+void remove_all_of(const std::map<std::uint64_t, fs::path>& files) {
+  for (const auto& [number, path] : files) {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) throw ResultsError(path.string() + ": cannot remove: " + error.message());
+  }
+}
+
+void remove_temporary_files(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == kTemporarySuffix) fs::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace
+
+fs::path parts_folder(const fs::path& target) { return target.string() + ".parts"; }
+
+PartList list_parts(const fs::path& target) {
+  PartList result;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
+    const std::string name = entry.path().filename().string();
+    if (const auto session = part_number(kJournal, name)) result.journals[*session] = entry.path();
+    if (const auto session = part_number(kSession, name)) result.sessions[*session] = entry.path();
+  }
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) {
+    throw ResultsError(parts_folder(target).string() + ": cannot read the folder: " + error.message());
+  }
+  return result;
+}
+
+RunDirectory::RunDirectory(fs::path target) : target_(std::move(target)), folder_(parts_folder(target_)) {
+  create_folder(folder_);
+  lock_.emplace(folder_ / "lock");
+  remove_temporary_files(folder_);
+}
+
+RunDirectory::~RunDirectory() {
+  lock_.reset();
+  std::error_code not_empty;
+  fs::remove(folder_, not_empty);
+}
+
+fs::path RunDirectory::journal_path(std::uint64_t session) const {
+  return folder_ / part_name(kJournal, session);
+}
+
+void RunDirectory::store_session(std::uint64_t session, const std::string& bytes) const {
+  const fs::path path = folder_ / part_name(kSession, session);
+  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
+
+void RunDirectory::store_target(const std::string& bytes) const {
+  write_atomically(target_, bytes, folder_ / ("merged" + std::string(kTemporarySuffix)));
+}
+
+void RunDirectory::clear() const {
+  const PartList present = parts();
+  remove_all_of(present.journals);
+  remove_all_of(present.sessions);
+}
+
+}  // namespace raygauge

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/record.h"
+#include "engine/sweep/sweep.h"
+#include "results/journal/cell_journal.h"
+#include "results/provenance/provenance.h"
+#include "results/run/results_file.h"
+#include "results/run/run_directory.h"
+
+namespace raygauge {
+
+/// What may already be where a run is to be written.
+enum class RunMode : std::uint8_t {
+  create,  ///< nothing
+  resume,  ///< the same experiment, unfinished or finished; or nothing
+  force,   ///< any run; it is discarded when the first cell of the new one is stored
+};
+
+/// A run being written: from the first cell, through any number of kills and resumes, to the one file.
+///
+///     RunWriter run(path, experiment, RunMode::resume, describe_session(experiment, threads, solvers));
+///     const SweepSummary summary = run_sweep(experiment, generators, methods, run, run.done());
+///     run.finish(summary.calibration);
+///
+/// Cells land in the journal of the session (CellJournal) in the run directory; finish() merges them into
+/// `path`. A run that ends without finish(), by a kill or an exception, keeps every stored cell there for a
+/// resume. The merged file does not depend on the order in which cells finish, nor on how often the run was
+/// resumed, but for times, threads and sessions.
+class RunWriter final : public RecordSink {
+ public:
+  /// Opens `path` for writing. Changes nothing that is there, but for leftovers of a kill. Throws
+  ///   ResultsExistError     create, and there are results or parts of a run already; force, and the file
+  ///                         there is not one of HDF5,
+  ///   OtherExperimentError  resume, and what is there belongs to another experiment,
+  ///   SchemaVersionError, ResultsError  resume, and what is there cannot be read (see read_results),
+  ///   RunLockedError        another process is writing this run,
+  ///   ResultsError          the folder cannot be written.
+  RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session);
+
+  /// Cells that earlier sessions have stored.
+  const std::set<std::uint64_t>& done() const noexcept { return done_; }
+
+  /// Stores a cell durably; thread safe. Throws InvalidParameterError for a cell that is stored already, is
+  /// empty, or holds records of another cell or of an unknown method; ResultsError where it cannot be written
+  /// (cells stored before stay).
+  void store(const CellResult& cell) override;
+
+  /// Merges everything stored into `path` and removes the parts. Where nothing is to be merged, as on
+  /// resuming a finished run, the file stays as it is. A run that was stopped with cells left to do may be
+  /// finished as well; it can still be resumed. Throws ResultsError; the parts then stay.
+  void finish(const Calibration& calibration = {});
+
+  /// What the run holds, earlier sessions included. Not while cells are being stored.
+  const ResultsFile& results() const noexcept { return results_; }
+
+ private:
+  void refuse_existing() const;
+  void resume_existing();
+  void refuse_foreign_file() const;
+  void claim(std::uint64_t cell);
+  void begin_session();
+  void store_session() const;
+  void merge() const;
+  std::vector<Record> arranged(const CellResult& cell) const;
+
+  std::filesystem::path path_;
+  RunMode mode_;
+  Provenance provenance_;                   ///< of this session alone
+  std::map<std::string, int> method_rank_;  ///< label → position in the experiment
+  RunDirectory directory_;
+  std::set<std::uint64_t> done_;
+  int session_ = 0;  ///< number of this session in the run
+
+  std::mutex mutex_;                    ///< guards what follows
+  std::set<std::uint64_t> stored_;      ///< by this session
+  ResultsFile results_;                 ///< what the disk holds, so that finish() need not read it again
+  std::optional<CellJournal> journal_;  ///< once the session has begun: with its first cell
+};
+
+}  // namespace raygauge

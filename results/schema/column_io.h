@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <H5Cpp.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "results/exceptions.h"
+#include "results/schema/column.h"
+
+namespace raygauge::hdf5 {
+
+/// How columns lie in the file: `packed` in compressed, checksummed chunks, `plain` contiguous (for files of
+/// a few rows, where a chunk's index would outweigh its data).
+enum class Layout : std::uint8_t { plain, packed };
+
+/// Writes a one-dimensional dataset with the attributes `unit` and `description`.
+void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Value>& values, Layout layout);
+
+/// Reads a column of write_column. `place` names the group in messages: "x.h5: /records". Throws ResultsError
+/// for a dataset that is missing or of another type or rank.
+std::vector<Value> read_column(const H5::Group& group, const ColumnInfo& info, const std::string& place);
+
+/// A subgroup. Throws ResultsError("PLACE/NAME: missing").
+H5::Group open_group(const H5::Group& parent, const std::string& name, const std::string& place);
+
+/// A text stored as a scalar dataset of fixed length, in UTF-8.
+void write_text(H5::Group& group, const std::string& name, const std::string& text);
+std::string read_text(const H5::Group& group, const std::string& name, const std::string& place);
+
+/// Scalar attributes: text of variable length in UTF-8, or a 64-bit integer.
+void write_attribute(H5::H5Object& object, const std::string& name, const std::string& text);
+void write_attribute(H5::H5Object& object, const std::string& name, std::int64_t number);
+std::string read_text_attribute(const H5::H5Object& object, const std::string& name,
+                                const std::string& place);
+std::int64_t read_integer_attribute(const H5::H5Object& object, const std::string& name,
+                                    const std::string& place);
+
+/// Writes `rows` as the group `name` of one dataset a column.
+template <class Row>
+void write_table(H5::Group& parent, const std::string& name, const std::vector<Column<Row>>& columns,
+                 const std::vector<Row>& rows, Layout layout) {
+  H5::Group group = parent.createGroup(name);
+  std::vector<Value> values(rows.size());
+  for (const Column<Row>& column : columns) {
+    for (std::size_t i = 0; i < rows.size(); ++i) values[i] = column.get(rows[i]);
+    write_column(group, column, values, layout);
+  }
+}
+
+/// The inverse of write_table. Throws ResultsError also for columns of different lengths.
+template <class Row>
+std::vector<Row> read_table(const H5::Group& parent, const std::string& name,
+                            const std::vector<Column<Row>>& columns, const std::string& place) {
+  const H5::Group group = open_group(parent, name, place);
+  const std::string here = place + "/" + name;
+  std::vector<Row> rows;
+  for (const Column<Row>& column : columns) {
+    const std::vector<Value> values = read_column(group, column, here);
+    if (&column == &columns.front()) rows.resize(values.size());
+    if (values.size() != rows.size()) {
+      throw ResultsError(here + "/" + column.name + ": " + std::to_string(values.size()) + " entries, but " +
+                         columns.front().name + " has " + std::to_string(rows.size()));
+    }
+    try {
+      for (std::size_t i = 0; i < rows.size(); ++i) column.set(rows[i], values[i]);
+    } catch (const Error& error) {
+      throw ResultsError(here + "/" + column.name + ": " + error.what());
+    }
+  }
+  return rows;
+}
+
+}  // namespace raygauge::hdf5

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/schema/dataset.h"
+
+#include <array>
+#include <cmath>
+
+#include "results/exceptions.h"
+#include "results/hdf5/hdf5_library.h"
+
+namespace raygauge {
+namespace {
+
+/// Whether every group on the way to `dataset`, and itself, is there. (HDF5 only tells of the last step.)
+bool exists(const H5::Group& root, const std::string& dataset) {
+  for (std::size_t slash = dataset.find('/', 1); slash != std::string::npos;
+       slash = dataset.find('/', slash + 1)) {
+    const std::string parent = dataset.substr(0, slash);
+    if (!root.nameExists(parent) || root.childObjType(parent) != H5O_TYPE_GROUP) return false;
+  }
+  return dataset.size() > 1 && root.nameExists(dataset);
+}
+
+H5::DataSet open_numeric(const H5::Group& root, const std::string& dataset, const std::string& place) {
+  if (!exists(root, dataset)) throw ResultsError(place + ": no such dataset");
+  if (root.childObjType(dataset) != H5O_TYPE_DATASET) throw ResultsError(place + ": not a dataset");
+  H5::DataSet opened = root.openDataSet(dataset);
+  const H5T_class_t type = opened.getTypeClass();
+  if (type != H5T_FLOAT && type != H5T_INTEGER) throw ResultsError(place + ": not numeric");
+  return opened;
+}
+
+Eigen::MatrixXd read_matrix(const H5::DataSet& dataset, const std::string& place) {
+  const H5::DataSpace space = dataset.getSpace();
+  const int rank = space.getSimpleExtentNdims();
+  if (rank != 2) {
+    throw ResultsError(place + ": has " + std::to_string(rank) + " dimension" + (rank == 1 ? "" : "s") +
+                       ", expected 2 (points × coordinates)");
+  }
+  std::array<hsize_t, 2> extent{};
+  space.getSimpleExtentDims(extent.data());
+  if (extent[0] == 0 || extent[1] == 0) throw EmptySetError(place + ": has no points");
+  Eigen::MatrixXd points(static_cast<Eigen::Index>(extent[1]), static_cast<Eigen::Index>(extent[0]));
+  dataset.read(points.data(), H5::PredType::NATIVE_DOUBLE);
+  return points;
+}
+
+void require_finite(const Eigen::MatrixXd& points, const std::string& place) {
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+      const double value = points(k, i);
+      if (std::isfinite(value)) continue;
+      throw NonFiniteError(place + ": " + (std::isnan(value) ? "NaN" : "infinity") + " at row " +
+                           std::to_string(i) + ", column " + std::to_string(k));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<DatasetReference> parse_dataset_reference(const std::string& text) {
+  const std::size_t colon = text.rfind(":/");
+  if (colon == std::string::npos || colon == 0 || colon + 2 == text.size()) return std::nullopt;
+  return DatasetReference{text.substr(0, colon), text.substr(colon + 1)};
+}
+
+Eigen::MatrixXd read_points(const DatasetReference& reference) {
+  const std::string place = reference.file + ":" + reference.dataset;
+  Eigen::MatrixXd points;
+  hdf5::read_file(reference.file, [&](H5::Group& root) {
+    points = read_matrix(open_numeric(root, reference.dataset, place), place);
+  });
+  require_finite(points, place);
+  return points;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/schema/encoding.h"
+
+#include "results/hdf5/hdf5_library.h"
+#include "results/schema/column_io.h"
+#include "results/schema/schema.h"
+
+namespace raygauge {
+namespace {
+
+using hdf5::Layout;
+
+void write_head(H5::Group& root) {
+  hdf5::write_attribute(root, "format", std::string(kFormatName));
+  hdf5::write_attribute(root, "schema_version", std::int64_t{kSchemaVersion});
+  hdf5::write_attribute(root, "raygauge_version", build_info().raygauge_version);
+}
+
+void check_head(const H5::Group& root, const std::string& file) {
+  if (!root.attrExists("format") || hdf5::read_text_attribute(root, "format", file) != kFormatName) {
+    throw ResultsError(file + ": an HDF5 file, but not one of raygauge's results");
+  }
+  const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
+  if (version != kSchemaVersion) {
+    refuse_schema_version(file, version);
+  }
+}
+
+void write_provenance(H5::Group& root, const Provenance& provenance, Layout layout) {
+  H5::Group group = root.createGroup("provenance");
+  hdf5::write_text(group, "experiment", provenance.experiment_text);
+  hdf5::write_text(group, "identity", provenance.identity);
+  hdf5::write_attribute(group, "cell_count", static_cast<std::int64_t>(provenance.cell_count));
+  std::vector<VersionRow> versions;
+  std::vector<CalibrationRow> calibrations;
+  for (std::size_t i = 0; i < provenance.sessions.size(); ++i) {
+    const auto number = static_cast<std::int32_t>(i);
+    const Session& session = provenance.sessions[i];
+    for (const ComponentVersion& entry : session.versions) {
+      versions.push_back({number, entry.name, entry.version});
+    }
+    for (const Calibration::Entry& entry : session.calibration.entries) {
+      calibrations.push_back({number, session.calibration.threads, entry.method, entry.serial_seconds,
+                              entry.parallel_seconds, entry.inflation});
+    }
+  }
+  hdf5::write_table(group, "sessions", session_columns(), provenance.sessions, layout);
+  hdf5::write_table(group, "versions", version_columns(), versions, layout);
+  hdf5::write_table(group, "calibration", calibration_columns(), calibrations, layout);
+}
+
+/// The session that a row of versions or calibration belongs to.
+Session& session_of(Provenance& provenance, std::int32_t number, const std::string& place) {
+  if (number < 0 || static_cast<std::size_t>(number) >= provenance.sessions.size()) {
+    throw ResultsError(place + ": session " + std::to_string(number) + " is not in /provenance/sessions");
+  }
+  return provenance.sessions[static_cast<std::size_t>(number)];
+}
+
+Provenance read_provenance(const H5::Group& root, const std::string& file) {
+  const H5::Group group = hdf5::open_group(root, "provenance", file + ": ");
+  const std::string place = file + ": /provenance";
+  Provenance provenance;
+  provenance.experiment_text = hdf5::read_text(group, "experiment", place);
+  provenance.identity = hdf5::read_text(group, "identity", place);
+  provenance.cell_count =
+      static_cast<std::uint64_t>(hdf5::read_integer_attribute(group, "cell_count", place));
+  provenance.sessions = hdf5::read_table(group, "sessions", session_columns(), place);
+  for (const VersionRow& row : hdf5::read_table(group, "versions", version_columns(), place)) {
+    session_of(provenance, row.session, place + "/versions").versions.push_back({row.name, row.version});
+  }
+  for (const CalibrationRow& row : hdf5::read_table(group, "calibration", calibration_columns(), place)) {
+    Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
+    calibration.threads = row.threads;
+    calibration.entries.push_back({row.method, row.serial_seconds, row.parallel_seconds, row.inflation});
+  }
+  return provenance;
+}
+
+}  // namespace
+
+std::string encode_results(const ResultsFile& results) {
+  return hdf5::file_image([&](H5::Group& root) {
+    write_head(root);
+    hdf5::write_table(root, "records", record_columns(), results.records, Layout::packed);
+    write_provenance(root, results.provenance, Layout::plain);
+  });
+}
+
+std::string encode_provenance(const Provenance& provenance) {
+  return hdf5::file_image([&](H5::Group& root) {
+    write_head(root);
+    write_provenance(root, provenance, Layout::plain);
+  });
+}
+
+ResultsFile decode_results(const std::filesystem::path& path) {
+  ResultsFile results;
+  hdf5::read_own_file(path, [&](H5::Group& root) {
+    check_head(root, path.string());
+    results.records = hdf5::read_table(root, "records", record_columns(), path.string() + ": ");
+    results.provenance = read_provenance(root, path.string());
+  });
+  return results;
+}
+
+Provenance decode_provenance(const std::filesystem::path& path) {
+  Provenance provenance;
+  hdf5::read_own_file(path, [&](H5::Group& root) {
+    check_head(root, path.string());
+    provenance = read_provenance(root, path.string());
+  });
+  return provenance;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/record.h"
+#include "results/provenance/provenance.h"
+#include "results/run/results_file.h"
+
+namespace raygauge {
+
+/// The bytes of the HDF5 files of a run: the merged file, and the parts that describe its sessions. All carry
+/// the root attributes `format` and `schema_version`.
+std::string encode_results(const ResultsFile& results);       ///< /records and /provenance
+std::string encode_provenance(const Provenance& provenance);  ///< /provenance
+
+/// The inverses. Throw ResultsError or SchemaVersionError, naming file and place.
+ResultsFile decode_results(const std::filesystem::path& path);
+Provenance decode_provenance(const std::filesystem::path& path);
+
+}  // namespace raygauge

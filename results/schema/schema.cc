@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/schema/schema.h"
+
+#include <array>
+
+#include "results/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+Column<Record> status_column() {
+  return {{"status", "",
+           "outcome: optimal, contains_origin, unreachable, precision_limit, iteration_limit or time_limit",
+           ValueType::text},
+          [](const Record& record) { return Value(std::string(to_string(record.status))); },
+          [](Record& record, const Value& value) {
+            record.status = distance_status_from_string(std::get<std::string>(value));
+          }};
+}
+
+}  // namespace
+
+std::string_view to_string(ValueType type) noexcept {
+  constexpr std::array<std::string_view, 6> kNames = {"boolean", "int32",   "int64",
+                                                      "uint64",  "float64", "text"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+void refuse_schema_version(const std::string& file, std::int64_t version) {
+  throw SchemaVersionError(file + ": schema version " + std::to_string(version) +
+                           ", this raygauge reads version " + std::to_string(kSchemaVersion));
+}
+
+// clang-format off
+const std::vector<Column<Record>>& record_columns() {
+  static const std::vector<Column<Record>> kColumns = {
+    column("cell", "1", "index of the cell in the experiment's grid: generator slowest, then n, N, tolerance", &Record::cell),
+    column("session", "1", "row of /provenance/sessions in which the record was made", &Record::session),
+    column("generator", "", "registered name of the instance generator", &Record::generator),
+    column("generator_parameters", "", "every parameter of the generator as name=value, separated by blanks", &Record::generator_parameters),
+    column("method", "", "label of the method in the experiment", &Record::method),
+    column("method_parameters", "", "every parameter of the method as name=value, separated by blanks", &Record::method_parameters),
+    column("n", "1", "dimension of the space", &Record::n),
+    column("N", "1", "number of points in each set", &Record::N),
+    column("tolerance", "1", "requested relative gap (upper - lower) / upper", &Record::tolerance),
+    column("seed", "1", "seed of the experiment", &Record::seed),
+    column("repetition", "1", "number of the instance in its cell, from 0", &Record::repetition),
+    column("seconds", "s", "wall time of one solve: total time of the inner repetitions / their number", &Record::seconds),
+    column("inner_repetitions", "1", "solves timed together because one alone is too short for the clock", &Record::inner_repetitions),
+    column("load_seconds", "s", "wall time of building the method's model of the instance", &Record::load_seconds),
+    column("distance", "1", "generalized distance d_Q(A); inf for unreachable", &Record::distance),
+    column("lower", "1", "certified lower bound of the distance; nan where nothing could be certified", &Record::lower),
+    column("upper", "1", "certified upper bound of the distance; nan where nothing could be certified", &Record::upper),
+    column("exact_distance", "1", "the generator's own answer; nan where it knows none", &Record::exact_distance),
+    status_column(),
+    column("agrees", "", "whether the method agrees with all others on the instance; times of records that do not are not to be averaged", &Record::agrees),
+    column("outer_iterations", "1", "K of the paper: scalings of Q", &Record::counters, &DistanceCounters::outer_iterations),
+    column("ray_iterations", "1", "N_rs of the paper: iterations of the ray shooter over all outer iterations", &Record::counters, &DistanceCounters::ray_iterations),
+    column("pivots", "1", "basis changes", &Record::counters, &DistanceCounters::pivots),
+    column("support_queries", "1", "evaluations of a support function over a whole set", &Record::counters, &DistanceCounters::support_queries),
+    column("points_priced", "1", "points whose reduced cost was computed, working sets included", &Record::counters, &DistanceCounters::points_priced),
+    column("refactorisations", "1", "basis inverses computed afresh", &Record::counters, &DistanceCounters::refactorisations),
+    column("exact_pivots", "1", "basis changes in exact arithmetic, where rounding left a doubt", &Record::counters, &DistanceCounters::exact_pivots),
+    column("witness_evaluations", "1", "contact points computed", &Record::counters, &DistanceCounters::witness_evaluations),
+    column("thread", "1", "OpenMP thread that ran the cell", &Record::thread),
+    column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),
+    column("started_at", "s", "start of the solve, counted from the start of its session", &Record::started_at),
+  };
+  return kColumns;
+}
+
+const std::vector<Column<Session>>& session_columns() {
+  static const std::vector<Column<Session>> kColumns = {
+    column("started_at", "", "start of the session, ISO 8601, UTC", &Session::started_at),
+    column("finished_at", "", "end of the session, ISO 8601, UTC; empty if it was killed or still runs", &Session::finished_at),
+    column("threads", "1", "threads that ran cells", &Session::threads),
+    column("timing", "", "serial: timed solves ran alone; parallel: cells filled the threads", &Session::timing),
+    column("raygauge_version", "", "version of raygauge", &Session::build, &BuildInfo::raygauge_version),
+    column("git_commit", "", "commit that raygauge was built from, or unknown", &Session::build, &BuildInfo::git_commit),
+    column("git_dirty", "", "whether the sources differed from that commit", &Session::build, &BuildInfo::git_dirty),
+    column("compiler", "", "compiler and its version", &Session::build, &BuildInfo::compiler),
+    column("compiler_flags", "", "flags of the compiler", &Session::build, &BuildInfo::compiler_flags),
+    column("build_type", "", "CMake build type", &Session::build, &BuildInfo::build_type),
+    column("cpu_model", "", "processor", &Session::machine, &MachineInfo::cpu_model),
+    column("cores", "1", "logical cores that the process could use", &Session::machine, &MachineInfo::cores),
+    column("l1d_bytes", "B", "first-level data cache of one core; 0 if unknown", &Session::machine, &MachineInfo::l1d_bytes),
+    column("l2_bytes", "B", "second-level cache that one core sees; 0 if unknown", &Session::machine, &MachineInfo::l2_bytes),
+    column("l3_bytes", "B", "third-level cache that one core sees; 0 if unknown or none", &Session::machine, &MachineInfo::l3_bytes),
+    column("memory_bytes", "B", "main memory", &Session::machine, &MachineInfo::memory_bytes),
+    column("operating_system", "", "operating system", &Session::machine, &MachineInfo::operating_system),
+    column("kernel", "", "kernel, its release and architecture", &Session::machine, &MachineInfo::kernel),
+    column("hostname", "", "name of the machine", &Session::machine, &MachineInfo::hostname),
+  };
+  return kColumns;
+}
+
+const std::vector<Column<VersionRow>>& version_columns() {
+  static const std::vector<Column<VersionRow>> kColumns = {
+    column("session", "1", "row of /provenance/sessions", &VersionRow::session),
+    column("name", "", "library or solver", &VersionRow::name),
+    column("version", "", "its version", &VersionRow::version),
+  };
+  return kColumns;
+}
+
+const std::vector<Column<CalibrationRow>>& calibration_columns() {
+  static const std::vector<Column<CalibrationRow>> kColumns = {
+    column("session", "1", "row of /provenance/sessions", &CalibrationRow::session),
+    column("threads", "1", "threads that solved at once", &CalibrationRow::threads),
+    column("method", "", "label of the method", &CalibrationRow::method),
+    column("serial_seconds", "s", "median time of a solve alone", &CalibrationRow::serial_seconds),
+    column("parallel_seconds", "s", "median time of a solve with all threads busy", &CalibrationRow::parallel_seconds),
+    column("inflation", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::inflation),
+  };
+  return kColumns;
+}
+// clang-format on
+
+}  // namespace raygauge

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/record.h"
+#include "results/provenance/provenance.h"
+#include "results/schema/column.h"
+
+namespace raygauge {
+
+/// Version of the layout of a results file. It rises with every change of a column: added, removed, renamed,
+/// or of another type, unit or meaning.
+inline constexpr std::int32_t kSchemaVersion = 1;
+
+/// The root attribute `format` of every results file, and how a journal of cells begins.
+inline constexpr const char* kFormatName = "raygauge-results";
+
+/// Throws the SchemaVersionError of a file that was written under another version.
+[[noreturn]] void refuse_schema_version(const std::string& file, std::int64_t version);
+
+/// A row of /provenance/versions.
+struct VersionRow {
+  std::int32_t session = 0;
+  std::string name;
+  std::string version;
+};
+
+/// A row of /provenance/calibration.
+struct CalibrationRow {
+  std::int32_t session = 0;
+  std::int32_t threads = 1;
+  std::string method;
+  double serial_seconds = 0;
+  double parallel_seconds = 0;
+  double inflation = 1;
+};
+
+/// The tables of a results file. Writer, reader, CSV export and the documentation's test all go by these: a
+/// new column is one line in schema.cc.
+const std::vector<Column<Record>>& record_columns();
+const std::vector<Column<Session>>&
+session_columns();  ///< without versions and calibration, tables of their own
+const std::vector<Column<VersionRow>>& version_columns();
+const std::vector<Column<CalibrationRow>>& calibration_columns();
+
+}  // namespace raygauge

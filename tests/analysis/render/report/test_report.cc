@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "analysis/render/report/deflate.h"
+#include "engine/exceptions.h"
+#include "tests/analysis/records.h"
+
+namespace raygauge::test_report {
+namespace {
+
+using raygauge::testing::add_records;
+using report::Json;
+
+MergedResults results_of(std::vector<Record> records) {
+  MergedResults merged;
+  merged.records = std::move(records);
+  merged.files.resize(1);
+  merged.files[0].path = "out/a<b.h5";
+  merged.files[0].provenance.experiment_text = "name = \"x\" # </script><b>";
+  merged.files[0].provenance.sessions.resize(1);
+  return merged;
+}
+
+std::vector<Record> small_grid() {
+  std::vector<Record> records;
+  for (const int n : {3, 4, 5}) {
+    for (const int N : {200, 400, 800}) {
+      const double ms = 1e-3 * n * N;
+      add_records(records, "direct", n, N, {ms, 1.1 * ms, 0.9 * ms});
+      add_records(records, "glpk_dual", n, N, {4 * ms, 4.4 * ms, 3.6 * ms});
+    }
+  }
+  return records;
+}
+
+/// The data inside a page.
+Json data_of(const std::string& page) {
+  const std::string mark = "id=\"data\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+std::vector<std::string> section_ids(const std::string& page) {
+  std::vector<std::string> ids;
+  const Json data = data_of(page);
+  for (const Json& section : data["sections"]) ids.push_back(section["id"]);
+  return ids;
+}
+
+TEST(Report, HasTheSectionsThatTheRecordsHaveTheDataOf) {
+  EXPECT_EQ(section_ids(report::make_page(results_of(small_grid()), {}, {})),
+            (std::vector<std::string>{"summary", "ratios", "scaling", "profiles", "crossover", "stability",
+                                      "provenance", "records"}));
+  std::vector<Record> one_method;
+  add_records(one_method, "direct", 3, 200, {1, 2});
+  for (Record& record : one_method) record.exact_distance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(section_ids(report::make_page(results_of(one_method), {}, {})),
+            (std::vector<std::string>{"summary", "provenance", "records"}));
+  std::vector<Record> tolerances = small_grid();
+  for (Record record : small_grid()) {
+    record.tolerance = 1e-3;
+    tolerances.push_back(record);
+  }
+  for (Record& record : tolerances) record.counters.outer_iterations = 3;
+  const std::vector<std::string> ids = section_ids(report::make_page(results_of(tolerances), {}, {}));
+  for (const char* id : {"work_precision", "iterations", "accuracy"})
+    EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
+  EXPECT_EQ(std::find(ids.begin(), ids.end(), "example1"), ids.end());
+}
+
+TEST(Report, SaysInThreeLinesWhatCameOut) {
+  const Json data = data_of(report::make_page(results_of(small_grid()), {}, {}));
+  const Json verdict = data["sections"][0]["blocks"][0]["paragraphs"];
+  ASSERT_EQ(verdict.size(), 3U);
+  EXPECT_EQ(verdict[0], "Answers: all methods agree on every instance; everything was solved.");
+  EXPECT_EQ(verdict[1],
+            "Speed: direct takes 0.25 of the best baseline's time (geometric mean of 9 cells, worst 0.25), "
+            "significantly faster in 9.");
+  EXPECT_EQ(verdict[2].get<std::string>().find("Precision: direct certified 27 of 27 distances"), 0U);
+}
+
+/// The three lines of the summary.
+Json verdict_on(const std::vector<Record>& records, const Filter& filter = {}) {
+  return data_of(
+      report::make_page(results_of(records), filter, {}))["sections"][0]["blocks"][0]["paragraphs"];
+}
+
+TEST(Report, SaysNothingOfAgreementWhereThereIsOneMethod) {
+  EXPECT_EQ(verdict_on(small_grid(), Filter("method==direct"))[0], "Answers: everything was solved.");
+}
+
+TEST(Report, SaysInHowManyCellsAMethodIsUnsolved) {
+  std::vector<Record> records = small_grid();
+  for (Record& record : records)
+    if (record.method == "direct" && record.n == 3) record.status = DistanceStatus::time_limit;
+  EXPECT_EQ(verdict_on(records)[1],
+            "Speed: direct takes 0.25 of the best baseline's time (geometric mean of 6 cells, worst 0.25), "
+            "significantly faster in 6, unsolved in 3 cells.");
+  for (Record& record : records)
+    if (record.method == "direct") record.status = DistanceStatus::time_limit;
+  EXPECT_EQ(verdict_on(records)[1], "Speed: direct is unsolved in 9 cells.");
+}
+
+TEST(Report, CountsAsCertifiedOnlyWhatIsSolvedAndBounded) {
+  std::vector<Record> records = small_grid();
+  records[0].status = DistanceStatus::precision_limit;
+  records[1].lower = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(
+      verdict_on(records)[2],
+      "Precision: direct certified 25 of 27 distances to the tolerance asked for (some without a bound).");
+}
+
+/// One section of a page.
+Json section_of(const std::vector<Record>& records, const std::string& id) {
+  const Json data = data_of(report::make_page(results_of(records), {}, {}));
+  for (const Json& section : data["sections"])
+    if (section["id"] == id) return section;
+  return nullptr;
+}
+
+/// direct at two tolerances: off by ε / 2 and proven to ε, in 1 and 4 ms, K = 2 and 6.
+std::vector<Record> two_tolerances() {
+  std::vector<Record> records;
+  for (const double tolerance : {0.25, 0.0625}) {
+    add_records(records, "direct", 3, 200, tolerance == 0.25 ? std::vector{1.0, 1.0} : std::vector{4.0, 4.0});
+    for (auto record = records.end() - 2; record != records.end(); ++record) {
+      record->tolerance = tolerance;
+      record->distance = record->upper = 2 * (1 + tolerance / 2);
+      record->lower = record->upper * (1 - tolerance);
+      record->counters.outer_iterations = tolerance == 0.25 ? 2 : 6;
+    }
+  }
+  return records;
+}
+
+TEST(Report, DrawsWorkAgainstPrecision) {
+  const Json points = section_of(two_tolerances(), "work_precision")["blocks"][0]["series"][0]["points"];
+  EXPECT_EQ(points[0][0], 0.03125) << "the mean relative error at the tighter tolerance";
+  EXPECT_EQ(points[0][1], 4);
+  EXPECT_EQ(points[1][0], 0.125);
+  EXPECT_EQ(points[1][1], 1);
+}
+
+TEST(Report, DrawsIterationsAgainstTheTolerance) {
+  const Json points = section_of(two_tolerances(), "iterations")["blocks"][0]["series"][0]["points"];
+  EXPECT_EQ(points[0], (Json{0.0625, 6}));
+  EXPECT_EQ(points[1], (Json{0.25, 2}));
+}
+
+TEST(Report, TabulatesAccuracy) {
+  const Json rows = section_of(two_tolerances(), "accuracy")["blocks"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["cells"][1], "0.25");
+  EXPECT_EQ(rows[0]["cells"][2], "0.12") << "mean relative error";
+  EXPECT_EQ(rows[0]["cells"][4], "0.25") << "mean gap";
+  EXPECT_EQ(rows[0]["cells"][6], "1000") << "µs";
+}
+
+TEST(Report, DrawsProfilesAndCrossover) {
+  const Json profiles = section_of(small_grid(), "profiles")["blocks"][0]["series"];
+  ASSERT_EQ(profiles.size(), 2U);
+  EXPECT_EQ(profiles[0]["points"][0], (Json{1, 1})) << "direct is fastest everywhere";
+  EXPECT_EQ(profiles[1]["points"][0], (Json{1, 0}));
+  EXPECT_EQ(profiles[1]["points"].back()[1], 1);
+  const Json cells = section_of(small_grid(), "crossover")["blocks"][0]["cells"];
+  ASSERT_EQ(cells.size(), 9U);
+  EXPECT_EQ(cells[0]["group"], "direct");
+  EXPECT_EQ(cells[0]["text"], "4.0×");
+}
+
+TEST(Report, ShowsTheTablesOfExample1BesideThePapers) {
+  std::vector<Record> records = two_tolerances();
+  for (Record& record : records) {
+    record.generator = "example1";
+    record.generator_parameters = "distance=2 roles=ellipsoid_cone";
+  }
+  const Json blocks = section_of(records, "example1")["blocks"];
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0]["title"], "Table II, direct");
+}
+
+TEST(Report, DrawsTheNumbersOfTheStatistics) {
+  const Json data = data_of(report::make_page(results_of(small_grid()), Filter("n==3"), {}));
+  const Json chart = data["sections"][2]["blocks"][0];
+  EXPECT_EQ(chart["series"].size(), 2U);
+  EXPECT_EQ(chart["series"][0]["name"], "direct (exponent 1.0)");
+  EXPECT_EQ(chart["series"][0]["points"][0][0], 200);
+  EXPECT_EQ(chart["series"][0]["points"][0][1], 0.6);
+  EXPECT_EQ(chart["series"][0]["points"][0][2], 0.54);
+}
+
+TEST(Report, StandsAloneAndLetsNoTextBecomeMarkup) {
+  const std::string page = report::make_page(results_of(small_grid()), {}, {});
+  EXPECT_EQ(page.find("src="), std::string::npos);
+  EXPECT_EQ(page.find("<link rel=\"stylesheet"), std::string::npos);
+  EXPECT_EQ(page.find("</script><b>"), std::string::npos);
+  EXPECT_NE(page.find("<title>raygauge: a&lt;b.h5</title>"), std::string::npos);
+  EXPECT_NE(page.find("Released under the MIT License"), std::string::npos);  // Chart.js's notice
+}
+
+TEST(Report, RefusesAFilterThatNothingPassesAndAnUnknownBaseline) {
+  EXPECT_THROW(report::make_page(results_of(small_grid()), Filter("n==9"), {}), EmptySetError);
+  EXPECT_THROW(report::make_page(results_of({}), {}, {}), EmptySetError);
+  EXPECT_THROW(report::make_page(results_of(small_grid()), {}, {"simplex"}), UnknownNameError);
+}
+
+TEST(Base64, FollowsTheVectorsOfRfc4648) {
+  EXPECT_EQ(report::base64(""), "");
+  EXPECT_EQ(report::base64("f"), "Zg==");
+  EXPECT_EQ(report::base64("fo"), "Zm8=");
+  EXPECT_EQ(report::base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Gzip, IsAGzipMember) {
+  const std::string packed = report::gzip(std::string(1000, 'x'));
+  EXPECT_LT(packed.size(), 50U);
+  EXPECT_TRUE(packed.starts_with("\x1f\x8b\x08"));
+}
+
+}  // namespace
+}  // namespace raygauge::test_report

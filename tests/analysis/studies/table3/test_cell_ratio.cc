@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/table3/cell_ratio.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/exceptions.h"
+#include "tests/analysis/records.h"
+
+namespace raygauge::test_cell_ratio {
+namespace {
+
+using testing::add_records;
+using testing::message_of;
+using testing::record;
+
+const std::vector<std::string> kGlpk = {"glpk_primal", "glpk_dual"};
+
+std::vector<Record> two_cells() {
+  std::vector<Record> records;
+  add_records(records, "direct", 3, 200, {1, 2, 3});
+  add_records(records, "glpk_primal", 3, 200, {20, 30, 40});
+  add_records(records, "glpk_dual", 3, 200, {10, 20, 90});
+  add_records(records, "direct", 3, 400, {5, 5, 5});
+  add_records(records, "glpk_primal", 3, 400, {50, 50, 50});
+  add_records(records, "glpk_dual", 3, 400, {60, 60, 60});
+  return records;
+}
+
+TEST(CellRatio, DividesMediansByThoseOfTheBetterBaselineOfEachCell) {
+  const std::vector<Record> records = two_cells();
+  const std::vector<CellRatio> ratios = cell_ratios(records, records, kGlpk);
+  ASSERT_EQ(ratios.size(), 2U);
+  EXPECT_EQ(ratios[0].times.cell.N, 200);
+  EXPECT_EQ(ratios[0].baseline, "glpk_dual");
+  EXPECT_DOUBLE_EQ(ratios[0].ratio.ratio, 2.0 / 20);
+  EXPECT_EQ(ratios[1].baseline, "glpk_primal");
+  EXPECT_DOUBLE_EQ(ratios[1].ratio.ratio, 5.0 / 50);
+  EXPECT_DOUBLE_EQ(ratios[1].median_seconds, 0.005);
+  EXPECT_DOUBLE_EQ(ratios[1].baseline_seconds, 0.05);
+}
+
+TEST(CellRatio, LeavesOutTimesThatDisagreeAndCountsThem) {
+  std::vector<Record> records = two_cells();
+  records[2].agrees = false;  // direct, N=200, 3 ms
+  const CellRatio ratio = cell_ratios(records, records, kGlpk).front();
+  EXPECT_EQ(ratio.times.disagreeing, 1U);
+  EXPECT_DOUBLE_EQ(ratio.ratio.ratio, 1.5 / 20);
+}
+
+TEST(CellRatio, CountsUnsolvedAsInfinitelySlow) {
+  std::vector<Record> records = two_cells();
+  records[0].status = DistanceStatus::time_limit;  // direct, N=200, 1 ms
+  CellRatio ratio = cell_ratios(records, records, kGlpk).front();
+  EXPECT_EQ(ratio.times.unsolved, 1U);
+  EXPECT_DOUBLE_EQ(ratio.ratio.ratio, 3.0 / 20);
+  records[1].status = DistanceStatus::iteration_limit;
+  ratio = cell_ratios(records, records, kGlpk).front();
+  EXPECT_TRUE(std::isinf(ratio.ratio.ratio));
+}
+
+TEST(CellRatio, HasNoneWhereNoBaselineIsSolved) {
+  std::vector<Record> records = two_cells();
+  for (Record& each : records)
+    if (each.N == 200 && each.method != "direct") each.status = DistanceStatus::time_limit;
+  const std::vector<CellRatio> ratios = cell_ratios(records, records, kGlpk);
+  EXPECT_TRUE(std::isnan(ratios[0].ratio.ratio));
+  EXPECT_EQ(ratios[0].baseline, "");
+  EXPECT_DOUBLE_EQ(ratios[1].ratio.ratio, 0.1);
+}
+
+TEST(CellRatio, KeepsDifferentParametersOfAMethodApart) {
+  std::vector<Record> records;
+  add_records(records, "direct", 3, 200, {1, 2});
+  records[1].method_parameters = "instruction_set=avx2";
+  EXPECT_EQ(cell_times(records).size(), 2U);
+}
+
+TEST(BaselineRecords, AreThoseThatPassTheFilter) {
+  const std::vector<Record> records = two_cells();
+  const auto kept = baseline_records(records, Filter("N==200 && method!=glpk_dual"), kGlpk);
+  ASSERT_EQ(kept.size(), 3U);
+  for (const Record& each : kept) EXPECT_EQ(each.method, "glpk_primal");
+}
+
+TEST(BaselineRecords, AreThoseOnTheSameInstancesWhereNonePasses) {
+  const std::vector<Record> records = two_cells();
+  const auto kept = baseline_records(records, Filter("method==direct && N==400 && repetition<2"), kGlpk);
+  ASSERT_EQ(kept.size(), 4U);
+  for (const Record& each : kept) {
+    EXPECT_EQ(each.N, 400);
+    EXPECT_LT(each.repetition, 2);
+  }
+}
+
+TEST(BaselineRecords, MustExist) {
+  const std::vector<Record> records = {record("direct", 3, 200, 0, 1)};
+  EXPECT_EQ(
+      message_of<InvalidParameterError>([&] { baseline_records(records, {}, default_baselines(records)); }),
+      "a ratio needs a baseline, and no method here begins with glpk; name one with --baseline");
+  EXPECT_NE(
+      message_of<UnknownNameError>([&] { baseline_records(records, {}, {"glkp"}); }).find("unknown baseline"),
+      std::string::npos);
+}
+
+TEST(Competitors, AreKnownByTheirLabels) {
+  EXPECT_TRUE(is_competitor("glpk_dual"));
+  EXPECT_TRUE(is_competitor("clp_primal"));
+  EXPECT_FALSE(is_competitor("zheng_yamane"));
+  EXPECT_EQ(default_baselines(two_cells()), kGlpk);
+}
+
+}  // namespace
+}  // namespace raygauge::test_cell_ratio

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/input/set_file.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "cli/input/set_source.h"
+#include "engine/exceptions.h"
+#include "engine/sets/point_set.h"
+#include "tests/results/support.h"
+
+namespace raygauge::cli::test_set_file {
+namespace {
+
+using testing::TemporaryFolder;
+using testing::write_bytes;
+
+class SetFiles : public ::testing::Test {
+ protected:
+  SetPointer read(const std::string& text) const {
+    write_bytes(folder_.file("set.toml"), text);
+    return read_set_source(folder_.file("set.toml"));
+  }
+
+  /// What is said of the text, without the folder.
+  std::string complaint(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const Error& error) {
+      std::string message = error.what();
+      const std::string folder = folder_.path() + "/";
+      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
+        message.erase(at, folder.size());
+      return message;
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// A set file, and the support function of its set along (1, 2).
+struct Described {
+  std::string text;
+  double support;
+};
+
+const double kLength = std::sqrt(5.0);  // of (1, 2)
+
+/// One text for each shape.
+std::map<std::string, Described> described_shapes() {
+  const std::string ball = "{shape = \"ball\", center = [1, 0], radius = 2}";
+  return {
+      {"point_set", {"points = [[1, 2], [3, -4], [0, 0]]", 5}},
+      {"file", {"file = \"points.csv\"", 9}},
+      {"ball", {"center = [1, 0]\nradius = 2", 1 + 2 * kLength}},
+      {"ellipsoid", {"center = [1, 1]\nfactor = [[3, 0], [0, 2.0]]", 3 + 5}},
+      {"p_norm_ball", {"center = [0, 0]\nsemi_axes = [3, 2]\np = inf", 3 + 4}},
+      {"box", {"lower = [-1, -2]\nupper = [3, 5]", 3 + 10}},
+      {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
+      {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
+      {"cylinder", {"p = [0, 0]\nq = [3, 0]\nradius = 2", 3 + 4}},
+      {"truncated_cone", {"base = [0, 0]\nbase_radius = 1\ntop = [3, 0]\ntop_radius = 2", 3 + 4}},
+      {"affine_image", {"S = " + ball + "\nM = [[0, 1], [2, 0]]\nt = [0, 1]", 2 + 4 + 2 * std::sqrt(17.0)}},
+      {"rigid_image", {"S = " + ball + "\nR = [[0, -1], [1, 0]]\nt = [1, 0]", 1 + 2 + 2 * kLength}},
+      {"minkowski_sum",
+       {"A = " + ball + "\nB = {shape = \"point_set\", points = [[3, 1]]}", 6 + 2 * kLength}},
+      {"minkowski_difference",
+       {"A2 = {shape = \"point_set\", points = [[3, 1]]}\nA1 = " + ball, 4 + 2 * kLength}},
+      {"union_hull", {"sets = [" + ball + ", {shape = \"point_set\", points = [[9, 9]]}]", 27}},
+  };
+}
+
+TEST_F(SetFiles, DescribeEveryShape) {
+  write_bytes(folder_.file("points.csv"), "1 4\n3 -1\n");
+  const std::map<std::string, Described> described = described_shapes();
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const auto found = described.find(shape.name);
+    ASSERT_NE(found, described.end());
+    const SetPointer set = read("shape = \"" + shape.name + "\"\n" + found->second.text);
+    EXPECT_NEAR(set->support_function(Eigen::Vector2d(1, 2)), found->second.support, 1e-14);
+  }
+}
+
+TEST_F(SetFiles, AreDocumentedShapeByShape) {
+  const std::string page = testing::read_bytes(RAYGAUGE_EXPERIMENTS "/../docs/sets.md");
+  for (const Shape& shape : shapes()) {
+    const std::size_t line = page.find("\n| `" + shape.name + "` |");
+    ASSERT_NE(line, std::string::npos) << shape.name;
+    const std::string text = page.substr(line + 1, page.find('\n', line + 1) - line);
+    for (const ShapeParameter& parameter : shape.parameters)
+      EXPECT_NE(text.find("`" + parameter.name + "`"), std::string::npos)
+          << shape.name << " " << parameter.name;
+  }
+}
+
+TEST_F(SetFiles, NameTheKeyThatIsMissing) {
+  for (const Shape& shape : shapes()) {
+    EXPECT_EQ(complaint("# nothing but\nshape = \"" + shape.name + "\""),
+              "set.toml:2: " + shape.name + " needs the key '" + shape.parameters.front().name + "'");
+  }
+}
+
+TEST_F(SetFiles, TakeRowsAsPointsForEveryMethodOfPointSets) {
+  const SetPointer set = read("shape = \"point_set\"\npoints = [[1, 2, 3], [4, 5, 6]]");
+  const PointSet* points = as_point_set(*set);
+  ASSERT_NE(points, nullptr);
+  EXPECT_EQ(points->points(), (Eigen::MatrixXd{{1, 4}, {2, 5}, {3, 6}}));
+}
+
+TEST_F(SetFiles, FindFilesFromTheirOwnFolder) {
+  std::filesystem::create_directories(folder_.file("parts/points"));
+  write_bytes(folder_.file("parts/points/hand.csv"), "1 2\n");
+  write_bytes(folder_.file("parts/hand.toml"), "shape = \"file\"\nfile = \"points/hand.csv\"");
+  EXPECT_NE(as_point_set(*read("shape = \"file\"\nfile = \"parts/hand.toml\"")), nullptr);
+  EXPECT_NE(as_point_set(*read("shape = \"file\"\nfile = \"" + folder_.file("parts/hand.toml") + "\"")),
+            nullptr);
+}
+
+TEST_F(SetFiles, MayNameAFileTwiceButNotThemselves) {
+  write_bytes(folder_.file("point.csv"), "1 2\n");
+  write_bytes(folder_.file("part.toml"), "shape = \"file\"\nfile = \"point.csv\"");
+  const std::string part = "{shape = \"file\", file = \"part.toml\"}";
+  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nA = " + part + "\nB = " + part), "");
+  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"set.toml\""),
+            "set.toml:2: set.toml: this set file names itself");
+  write_bytes(folder_.file("part.toml"), "shape = \"file\"\nfile = \"./set.toml\"");
+  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"part.toml\""),
+            "set.toml:2: part.toml:2: ./set.toml: this set file names itself");
+}
+
+TEST_F(SetFiles, NameTheFileThatIsMissing) {
+  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"parts/none.csv\""),
+            "set.toml:2: parts/none.csv: No such file or directory");
+  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"-\""), "set.toml:2: a set file cannot name standard input");
+}
+
+TEST_F(SetFiles, WithoutAShapeAreRefused) {
+  for (const char* text : {"", "# a comment\n", "radius = 1"})
+    EXPECT_EQ(complaint(text), "set.toml:1: a set needs a shape, as in shape = \"ball\"") << text;
+  EXPECT_EQ(complaint("shape = 3"), "set.toml:1: shape must be a string, got 3");
+  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\n[A]\nshape = \"file\"\nfile = 1\n"),
+            "set.toml:4: file.file must be a string, got 1");
+}
+
+TEST_F(SetFiles, AnswerUnknownNamesWithTheNearest) {
+  EXPECT_EQ(complaint("shape = \"capsul\"")
+                .rfind("set.toml:1: unknown shape 'capsul'; did you mean 'capsule'? (known: ", 0),
+            0U);
+  EXPECT_EQ(complaint("shape = \"ball\"\ncenter = [1, 2]\nradus = 1"),
+            "set.toml:3: unknown key of ball 'radus'; did you mean 'radius'? (known: shape center radius)");
+}
+
+TEST_F(SetFiles, NameTheLineOfAValueOfAnotherType) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"center = 1\nradius = 1", "set.toml:2: ball.center must be a nonempty list of numbers, got 1"},
+      {"center = []\nradius = 1", "set.toml:2: ball.center must be a nonempty list of numbers, got a list"},
+      {"center = [1,\n  true]\nradius = 1", "set.toml:3: ball.center must be a number, got true"},
+      {"center = [1,\n  nan]\nradius = 1", "set.toml:3: ball.center must be made of finite numbers, got nan"},
+      {"center = [1,\n -inf]\nradius = 1",
+       "set.toml:3: ball.center must be made of finite numbers, got -inf"},
+      {"center = [1, 2]\nradius = \"big\"", "set.toml:3: ball.radius must be a number, got 'big'"},
+      {"center = [1, 2]\nradius = nan", "set.toml:3: ball.radius must be a number, got nan"},
+      {"center = [1, 2\nradius = 1", "set.toml:3: Error while parsing array"},
+  };
+  for (const auto& [text, expected] : cases)
+    EXPECT_EQ(complaint("shape = \"ball\"\n" + text).substr(0, expected.size()), expected);
+}
+
+TEST_F(SetFiles, NameTheRowThatIsTooLong) {
+  EXPECT_EQ(complaint("shape = \"point_set\"\npoints = [\n  [1, 2],\n  [3],\n]"),
+            "set.toml:4: a row of point_set.points has 1 number, the first one has 2");
+  EXPECT_EQ(complaint("shape = \"point_set\"\npoints = []"),
+            "set.toml:2: point_set.points must be a nonempty list of rows, got a list");
+}
+
+TEST_F(SetFiles, PassOnWhatTheEngineRefuses) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"shape = \"ball\"\ncenter = [1, 2]\nradius = -1",
+       "set.toml:1: ball: radius must not be negative, got -1"},
+      {"shape = \"ball\"\ncenter = [1, 2]\nradius = inf",
+       "set.toml:1: ball: radius must be a finite number, got inf"},
+      {"shape = \"capsule\"\np = [1, 2]\nq = [1, 2, 3]\nradius = 1",
+       "set.toml:1: capsule: q has dimension 3, the set lives in R^2"},
+      {"shape = \"affine_image\"\nM = [[1, 2], [2, 4]]\nt = [0, 0]\n[S]\nshape = \"ball\"\ncenter = [0, 0]\n"
+       "radius = 1",
+       "set.toml:1: affine image: M must be invertible, but it is singular"},
+      {"shape = \"affine_image\"\nM = [[1, 0], [0, 1]]\nt = [0, 0]\n[S]\nshape = \"ball\"\ncenter = [0, 0]\n"
+       "radius = -2",
+       "set.toml:5: ball: radius must not be negative, got -2"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(complaint(text), expected);
+}
+
+TEST_F(SetFiles, TakeSetsWhereSetsAreWanted) {
+  EXPECT_EQ(complaint("shape = \"union_hull\"\nsets = []"),
+            "set.toml:2: union_hull.sets must be a list of sets, [[sets]]");
+  EXPECT_EQ(complaint("shape = \"union_hull\"\nsets = [1]"),
+            "set.toml:2: union_hull.sets must be a set, that is a table with a shape");
+  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nA = 1"),
+            "set.toml:2: minkowski_sum.A must be a set, that is a table with a shape");
+}
+
+TEST_F(SetFiles, EndWhereSetsLieTooDeep) {
+  const auto nested = [](int depth) {
+    std::string text, path;
+    for (int i = 0; i < depth; ++i) {
+      text += "shape = \"rigid_image\"\nR = [[1]]\nt = [0]\n";
+      path += i == 0 ? "S" : ".S";
+      text += "[" + path + "]\n";
+    }
+    return text + "shape = \"ball\"\ncenter = [0]\nradius = 1\n";
+  };
+  EXPECT_EQ(complaint(nested(kDeepestSet)), "");
+  EXPECT_NE(complaint(nested(kDeepestSet + 1)).find("more than 16 sets inside one another"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace raygauge::cli::test_set_file

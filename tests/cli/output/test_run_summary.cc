@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/output/run_summary.h"
+
+#include <gtest/gtest.h>
+
+namespace raygauge::cli::test_run_summary {
+namespace {
+
+Record record(const std::string& method, int repetition, DistanceStatus status, bool agrees) {
+  Record result;
+  result.method = method;
+  result.repetition = repetition;
+  result.status = status;
+  result.agrees = agrees;
+  return result;
+}
+
+Experiment two_methods() {
+  Experiment experiment;
+  experiment.methods = {{"direct", "", {}}, {"glpk_dual", "presolved", {}}};
+  return experiment;
+}
+
+TEST(RunSummary, CountsDisagreementsByInstanceAndFailuresByMethod) {
+  const RunSummary summary =
+      summarise(two_methods(), {record("direct", 0, DistanceStatus::optimal, false),
+                                record("presolved", 0, DistanceStatus::optimal, false),
+                                record("direct", 1, DistanceStatus::optimal, true),
+                                record("presolved", 1, DistanceStatus::time_limit, true)});
+  EXPECT_EQ(summary.records, 4u);
+  EXPECT_EQ(summary.disagreeing_instances, 1u);
+  ASSERT_EQ(summary.methods.size(), 2u);
+  EXPECT_EQ(summary.methods[0].disagreements, 1u);
+  EXPECT_EQ(summary.methods[0].limits, 0u);
+  EXPECT_EQ(summary.methods[1].limits, 1u);
+  EXPECT_EQ(summary_text(summary, {}),
+            "  agreement  1 instance with DISAGREEMENTS (records: direct 1, presolved 1)\n"
+            "  unsolved   presolved 1\n");
+}
+
+TEST(RunSummary, ProvenAnswersAreNoFailures) {
+  const RunSummary summary =
+      summarise(two_methods(), {record("direct", 0, DistanceStatus::contains_origin, true),
+                                record("presolved", 0, DistanceStatus::contains_origin, true),
+                                record("direct", 1, DistanceStatus::unreachable, true)});
+  EXPECT_EQ(summary_text(summary, {2, {{"direct", 1, 1.5, 1.5}, {"presolved", 1, 1, 1.0009}}}),
+            "  agreement  all methods agree on every instance\n"
+            "  unsolved   none\n"
+            "  inflation  2 threads at once multiply single times by: direct 1.500, presolved 1.001\n");
+}
+
+TEST(RunSummary, AnAdaptiveRunTellsHowOftenItRepeated) {
+  Experiment experiment = two_methods();
+  experiment.stop_when_within = 0.1;
+  experiment.repetitions = 3;
+  std::vector<Record> records;
+  for (const int repetition : {0, 1, 2}) {
+    records.push_back(record("direct", repetition, DistanceStatus::optimal, true));
+  }
+  records.push_back(record("direct", 1, DistanceStatus::optimal, true));
+  records.back().cell = 1;
+  const RunSummary summary = summarise(experiment, records);
+  EXPECT_EQ(summary_text(summary, {}),
+            "  agreement  all methods agree on every instance\n"
+            "  unsolved   none\n"
+            "  repeated   2 to 3 times a cell; 1 of 2 cells ran to the limit\n");
+}
+
+}  // namespace
+}  // namespace raygauge::cli::test_run_summary

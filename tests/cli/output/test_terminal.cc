@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/output/terminal.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace raygauge::cli::test_terminal {
+namespace {
+
+TEST(DurationText, SaysItAsOneWould) {
+  EXPECT_EQ(duration_text(0.04), "0.0 s");
+  EXPECT_EQ(duration_text(9.94), "9.9 s");
+  EXPECT_EQ(duration_text(9.96), "10 s");
+  EXPECT_EQ(duration_text(59.4), "59 s");
+  EXPECT_EQ(duration_text(59.6), "1 min 00 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(3900), "1 h 05 min");
+}
+
+TEST(ShellWord, IsQuotedOnlyWhereItMustBe) {
+  EXPECT_EQ(shell_word("out/x-1.h5"), "out/x-1.h5");
+  EXPECT_EQ(shell_word("sweep.n=3,4"), "sweep.n=3,4");
+  EXPECT_EQ(shell_word("sweep.n=[3, 4]"), "'sweep.n=[3, 4]'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
+TEST(Terminal, AFileIsNoneAndGetsNoColour) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  EXPECT_FALSE(is_terminal(file.get()));
+  EXPECT_EQ(alarming("wrong", file.get()), "wrong");
+}
+
+}  // namespace
+}  // namespace raygauge::cli::test_terminal

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/kernels/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/certificates/certificate.h"
+#include "engine/exceptions.h"
+#include "engine/sets/point_set.h"
+#include "tests/engine/instruction_sets.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge::test_kernel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class EveryInstructionSet : public ::testing::TestWithParam<InstructionSet> {
+ protected:
+  const Kernels& kernels() const { return kernels_for(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Machine, EveryInstructionSet, ::testing::ValuesIn(instruction_sets_here()),
+                         [](const auto& instance) { return std::string(to_string(instance.param)); });
+
+long double exact_maximum(const Eigen::MatrixXd& points, const Vector& u) {
+  return (points.transpose().cast<long double>() * u.cast<long double>()).maxCoeff();
+}
+
+// (index, value) of a collection, indices of filling lanes replaced by that of the point they copy.
+std::vector<std::int64_t> collected_points(const Collection& collection, std::ptrdiff_t size) {
+  std::vector<std::int64_t> indices;
+  for (std::ptrdiff_t c = 0; c < collection.count; ++c) {
+    indices.push_back(std::min<std::int64_t>(collection.index[c], size - 1));
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  return indices;
+}
+
+TEST_P(EveryInstructionSet, FindsTheMaximumWithinItsErrorBound) {
+  Random random(11);
+  for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 20, 50}) {
+    for (const int N : {1, 5, 8, 31, 32, 33, 64, 100, 1000}) {
+      const Eigen::MatrixXd points = gaussian_points(n, N, random);
+      const Vector u = gaussian_points(n, 1, random);
+      const PointSet S(points);
+      std::ptrdiff_t index = -1;
+      const double value = kernels().price(S.data(), S.block_count(), n, u.data(), &index);
+      const double error = dot_error(S, u.data());
+      ASSERT_NEAR(value, static_cast<double>(exact_maximum(points, u)), error)
+          << "n = " << n << ", N = " << N;
+      ASSERT_GE(index, 0);
+      ASSERT_LT(index, N);
+      ASSERT_NEAR(points.col(index).dot(u), value, 2 * error);
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, GivesTheSmallestOfTiedIndices) {
+  Random random(12);
+  for (const int n : {1, 2, 3, 7, 10, 13}) {
+    const Eigen::MatrixXd few = integer_points(n, 6, 2, random);
+    Eigen::MatrixXd points(n, 600);
+    for (int i = 0; i < 600; ++i) points.col(i) = few.col(i % 6);
+    const PointSet S(points);
+    for (int trial = 0; trial < 20; ++trial) {
+      const Vector u = integer_points(n, 1, 2, random);
+      std::ptrdiff_t index = -1;
+      const double value = kernels().price(S.data(), S.block_count(), n, u.data(), &index);
+      Eigen::Index first = 0;
+      ASSERT_EQ(value, (few.transpose() * u).maxCoeff(&first));
+      ASSERT_EQ(index, first);
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, CollectsExactlyThePointsAboveTheThreshold) {
+  Random random(13);
+  for (const int n : {1, 2, 3, 5, 10, 17}) {
+    for (const int N : {1, 8, 30, 257}) {
+      const Eigen::MatrixXd points = integer_points(n, N, 4, random);
+      const Vector u = integer_points(n, 1, 4, random);
+      const PointSet S(points);
+      const Vector values = points.transpose() * u;
+      const double threshold = values.mean();
+      std::vector<std::int64_t> index(static_cast<std::size_t>(N + 8));
+      std::vector<double> value(index.size());
+      Collection collection{index.data(), value.data(), N + 8, 0, threshold};
+      const double maximum = kernels().collect(S.data(), 0, S.block_count(), n, u.data(), &collection);
+
+      std::vector<std::int64_t> expected;
+      for (int i = 0; i < N; ++i) {
+        if (values[i] > threshold) expected.push_back(i);
+      }
+      ASSERT_EQ(maximum, values.maxCoeff());
+      ASSERT_EQ(collected_points(collection, N), expected) << "n = " << n << ", N = " << N;
+      ASSERT_EQ(collection.threshold, threshold);
+    }
+  }
+}
+
+TEST_P(EveryInstructionSet, CollectsFromTheBlocksItIsGivenOnly) {
+  const Eigen::MatrixXd points = Eigen::MatrixXd::Ones(3, 80);
+  const PointSet S(points);
+  std::vector<std::int64_t> index(80);
+  std::vector<double> value(80);
+  Collection collection{index.data(), value.data(), 80, 0, 0.0};
+  const Vector u = Vector::Ones(3);
+  EXPECT_EQ(kernels().collect(S.data(), 2, 9, 3, u.data(), &collection), 3);
+  ASSERT_EQ(collection.count, 56);
+  std::sort(index.begin(), index.begin() + collection.count);
+  EXPECT_EQ(index[0], 16);
+  EXPECT_EQ(index[55], 71);
+}
+
+TEST_P(EveryInstructionSet, KeepsTheBestPointsWhenMoreAreCollectedThanFit) {
+  Random random(14);
+  for (const int capacity : {2, 7, 64}) {
+    const Eigen::MatrixXd points = gaussian_points(3, 2000, random);
+    const PointSet S(points);
+    const Vector u = gaussian_points(3, 1, random);
+    std::vector<std::int64_t> index(static_cast<std::size_t>(capacity));
+    std::vector<double> value(index.size());
+    Collection collection{index.data(), value.data(), capacity, 0, -kInfinity};
+    const double maximum = kernels().collect(S.data(), 0, S.block_count(), 3, u.data(), &collection);
+
+    ASSERT_GT(collection.count, 0);
+    ASSERT_LE(collection.count, capacity);
+    ASSERT_GT(collection.threshold, -kInfinity);
+    EXPECT_EQ(*std::max_element(value.begin(), value.begin() + collection.count), maximum);
+    // What was kept is all there is above the raised threshold, so it is the best.
+    const double error = dot_error(S, u.data());
+    const Vector values = points.transpose() * u;
+    const std::vector<std::int64_t> kept = collected_points(collection, S.size());
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (std::binary_search(kept.begin(), kept.end(), i)) {
+        EXPECT_GE(values[i], collection.threshold - 2 * error);
+      } else {
+        EXPECT_LE(values[i], collection.threshold + 2 * error);
+      }
+    }
+  }
+}
+
+TEST(Kernels, AutomaticIsTheBestInstructionSetOfThisMachine) {
+  EXPECT_EQ(&kernels_for(InstructionSet::automatic), &kernels_for(best_instruction_set()));
+  EXPECT_EQ(&best_kernels(), &kernels_for(best_instruction_set()));
+  EXPECT_EQ(instruction_sets_here().back(), best_instruction_set());
+}
+
+TEST(Kernels, RefuseAnInstructionSetThatTheMachineLacks) {
+  const std::vector<InstructionSet> here = instruction_sets_here();
+  for (const InstructionSet isa : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (std::find(here.begin(), here.end(), isa) != here.end()) {
+      EXPECT_NO_THROW(kernels_for(isa)) << to_string(isa);
+    } else {
+      EXPECT_THROW(kernels_for(isa), InvalidParameterError) << to_string(isa);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_kernel

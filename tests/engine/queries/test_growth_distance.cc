@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/growth_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/exceptions.h"
+#include "engine/queries/gradient.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/box.h"
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/point_set.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge::test_growth_distance {
+namespace {
+
+DistanceOptions newton(double tolerance) {
+  DistanceOptions options;
+  options.method = DistanceMethod::newton;
+  options.tolerance = tolerance;
+  return options;
+}
+
+TEST(GrowthDistance, OfBallsIsTheDistanceOfTheirCentersOverTheSumOfTheirRadii) {
+  Random random(91);
+  GrowthDistanceSolver solver(newton(1e-12));
+  for (const int n : {1, 2, 3, 6}) {
+    for (const double size : {0.5, 2.0, 8.0}) {
+      const Vector c = size * sphere_points(n, 1, random);
+      const DistanceResult& result = solver.solve(Ball(c, 1.5), Ball(Vector::Zero(n), 0.5));
+      EXPECT_EQ(result.status, DistanceStatus::optimal);
+      EXPECT_NEAR(result.distance, size / 2, 1e-12 * size);
+    }
+  }
+}
+
+TEST(GrowthDistance, OfBoxesIsTheLargestRatioAlongAnAxis) {
+  Random random(92);
+  GrowthDistanceSolver solver(newton(1e-9));
+  for (const int n : {2, 3, 5}) {
+    const Vector c = 3 * gaussian_points(n, 1, random), a = gaussian_points(n, 1, random).cwiseAbs(),
+                 q = gaussian_points(n, 1, random).cwiseAbs();
+    const double truth = c.cwiseAbs().cwiseQuotient(a + q).maxCoeff();
+    const DistanceResult& result = solver.solve(Box(c - a, c + a), Box(-q, q));
+    EXPECT_NEAR(result.distance, truth, 1e-9 * truth);
+  }
+}
+
+TEST(GrowthDistance, RefusesSetsOfDifferentDimension) {
+  GrowthDistanceSolver solver;
+  EXPECT_THROW(solver.solve(Ball(Vector::Zero(2), 1), Ball(Vector::Zero(3), 1)), DimensionMismatchError);
+  EXPECT_THROW(solver.separation(Ball(Vector::Zero(2), 1), Ball(Vector::Zero(3), 1)), DimensionMismatchError);
+}
+
+TEST(SeparationTest, AgreesWithTheDistanceOfCentersOfBalls) {
+  Random random(93);
+  GrowthDistanceSolver solver(newton(1e-9));
+  for (int i = 0; i < 100; ++i) {
+    const Vector c = gaussian_points(3, 1, random);
+    const SeparationResult& result = solver.separation(Ball(Vector::Zero(3), 0.7), Ball(c, 0.8));
+    EXPECT_EQ(result.outcome, c.norm() > 1.5 ? Separation::separated : Separation::intersecting) << c.norm();
+  }
+}
+
+TEST(SeparationTest, ProvesItselfByAPlane) {
+  Random random(94);
+  GrowthDistanceSolver solver(newton(1e-9));
+  int separated = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Ellipsoid A1(Vector::Zero(4), gaussian_points(4, 4, random));
+    const Ellipsoid A2(3 * gaussian_points(4, 1, random), gaussian_points(4, 4, random));
+    const SeparationResult& result = solver.separation(A1, A2);
+    ASSERT_NE(result.outcome, Separation::undecided);
+    if (result.outcome != Separation::separated) {
+      EXPECT_EQ(result.normal.size(), 0);
+      continue;
+    }
+    ++separated;
+    EXPECT_LT(A2.support_function(result.normal), -A1.support_function(-result.normal));
+  }
+  EXPECT_GT(separated, 10);
+}
+
+TEST(SeparationTest, StopsAtTheFirstCertificate) {
+  Random random(95);
+  GrowthDistanceSolver solver(newton(1e-9));
+  std::int64_t test = 0, distance = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Ellipsoid Q(Vector::Zero(3), gaussian_points(3, 3, random));
+    const Ellipsoid A(6 * sphere_points(3, 1, random), gaussian_points(3, 3, random));
+    const std::int64_t whole = solver.solve(A, Q).counters.support_queries;
+    const SeparationResult& result = solver.separation(Q, A);
+    EXPECT_LE(result.counters.support_queries, whole);
+    test += result.counters.support_queries;
+    distance += whole;
+  }
+  EXPECT_LT(test, 0.6 * static_cast<double>(distance));
+}
+
+TEST(SeparationTest, OfPolytopesAgreesWithTheirGrowthDistance) {
+  Random random(96);
+  GrowthDistanceSolver solver(newton(1e-9));
+  for (int i = 0; i < 30; ++i) {
+    Eigen::MatrixXd a = gaussian_points(3, 20, random);
+    a.row(0).array() += 3;
+    const PointSet A1(gaussian_points(3, 20, random)), A2(a);
+    const SeparationResult test = solver.separation(A1, A2);
+    ASSERT_NE(test.outcome, Separation::undecided);
+    if (test.outcome == Separation::separated) {
+      EXPECT_LT(A2.support_function(test.normal), -A1.support_function(-test.normal));
+    } else {
+      EXPECT_LT(test.upper, 1);
+    }
+  }
+}
+
+TEST(SeparationTest, OfTouchingBallsDecidesNothingFalsely) {
+  GrowthDistanceSolver solver(newton(1e-12));
+  const SeparationResult& result =
+      solver.separation(Ball(Vector::Zero(3), 1), Ball(2 * Vector::Unit(3, 1), 1));
+  EXPECT_NE(result.outcome, Separation::separated);
+  EXPECT_LE(result.lower, 1);
+  EXPECT_GE(result.upper, 1);
+}
+
+TEST(Gradient, OfADistanceMatchesFiniteDifferences) {
+  Random random(97);
+  constexpr double step = 1e-5;
+  DistanceSolver solver(newton(1e-12));
+  const Eigen::MatrixXd L = 0.3 * gaussian_points(3, 3, random) + Eigen::MatrixXd::Identity(3, 3);
+  for (int i = 0; i < 20; ++i) {
+    const Vector c = 5 * sphere_points(3, 1, random);
+    const auto solve = [&](const Vector& move_A, const Vector& move_Q) -> auto& {
+      return solver.solve(Ball(c + move_A, 1), Ellipsoid(move_Q, L));
+    };
+    const Vector zero = Vector::Zero(3);
+    const DistanceResult at_rest = solve(zero, zero);
+    const Vector moving_A = gradient_moving_A(at_rest), moving_Q = gradient_moving_Q(at_rest);
+    for (int k = 0; k < 3; ++k) {
+      const Vector move = step * Vector::Unit(3, k);
+      const double ahead_A = solve(move, zero).distance, behind_A = solve(-move, zero).distance;
+      EXPECT_NEAR(moving_A[k], (ahead_A - behind_A) / (2 * step), 1e-6);
+      const double ahead_Q = solve(zero, move).distance, behind_Q = solve(zero, -move).distance;
+      EXPECT_NEAR(moving_Q[k], (ahead_Q - behind_Q) / (2 * step), 1e-6);
+    }
+  }
+}
+
+TEST(Gradient, RefusesADistanceOfZero) {
+  const DistanceResult result = DistanceSolver().solve(Ball(Vector::Zero(2), 1), Ball(Vector::Zero(2), 1));
+  EXPECT_THROW(gradient_moving_A(result), InvalidParameterError);
+  EXPECT_THROW(gradient_moving_Q(result), InvalidParameterError);
+}
+
+}  // namespace
+}  // namespace raygauge::test_growth_distance

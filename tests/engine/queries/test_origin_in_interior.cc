@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/origin_in_interior.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/point_clouds.h"
+#include "tests/engine/rational.h"
+
+namespace raygauge::test_origin_in_interior {
+namespace {
+
+using Answer = OriginInInterior::Answer;
+
+void expect_on_one_side(const Eigen::MatrixXd& Q) {
+  const OriginInInterior found = origin_in_interior(PointSet(Q));
+  ASSERT_EQ(found.answer, Answer::violated);
+  ASSERT_EQ(found.direction.size(), Q.rows());
+  EXPECT_FALSE(found.direction.isZero(0));
+  for (Eigen::Index j = 0; j < Q.cols(); ++j) EXPECT_GE(exact_dot(found.direction, Q.col(j)), 0);
+}
+
+TEST(OriginInInterior, HoldsForBodiesAroundTheOrigin) {
+  for (const int n : {1, 2, 3, 6}) {
+    EXPECT_EQ(origin_in_interior(PointSet(cube_vertices(n))).answer, Answer::holds);
+    EXPECT_EQ(origin_in_interior(PointSet(cross_polytope_vertices(n))).answer, Answer::holds);
+  }
+}
+
+TEST(OriginInInterior, HoldsHoweverNearAFacetIs) {
+  Eigen::MatrixXd Q(2, 3);
+  for (const double delta : {1e-9, 1e-300}) {
+    Q << -delta, -delta, 1, 1, -1, 0;
+    EXPECT_EQ(origin_in_interior(PointSet(Q)).answer, Answer::holds);
+  }
+}
+
+TEST(OriginInInterior, IsViolatedByAFacetThroughTheOrigin) {
+  Eigen::MatrixXd Q(2, 3);
+  Q << 0, 0, 2, 1, -1, 0;
+  expect_on_one_side(Q);
+}
+
+TEST(OriginInInterior, IsViolatedByABodyBesideTheOrigin) {
+  Eigen::MatrixXd Q(2, 3);
+  Q << 1, 1, 2, 1, -1, 0;
+  expect_on_one_side(Q);
+}
+
+TEST(OriginInInterior, IsViolatedByAFlatBody) {
+  Eigen::MatrixXd Q = Eigen::MatrixXd::Zero(3, 4);
+  Q.topRows(2) = cross_polytope_vertices(2);
+  expect_on_one_side(Q);
+  Q.row(2) = Q.row(0) + Q.row(1);  // flat, but along no axis
+  expect_on_one_side(Q);
+}
+
+TEST(OriginInInterior, IsUnknownWithoutTime) {
+  EXPECT_EQ(origin_in_interior(PointSet(cube_vertices(3)), 0).answer, Answer::unknown);
+}
+
+}  // namespace
+}  // namespace raygauge::test_origin_in_interior

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "engine/queries/solver.h"
+#include "engine/sets/point_set.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge::test_solver_methods {
+namespace {
+
+DistanceResult solve(DistanceMethod method, const PointSet& A, const PointSet& Q) {
+  DistanceOptions options;
+  options.method = method;
+  options.tolerance = 1e-9;
+  return DistanceSolver(options).solve(A, Q);
+}
+
+void expect_agreement(int n, int N, Random& random) {
+  Eigen::MatrixXd a = sphere_points(n, N, random);
+  a.colwise() += 3 * sphere_points(n, 1, random).col(0);
+  const PointSet A(a);
+  const PointSet Q(sphere_points(n, N, random));
+  const DistanceResult direct = solve(DistanceMethod::direct, A, Q);
+  const DistanceResult published = solve(DistanceMethod::zheng_yamane, A, Q);
+  RC_ASSERT(direct.status == published.status);
+  RC_ASSERT(direct.lower <= published.upper);
+  RC_ASSERT(published.lower <= direct.upper);
+  if (direct.status == DistanceStatus::optimal)
+    RC_ASSERT(published.upper - published.lower <= 1e-9 * published.upper);
+}
+
+RC_GTEST_PROP(Methods, AgreeWithinTheirBoundsInEveryDimension, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const int n = *rc::gen::inRange(2, 21);
+  expect_agreement(n, *rc::gen::inRange(4 * n, 400), random);
+}
+
+RC_GTEST_PROP(Methods, AgreeWhereQMayMissTheOrigin, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const int n = *rc::gen::inRange(2, 9);
+  expect_agreement(n, *rc::gen::inRange(1, 3 * n), random);
+}
+
+}  // namespace
+}  // namespace raygauge::test_solver_methods

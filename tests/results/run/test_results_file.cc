@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/run/results_file.h"
+
+#include <gtest/gtest.h>
+
+#include "results/exceptions.h"
+#include "tests/results/support.h"
+
+namespace raygauge::test_results_file {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace): the helpers of this room's tests
+
+TEST(ResultsFile, EveryRecordComesBackBitByBit) {
+  const TemporaryFolder folder;
+  const ResultsFile written = sample_results(small_experiment());
+  write_results(folder.file("x.h5"), written);
+  const ResultsFile read = read_results(folder.file("x.h5"));
+  EXPECT_EQ(fingerprints(read.records), fingerprints(written.records));
+  EXPECT_TRUE(read.finished());
+}
+
+TEST(ResultsFile, ProvenanceComesBack) {
+  const TemporaryFolder folder;
+  ResultsFile written = sample_results(small_experiment());
+  written.provenance.sessions.emplace_back();
+  write_results(folder.file("x.h5"), written);
+  const Provenance read = read_results(folder.file("x.h5")).provenance;
+  EXPECT_EQ(read.experiment_text, written.provenance.experiment_text);
+  EXPECT_EQ(read.identity, written.provenance.identity);
+  EXPECT_EQ(read.cell_count, written.provenance.cell_count);
+  ASSERT_EQ(read.sessions.size(), 2U);
+  const Session& session = read.sessions[0];
+  const Session expected = sample_session();
+  EXPECT_EQ(session.build.compiler_flags, expected.build.compiler_flags);
+  EXPECT_TRUE(session.build.git_dirty);
+  EXPECT_EQ(session.machine.memory_bytes, expected.machine.memory_bytes);
+  EXPECT_EQ(session.finished_at, expected.finished_at);
+  ASSERT_EQ(session.versions.size(), 2U);
+  EXPECT_EQ(session.versions[1].version, "5.0");
+  ASSERT_EQ(session.calibration.entries.size(), 2U);
+  EXPECT_EQ(session.calibration.threads, 2);
+  EXPECT_EQ(session.calibration.entries[1].method, expected.calibration.entries[1].method);
+  EXPECT_EQ(session.calibration.entries[0].inflation, 1.1);
+  EXPECT_TRUE(read.sessions[1].versions.empty());
+  EXPECT_TRUE(read.sessions[1].calibration.entries.empty());
+}
+
+TEST(ResultsFile, TheSameResultsGiveTheSameBytes) {
+  const TemporaryFolder folder;
+  write_results(folder.file("a.h5"), sample_results(small_experiment()));
+  write_results(folder.file("b.h5"), sample_results(small_experiment()));
+  EXPECT_EQ(read_bytes(folder.file("a.h5")), read_bytes(folder.file("b.h5")));
+}
+
+TEST(ResultsFile, ARunWithoutRecordsIsAFileToo) {
+  const TemporaryFolder folder;
+  write_results(folder.file("x.h5"), ResultsFile());
+  EXPECT_TRUE(read_results(folder.file("x.h5")).records.empty());
+}
+
+}  // namespace
+}  // namespace raygauge::test_results_file
