@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/analysis_options.h"
 
-#include <cstdio>
-
-#include "results/run/atomic_file.h"
+#include <utility>
 
 namespace raygauge::cli {
 
@@ -36,12 +34,11 @@ Filter filter_of(const AnalysisArguments& arguments) {
   return arguments.where.empty() ? Filter() : Filter(arguments.where);
 }
 
-void write_output(const std::string& path, const std::string& text) {
-  if (path.empty()) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-  } else {
-    write_atomically(path, text);
-  }
+OutputRequest output_request(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
+                             const AnalysisArguments& arguments, bool force) {
+  OutputRequest request = {path, kind, std::move(extensions), arguments.files, force};
+  output_place(request);
+  return request;
 }
 
 }  // namespace raygauge::cli

@@ -8,6 +8,7 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
+#include "results/run/output_place.h"
 
 namespace raygauge::cli {
 
@@ -28,7 +29,9 @@ MergedResults read_files(const AnalysisArguments& arguments);
 /// --where as a filter; without it, the one that passes everything.
 Filter filter_of(const AnalysisArguments& arguments);
 
-/// Prints to standard output, or writes `path` (if it is not empty) as a whole or not at all.
-void write_output(const std::string& path, const std::string& text);
+/// What a command that reads these files wants to write. Throws OutputRefusedError where it may not, so that
+/// this is known before the files are read.
+OutputRequest output_request(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
+                             const AnalysisArguments& arguments, bool force);
 
 }  // namespace raygauge::cli

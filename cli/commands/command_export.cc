@@ -4,6 +4,7 @@
 
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
+#include "cli/output/output_file.h"
 #include "engine/exceptions.h"
 #include "results/journal/csv.h"
 
@@ -13,14 +14,17 @@ namespace {
 struct ExportArguments {
   AnalysisArguments analysis;
   std::string csv;
+  bool force = false;
 };
 
 int export_records(const ExportArguments& arguments) {
   const Filter filter = filter_of(arguments.analysis);
+  const OutputRequest output =
+      output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
   const std::vector<Record> records = filtered(read_files(arguments.analysis).records, filter);
   if (records.empty() && !filter.expression().empty())
     throw EmptySetError("no record passes the filter '" + filter.expression() + "'; nothing was written");
-  write_csv(arguments.csv, records);
+  write_to(output, csv_text(records));
   return kAnswered;
 }
 
@@ -31,10 +35,12 @@ void add_export_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("export", "Write the records of results files as CSV");
   add_analysis_options(*command, arguments->analysis);
   command
-      ->add_option("--csv", arguments->csv,
-                   "File to write: one line a record, the columns of docs/file-format.md")
+      ->add_option(
+          "--csv", arguments->csv,
+          "File to write, - for standard output: one line a record, the columns of docs/file-format.md")
       ->required()
       ->type_name("OUT.csv");
+  add_force_option(*command, arguments->force);
   command->footer(
       "Examples:\n"
       "  raygauge export out/example2.h5 --csv out/example2.csv\n"

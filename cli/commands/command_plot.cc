@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,8 +10,8 @@
 #include "analysis/render/figures/figure.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
+#include "cli/output/output_file.h"
 #include "engine/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge::cli {
 namespace {
@@ -21,7 +22,13 @@ struct PlotArguments {
   std::string output;
   std::string size = "double";
   std::vector<std::string> baselines;
+  bool force = false;
 };
+
+OutputRequest picture_request(const PlotArguments& arguments, const std::string& path) {
+  return output_request(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis,
+                        arguments.force);
+}
 
 FigureOptions figure_options(const PlotArguments& arguments) {
   FigureOptions options;
@@ -32,21 +39,44 @@ FigureOptions figure_options(const PlotArguments& arguments) {
 }
 
 void write_figure(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
-                  const std::string& path) {
-  write_atomically(path, draw(figure, records, options, image_format_of(path)));
-  std::printf("%s\n", path.c_str());
+                  const OutputRequest& output) {
+  write_to(output, draw(figure, records, options, image_format_of(output.path)));
+  print_path(output);
+}
+
+bool is_image_name(const std::string& path) {
+  try {
+    image_format_of(path);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// The files that all figures are to be written to, by figure. Throws where one of them may not be.
+std::map<std::string, std::vector<OutputRequest>> all_outputs(const PlotArguments& arguments) {
+  const std::filesystem::path folder = arguments.output;
+  const bool is_folder = std::filesystem::is_directory(folder);
+  if (!is_folder &&
+      (folder == "-" || folder.empty() || std::filesystem::exists(folder) || is_image_name(folder)))
+    throw InvalidParameterError(arguments.output +
+                                ": is no folder; without --figure, -o is the folder for all figures");
+  std::map<std::string, std::vector<OutputRequest>> outputs;
+  for (const Figure& figure : figures())
+    for (const char* extension : {".svg", ".png"})
+      outputs[figure.name].push_back(
+          picture_request(arguments, (folder / (figure.name + extension)).string()));
+  return outputs;
 }
 
 /// Every figure that the records have the data of, as SVG and PNG.
-void write_all_figures(const std::vector<Record>& records, const FigureOptions& options,
-                       const std::string& folder) {
-  if (!std::filesystem::is_directory(folder))
-    throw InvalidParameterError(folder + " is no folder; without --figure, -o is the folder for all figures");
+void write_all_figures(const PlotArguments& arguments, const FigureOptions& options) {
+  const auto outputs = all_outputs(arguments);
+  const std::vector<Record> records = read_files(arguments.analysis).records;
   for (const Figure& figure : figures()) {
     try {
-      for (const char* extension : {".svg", ".png"})
-        write_figure(figure, records, options,
-                     (std::filesystem::path(folder) / (figure.name + extension)).string());
+      for (const OutputRequest& output : outputs.at(figure.name))
+        write_figure(figure, records, options, output);
     } catch (const FigureNeedsError& missing) {
       std::fprintf(stderr, "skipped: %s\n", missing.what());
     }
@@ -56,12 +86,13 @@ void write_all_figures(const std::vector<Record>& records, const FigureOptions& 
 int plot(const PlotArguments& arguments) {
   const FigureOptions options = figure_options(arguments);
   if (arguments.figure.empty()) {
-    write_all_figures(read_files(arguments.analysis).records, options, arguments.output);
+    write_all_figures(arguments, options);
     return kAnswered;
   }
   const Figure& figure = figure_named(arguments.figure);
   image_format_of(arguments.output);  // complains before the files are read
-  write_figure(figure, read_files(arguments.analysis).records, options, arguments.output);
+  const OutputRequest output = picture_request(arguments, arguments.output);
+  write_figure(figure, read_files(arguments.analysis).records, options, output);
   return kAnswered;
 }
 
@@ -89,6 +120,7 @@ void add_plot_command(CLI::App& app, int& status) {
                    "Column of the page it is for: single (3.5 in) or double (7.16 in)")
       ->type_name("SIZE");
   add_baseline_option(*command, arguments->baselines);
+  add_force_option(*command, arguments->force);
   command->footer(
       "Examples:\n"
       "  raygauge plot out/example2.h5 -o out\n"

@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,7 +7,7 @@
 #include "analysis/render/report/report.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
-#include "results/run/atomic_file.h"
+#include "cli/output/output_file.h"
 
 namespace raygauge::cli {
 namespace {
@@ -17,13 +16,15 @@ struct ReportArguments {
   AnalysisArguments analysis;
   std::string output;
   std::vector<std::string> baselines;
+  bool force = false;
 };
 
 int write_report(const ReportArguments& arguments) {
   const Filter filter = filter_of(arguments.analysis);  // complains before the files are read
-  write_atomically(arguments.output,
-                   report::make_page(read_files(arguments.analysis), filter, arguments.baselines));
-  std::printf("%s\n", arguments.output.c_str());
+  const OutputRequest output = output_request(arguments.output, OutputKind::text, {".html", ".htm"},
+                                              arguments.analysis, arguments.force);
+  write_to(output, report::make_page(read_files(arguments.analysis), filter, arguments.baselines));
+  print_path(output);
   return kAnswered;
 }
 
@@ -34,8 +35,11 @@ void add_report_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "report", "Write one HTML page with everything the records show; it needs no network");
   add_analysis_options(*command, arguments->analysis);
-  command->add_option("-o,--output", arguments->output, "File to write")->required()->type_name("FILE.html");
+  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      ->required()
+      ->type_name("FILE.html");
   add_baseline_option(*command, arguments->baselines);
+  add_force_option(*command, arguments->force);
   command->footer(
       "Examples:\n"
       "  raygauge report out/example2.h5 -o out/report.html\n"

@@ -19,6 +19,7 @@
 #include "engine/exceptions.h"
 #include "engine/sweep/estimate.h"
 #include "engine/sweep/sweep.h"
+#include "results/run/output_place.h"
 #include "results/run/run_writer.h"
 
 namespace raygauge::cli {
@@ -110,6 +111,7 @@ SweepSummary sweep_into(RunWriter& writer, const RunArguments& arguments, const 
 int run_experiment(const RunArguments& arguments, const Experiment& experiment,
                    const GeneratorRegistry& generators, const MethodRegistry& methods) {
   const std::string path = output_path(arguments, experiment);
+  output_place({path, OutputKind::results, {".h5", ".hdf5"}, {arguments.experiment_path}, arguments.force});
   const std::size_t cells = grid_of(experiment).size();
   RunWriter writer(path, experiment, run_mode(arguments), session_of(experiment, cells));
   if (writer.done().size() == cells) {

@@ -17,6 +17,7 @@
 #include "analysis/studies/table3/table3_tables.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
+#include "cli/output/output_file.h"
 #include "cli/output/terminal.h"
 #include "engine/exceptions.h"
 
@@ -35,7 +36,23 @@ struct TableArguments {
   bool intervals = false;
   std::string format = "text";
   std::string output;
+  bool force = false;
 };
+
+/// Of files that hold tables of a format.
+std::vector<std::string> extensions_of(TableFormat format) {
+  switch (format) {
+    case TableFormat::text:
+      return {".txt"};
+    case TableFormat::markdown:
+      return {".md", ".markdown"};
+    case TableFormat::latex:
+      return {".tex"};
+    case TableFormat::csv:
+      return {".csv"};
+  }
+  return {};
+}
 
 /// Tables for a person to read where there is no terminal to ask.
 constexpr std::size_t kDefaultWidth = 200;
@@ -98,7 +115,7 @@ std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<
 RenderOptions render_options(const TableArguments& arguments, TableFormat format) {
   RenderOptions options;
   options.format = format;
-  if (!arguments.output.empty()) return options;
+  if (!arguments.output.empty() && arguments.output != "-") return options;
   const std::size_t width = terminal_width(stdout);
   options.width = width > 0 ? width : kDefaultWidth;
   options.color = wants_color(stdout);
@@ -108,6 +125,9 @@ RenderOptions render_options(const TableArguments& arguments, TableFormat format
 int print_table(const TableArguments& arguments) {
   require_one_kind(arguments);
   const TableFormat format = table_format_from_string(arguments.format);
+  const OutputRequest output =
+      output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
+                     extensions_of(format), arguments.analysis, arguments.force);
   const MergedResults merged = read_files(arguments.analysis);
   std::vector<Table> tables = tables_of(arguments, merged.records, format);
   Table& last = tables.back();
@@ -118,7 +138,7 @@ int print_table(const TableArguments& arguments) {
     if (!text.empty()) text += '\n';
     text += render(table, render_options(arguments, format));
   }
-  write_output(arguments.output, text);
+  write_to(output, text);
   if (format == TableFormat::csv) {
     for (const std::string& note : last.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   }
@@ -170,6 +190,7 @@ void add_table_command(CLI::App& app, int& status) {
   command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");
   command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
       ->type_name("FILE");
+  add_force_option(*command, arguments->force);
   command->footer(
       "Examples:\n"
       "  raygauge table out/example2.h5 --paper table3\n"

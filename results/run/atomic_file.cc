@@ -3,6 +3,7 @@
 #include "results/run/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -49,9 +50,16 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-bool write_durably(const std::filesystem::path& path, std::string_view bytes) {
+/// Writes a file that is to take the place of `replaced`, whose permissions it gets.
+bool write_durably(const std::filesystem::path& path, std::string_view bytes,
+                   const std::filesystem::path& replaced) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  return file.value() >= 0 && write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close();
+  if (file.value() < 0) return false;
+  struct stat earlier {};
+  // Where they cannot be set, as on some network disks, a file has the default ones.
+  if (::stat(replaced.c_str(), &earlier) == 0 && ::fchmod(file.value(), earlier.st_mode & 07777) != 0)
+    errno = 0;
+  return write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close();
 }
 
 /// Brings a rename to the disk. File systems that cannot synchronise a folder have nothing to bring.
@@ -64,7 +72,7 @@ void synchronise_folder(const std::filesystem::path& folder) {
 
 void write_atomically(const std::filesystem::path& path, std::string_view bytes,
                       const std::filesystem::path& temporary) {
-  if (!write_durably(temporary, bytes) || ::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!write_durably(temporary, bytes, path) || ::rename(temporary.c_str(), path.c_str()) != 0) {
     const int reason = errno;
     ::unlink(temporary.c_str());
     throw ResultsError(path.string() + ": cannot write: " + system_reason(reason));

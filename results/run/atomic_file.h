@@ -10,8 +10,8 @@
 namespace raygauge {
 
 /// Replaces `path` by a file of these bytes: written to `temporary` (in the same file system), brought to the
-/// disk, renamed. At every moment `path` is its old self or complete. Throws ResultsError with the system's
-/// reason; `temporary` is then gone and `path` untouched.
+/// disk, renamed. At every moment `path` is its old self or complete; its permissions stay. Throws
+/// ResultsError with the system's reason; `temporary` is then gone and `path` untouched.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes,
                       const std::filesystem::path& temporary);
 

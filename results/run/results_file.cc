@@ -9,6 +9,7 @@
 #include "results/exceptions.h"
 #include "results/journal/cell_journal.h"
 #include "results/run/atomic_file.h"
+#include "results/run/output_place.h"
 #include "results/run/run_directory.h"
 #include "results/schema/encoding.h"
 
@@ -71,12 +72,13 @@ std::set<std::uint64_t> ResultsFile::cells() const {
 }
 
 ResultsFile read_results(const std::string& path) {
+  const fs::path file = behind_links(path);
   // A run that begins a session or ends while it is read adds parts, or replaces them by the file: what a
   // list of the folder missed. The second time it is there.
   try {
-    return read_once(path);
+    return read_once(file);
   } catch (const ResultsError&) {
-    return read_once(path);
+    return read_once(file);
   }
 }
 

@@ -27,9 +27,9 @@ struct ResultsFile {
 /// Puts records that are in order within each cell into the order of a results file.
 void sort_by_cell(std::vector<Record>& records);
 
-/// The results at `path`: the file, the parts of a run that is unfinished or still going on, or both; the
-/// records of a cell that is in both are the file's. Throws ResultsError for a file that is missing, not
-/// HDF5, truncated or not raygauge's, and SchemaVersionError for another schema version.
+/// The results at `path` or what it is a link to: the file, the parts of a run that is unfinished or still
+/// going on, or both; the records of a cell that is in both are the file's. Throws ResultsError for a file
+/// that is missing, not HDF5, truncated or not raygauge's, and SchemaVersionError for another schema version.
 ResultsFile read_results(const std::string& path);
 
 /// Writes `results` as one self-describing file, aside first and renamed when complete: `path` is never seen

@@ -105,6 +105,13 @@ void RunDirectory::store_target(const std::string& bytes) const {
   write_atomically(target_, bytes, folder_ / ("merged" + std::string(kTemporarySuffix)));
 }
 
+void RunDirectory::require_room(const std::string& bytes) const {
+  const fs::path path = folder_ / ("room" + std::string(kTemporarySuffix));
+  write_atomically(path, bytes, path);
+  std::error_code ignored;  // the next run removes it
+  fs::remove(path, ignored);
+}
+
 void RunDirectory::clear() const {
   const PartList present = parts();
   remove_all_of(present.journals);

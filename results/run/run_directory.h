@@ -62,6 +62,10 @@ class RunDirectory {
   /// Durably writes the target itself, by way of a temporary file in the folder. Throws ResultsError.
   void store_target(const std::string& bytes) const;
 
+  /// Writes `bytes` to a temporary file and removes it. Throws ResultsError where the disk does not take
+  /// them.
+  void require_room(const std::string& bytes) const;
+
   /// Removes all parts, the sessions last.
   void clear() const;
 

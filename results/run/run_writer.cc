@@ -11,7 +11,9 @@
 
 #include "results/exceptions.h"
 #include "results/hdf5/hdf5_library.h"
+#include "results/journal/csv.h"
 #include "results/run/identity.h"
+#include "results/run/output_place.h"
 #include "results/schema/encoding.h"
 #include "results/schema/schema.h"
 
@@ -54,7 +56,7 @@ void make_nan_plain(Record& record) {
 }  // namespace
 
 RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session)
-    : path_(path),
+    : path_(behind_links(path)),
       mode_(mode),
       provenance_{
           experiment.text, experiment_identity(experiment), grid_of(experiment).size(), {std::move(session)}},
@@ -98,6 +100,10 @@ void RunWriter::refuse_foreign_file() const {
   } catch (const ResultsError& error) {
     throw ResultsExistError(std::string(error.what()) + "; not replaced even by --force");
   }
+  if (is_foreign_hdf5(path_)) {
+    throw ResultsExistError(
+        path_.string() + ": an HDF5 file, but not one of raygauge's results; not replaced even by --force");
+  }
 }
 
 std::vector<Record> RunWriter::arranged(const CellResult& cell) const {
@@ -128,17 +134,19 @@ void RunWriter::store_session() const {
 }
 
 /// Takes the cell for this call, and has the session on the disk before its first cell.
-void RunWriter::claim(std::uint64_t cell) {
+void RunWriter::claim(std::uint64_t cell, const std::vector<Record>& records) {
   const std::scoped_lock lock(mutex_);
   if (done_.count(cell) != 0 || stored_.count(cell) != 0) {
     throw InvalidParameterError("cell " + std::to_string(cell) + " is stored already");
   }
-  if (!journal_) begin_session();
+  if (!journal_) begin_session(records);
   stored_.insert(cell);
 }
 
-void RunWriter::begin_session() {
+/// Under force the earlier run goes only once the disk has taken what is to stand in its place.
+void RunWriter::begin_session(const std::vector<Record>& first) {
   if (mode_ == RunMode::force) {
+    directory_.require_room(encode_provenance(provenance_) + csv_text(first));
     directory_.clear();
     fs::remove(path_);
   }
@@ -153,7 +161,7 @@ void RunWriter::begin_session() {
 
 void RunWriter::store(const CellResult& cell) {
   std::vector<Record> records = arranged(cell);
-  claim(cell.cell);
+  claim(cell.cell, records);
   try {
     journal_->append(cell.cell, records);
   } catch (...) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/sweep/experiment.h"
 #include "engine/sweep/record.h"
@@ -38,9 +39,10 @@ enum class RunMode : std::uint8_t {
 /// resumed, but for times, threads and sessions.
 class RunWriter final : public RecordSink {
  public:
-  /// Opens `path` for writing. Changes nothing that is there, but for leftovers of a kill. Throws
+  /// Opens `path`, or what it is a link to, for writing. Changes nothing that is there, but for leftovers of
+  /// a kill. Throws
   ///   ResultsExistError     create, and there are results or parts of a run already; force, and the file
-  ///                         there is not one of HDF5,
+  ///                         there is not one of HDF5, or of somebody else's data,
   ///   OtherExperimentError  resume, and what is there belongs to another experiment,
   ///   SchemaVersionError, ResultsError  resume, and what is there cannot be read (see read_results),
   ///   RunLockedError        another process is writing this run,
@@ -67,8 +69,8 @@ class RunWriter final : public RecordSink {
   void refuse_existing() const;
   void resume_existing();
   void refuse_foreign_file() const;
-  void claim(std::uint64_t cell);
-  void begin_session();
+  void claim(std::uint64_t cell, const std::vector<Record>& records);
+  void begin_session(const std::vector<Record>& first);
   void store_session() const;
   void merge() const;
   std::vector<Record> arranged(const CellResult& cell) const;

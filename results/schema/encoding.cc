@@ -17,8 +17,12 @@ void write_head(H5::Group& root) {
   hdf5::write_attribute(root, "raygauge_version", build_info().raygauge_version);
 }
 
+bool has_own_format(const H5::Group& root, const std::string& file) {
+  return root.attrExists("format") && hdf5::read_text_attribute(root, "format", file) == kFormatName;
+}
+
 void check_head(const H5::Group& root, const std::string& file) {
-  if (!root.attrExists("format") || hdf5::read_text_attribute(root, "format", file) != kFormatName) {
+  if (!has_own_format(root, file)) {
     throw ResultsError(file + ": an HDF5 file, but not one of raygauge's results");
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
@@ -112,6 +116,16 @@ Provenance decode_provenance(const std::filesystem::path& path) {
     provenance = read_provenance(root, path.string());
   });
   return provenance;
+}
+
+bool is_foreign_hdf5(const std::filesystem::path& path) {
+  bool foreign = false;
+  try {
+    hdf5::read_file(path, [&](H5::Group& root) { foreign = !has_own_format(root, path.string()); });
+  } catch (const ResultsError&) {
+    return false;
+  }
+  return foreign;
 }
 
 }  // namespace raygauge

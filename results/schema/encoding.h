@@ -21,4 +21,7 @@ std::string encode_provenance(const Provenance& provenance);  ///< /provenance
 ResultsFile decode_results(const std::filesystem::path& path);
 Provenance decode_provenance(const std::filesystem::path& path);
 
+/// Whether `path` is an HDF5 file that can be read and is not one of ours.
+bool is_foreign_hdf5(const std::filesystem::path& path);
+
 }  // namespace raygauge

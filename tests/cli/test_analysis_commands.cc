@@ -160,8 +160,8 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
   expect_complaint(
       run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.svg", "--where", "N==200"}),
       "raygauge: figure time_vs_N needs solved records at two or more values of N");
-  expect_complaint(run_raygauge({"plot", "r.h5", "-o", "nowhere"}),
-                   "raygauge: nowhere is no folder; without --figure, -o is the folder for all figures");
+  expect_complaint(run_raygauge({"plot", "r.h5", "-o", "x.svg"}),
+                   "raygauge: x.svg: is no folder; without --figure, -o is the folder for all figures");
   EXPECT_FALSE(exists("x.svg"));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/run_writer.h"
 
+#include <H5Cpp.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -190,6 +191,28 @@ TEST_F(RunWriterTest, ForceDoesNotReplaceAForeignFile) {
   write_bytes(path_, "a thesis");
   EXPECT_EQ(error_opening(RunMode::force), path_ + ": not an HDF5 file; not replaced even by --force");
   EXPECT_EQ(read_bytes(path_), "a thesis");
+}
+
+TEST_F(RunWriterTest, ForceDoesNotReplaceForeignData) {
+  { H5::H5File(path_, H5F_ACC_TRUNC).createGroup("measured_for_years"); }
+  const std::string before = read_bytes(path_);
+  EXPECT_EQ(error_opening(RunMode::force),
+            path_ + ": an HDF5 file, but not one of raygauge's results; not replaced even by --force");
+  EXPECT_TRUE(read_bytes(path_) == before);
+}
+
+TEST_F(RunWriterTest, ALinkIsWrittenThrough) {
+  const std::string link = folder_.file("link.h5");
+  std::filesystem::create_symlink(path_, link);
+  {
+    RunWriter run(link, experiment_, RunMode::create, sample_session());
+    run.store(cell_result(experiment_, 0));
+    EXPECT_TRUE(std::filesystem::exists(path_ + ".parts")) << "the parts lie beside the file, not the link";
+    EXPECT_EQ(read_results(link).cells(), std::set<std::uint64_t>{0});
+    run.finish();
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_results(path_).cells(), std::set<std::uint64_t>{0});
 }
 
 TEST_F(RunWriterTest, AnotherExperimentIsNotResumed) {

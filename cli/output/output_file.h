@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "results/run/output_place.h"
+
+namespace raygauge::cli {
+
+/// --force of a command whose output can be made again.
+void add_force_option(CLI::App& command, bool& force);
+
+/// Writes where output_place() allows: to standard output, a stream or a file. Throws OutputRefusedError and
+/// ResultsError.
+void write_to(const OutputRequest& request, const std::string& bytes);
+
+/// The path of what was written, on a line of standard output, unless that is where it went.
+void print_path(const OutputRequest& request);
+
+}  // namespace raygauge::cli
