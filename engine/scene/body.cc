@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/scene/body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/exceptions.h"
+#include "engine/sets/point_set.h"
+
+namespace raygauge {
+namespace {
+
+// What the computation of a radius may lose, with room to spare.
+constexpr double kOutward = 1 + 1e-13;
+
+// Directions to the faces, edges and corners of a cube. No direction of 3-space makes an angle with the
+// nearest of them whose cosine is below 0.8864 (that of the point equally far from (1,0,0), (1,1,0) and
+// (1,1,1): 1/√(1 + (√2-1)² + (√3-√2)²)).
+constexpr double kLeastCosine = 0.8864;
+
+double radius_by_points(const PointSet& S, const SmallVector& center) {
+  double squared = 0;
+  SmallVector p(center.size());
+  for (std::ptrdiff_t i = 0; i < S.size(); ++i) {
+    S.copy_point(i, p.data());
+    squared = std::max(squared, (p - center).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+// How far S reaches from the centre along u, |u| = 1.
+double extent(const ConvexSet& S, const SmallVector& center, const SmallVector& u) {
+  SmallVector point(u.size());
+  return S.support_unchecked(u.data(), point.data()) - u.dot(center);
+}
+
+double radius_by_directions(const ConvexSet& S, const SmallVector& center) {
+  double farthest = 0;
+  for (int code = 0; code < 27; ++code) {
+    SmallVector u(3);
+    u << code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1;
+    if (u.isZero(0)) continue;
+    farthest = std::max(farthest, extent(S, center, u / u.norm()));
+  }
+  return farthest / kLeastCosine;
+}
+
+// Magnitudes of a ball's points and what support functions of that size may lose.
+double rounding_of(const SmallVector& magnitude) {
+  const int n = static_cast<int>(magnitude.size());
+  return 4 * ConvexSet::rounding_error(n) * magnitude.sum();
+}
+
+}  // namespace
+
+BoundingBall bounding_ball(const ConvexSet& S) {
+  const int n = S.dimension();
+  BoundingBall ball{SmallVector(n), 0};
+  SmallVector u = SmallVector::Zero(n), half(n), point(n), magnitude(n);
+  for (int k = 0; k < n; ++k) {
+    u[k] = 1;
+    const double above = S.support_unchecked(u.data(), point.data());
+    u[k] = -1;
+    const double below = -S.support_unchecked(u.data(), point.data());
+    u[k] = 0;
+    ball.center[k] = below + (above - below) / 2;
+    half[k] = (above - below) / 2;
+  }
+  S.magnitude_unchecked(magnitude.data());
+  ball.radius = half.norm();
+  if (const auto* points = dynamic_cast<const PointSet*>(&S)) {
+    ball.radius = radius_by_points(*points, ball.center);
+  } else if (n == 3) {
+    ball.radius = std::min(ball.radius, radius_by_directions(S, ball.center));
+  }
+  ball.radius = ball.radius * kOutward + rounding_of(magnitude);
+  return ball;
+}
+
+Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexSet>>& parts,
+               MotionPointer motion) {
+  if (parts.empty()) throw EmptySetError("body '" + name + "' has no part");
+  if (motion == nullptr) throw InvalidParameterError("body '" + name + "' has no motion");
+  Body body;
+  body.name = std::move(name);
+  body.motion = std::move(motion);
+  const int n = body.dimension();
+  SmallVector sum = SmallVector::Zero(n);
+  for (const auto& set : parts) {
+    if (set == nullptr) throw InvalidParameterError("body '" + body.name + "': a part is null");
+    if (set->dimension() != n) {
+      throw DimensionMismatchError("body '" + body.name + "': a part lives in R^" +
+                                   std::to_string(set->dimension()) + ", the motion in R^" +
+                                   std::to_string(n));
+    }
+    BodyPart part{set, bounding_ball(*set), 0, SmallVector(n)};
+    part.reach = (part.ball.center.norm() + part.ball.radius) * kOutward;
+    set->magnitude_unchecked(part.magnitude.data());
+    body.reach = std::max(body.reach, part.reach);
+    sum += part.ball.center;
+    body.parts.push_back(std::move(part));
+  }
+  body.ball.center = sum / static_cast<double>(parts.size());
+  for (const BodyPart& part : body.parts) {
+    const double radius = (part.ball.center - body.ball.center).norm() + part.ball.radius;
+    body.ball.radius = std::max(body.ball.radius, radius * kOutward);
+  }
+  return body;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/scene/motion.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+// What the sums and products below may lose, with room to spare.
+constexpr double kOutward = 1 + 1e-13;
+
+// |spin × u|: how fast the direction u turns.
+double turning(const Eigen::Vector3d& spin, const SmallVector& u) {
+  if (u.size() == 3) return spin.cross(Eigen::Vector3d(u)).norm();
+  return spin.norm() * u.norm();
+}
+
+SmallMatrix rotation_by(const Eigen::Vector3d& turn, int n) {
+  if (n == 3) return rotation_about(turn);
+  if (n == 2) return plane_rotation(turn[2]);
+  return SmallMatrix::Identity(n, n);
+}
+
+// r with rotation_by(r) R0 = R1, the shorter way.
+Eigen::Vector3d turn_between(const SmallMatrix& R0, const SmallMatrix& R1) {
+  const SmallMatrix D = R1 * R0.transpose();
+  if (D.rows() == 2) return {0, 0, std::atan2(D(1, 0), D(0, 0))};
+  if (D.rows() == 3) {
+    const Eigen::AngleAxisd turn(Eigen::Quaterniond(Eigen::Matrix3d(D)).normalized());
+    const double angle = turn.angle() > EIGEN_PI ? turn.angle() - 2 * EIGEN_PI : turn.angle();
+    return angle * turn.axis();
+  }
+  if (!D.isIdentity(1e-9)) {
+    throw InvalidParameterError("motion: rotations between keyframes need 2 or 3 dimensions");
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+void check_finite(bool finite, const char* what) {
+  if (!finite) throw NonFiniteError(std::string("motion: ") + what + " is not finite");
+}
+
+}  // namespace
+
+double MotionBound::speed_along(const SmallVector& u, double reach) const {
+  const double spread = velocity_error * u.norm() + (turning(spin, u) + spin_error * u.norm()) * reach;
+  return velocity.dot(u) + spread * kOutward + (kOutward - 1) * velocity.norm() * u.norm();
+}
+
+double MotionBound::speed(double reach) const {
+  return (velocity.norm() + velocity_error + (spin.norm() + spin_error) * reach) * kOutward;
+}
+
+Placement Motion::at(double t) const {
+  if (!(t >= start_ && t <= stop_)) {
+    throw InvalidParameterError("motion: time " + std::to_string(t) + " is outside [" +
+                                std::to_string(start_) + ", " + std::to_string(stop_) + "]");
+  }
+  return do_at(t);
+}
+
+double Motion::do_next_break(double) const { return std::numeric_limits<double>::infinity(); }
+
+MotionBound StaticMotion::do_bound(double, double) const {
+  return {SmallVector::Zero(dimension()), 0, Eigen::Vector3d::Zero(), 0};
+}
+
+KeyframeMotion::KeyframeMotion(std::vector<double> times, std::vector<Placement> frames)
+    : Motion(frames.empty() ? 1 : frames.front().dimension(), times.empty() ? 0 : times.front(),
+             times.empty() ? 0 : times.back()),
+      times_(std::move(times)),
+      frames_(std::move(frames)) {
+  if (times_.size() != frames_.size() || times_.size() < 2) {
+    throw InvalidParameterError("motion: keyframes need two times at least, and a pose for each");
+  }
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    check_finite(std::isfinite(times_[i]), "a time");
+    check_finite(frames_[i].t.allFinite() && frames_[i].R.allFinite(), "a pose");
+    if (frames_[i].dimension() != dimension()) {
+      throw DimensionMismatchError("motion: keyframes of different dimensions");
+    }
+    if (i == 0) continue;
+    if (!(times_[i - 1] < times_[i])) {
+      throw InvalidParameterError("motion: times must rise, but " + std::to_string(times_[i]) +
+                                  " comes after " + std::to_string(times_[i - 1]));
+    }
+    turns_.push_back(turn_between(frames_[i - 1].R, frames_[i].R));
+  }
+}
+
+std::size_t KeyframeMotion::piece_of(double t) const {
+  const auto after = std::upper_bound(times_.begin() + 1, times_.end() - 1, t);
+  return static_cast<std::size_t>(after - times_.begin()) - 1;
+}
+
+Placement KeyframeMotion::do_at(double t) const {
+  const std::size_t i = piece_of(t);
+  if (t == times_[i]) return frames_[i];
+  if (t == times_[i + 1]) return frames_[i + 1];
+  const double s = (t - times_[i]) / (times_[i + 1] - times_[i]);
+  return {rotation_by(s * turns_[i], dimension()) * frames_[i].R,
+          (1 - s) * frames_[i].t + s * frames_[i + 1].t};
+}
+
+MotionBound KeyframeMotion::do_bound(double from, double) const {
+  const std::size_t i = piece_of(from);
+  const double rate = 1 / (times_[i + 1] - times_[i]);
+  return {(frames_[i + 1].t - frames_[i].t) * rate, 0, turns_[i] * rate, 0};
+}
+
+double KeyframeMotion::do_next_break(double t) const {
+  const auto next = std::upper_bound(times_.begin(), times_.end(), t);
+  return next == times_.end() ? std::numeric_limits<double>::infinity() : *next;
+}
+
+TwistMotion::TwistMotion(Placement first, Rates rates, double start, double stop)
+    : Motion(first.dimension(), start, stop), first_(std::move(first)), rates_(std::move(rates)) {
+  const int n = dimension();
+  if (rates_.acceleration.size() == 0) rates_.acceleration.setZero(n);
+  if (rates_.velocity.size() != n || rates_.acceleration.size() != n) {
+    throw DimensionMismatchError("motion: a velocity or an acceleration is not of " + std::to_string(n) +
+                                 " numbers");
+  }
+  check_finite(rates_.velocity.allFinite() && rates_.acceleration.allFinite() && rates_.spin.allFinite(),
+               "a rate");
+  check_finite(std::isfinite(start), "the first time");
+  const bool plane = n == 2 && rates_.spin[0] == 0 && rates_.spin[1] == 0;
+  if (n != 3 && !plane && !rates_.spin.isZero(0)) {
+    throw InvalidParameterError("motion: a spin needs 3 dimensions, or 2 and (0, 0, ω)");
+  }
+}
+
+Placement TwistMotion::do_at(double t) const {
+  const double s = t - start();
+  return {rotation_by(s * rates_.spin, dimension()) * first_.R,
+          first_.t + s * rates_.velocity + s * s / 2 * rates_.acceleration};
+}
+
+MotionBound TwistMotion::do_bound(double from, double to) const {
+  const double middle = (from + to) / 2 - start();
+  const double spread = rates_.acceleration.norm() * (to - from) / 2;
+  return {rates_.velocity + middle * rates_.acceleration, spread * kOutward, rates_.spin, 0};
+}
+
+}  // namespace raygauge

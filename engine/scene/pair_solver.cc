@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/scene/pair_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/floating_point.h"
+#include "engine/queries/growth_body.h"
+#include "engine/sets/ball.h"
+
+namespace raygauge {
+namespace {
+
+// Room for the rounding of the few operations of a bound, relative to what they are made of.
+constexpr double kRounding = 1e-13;
+constexpr double kOutward = 1 + kRounding;
+
+DistanceOptions newton_options(double tolerance) {
+  DistanceOptions options;
+  options.method = DistanceMethod::newton;
+  options.tolerance = tolerance;
+  return options;
+}
+
+// |u| and what h(u) of a placed set may lose: rounding_error(n) Σ_k |u_k| m_k with the magnitudes of
+// PlacedSet, each at most |t_k| + 2√n |m|.
+double support_error(const SmallVector& u, const SmallVector& magnitude, const Placement& at) {
+  const int n = static_cast<int>(u.size());
+  const double size = at.t.cwiseAbs().maxCoeff() + 2 * std::sqrt(static_cast<double>(n)) * magnitude.norm();
+  return 2 * ConvexSet::rounding_error(n) * u.lpNorm<1>() * size;
+}
+
+}  // namespace
+
+SceneCounters& SceneCounters::operator+=(const SceneCounters& other) {
+  distance_solves += other.distance_solves;
+  separation_solves += other.separation_solves;
+  growth_solves += other.growth_solves;
+  closest_points += other.closest_points;
+  gradients += other.gradients;
+  plane_tests += other.plane_tests;
+  ball_tests += other.ball_tests;
+  support_queries += other.support_queries;
+  return *this;
+}
+
+PairSolver::PairSolver(int dimension)
+    : dimension_(dimension),
+      distance_(newton_options(1e-6)),
+      separation_(newton_options(1e-6)),
+      rays_(newton_options(1e-6)),
+      set_a_(dimension),
+      set_b_(dimension),
+      set_Q_(dimension),
+      ball_(std::make_shared<Ball>(Vector::Zero(dimension), 1.0)),
+      tolerance_(1e-6) {}
+
+void PairSolver::set_tolerance(double tolerance) {
+  if (tolerance == tolerance_) return;
+  tolerance_ = tolerance;
+  distance_ = ObjectDistanceSolver(newton_options(tolerance));
+  rays_.set_options(newton_options(tolerance));
+}
+
+void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
+  a_ = &a;
+  b_ = &b;
+  metric_ = &metric;
+  part_pairs_.clear();
+  for (int i = 0; i < static_cast<int>(a.parts.size()); ++i) {
+    for (int j = 0; j < static_cast<int>(b.parts.size()); ++j) part_pairs_.push_back({i, j, 0});
+  }
+  outer_radius_ = 1;
+  if (!metric.euclidean()) {
+    const BoundingBall ball = bounding_ball(*metric.Q);
+    outer_radius_ = (ball.center.norm() + ball.radius) * kOutward;
+    magnitude_Q_.resize(dimension_);
+    metric.Q->magnitude_unchecked(magnitude_Q_.data());
+  }
+}
+
+void PairSolver::place(const Placement& a, const Placement& b, const Placement* metric_at) {
+  at_a_ = a;
+  at_b_ = b;
+  if (metric_->euclidean()) return;
+  Placement turned = Placement::identity(dimension_);
+  if (metric_at != nullptr) turned.R = metric_at->R;
+  set_Q_.place(*metric_->Q, turned);
+}
+
+double PairSolver::ball_bound(const SmallVector& center_a, const SmallVector& center_b) {
+  ++counters_.ball_tests;
+  const double radii = a_->ball.radius + b_->ball.radius;
+  const double rounding = kRounding * (center_a.norm() + center_b.norm() + radii);
+  return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
+}
+
+double PairSolver::part_ball_bound(int i, int j) const {
+  const BoundingBall& ball_a = a_->parts[static_cast<std::size_t>(i)].ball;
+  const BoundingBall& ball_b = b_->parts[static_cast<std::size_t>(j)].ball;
+  const SmallVector center_a = at_a_.R * ball_a.center + at_a_.t;
+  const SmallVector center_b = at_b_.R * ball_b.center + at_b_.t;
+  const double radii = ball_a.radius + ball_b.radius;
+  const double rounding = kRounding * (at_a_.t.norm() + at_b_.t.norm() + a_->reach + b_->reach + radii);
+  return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
+}
+
+// Weak duality (10) at u: -h_A(u) / h_Q(-u), A = b - a, rounding errors included.
+double PairSolver::part_plane_bound(int i, int j, const SmallVector& u) const {
+  const BodyPart& part_a = a_->parts[static_cast<std::size_t>(i)];
+  const BodyPart& part_b = b_->parts[static_cast<std::size_t>(j)];
+  SmallVector point(dimension_);
+  const SmallVector inner_a = -(at_a_.R.transpose() * u);
+  const SmallVector inner_b = at_b_.R.transpose() * u;
+  const double h = part_b.set->support_unchecked(inner_b.data(), point.data()) +
+                   part_a.set->support_unchecked(inner_a.data(), point.data()) + u.dot(at_b_.t - at_a_.t);
+  const double error = support_error(u, part_a.magnitude, at_a_) + support_error(u, part_b.magnitude, at_b_);
+  const double depth = -(h + error);
+  if (!(depth > 0)) return 0;
+  if (metric_->euclidean()) return depth / (u.norm() * kOutward);
+  const SmallVector minus = -u;
+  const double h_Q = set_Q_.support_unchecked(minus.data(), point.data()) +
+                     support_error(u, magnitude_Q_, Placement::identity(dimension_));
+  return h_Q > 0 ? depth / (h_Q * kOutward) : 0.0;
+}
+
+std::size_t PairSolver::memory_index(const PartPair& pair) const {
+  return static_cast<std::size_t>(pair.a) * b_->parts.size() + static_cast<std::size_t>(pair.b);
+}
+
+void PairSolver::sort_part_pairs() {
+  if (part_pairs_.size() == 1) {
+    part_pairs_.front().ball_bound = 0;
+    return;
+  }
+  for (PartPair& pair : part_pairs_) {
+    pair.ball_bound = part_ball_bound(pair.a, pair.b);
+    ++counters_.ball_tests;
+  }
+  std::sort(part_pairs_.begin(), part_pairs_.end(), [](const PartPair& x, const PartPair& y) {
+    if (x.ball_bound != y.ball_bound) return x.ball_bound < y.ball_bound;
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
+}
+
+double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
+  double lower = kInfinity;
+  rate = 0;
+  if (memory.normals.size() != part_pairs_.size()) return 0;
+  for (const PartPair& pair : part_pairs_) {
+    const SmallVector& u = memory.normals[memory_index(pair)];
+    double bound = 0;
+    if (u.size() > 0) {
+      ++counters_.plane_tests;
+      bound = part_plane_bound(pair.a, pair.b, u);
+    }
+    double pair_rate = metric_->euclidean() ? kOutward : 0.0;
+    if (u.size() > 0 && !metric_->euclidean()) {
+      SmallVector point(dimension_);
+      const SmallVector minus = -u;
+      const double h_Q = set_Q_.support_unchecked(minus.data(), point.data());
+      pair_rate = u.norm() / h_Q * (1 + 1e-9);
+    }
+    if (part_pairs_.size() > 1) {
+      ++counters_.ball_tests;
+      const double ball = part_ball_bound(pair.a, pair.b);
+      if (ball > bound) {
+        bound = ball;
+        pair_rate = ball_rate();
+      }
+    }
+    if (!(bound > 0)) return 0;
+    lower = std::min(lower, bound);
+    rate = std::max(rate, pair_rate);
+  }
+  return lower;
+}
+
+void PairSolver::place_parts(const PartPair& pair) {
+  set_a_.place(*a_->parts[static_cast<std::size_t>(pair.a)].set, at_a_);
+  set_b_.place(*b_->parts[static_cast<std::size_t>(pair.b)].set, at_b_);
+}
+
+void PairSolver::solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory,
+                             PairAnswer& best) {
+  place_parts(pair);
+  const ConvexSet& Q = metric_->euclidean() ? *ball_ : static_cast<const ConvexSet&>(set_Q_);
+  const ObjectDistance& found = distance_.solve(
+      set_a_, set_b_, Q, closest_points ? ObjectEffects::closest_points : ObjectEffects::none);
+  const DistanceResult& distance = found.distance;
+  ++counters_.distance_solves;
+  counters_.closest_points += found.closest_point_evaluations;
+  counters_.support_queries += distance.counters.support_queries;
+  SmallVector& kept = memory.normals[memory_index(pair)];
+  if (distance.lower > 0 && distance.normal.size() == dimension_) kept = distance.normal;
+  const double rate = distance.lower > 0 ? distance.normal.norm() * kOutward : 0.0;
+  best.rate = std::max(best.rate, rate);
+  if (best.part_a >= 0 && distance.upper >= best.upper) {
+    best.lower = std::min(best.lower, distance.lower);
+    return;
+  }
+  best.lower = best.part_a >= 0 ? std::min(best.lower, distance.lower) : distance.lower;
+  best.upper = distance.upper;
+  best.value = distance.distance;
+  best.status = distance.status;
+  best.part_a = pair.a;
+  best.part_b = pair.b;
+  best.normal.resize(0);
+  if (distance.lower > 0) best.normal = distance.normal;
+  best.point_a = found.closest_point_1;
+  best.point_b = found.closest_point_2;
+}
+
+PairAnswer PairSolver::distance(PairMemory& memory, double enough, bool closest_points, bool gradient) {
+  memory.normals.resize(part_pairs_.size());
+  sort_part_pairs();
+  PairAnswer best;
+  double beyond = kInfinity;  // a lower bound of the parts that were not solved
+  double beyond_rate = 0;
+  for (const PartPair& pair : part_pairs_) {
+    if (best.part_a >= 0 && pair.ball_bound >= best.upper) break;
+    if (pair.ball_bound > enough) {
+      beyond = std::min(beyond, pair.ball_bound);
+      beyond_rate = std::max(beyond_rate, ball_rate());
+      break;
+    }
+    solve_parts(pair, closest_points, memory, best);
+    if (best.intersecting()) break;
+  }
+  if (best.part_a < 0) {
+    best.lower = beyond;
+  } else {
+    best.lower = std::min(best.lower, beyond);
+    best.value = std::clamp(best.value, best.lower, best.upper);
+  }
+  best.rate = std::max(best.rate, beyond_rate);
+  if (gradient && best.normal.size() == dimension_ && best.lower > 0) {
+    best.gradient = best.normal;  // body a is moved: A1 of d_Q(A2 - A1)
+    ++counters_.gradients;
+  }
+  return best;
+}
+
+PairSeparation PairSolver::separation(PairMemory& memory) {
+  memory.normals.resize(part_pairs_.size());
+  sort_part_pairs();
+  PairSeparation outcome = PairSeparation::separated;
+  for (const PartPair& pair : part_pairs_) {
+    if (pair.ball_bound > 0) break;
+    SmallVector& kept = memory.normals[memory_index(pair)];
+    if (kept.size() > 0) {
+      ++counters_.plane_tests;
+      if (part_plane_bound(pair.a, pair.b, kept) > 0) continue;
+    }
+    place_parts(pair);
+    const SeparationResult& found = separation_.separation(set_a_, set_b_);
+    ++counters_.separation_solves;
+    counters_.support_queries += found.counters.support_queries;
+    if (found.outcome == Separation::intersecting) return PairSeparation::intersecting;
+    if (found.outcome == Separation::undecided) {
+      outcome = PairSeparation::undecided;
+    } else {
+      kept = found.normal;
+    }
+  }
+  return outcome;
+}
+
+PairAnswer PairSolver::growth() {
+  sort_part_pairs();
+  PairAnswer best;
+  best.lower = kInfinity;
+  for (const PartPair& pair : part_pairs_) {
+    place_parts(pair);
+    SmallVector center_a(dimension_), center_b(dimension_);
+    set_a_.center_unchecked(center_a.data());
+    set_b_.center_unchecked(center_b.data());
+    const SmallVector ray = center_a - center_b;
+    const GrowthBody body(set_a_, center_a.data(), set_b_, center_b.data());
+    const DistanceResult& found = rays_.solve(PointView(ray.data(), dimension_), body);
+    ++counters_.growth_solves;
+    counters_.support_queries += found.counters.support_queries;
+    best.lower = std::min(best.lower, found.lower);
+    if (best.part_a >= 0 && found.upper >= best.upper) continue;
+    best.upper = found.upper;
+    best.value = found.distance;
+    best.status = found.status;
+    best.part_a = pair.a;
+    best.part_b = pair.b;
+  }
+  best.value = std::clamp(best.value, best.lower, best.upper);
+  return best;
+}
+
+}  // namespace raygauge

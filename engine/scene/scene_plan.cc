@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/scene/scene_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace raygauge {
+namespace {
+
+// So many looks (pairs × instants) make a cell worth storing on its own.
+constexpr std::size_t kLooksPerCell = 20'000;
+constexpr std::size_t kMostPairsPerCell = 256;
+// With fewer pairs than these, time is cut too, so that there is work for every thread.
+constexpr std::size_t kPairsForAllThreads = 64;
+constexpr std::size_t kInstantsPerCell = 128;
+constexpr std::size_t kNearestInstantsPerCell = 32;
+constexpr std::size_t kContinuousTasksPerCell = 8;
+
+/// What queries must agree in to share the solves of a pair.
+bool shares_solves(const SceneQuery& x, const SceneQuery& y) {
+  return x.metric == y.metric && x.tolerance == y.tolerance;
+}
+
+void add_instant_tasks(const Scene& scene, ScenePlan& plan) {
+  std::vector<std::vector<int>> sharing;  // queries, in classes
+  for (int q = 0; q < static_cast<int>(scene.queries.size()); ++q) {
+    const SceneQuery& query = scene.queries[static_cast<std::size_t>(q)];
+    if (!has_effect(query.effects, kInstantEffects)) continue;
+    if (query.nearest > 0) {
+      plan.nearest_queries.push_back(q);
+      continue;
+    }
+    const auto same = std::find_if(sharing.begin(), sharing.end(), [&](const std::vector<int>& members) {
+      return shares_solves(scene.queries[static_cast<std::size_t>(members.front())], query);
+    });
+    if (same == sharing.end()) {
+      sharing.push_back({q});
+    } else {
+      same->push_back(q);
+    }
+  }
+  for (const std::vector<int>& members : sharing) {
+    std::map<BodyPair, std::vector<int>> asked;
+    for (const int q : members) {
+      for (const BodyPair pair : pairs_of(scene, scene.queries[static_cast<std::size_t>(q)])) {
+        asked[pair].push_back(q);
+      }
+    }
+    for (auto& [pair, queries] : asked) plan.instant_tasks.push_back({pair, std::move(queries)});
+  }
+}
+
+void add_continuous_tasks(const Scene& scene, ScenePlan& plan) {
+  for (int q = 0; q < static_cast<int>(scene.queries.size()); ++q) {
+    const SceneQuery& query = scene.queries[static_cast<std::size_t>(q)];
+    for (const SceneEffects effect : {SceneEffects::time_of_impact, SceneEffects::clearance}) {
+      if (!has_effect(query.effects, effect)) continue;
+      for (const BodyPair pair : pairs_of(scene, query)) plan.continuous_tasks.push_back({pair, q, effect});
+    }
+  }
+}
+
+void cut(ScenePlan& plan, SceneCellKind kind, std::size_t tasks, std::size_t tasks_per_cell,
+         std::size_t instants, std::size_t instants_per_cell) {
+  for (std::size_t task = 0; task < tasks; task += tasks_per_cell) {
+    for (std::size_t k = 0; k < instants; k += instants_per_cell) {
+      plan.cells.push_back(
+          {kind, task, std::min(tasks, task + tasks_per_cell), k, std::min(instants, k + instants_per_cell)});
+    }
+  }
+}
+
+std::string counted(std::size_t count, const char* word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+ScenePlan plan_scene(const Scene& scene) {
+  check_scene(scene);
+  ScenePlan plan;
+  add_instant_tasks(scene, plan);
+  add_continuous_tasks(scene, plan);
+  const std::size_t instants = scene.instants.size();
+  const std::size_t pairs = plan.instant_tasks.size();
+  const std::size_t pairs_per_cell = std::clamp<std::size_t>(kLooksPerCell / instants, 1, kMostPairsPerCell);
+  cut(plan, SceneCellKind::instants, pairs, pairs_per_cell, instants,
+      pairs < kPairsForAllThreads ? kInstantsPerCell : instants);
+  cut(plan, SceneCellKind::nearest, plan.nearest_queries.size(), 1, instants, kNearestInstantsPerCell);
+  cut(plan, SceneCellKind::continuous, plan.continuous_tasks.size(), kContinuousTasksPerCell, 1, 1);
+  return plan;
+}
+
+std::vector<std::string> explain_query(const Scene& scene, const ScenePlan& plan, int number) {
+  const SceneQuery& query = scene.queries[static_cast<std::size_t>(number)];
+  const std::vector<BodyPair> pairs = pairs_of(scene, query);
+  std::vector<std::string> lines;
+  std::size_t standing = 0;
+  for (const BodyPair pair : pairs) {
+    const auto& bodies = scene.bodies;
+    if (bodies[static_cast<std::size_t>(pair.a)].motion->is_static() &&
+        bodies[static_cast<std::size_t>(pair.b)].motion->is_static()) {
+      ++standing;
+    }
+  }
+  std::size_t shared = 0;
+  for (const InstantTask& task : plan.instant_tasks) {
+    const bool member = std::find(task.queries.begin(), task.queries.end(), number) != task.queries.end();
+    if (member && task.queries.front() != number) ++shared;
+  }
+  const bool instants = has_effect(query.effects, kInstantEffects);
+  lines.push_back(counted(pairs.size(), "pair") +
+                  (instants ? " at " + counted(scene.instants.size(), "instant") : " over the whole time"));
+  if (standing > 0 && instants)
+    lines.push_back(counted(standing, "pair") + " of bodies that stand still: once");
+  if (shared > 0)
+    lines.push_back(counted(shared, "pair") + " shared with a query before: no solves of their own");
+  if (instants && query.nearest > 0) {
+    lines.push_back(
+        "nearest " + std::to_string(query.nearest) +
+        ": pairs in the order of their bounding balls, until the next ball is farther than the worst");
+  } else if (instants && std::isfinite(query.within)) {
+    lines.push_back("within " + std::to_string(query.within) +
+                    ": solved only where neither balls nor a plane of before prove that the pair is farther");
+  } else if (instants && query.effects == SceneEffects::separated) {
+    lines.push_back("separated: one test where neither balls nor a plane of before prove it; no distance");
+  } else if (instants && has_effect(query.effects, SceneEffects::distance | SceneEffects::closest_points |
+                                                       SceneEffects::gradient)) {
+    lines.push_back("distance: one solve an instant for each pair that has moved");
+  }
+  if (has_effect(query.effects, SceneEffects::time_of_impact)) {
+    lines.push_back(
+        "time of impact: conservative advancement, from certified distance to certified distance");
+  }
+  if (has_effect(query.effects, SceneEffects::clearance)) {
+    lines.push_back("clearance: branch and bound over time");
+  }
+  const std::pair<SceneEffects, const char*> effects[] = {{SceneEffects::separated, "separated"},
+                                                          {SceneEffects::distance, "distance"},
+                                                          {SceneEffects::closest_points, "closest_points"},
+                                                          {SceneEffects::gradient, "gradient"},
+                                                          {SceneEffects::growth, "growth"},
+                                                          {SceneEffects::time_of_impact, "time_of_impact"},
+                                                          {SceneEffects::clearance, "clearance"}};
+  std::string never;
+  for (const auto& [effect, name] : effects) {
+    if (!has_effect(query.effects, effect)) never += (never.empty() ? "" : ", ") + std::string(name);
+  }
+  if (!never.empty()) lines.push_back("never: " + never + " (not asked for)");
+  return lines;
+}
+
+}  // namespace raygauge
