@@ -45,13 +45,21 @@ class GrowthDistanceSolver {
   /// next solve or test. Throws DimensionMismatchError.
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q);
 
+  /// The same for sets in poses: solve({A, pose_A}, {Q, pose_Q}). `warm` is what the last solve of this pair
+  /// left, and is brought up to date; nullptr: every solve is a first one.
+  const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
+
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
   /// bound that is on one side of 1. Throws DimensionMismatchError.
   const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
 
+  /// The same for objects in poses, with what the last test of this pair left.
+  const SeparationResult& separation(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
+
  private:
   static DistanceOptions newton_options();
-  const DistanceResult& solve_about(const ConvexSet& A, const ConvexSet& Q, double threshold);
+  const DistanceResult& solve_about(const ConvexSet& A, const ConvexSet& Q, double threshold,
+                                    WarmStart* warm);
 
   DistanceSolver solver_;
   SeparationResult separation_;

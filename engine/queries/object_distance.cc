@@ -7,6 +7,7 @@
 #include "engine/certificates/weighted_points.h"
 #include "engine/queries/object_pair.h"
 #include "engine/queries/solver.h"
+#include "engine/sets/posed_view.h"
 
 namespace raygauge {
 
@@ -48,6 +49,15 @@ ObjectDistanceSolver& ObjectDistanceSolver::operator=(ObjectDistanceSolver&&) no
 
 const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const ConvexSet& A2,
                                                   const ConvexSet& Q, ObjectEffects effects) {
+  return solve(Posed(A1), Posed(A2), Q, effects, nullptr);
+}
+
+const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Posed& posed_2,
+                                                  const ConvexSet& Q, ObjectEffects effects,
+                                                  WarmStart* warm) {
+  const InPose in_pose_1(posed_1), in_pose_2(posed_2);
+  const ConvexSet& A1 = in_pose_1.set();
+  const ConvexSet& A2 = in_pose_2.set();
   Workspace& workspace = *workspace_;
   ObjectDistance& result = workspace.result;
   const bool closest_points = has_effect(effects, ObjectEffects::closest_points);
@@ -55,7 +65,7 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
   workspace.pairs.clear(n);
   const ObjectPair pair(A2, A1, closest_points ? &workspace.pairs : nullptr);
   workspace.solver.keep_combination(closest_points);
-  result.distance = workspace.solver.solve(pair, Q);
+  result.distance = workspace.solver.solve(Posed(pair), Posed(Q), Effects::none, warm);
   result.closest_point_evaluations = result.gradient_evaluations = 0;
   const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
   if (closest_points && apart && workspace.solver.contact_combination(workspace.combination)) {

@@ -7,7 +7,9 @@
 
 #include "engine/methods/options.h"
 #include "engine/methods/result.h"
+#include "engine/queries/warm_start.h"
 #include "engine/sets/convex_set.h"
+#include "engine/sets/pose.h"
 
 namespace raygauge {
 
@@ -59,6 +61,11 @@ class ObjectDistanceSolver {
   /// The result belongs to the solver and lives until its next solve. Throws DimensionMismatchError.
   const ObjectDistance& solve(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
                               ObjectEffects effects = ObjectEffects::none);
+
+  /// The same for objects in poses: solve({A1, pose_1}, {A2, pose_2}, Q). `warm` is what the last solve of
+  /// this pair left, and is brought up to date; nullptr: every solve is a first one.
+  const ObjectDistance& solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
+                              ObjectEffects effects = ObjectEffects::none, WarmStart* warm = nullptr);
 
  private:
   struct Workspace;

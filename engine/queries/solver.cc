@@ -14,6 +14,8 @@
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/parameters.h"
+#include "engine/sets/posed_view.h"
 
 namespace raygauge {
 namespace {
@@ -67,8 +69,8 @@ struct DistanceSolver::Workspace {
   Stopwatch stopwatch;        // over all methods that take part
   DistanceCounters counters;  // of all of them
 
-  void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects);
-  bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first = nullptr);
+  bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
   void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void account(const DistanceCounters& of_method);
   bool is_unfinished() const;
@@ -82,12 +84,14 @@ struct DistanceSolver::Workspace {
   void report_contact_by_support(int n, Effects effects);
 };
 
-void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+// `first`: a direction u to begin with, n doubles, where the method can use one.
+void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects,
+                                      const double* first) {
   stopwatch.start(options.time_limit);
   result.sigma = DistanceResult::kUnset;
   result.origin_weights.clear();
   counters = {};
-  if (!solve_iteratively(A, Q, effects)) {
+  if (!solve_iteratively(A, Q, effects, first)) {
     solve_direct(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     if (is_unfinished()) refine(A, Q, effects);
@@ -104,7 +108,8 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
 }
 
 // By the method asked for, if that is not `direct`. False where it gives up.
-bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects,
+                                                  const double* first) {
   if (options.method == DistanceMethod::zheng_yamane) {
     concluded = Concluded::zheng_yamane;
     const bool done = zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
@@ -113,9 +118,10 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
   }
   if (options.method == DistanceMethod::newton) {
     concluded = Concluded::newton;
-    bool done = newton.solve(A, Q, options, stopwatch, effects, result);
+    bool done = newton.solve(A, Q, options, stopwatch, effects, result, first);
     account(newton.counters());
-    if (done) return true;
+    if (done && (first == nullptr || !is_unfinished())) return true;
+    if (first != nullptr) return solve_iteratively(A, Q, effects, nullptr);  // a start that led nowhere
     concluded = Concluded::quad_newton;
     done = quad_newton.solve(A, Q, options, stopwatch, effects, result, newton.direction());
     account(quad_newton.counters());
@@ -253,6 +259,17 @@ const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet&
                                  std::to_string(Q.dimension()));
   }
   workspace_->solve(A, Q, effects);
+  return workspace_->result;
+}
+
+const DistanceResult& DistanceSolver::solve(const Posed& A, const Posed& Q, Effects effects,
+                                            WarmStart* warm) {
+  check_dimension("distance", "Q", Q.dimension(), A.dimension());
+  const InPose posed_A(A);
+  const InPose posed_Q(Q);
+  const double* first = warm != nullptr ? recorded_normal(*warm, A.dimension()) : nullptr;
+  workspace_->solve(posed_A.set(), posed_Q.set(), effects, first);
+  if (warm != nullptr) record_normal(workspace_->result.normal, *warm);
   return workspace_->result;
 }
 

@@ -6,7 +6,9 @@
 
 #include "engine/methods/options.h"
 #include "engine/methods/result.h"
+#include "engine/queries/warm_start.h"
 #include "engine/sets/convex_set.h"
+#include "engine/sets/pose.h"
 
 namespace raygauge {
 
@@ -17,7 +19,8 @@ class WeightedPoints;
 ///     d_Q(A) = min{λ >= 0 : A ∩ λQ ≠ ∅},
 ///
 /// with certified bounds lower <= d <= upper. One solver per thread: it owns the workspace, so that a
-/// repeated solve of the same size allocates nothing. Every solve is independent of the ones before it.
+/// repeated solve of the same size allocates nothing. Every solve is independent of the ones before it but
+/// for the WarmStart that the caller hands over.
 class DistanceSolver {
  public:
   /// Throws InvalidParameterError for an option outside its range.
@@ -32,6 +35,12 @@ class DistanceSolver {
   /// The distance of A in the gauge of Q. The result belongs to the solver and lives until its next solve;
   /// copy it to keep it. Throws DimensionMismatchError.
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q, Effects effects = Effects::none);
+
+  /// The same for sets in poses, {R x + t : x in A} and Q likewise: solve({A, pose_A}, {Q, pose_Q}). `warm`
+  /// is what the last solve of this pair left, and is brought up to date; nullptr: every solve is a first
+  /// one.
+  const DistanceResult& solve(const Posed& A, const Posed& Q, Effects effects = Effects::none,
+                              WarmStart* warm = nullptr);
 
  private:
   friend class ObjectDistanceSolver;

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/pose.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/exceptions.h"
+#include "engine/sets/parameters.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kOrthogonality = 1e-12;
+
+Eigen::Matrix3d rotation_of(const Eigen::Quaterniond& q) {
+  if (!q.coeffs().allFinite()) throw NonFiniteError("pose: the quaternion is not finite");
+  const double largest = q.coeffs().cwiseAbs().maxCoeff();
+  if (largest == 0) throw InvalidParameterError("pose: the quaternion is zero, which is no rotation");
+  const Eigen::Vector4d scaled = q.coeffs() / largest;
+  return Eigen::Quaterniond(Eigen::Vector4d(scaled / scaled.norm())).toRotationMatrix();
+}
+
+int checked_dimension(int n) {
+  if (n < 1) throw InvalidParameterError("pose: dimension must be at least 1, got " + std::to_string(n));
+  return n;
+}
+
+}  // namespace
+
+Pose::Pose(int n) : dimension_(checked_dimension(n)) {
+  const auto size = static_cast<std::size_t>(n);
+  if (n > 3) large_.resize(size * size + size);
+  for (int k = 0; k < n; ++k) rotation_data()[k * n + k] = 1;
+}
+
+Pose::Pose(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t)
+    : dimension_(checked_dimension(static_cast<int>(t.size()))) {
+  assign(R, t);
+}
+
+Pose::Pose(const Eigen::Quaterniond& q, const Eigen::Vector3d& t) : dimension_(3) {
+  assign(rotation_of(q), t);
+}
+
+Pose::Pose(const Eigen::Isometry3d& pose) : dimension_(3) { assign(pose.linear(), pose.translation()); }
+
+Pose::Pose(const Eigen::Isometry2d& pose) : dimension_(2) { assign(pose.linear(), pose.translation()); }
+
+void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t) {
+  const int n = dimension_;
+  check_dimension("pose", "a column of R", R.rows(), n);
+  check_dimension("pose", "a row of R", R.cols(), n);
+  check_finite_matrix("pose", "R", R);
+  checked_finite("pose", "t", t);
+  const auto size = static_cast<std::size_t>(n);
+  if (n > 3) large_.resize(size * size + size);
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) rotation_data()[j * n + i] = R(i, j);
+  }
+  std::copy_n(t.data(), n, translation_data());
+  measure();
+  if (defect_ > n * kOrthogonality) {
+    throw InvalidParameterError(
+        "pose: the columns of R must be orthonormal to 1e-12, but RᵀR differs from 1 by " +
+        std::to_string(defect_ / n));
+  }
+  const double determinant = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
+                             : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
+                                      : rotation().determinant();
+  if (determinant < 0) {
+    throw InvalidParameterError("pose: R must be a rotation, but it is a reflection (its determinant is -1)");
+  }
+}
+
+// The defect: the largest entry times n bounds the spectral norm; a product of columns loses n + 2 roundings.
+void Pose::measure() {
+  const int n = dimension_;
+  const double* R = rotation_data();
+  double largest = 0;
+  axis_exchange_ = true;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      double product = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < n; ++k) product += R[i * n + k] * R[j * n + k];
+      largest = std::max(largest, std::fabs(product));
+    }
+    axis_exchange_ = axis_exchange_ && std::all_of(R + i * n, R + i * n + n,
+                                                   [](double r) { return r == 0 || std::fabs(r) == 1; });
+  }
+  defect_ = axis_exchange_ && largest == 0
+                ? 0.0
+                : n * (largest + 2 * (n + 2) * std::numeric_limits<double>::epsilon());
+}
+
+Vector Pose::apply(const ConstVectorRef& x) const {
+  check_dimension("pose", "x", x.size(), dimension_);
+  checked_finite("pose", "x", x);
+  return Eigen::MatrixXd::Map(rotation_data(), dimension_, dimension_) * x +
+         Vector::Map(translation_data(), dimension_);
+}
+
+Pose Pose::after(const Pose& inner) const {
+  check_dimension("pose", "inner pose", inner.dimension_, dimension_);
+  return {rotation() * inner.rotation(), apply(inner.translation())};
+}
+
+Pose Pose::inverse() const {
+  const Eigen::MatrixXd transpose = rotation().transpose();
+  return {transpose, -(transpose * translation())};
+}
+
+}  // namespace raygauge

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/exceptions.h"
+#include "engine/sets/posed_view.h"
+#include "engine/sets/truncated_cone.h"
+
+namespace raygauge::test_pose {
+namespace {
+
+constexpr double kRounding = 1e-15;
+
+TEST(Pose, TakesMatrixQuaternionAndIsometryForTheSameMotion) {
+  const Eigen::Quaterniond q(0.4, -0.2, 0.8, 0.1);
+  const Eigen::Vector3d t(1, -2, 3);
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.linear() = q.normalized().toRotationMatrix();
+  isometry.translation() = t;
+  const Eigen::Vector3d x(0.3, 0.5, -0.7);
+  const Eigen::Vector3d image = isometry * x;
+  for (const Pose& pose : {Pose(q, t), Pose(isometry), Pose(isometry.linear(), t)}) {
+    EXPECT_LT((pose.apply(x) - image).norm(), 4 * kRounding);
+    EXPECT_LT((pose.inverse().apply(image) - x).norm(), 8 * kRounding);
+    EXPECT_LT((pose.after(pose).apply(x) - isometry * image).norm(), 8 * kRounding);
+  }
+}
+
+TEST(Pose, TurnsThePlane) {
+  Eigen::Isometry2d quarter = Eigen::Isometry2d::Identity();
+  quarter.linear() << 0, -1, 1, 0;
+  const Pose pose(quarter);
+  EXPECT_TRUE(pose.is_axis_exchange());
+  EXPECT_EQ(pose.defect(), 0);
+  EXPECT_EQ(pose.apply(Eigen::Vector2d(2, 1)), Eigen::Vector2d(-1, 2));
+}
+
+TEST(Pose, RefusesWhatIsNoRigidMotion) {
+  const Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R(0, 1) = 1e-9;
+  EXPECT_THROW(Pose(R, t), InvalidParameterError);
+  EXPECT_THROW(Pose(Eigen::Matrix3d(-Eigen::Matrix3d::Identity()), t), InvalidParameterError);
+  EXPECT_THROW(Pose(Eigen::Quaterniond(0, 0, 0, 0), t), InvalidParameterError);
+  R(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Pose(R, t), NonFiniteError);
+  EXPECT_THROW(Pose(Eigen::MatrixXd::Identity(2, 2), t), DimensionMismatchError);
+  EXPECT_THROW(Pose{0}, InvalidParameterError);
+  EXPECT_THROW(Pose(2).after(Pose(3)), DimensionMismatchError);
+}
+
+// The columns of the view's Hessian against differences of its support points.
+TEST(PosedView, KeepsTheSecondOrderInformationOfASet) {
+  const TruncatedCone cone(Eigen::Vector3d(0, 0, -1), 0.8, Eigen::Vector3d(0, 0, 1), 0.3);
+  const Pose pose(Eigen::Quaterniond(0.4, -0.2, 0.8, 0.1), Eigen::Vector3d(1, -2, 3));
+  const PosedView view(cone, pose);
+  ASSERT_EQ(view.structure(), SupportStructure::smooth);
+  const Eigen::Vector3d u(0.3, -0.6, 0.2);
+  double points[3 * SupportPieces::kCapacity], hessians[9 * SupportPieces::kCapacity];
+  SupportPieces pieces;
+  pieces.dimension = 3;
+  pieces.points = points;
+  pieces.hessians = hessians;
+  view.support_pieces_unchecked(u.data(), pieces);
+  ASSERT_EQ(pieces.count, 2);
+  const int best = pieces.value[1] > pieces.value[0] ? 1 : 0;
+  EXPECT_NEAR(pieces.value[static_cast<std::size_t>(best)], view.support_function(u), 8 * kRounding);
+  constexpr double kStep = 1e-6;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(k);
+    const Vector column = (view.support_mapping(u + step) - view.support_mapping(u - step)) / (2 * kStep);
+    EXPECT_LT((column - Eigen::Vector3d::Map(pieces.hessian(best) + 3 * k)).norm(), 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_pose
