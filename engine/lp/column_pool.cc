@@ -71,6 +71,23 @@ PricedPoints ColumnPool::view() const noexcept {
           (size_ + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes, size_};
 }
 
+void ColumnPool::forget_marks(std::ptrdiff_t size) {
+  marked_size_ = size;
+  const auto words = static_cast<std::size_t>(size + 63) / 64;
+  marks_.reserve(words);
+  std::fill_n(marks_.data(), words, std::uint64_t{0});
+}
+
+void ColumnPool::mark(std::int64_t index) noexcept {
+  marks_[static_cast<std::size_t>(index) / 64] |= std::uint64_t{1} << (index % 64);
+}
+
+bool ColumnPool::holds(std::int64_t index) const noexcept {
+  if (complete_) return true;
+  if (index >= marked_size_) return false;
+  return ((marks_[static_cast<std::size_t>(index) / 64] >> (index % 64)) & 1U) != 0;
+}
+
 void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial) {
   n_ = S.dimension();
   size_ = S.size();
@@ -95,6 +112,7 @@ void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdi
   size_ = blocks * kLanes;
   complete_ = false;
   grow_to(size_);
+  forget_marks(S.size());
   double* copy = copy_.data();
   for (std::ptrdiff_t s = 0; s < blocks; ++s) {
     const std::ptrdiff_t first = s * S.block_count() / blocks;
@@ -103,6 +121,7 @@ void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdi
     const auto jump = static_cast<std::ptrdiff_t>(splitmix64(static_cast<std::uint64_t>(s)) %
                                                   static_cast<std::uint64_t>(width));
     const std::ptrdiff_t b = first + jump;
+    for (int lane = 0; lane < kLanes; ++lane) mark(std::min(b * kLanes + lane, S.size() - 1));
     for (int k = 0; k < n_; ++k) {
       const double* from = S.data() + (b * n_ + k) * kLanes;
       double* to = copy + (s * n_ + k) * kLanes;
@@ -130,17 +149,22 @@ void ColumnPool::place(std::ptrdiff_t position, const double* point, std::ptrdif
   if (in_single_) place_single(position, slot);
 }
 
-void ColumnPool::add(const PointSet& S, const double* factor, std::int64_t index) {
+bool ColumnPool::add(const PointSet& S, const double* factor, std::int64_t index) {
+  if (marked_size_ != S.size()) forget_marks(S.size());
+  if (holds(index)) return false;
+  mark(index);
   grow_to(size_ + 1);
   const double* point = S.data() + (index / kLanes) * n_ * kLanes + index % kLanes;
   place(size_, point, kLanes, factor);
   ++size_;
+  return true;
 }
 
 void ColumnPool::clear(int n) {
   n_ = n;
   size_ = 0;
   complete_ = false;
+  marked_size_ = 0;
   in_single_ = false;
   magnitude_ = 0;
   grow_to(kLanes);

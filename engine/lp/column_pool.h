@@ -25,8 +25,11 @@ class ColumnPool {
   /// How many points of S are worth adding at a time.
   static std::ptrdiff_t growth(const PointSet& S);
 
-  /// Appends point `index` of S.
-  void add(const PointSet& S, const double* factor, std::int64_t index);
+  /// Appends point `index` of S, unless it is here already: false then.
+  bool add(const PointSet& S, const double* factor, std::int64_t index);
+
+  /// Whether point `index` of S, from which the points were chosen, is here.
+  bool holds(std::int64_t index) const noexcept;
 
   /// Starts an empty set of points that need not belong to a PointSet (general convex sets), of dimension n.
   void clear(int n);
@@ -50,6 +53,8 @@ class ColumnPool {
   void take_all(const PointSet& S, const double* factor, bool trivial);
   void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
   void grow_to(std::ptrdiff_t size);
+  void forget_marks(std::ptrdiff_t size);
+  void mark(std::int64_t index) noexcept;
   void place_single(std::ptrdiff_t position, const double* slot);
   void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
 
@@ -62,6 +67,8 @@ class ColumnPool {
   bool in_single_ = false;  // whether single_copy_ holds what copy_ holds
   AlignedBuffer<double> copy_;
   AlignedBuffer<float> single_copy_;
+  AlignedBuffer<std::uint64_t> marks_;  // a bit for every point of S: whether it is here
+  std::ptrdiff_t marked_size_ = 0;      // S.size(), where there are marks
 };
 
 }  // namespace raygauge

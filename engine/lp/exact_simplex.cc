@@ -17,6 +17,14 @@ std::ptrdiff_t index_of(std::int64_t id) { return id / 2; }
 
 std::int64_t pivot_limit(int m) { return 1000 + 100 * static_cast<std::int64_t>(m); }
 
+// Seconds of a product and a division of two integers, by the product of their numbers of limbs, and of the
+// bookkeeping around them: measured at n = 20 … 100.
+constexpr double kSecondsPerLimbProduct = 1e-9;
+constexpr double kSecondsPerEntry = 5e-8;
+
+// Columns priced between two looks at the clock.
+constexpr std::ptrdiff_t kColumnsBetweenLooks = 1024;
+
 constexpr int kLowestTop = -1000;  // 2^1000 is a double
 
 // For exponents that may leave the range of int: beyond ±kFarOut every double is 0 or infinite anyway.
@@ -48,16 +56,36 @@ ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::spa
   n_ = A.set->dimension();
   m_ = n_ + 1;
   pivots_ = 0;
+  stopwatch_ = &stopwatch;
+  late_ = false;
   scaling_.compute(*A.set, *Q.set);
+  if (is_late()) return End::stopped;
+  if (stopwatch.limited() && expected_seconds(n_, scaling_.mean_bits()) > stopwatch.remaining()) {
+    return End::too_long;
+  }
   const auto size = static_cast<std::size_t>(m_);
   column_.resize(size);
   w_.resize(size);
   Y_.resize(size);
+  phase_ = Phase::reach;
   start_from(start);
+  if (late_) return End::stopped;
   make_nonnegative();
   perturb();
-  phase_ = reached() ? Phase::optimise : Phase::reach;
-  return run(stopwatch);
+  if (reached()) phase_ = Phase::optimise;
+  return run();
+}
+
+double ExactSimplex::expected_seconds(int n, double bits) noexcept {
+  const double m = n + 1;
+  const double limbs = m * bits / 64;  // of the last determinants; their square grows by a third of its mean
+  return m * m * m * (kSecondsPerEntry + kSecondsPerLimbProduct * limbs * limbs / 3);
+}
+
+// Once late, always late: what was left half done stays unused.
+bool ExactSimplex::is_late() noexcept {
+  late_ = late_ || stopwatch_->expired();
+  return late_;
 }
 
 // From the unit basis, M = D = 1, one column after the other; columns that depend on those before are left
@@ -71,6 +99,7 @@ void ExactSimplex::start_from(std::span<const std::int64_t> start) {
     if (id < 0) continue;
     form_column(id);
     compute_w();
+    if (late_) return;
     int row = -1;
     for (int i = 0; i < m_; ++i) {
       if (!basic_[static_cast<std::size_t>(i)].artificial || w_[static_cast<std::size_t>(i)].is_zero())
@@ -108,24 +137,27 @@ bool ExactSimplex::reached() const {
   return true;
 }
 
-ExactSimplex::End ExactSimplex::run(const Stopwatch& stopwatch) {
+ExactSimplex::End ExactSimplex::run() {
   const std::int64_t limit = pivots_ + pivot_limit(m_);
   for (;;) {
     compute_duals();
     const Candidate entering = price();
+    if (is_late()) return End::stopped;
     if (entering.id < 0) {
       if (phase_ == Phase::optimise) return End::solved;
       if (!reached()) return End::unreachable;
       phase_ = Phase::optimise;
       continue;
     }
-    if (pivots_ >= limit || stopwatch.expired()) return End::stopped;
+    if (pivots_ >= limit) return End::stopped;
     form_column(entering.id);
     compute_w();
+    if (late_) return End::stopped;
     const int row = leaving_row();
     // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
     const bool out_of_turn = basic_[static_cast<std::size_t>(row)].artificial;
     replace(row, entering.id);
+    if (late_) return End::stopped;
     if (out_of_turn) perturb();
     if (phase_ == Phase::reach && reached()) phase_ = Phase::optimise;
   }
@@ -209,6 +241,7 @@ void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best)
   const double error = (n_ + 2) * (n_ + 2) * 0x1p-96;
   const auto count = points.chosen.empty() ? points.set->size() : std::ssize(points.chosen);
   for (std::ptrdiff_t c = 0; c < count; ++c) {
+    if (c % kColumnsBetweenLooks == 0 && is_late()) return;
     const std::int64_t index = points.chosen.empty() ? c : points.chosen[static_cast<std::size_t>(c)];
     const double* p = coordinates(*points.set, index);
     if (direction_.rough(p) > rough_error) continue;
@@ -248,6 +281,7 @@ void ExactSimplex::form_column(std::int64_t id) {
 
 void ExactSimplex::compute_w() {
   for (int i = 0; i < m_; ++i) {
+    if (is_late()) return;
     BigInteger& sum = w_[static_cast<std::size_t>(i)];
     sum.clear();
     for (int k = 0; k < m_; ++k) {
@@ -290,6 +324,7 @@ void ExactSimplex::replace(int r, std::int64_t id) {
   divisor_.assign(D_);
   for (int i = 0; i < m_; ++i) {
     if (i == r) continue;
+    if (is_late()) return;
     const BigInteger& w = w_[static_cast<std::size_t>(i)];
     for (int k = 0; k <= m_; ++k) {
       product_.assign_product(p, M(i, k));

@@ -30,7 +30,8 @@ class ExactSimplex {
   enum class End : std::uint8_t {
     solved,       ///< distance() is d_Q(A)
     unreachable,  ///< no multiple of Q meets A: normal() is a Farkas direction
-    stopped,      ///< by the stopwatch or the pivot limit; distance() is an upper bound if feasible()
+    stopped,      ///< by the stopwatch, in the middle of anything, or by the pivot limit; nothing is known
+    too_long,     ///< not begun: what it is expected to take is more than the stopwatch leaves
   };
 
   /// Points of S that may be used; all of them if `chosen` is empty.
@@ -44,7 +45,10 @@ class ExactSimplex {
   End solve(const Points& A, const Points& Q, std::span<const std::int64_t> start,
             const Stopwatch& stopwatch);
 
-  bool feasible() const noexcept { return phase_ == Phase::optimise; }
+  /// What a solve in R^n of coordinates of `bits` bits may be expected to take, in seconds: the basis is
+  /// built from n + 1 columns, at each of which (n + 1)² determinants grow by `bits` bits.
+  static double expected_seconds(int n, double bits) noexcept;
+
   RoundedRatio distance() const;        ///< Σβ of the last basis
   void normal(double* u) const;         ///< rounded; scaled to h_Q(-u) = 1 where that is positive
   void contact_point(double* p) const;  ///< Σα_i a_i of the last basis, rounded
@@ -72,10 +76,11 @@ class ExactSimplex {
     double reduced_cost = 0;  // relative to the largest term in it
   };
 
+  bool is_late() noexcept;
   void start_from(std::span<const std::int64_t> start);
   void make_nonnegative();
   void perturb();
-  End run(const Stopwatch& stopwatch);
+  End run();
   bool reached() const;
   void compute_duals();
   void aim(bool from_Q, Direction& direction) const;
@@ -101,6 +106,8 @@ class ExactSimplex {
 
   Points A_;
   Points Q_;
+  const Stopwatch* stopwatch_ = nullptr;
+  bool late_ = false;  // the stopwatch has expired, and what is at hand may be half done
   IntegerScaling scaling_;
   int n_ = 0;
   int m_ = 0;

@@ -75,6 +75,7 @@ void IntegerScaling::compute(const PointSet& A, const PointSet& Q) {
     propose(bits_Q_[k].low - bits_A_[k].low);
     propose(bits_Q_[k].high - bits_A_[k].high);
   }
+  mean_bits_ = 1 + static_cast<double>(shortest) / static_cast<double>(bits_A_.size());
   row_.assign(bits_A_.size(), 0);
   for (std::size_t k = 0; k < row_.size(); ++k) {
     std::int64_t lowest = 0;

@@ -22,6 +22,9 @@ class IntegerScaling {
   std::int64_t shift_Q(int k) const noexcept { return row_[static_cast<std::size_t>(k)]; }
   std::int64_t lift() const noexcept { return lift_; }
 
+  /// Bits of a coordinate, the mean of the rows.
+  double mean_bits() const noexcept { return mean_bits_; }
+
  private:
   // Exponents of the highest and of the lowest bit that is set in coordinate k of any point.
   struct Bits {
@@ -38,6 +41,7 @@ class IntegerScaling {
   std::vector<Bits> bits_Q_;
   std::vector<std::int64_t> row_;
   std::int64_t lift_ = 0;
+  double mean_bits_ = 0;
 };
 
 }  // namespace raygauge

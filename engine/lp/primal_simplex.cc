@@ -19,6 +19,9 @@ constexpr double kArtificialZero = 1e-13;          // weight of artificial colum
 constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
+// Margins of Farkas directions, tried in turn: far above the rounding in u·q, and far below most margins that
+// random points leave.
+constexpr double kMargins[] = {0x1p-24, 0x1p-36};
 constexpr double kDrift = 1e-9;             // of the equations, after which the inverse is computed afresh
 constexpr double kProgress = 1e-12;         // of the objective, relative, between two looks
 constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
@@ -51,6 +54,7 @@ void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   kernels_ = &kernels;
   stage_ = Stage::optimise;
   raises_ = 0;
+  separations_ = 0;
   repairs_ = 0;
   refactorisations_ = 0;
   max_pivots_ = max_pivots > 0 ? max_pivots : default_pivot_limit(n);
@@ -194,6 +198,10 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
       basis_.refresh_duals();
       return out_of_pivots ? End::pivot_limit : End::time_limit;
     }
+    if (stage_ == Stage::separate && (end != LoopEnd::optimal || !is_separated())) {
+      if (!separate()) enter_stage(Stage::reach);
+      continue;
+    }
     if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
       if (!repair()) return End::failed;
       loop_.bland = end == LoopEnd::stalled;
@@ -248,13 +256,31 @@ void PrimalSimplex::raise_bounds() {
   basis_.refresh_duals();
 }
 
+bool PrimalSimplex::separate() {
+  if (separations_ >= static_cast<int>(std::size(kMargins))) return false;
+  ++separations_;
+  enter_stage(Stage::separate);
+  return true;
+}
+
+// Whether the distance of A from the cone outweighs the margin: the objective is -h_A(u).
+bool PrimalSimplex::is_separated() {
+  basis_.refresh_duals();
+  return basis_.view().objective > 0;
+}
+
+double PrimalSimplex::cost_of_Q(Stage stage) const noexcept {
+  if (stage == Stage::optimise) return 1;
+  return stage == Stage::reach ? 0.0 : -kMargins[separations_ - 1];
+}
+
 void PrimalSimplex::enter_stage(Stage stage) {
   stage_ = stage;
-  loop_.cost_of_Q = stage == Stage::reach ? 0.0 : 1.0;
+  loop_.cost_of_Q = cost_of_Q(stage);
   BasisView& view = basis_.view();
   for (int i = 0; i < view.m; ++i) {
     if (is_artificial(view.id[i])) {
-      view.cost[i] = stage == Stage::reach ? 1.0 : kLargeCost;
+      view.cost[i] = stage == Stage::optimise ? kLargeCost : 1.0;
     } else {
       view.cost[i] = is_from_Q(view.id[i]) ? loop_.cost_of_Q : 0.0;
     }
@@ -279,7 +305,7 @@ double PrimalSimplex::dual_length() const noexcept {
 }
 
 double PrimalSimplex::proven_upper() {
-  if (stage_ == Stage::reach) return kInfinity;
+  if (stage_ != Stage::optimise) return kInfinity;
   // As accurate as the gap asks for, most basic solutions are from the start; the others are refined.
   double upper = loop_.gap_tolerance > 0 ? enclosed_upper(false) : kInfinity;
   if (!(upper < kInfinity)) upper = enclosed_upper(true);

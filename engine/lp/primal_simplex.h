@@ -69,6 +69,11 @@ class PrimalSimplex {
   /// tried often.
   void raise_bounds();
 
+  /// After End::unreachable: the basic points of Q lie in the plane of the Farkas direction, up to rounding,
+  /// which proves nothing. The next solves look for a direction that leaves all of Q strictly behind, by a
+  /// margin; they end unreachable again, with it if there is one. False when that was tried before.
+  bool separate();
+
   /// A fresh inverse, and from now on a stop at the optimal vertex only. False when nothing is left to try.
   bool repair();
 
@@ -111,7 +116,8 @@ class PrimalSimplex {
   std::int64_t refactorisations() const noexcept { return refactorisations_; }
 
  private:
-  enum class Stage : std::uint8_t { optimise, reach };  // phase 2 with bounded duals; phase 1
+  // Phase 2 with bounded duals; phase 1; phase 1 with a margin, which is a negative cost of points of Q.
+  enum class Stage : std::uint8_t { optimise, reach, separate };
 
   double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
   void place_artificials(const double* a, const Frame* frame);
@@ -120,6 +126,8 @@ class PrimalSimplex {
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
   void enter_stage(Stage stage);
+  bool is_separated();
+  double cost_of_Q(Stage stage) const noexcept;
   double enclosed_upper(bool refine);
   double exact_upper();
 
@@ -127,6 +135,7 @@ class PrimalSimplex {
   int n_ = 0;
   Stage stage_ = Stage::optimise;
   int raises_ = 0;
+  int separations_ = 0;
   int repairs_ = 0;
   int idle_looks_ = 0;
   double least_objective_ = 0;

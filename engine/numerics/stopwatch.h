@@ -17,6 +17,9 @@ class Stopwatch {
   bool limited() const noexcept { return limit_ < std::numeric_limits<double>::infinity(); }
   bool expired() const { return limited() && seconds() >= limit_; }
 
+  /// Seconds left of the limit, negative when it is over; +infinity where no limit was set.
+  double remaining() const { return limited() ? limit_ - seconds() : limit_; }
+
   /// Seconds since start; NaN where no limit was set.
   double seconds() const {
     if (!limited()) return std::numeric_limits<double>::quiet_NaN();

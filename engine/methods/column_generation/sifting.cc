@@ -125,9 +125,8 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     price_everything();
     const double lower = lower_bound(h_A_, h_Q_);
     if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
-    // Working sets as large as the sets hold points twice: rounding makes them price out again and again.
-    const bool growing = working_A_.size() + working_Q_.size() < A_->size() + Q_->size();
-    const bool violated = growing && (violators_A_.any || violators_Q_.any);
+    const bool violated = violators_A_.any || violators_Q_.any;
+    if (end == PrimalSimplex::End::unreachable && !violated && !restricted && program_.separate()) continue;
     // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
     if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
       add_violators();
@@ -206,11 +205,18 @@ void Sifting::settle(PrimalSimplex::End end, double lower, double upper, Effects
   const bool restricted = !chosen_A_.empty();
   const bool limited = end == PrimalSimplex::End::time_limit ||
                        (end == PrimalSimplex::End::pivot_limit && pivots_are_limited_);
-  if (!limited && !(restricted && upper < kInfinity) && settle_exactly(lower, effects, result)) return;
-  finish(stopwatch_->expired() ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
+  bool late = false;
+  if (!limited && !(restricted && upper < kInfinity)) {
+    const ExactSimplex::End exact = settle_exactly(lower, effects, result);
+    if (exact == ExactSimplex::End::solved) return;
+    late = exact == ExactSimplex::End::too_long;
+  }
+  late = late || stopwatch_->expired();
+  finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
 }
 
-bool Sifting::settle_exactly(double lower, Effects effects, DistanceResult& result) {
+// End::solved where the result is complete.
+ExactSimplex::End Sifting::settle_exactly(double lower, Effects effects, DistanceResult& result) {
   const bool restricted = !chosen_A_.empty();
   start_.clear();
   for (int i = 0; i <= n_; ++i) {
@@ -223,12 +229,11 @@ bool Sifting::settle_exactly(double lower, Effects effects, DistanceResult& resu
     }
   }
   const ExactSimplex::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_);
-  if (end == ExactSimplex::End::stopped) return false;
-  if (end == ExactSimplex::End::unreachable) {
-    if (restricted) return false;
+  if (end == ExactSimplex::End::unreachable && !restricted) {
     finish_exactly(DistanceStatus::unreachable, {kInfinity, kInfinity, kInfinity}, effects, result);
-    return true;
+    return ExactSimplex::End::solved;
   }
+  if (end != ExactSimplex::End::solved) return end;
   RoundedRatio distance = exact_.distance();
   if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
   const bool close = is_closed(distance.below, distance.above, tolerance_);
@@ -236,7 +241,7 @@ bool Sifting::settle_exactly(double lower, Effects effects, DistanceResult& resu
                                 : close             ? DistanceStatus::optimal
                                                     : DistanceStatus::precision_limit;
   finish_exactly(status, distance, effects, result);
-  return true;
+  return end;
 }
 
 // h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
@@ -270,18 +275,35 @@ SupportValue Sifting::price_set(const PointSet& S, const ColumnPool& working, co
   if (working.is_complete()) return support_value(*kernels_, S, direction, nullptr, resolution);
   violators.points.threshold = threshold - violators.reach;
   const double value = shared_pass(*kernels_, S, direction, violators.points, threads_);
-  violators.any = value > threshold;
+  violators.any = drop_known(working, S.size(), threshold, violators.points);
   violators.reach = violators.any ? kReach * (value - threshold) : 0;
   const double error = dot_error(S, direction);
   if (well_resolved(value, error, resolution)) return {value, error};
   return support_value(*kernels_, S, direction, nullptr, resolution);
 }
 
+// Basic points lie on the threshold, and rounding may put any point of the working set above it. Whether a
+// new one is above.
+bool Sifting::drop_known(const ColumnPool& working, std::ptrdiff_t size, double threshold,
+                         Collection& found) {
+  bool any = false;
+  std::ptrdiff_t kept = 0;
+  for (std::ptrdiff_t i = 0; i < found.count; ++i) {
+    const std::int64_t index = std::min<std::int64_t>(found.index[i], size - 1);
+    if (working.holds(index)) continue;
+    any = any || found.value[i] > threshold;
+    found.index[kept] = index;
+    found.value[kept++] = found.value[i];
+  }
+  found.count = kept;
+  return any;
+}
+
 void Sifting::add_violators() {
   const auto add = [](ColumnPool& working, const PointSet& S, const double* factor,
                       const Collection& violators) {
     for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
-      working.add(S, factor, std::min<std::int64_t>(violators.index[i], S.size() - 1));
+      working.add(S, factor, violators.index[i]);
     }
   };
   add(working_A_, *A_, scaling_.factor_A(), violators_A_.points);

@@ -49,15 +49,16 @@ class Sifting {
   void price_everything();
   double upper_despite_residual();
   struct Violators {
-    Collection points;  // those above the threshold, and those as near below it as `reach`
+    Collection points;  // new ones above the threshold, and those as near below it as `reach`
     bool any = false;   // whether one is above
     double reach = 0;
   };
   SupportValue price_set(const PointSet& S, const ColumnPool& working, const double* direction,
                          double threshold, Violators& violators);
+  static bool drop_known(const ColumnPool& working, std::ptrdiff_t size, double threshold, Collection& found);
   void add_violators();
   void settle(PrimalSimplex::End end, double lower, double upper, Effects effects, DistanceResult& result);
-  bool settle_exactly(double lower, Effects effects, DistanceResult& result);
+  ExactSimplex::End settle_exactly(double lower, Effects effects, DistanceResult& result);
   void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
   void finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
                       DistanceResult& result);

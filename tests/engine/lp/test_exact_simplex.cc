@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
+#include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_exact_program {
 namespace {
@@ -129,6 +130,36 @@ TEST(ExactSimplex, StopsWhenTheTimeIsUp) {
   const PointSet Q(cross_polytope(3));
   ExactSimplex program;
   EXPECT_EQ(program.solve({&A, {}}, {&Q, {}}, {}, stopwatch), ExactSimplex::End::stopped);
+}
+
+TEST(ExactSimplex, IsNotBegunWhereItWouldTakeLongerThanTheLimit) {
+  Random random(1);
+  Eigen::MatrixXd a = sphere_points(100, 300, random);
+  a.row(0).array() += 3;
+  const PointSet A(a);
+  const PointSet Q(sphere_points(100, 300, random));
+  Stopwatch stopwatch;
+  stopwatch.start(0.5);
+  ExactSimplex program;
+  EXPECT_EQ(program.solve({&A, {}}, {&Q, {}}, {}, stopwatch), ExactSimplex::End::too_long);
+  EXPECT_LT(stopwatch.seconds(), 0.1);
+}
+
+// The expectation is for one basis alone; from no basis there are more changes to make, and the clock ends
+// them.
+TEST(ExactSimplex, EndsWithinTheTimeLimit) {
+  const int n = 40;
+  Random random(3);
+  Eigen::MatrixXd a = sphere_points(n, 200, random);
+  a.row(0).array() += 3;
+  const PointSet A(a);
+  const PointSet Q(sphere_points(n, 200, random));
+  const double limit = 1.5 * ExactSimplex::expected_seconds(n, 60);
+  Stopwatch stopwatch;
+  stopwatch.start(limit);
+  ExactSimplex program;
+  EXPECT_EQ(program.solve({&A, {}}, {&Q, {}}, {}, stopwatch), ExactSimplex::End::stopped);
+  EXPECT_LE(stopwatch.seconds(), 1.2 * limit + 0.1);
 }
 
 }  // namespace

@@ -51,5 +51,48 @@ TEST(Sifting, DoesNotTakeFillingLanesForPoints) {
   }
 }
 
+// Half of the sets of 2 n points of the sphere have the origin outside: no multiple of Q may reach A then. A
+// vertex of the first phase leaves n points of Q in its plane, up to rounding; once that went to exact
+// arithmetic, for half a second at n = 50.
+TEST(Sifting, ProvesUnreachableInDoubles) {
+  int unreachable = 0;
+  for (const int n : {20, 50, 100}) {
+    for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
+      Random random(static_cast<unsigned>(n + N));
+      const Eigen::MatrixXd q = sphere_points(n, N, random);
+      Eigen::MatrixXd a = sphere_points(n, N, random);
+      a.colwise() += 3 * sphere_points(n, 1, random).col(0);
+      const PointSet A(a);
+      const PointSet Q(q);
+      DistanceSolver solver;
+      const DistanceResult& result = solver.solve(A, Q);
+      EXPECT_EQ(result.counters.exact_pivots, 0) << "n = " << n << ", N = " << N;
+      if (result.status == DistanceStatus::unreachable) {
+        ++unreachable;
+        EXPECT_LT((result.normal.transpose() * a).maxCoeff(), 0) << "a Farkas direction";
+        EXPECT_GT((result.normal.transpose() * q).minCoeff(), 0) << "strictly";
+      } else {
+        EXPECT_EQ(result.status, DistanceStatus::optimal) << "n = " << n << ", N = " << N;
+      }
+    }
+  }
+  EXPECT_GE(unreachable, 6);
+}
+
+// The working sets took points twice until they held as many as the sets, and the solve then gave up with
+// points still missing: exact arithmetic went on for 10 s.
+TEST(Sifting, FindsThePointsItMissesWhereTheSampleIsHalfOfTheSet) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Random random(700 + seed);
+    const PointSet Q(sphere_points(100, 300, random));
+    Eigen::MatrixXd a = sphere_points(100, 300, random);
+    a.colwise() += 3 * sphere_points(100, 1, random).col(0);
+    DistanceSolver solver;
+    const DistanceResult& result = solver.solve(PointSet(a), Q);
+    EXPECT_EQ(result.status, DistanceStatus::optimal) << "seed " << seed;
+    EXPECT_EQ(result.counters.exact_pivots, 0) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_point_set_direct
