@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/distance_query.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <optional>
@@ -55,12 +56,19 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
   report.result = method.result();
 }
 
+// Seconds that the check of Q may take: as many as the solve, or so few that nobody waits for them.
+constexpr double kCheckAtLeast = 0.01;
+
+double seconds_for_check(double time_limit, double seconds_of_solve) {
+  return std::max(0.0, std::min(time_limit - seconds_of_solve, std::max(seconds_of_solve, kCheckAtLeast)));
+}
+
 // An unreachable A has settled it: its Farkas direction has all of Q on one side. Of other sets than point
 // sets only a ball around the origin that they know of proves anything.
-OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& result, double time_limit) {
+OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& result, double seconds) {
   using Answer = OriginInInterior::Answer;
   if (result.status == DistanceStatus::unreachable) return {Answer::violated, result.normal};
-  if (const PointSet* points = as_point_set(Q)) return origin_in_interior(*points, time_limit);
+  if (const PointSet* points = as_point_set(Q)) return origin_in_interior(*points, seconds);
   const Vector origin = Vector::Zero(Q.dimension());
   return {Q.inner_radius_unchecked(origin.data()) > 0 ? Answer::holds : Answer::unknown, {}};
 }
@@ -87,7 +95,9 @@ DistanceReport answer(const DistanceQuery& query, const Instance& instance, cons
   } else {
     solve_by_baseline(query, *methods.make(report.method, {}), instance, report);
   }
-  report.precondition = precondition_of(*instance.Q, report.result, query.options.time_limit);
+  const double seconds = seconds_for_check(query.options.time_limit, report.seconds);
+  report.check_seconds =
+      seconds_of([&] { report.precondition = precondition_of(*instance.Q, report.result, seconds); });
   return report;
 }
 

@@ -31,6 +31,16 @@ std::vector<std::string> violated_preconditions(const DistanceReport& report) {
   return {"origin_in_interior_of_Q"};
 }
 
+// Of other sets than point sets there is no check that could take long.
+bool was_not_checked(const DistanceReport& report) {
+  return report.precondition.answer == OriginInInterior::Answer::unknown && report.Q.n_points > 0;
+}
+
+std::vector<std::string> unchecked_preconditions(const DistanceReport& report) {
+  if (!was_not_checked(report)) return {};
+  return {"origin_in_interior_of_Q"};
+}
+
 Json json_weights(const std::vector<PointWeight>& weights) {
   Json array = Json::array();
   for (const PointWeight& point : weights)
@@ -80,6 +90,12 @@ std::string precondition_line(const DistanceReport& report) {
                 "the origin was not found to be in the interior of Q, which a gauge needs: without that "
                 "there may be no upper bound");
   }
+  if (was_not_checked(report)) {
+    return line(
+        "unchecked",
+        "not checked: whether the origin is in the interior of Q, which a gauge needs; that would have "
+        "taken longer than the solve");
+  }
   // Of an unreachable A the status says it already.
   if (report.precondition.answer != OriginInInterior::Answer::violated ||
       report.result.status == DistanceStatus::unreachable) {
@@ -105,6 +121,11 @@ std::string counters_line(const DistanceCounters& c) {
                               counted(c.refactorisations, "refactorisation") + ", " +
                               std::to_string(c.support_queries) + " support queries, " +
                               counted(c.points_priced, "point") + " priced");
+}
+
+std::string check_text(const DistanceReport& report) {
+  if (report.check_seconds < 0.1 * report.seconds || report.check_seconds < 1e-3) return "";
+  return fmt::format(", and {:.3g} ms to check Q", report.check_seconds * 1e3);
 }
 
 /// "3 points in A", "smooth A".
@@ -155,6 +176,7 @@ Json distance_json(const DistanceReport& report) {
                {"upper", r.upper},
                {"status", std::string(to_string(r.status))},
                {"violated_preconditions", violated_preconditions(report)},
+               {"unchecked_preconditions", unchecked_preconditions(report)},
                {"method", report.method},
                {"n", report.n},
                {"n_points_A", json_points(report.A)},
@@ -184,7 +206,8 @@ std::string distance_text(const DistanceReport& report) {
          normal_line(r) + weights_line(r) + contact_line(report) +
          line("sets",
               fmt::format("n = {}, {}, {}", report.n, set_text(report.A, "A"), set_text(report.Q, "Q"))) +
-         line("method", fmt::format("{}, {:.3g} ms", report.method, report.seconds * 1e3)) +
+         line("method",
+              fmt::format("{}, {:.3g} ms{}", report.method, report.seconds * 1e3, check_text(report))) +
          counters_line(r.counters);
 }
 

@@ -29,12 +29,14 @@ struct DistanceReport {
   bool witness = false;  ///< whether the contact point was asked for
 
   /// Whether the origin lies in the interior of Q, as a gauge needs, and if not a direction with all of Q on
-  /// one side.
+  /// one side. Of point sets it is checked, in at most the time of the solve, or in 10 ms.
   OriginInInterior precondition;
+  double check_seconds = 0;  ///< of that check
 };
 
 /// The object that --json prints: distance, lower, upper, status, violated_preconditions
-/// ("origin_in_interior_of_Q" where that is proven false), method, n, n_points_A, n_points_Q (null
+/// ("origin_in_interior_of_Q" where that is proven false), unchecked_preconditions (the same where a check
+/// would have taken longer than the solve), method, n, n_points_A, n_points_Q (null
 /// where the set is no point set), normal, contact_point (with --witness: empty where there is none),
 /// origin_weights (of contains_origin), counters.
 Json distance_json(const DistanceReport& report);

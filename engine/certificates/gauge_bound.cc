@@ -13,14 +13,13 @@ namespace {
 
 constexpr double kFirstNormalError = 0.25;  // of the first normal, relative
 
-// Coordinates in [1/2, 1) of either sign, between which no linear relation of small integers holds, so that
-// the target lies on no facet of a structured set. (Multiples of the golden ratio are related: φ + 2φ = 3φ.)
+}  // namespace
+
+// Multiples of the golden ratio would not do, they are related: φ + 2φ = 3φ.
 double generic_coordinate(int k) {
   const double fraction = static_cast<double>(splitmix64(static_cast<std::uint64_t>(k))) * 0x1p-64;
   return (k % 2 == 0 ? 0.5 : -0.5) * (1 + fraction);
 }
-
-}  // namespace
 
 double GaugeBound::compute(const ColumnPool& Q, int n, const Kernels& kernels, const Stopwatch& stopwatch) {
   n_ = n;

@@ -10,6 +10,10 @@
 
 namespace raygauge {
 
+/// Coordinate k of a point in general position to most structured sets: in [1/2, 1) of either sign, and no
+/// linear relation of small integers holds between them.
+double generic_coordinate(int k);
+
 /// A proven bound on the gauge of a small vector: G with
 ///
 ///     gauge_Q(r) <= G |r|∞   for every r,

@@ -14,9 +14,12 @@
 namespace raygauge {
 namespace {
 
-constexpr std::int64_t kPivotsBetweenLooks = 512;  // at the clock
-constexpr double kArtificialZero = 1e-13;          // weight of artificial columns that is rounding noise
-constexpr int kCostRaises = 14;                    // 8^14 = 2^42: beyond, the first phase decides
+// Between two looks at the clock, and at the drift of the basis: so many pivots, or so many entries of the
+// inverse and of the points passed over, some 10 ms.
+constexpr std::int64_t kPivotsBetweenLooks = 512;
+constexpr double kEntriesBetweenLooks = 2e7;
+constexpr double kArtificialZero = 1e-13;  // weight of artificial columns that is rounding noise
+constexpr int kCostRaises = 14;            // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
 // Margins of Farkas directions, tried in turn: far above the rounding in u·q, and far below most margins that
@@ -28,6 +31,12 @@ constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to th
 constexpr int kIdleLooks = 4;               // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
+
+std::int64_t pivots_between_looks(int m, std::ptrdiff_t points) {
+  const double entries = static_cast<double>(m) * (m + 0.25 * static_cast<double>(points));
+  return std::clamp(static_cast<std::int64_t>(kEntriesBetweenLooks / entries), std::int64_t{8},
+                    kPivotsBetweenLooks);
+}
 
 bool is_artificial(std::int64_t id) { return id < 0; }
 
@@ -186,8 +195,10 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
   loop_.noise_Q = kUnitRoundoff * Q.magnitude();
   idle_looks_ = 0;
   least_objective_ = kInfinity;
+  pivots_assessed_ = view.pivots;
+  const std::int64_t between_looks = pivots_between_looks(n_ + 1, A.size() + Q.size());
   for (;;) {
-    loop_.pivot_limit = std::min(max_pivots_, view.pivots + kPivotsBetweenLooks);
+    loop_.pivot_limit = std::min(max_pivots_, view.pivots + between_looks);
     const LoopEnd end = kernels_->simplex_loop(&view, &loop_);
     if (end == LoopEnd::pivot_limit) {
       const bool out_of_pivots = view.pivots >= max_pivots_;
@@ -223,6 +234,8 @@ bool PrimalSimplex::look_after_basis() {
     ++refactorisations_;
     if (!basis_.refactor()) return false;
   }
+  if (basis_.view().pivots - pivots_assessed_ < kPivotsBetweenLooks) return true;
+  pivots_assessed_ = basis_.view().pivots;
   const double objective = basis_.view().objective;
   const bool better = objective < least_objective_ * (1 - kProgress);
   idle_looks_ = better ? 0 : idle_looks_ + 1;

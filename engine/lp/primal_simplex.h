@@ -139,6 +139,7 @@ class PrimalSimplex {
   int repairs_ = 0;
   int idle_looks_ = 0;
   double least_objective_ = 0;
+  std::int64_t pivots_assessed_ = 0;
   std::int64_t max_pivots_ = 0;
   std::int64_t refactorisations_ = 0;
   Basis basis_;

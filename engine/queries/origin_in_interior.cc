@@ -5,10 +5,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/certificates/gauge_bound.h"
+#include "engine/kernels/kernel.h"
+#include "engine/lp/column_pool.h"
+#include "engine/lp/scaling.h"
+#include "engine/numerics/floating_point.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/queries/solver.h"
 
 namespace raygauge {
+namespace {
+
+// Two linear programs that prove it for most sets with the origin inside. False says nothing.
+bool surrounds_origin(const PointSet& Q, const Stopwatch& stopwatch) {
+  Scaling scaling;
+  scaling.compute(Q, Q);
+  ColumnPool points;
+  points.choose(Q, scaling.factor_Q(), scaling.trivial_Q(), true);
+  GaugeBound bound;
+  return bound.compute(points, Q.dimension(), best_kernels(), stopwatch) < kInfinity;
+}
+
+// Generic points first: they find out most sets that leave the origin outside.
+Vector target(int which, const Vector& size) {
+  const auto n = static_cast<int>(size.size());
+  if (which < 2) {
+    Vector generic(n);
+    for (int k = 0; k < n; ++k) generic[k] = (which == 0 ? size[k] : -size[k]) * generic_coordinate(k);
+    return generic;
+  }
+  const int k = which - 2;
+  return k < n ? Vector(size[k] * Vector::Unit(n, k)) : Vector(-size);
+}
+
+}  // namespace
 
 OriginInInterior origin_in_interior(const PointSet& Q, double time_limit) {
   using Answer = OriginInInterior::Answer;
@@ -21,15 +51,16 @@ OriginInInterior origin_in_interior(const PointSet& Q, double time_limit) {
   }
   Stopwatch stopwatch;
   stopwatch.start(time_limit);
+  if (stopwatch.expired()) return {};
+  if (surrounds_origin(Q, stopwatch)) return {Answer::holds, {}};
   DistanceOptions options;
   options.tolerance = 0.5;  // whether the distance is finite is all that matters
   DistanceSolver solver;
-  for (int k = 0; k <= n; ++k) {
+  for (int which = 0; which < n + 3; ++which) {
     if (stopwatch.expired()) return {};
-    if (stopwatch.limited()) options.time_limit = std::max(0.0, time_limit - stopwatch.seconds());
+    if (stopwatch.limited()) options.time_limit = std::max(0.0, stopwatch.remaining());
     solver.set_options(options);
-    const PointSet target(k < n ? Vector(size[k] * Vector::Unit(n, k)) : Vector(-size));
-    const DistanceResult& result = solver.solve(target, Q);
+    const DistanceResult& result = solver.solve(PointSet(target(which, size)), Q);
     if (result.status == DistanceStatus::unreachable) return {Answer::violated, result.normal};
     if (!std::isfinite(result.upper)) return {};
   }

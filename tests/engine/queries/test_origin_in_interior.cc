@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/numerics/stopwatch.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 
@@ -57,6 +58,28 @@ TEST(OriginInInterior, IsViolatedByAFlatBody) {
 
 TEST(OriginInInterior, IsUnknownWithoutTime) {
   EXPECT_EQ(origin_in_interior(PointSet(cube_vertices(3)), 0).answer, Answer::unknown);
+}
+
+// Once n + 1 linear programs, some of which went on in exact arithmetic: 11 s here.
+TEST(OriginInInterior, IsDecidedInManyDimensions) {
+  Random random(1800);
+  const PointSet around(sphere_points(100, 600, random));
+  EXPECT_EQ(origin_in_interior(around, 5.0).answer, Answer::holds);
+  const PointSet few(sphere_points(100, 110, random));
+  const OriginInInterior found = origin_in_interior(few, 5.0);
+  EXPECT_EQ(found.answer, Answer::violated);
+  EXPECT_EQ(found.direction.size(), 100);
+}
+
+TEST(OriginInInterior, EndsWithinTheTimeLimit) {
+  Random random(1801);
+  const PointSet Q(sphere_points(200, 2000, random));
+  for (const double limit : {0.0, 0.01, 0.1}) {
+    Stopwatch stopwatch;
+    stopwatch.start(100);
+    origin_in_interior(Q, limit);
+    EXPECT_LE(stopwatch.seconds(), 1.2 * limit + 0.1);
+  }
 }
 
 }  // namespace
