@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace raygauge {
@@ -17,6 +18,11 @@ std::string joined(const Words& words, const std::string& separator = ", ") {
     first = false;
   }
   return text;
+}
+
+/// "1 cell", "2 cells".
+inline std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace raygauge

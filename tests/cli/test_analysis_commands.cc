@@ -187,7 +187,7 @@ class CompareCommand : public testing::ProgramTest {
 
 TEST_F(CompareCommand, EndsWithOneWhereAMethodGotSlower) {
   write_run("base.h5", 1);
-  write_run("new.h5", 1.1, "another processor");
+  write_run("new.h5", 3, "another processor");
   const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("\nREGRESSION: of 8 cells 4 slower, 0 faster; direct slower over all cells\n"),
@@ -195,7 +195,67 @@ TEST_F(CompareCommand, EndsWithOneWhereAMethodGotSlower) {
       << outcome.out;
   EXPECT_NE(outcome.out.find("warning: processor: a processor; now another processor"), std::string::npos)
       << outcome.out;
-  EXPECT_NE(outcome.out.find("1.10 [1.10, 1.10]"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("3.00 [3.00, 3.00]"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CompareCommand, SuspectsWhatMayBeTheMachine) {
+  write_run("base.h5", 1);
+  write_run("new.h5", 1.1);
+  const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(
+      outcome.out.find("\nsuspected regression: of 8 cells 0 slower, 0 faster, 4 suspected slower; direct "
+                       "suspected slower over all cells\n"),
+      std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(CompareCommand, TakesSeveralFilesASide) {
+  for (const int k : {0, 1, 2, 3}) {
+    write_run("base" + std::to_string(k) + ".h5", 1 + 0.01 * k);
+    write_run("new" + std::to_string(k) + ".h5", 1.1 + 0.01 * k);
+  }
+  const std::vector<std::string> base = {"base0.h5", "base1.h5", "base2.h5", "base3.h5"};
+  const std::vector<std::string> fresh = {"new0.h5", "new1.h5", "new2.h5", "new3.h5"};
+  const auto compare = [&](const std::vector<std::string>& first, const std::vector<std::string>& second) {
+    std::vector<std::string> words = {"compare", "--base"};
+    words.insert(words.end(), first.begin(), first.end());
+    words.emplace_back("--new");
+    words.insert(words.end(), second.begin(), second.end());
+    return run_raygauge(words);
+  };
+  const ProgramResult outcome = compare(base, fresh);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("direct slower over all cells"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("4 runs of BASE, 4 runs of NEW"), std::string::npos) << outcome.out;
+  EXPECT_EQ(compare(base, base).status, 0);
+  expect_complaint(compare({"base0.h5", "base0.h5"}, fresh),
+                   "raygauge: base0.h5 is given twice on one side: its run would count twice");
+}
+
+TEST_F(CompareCommand, RunsTwoBuildsInTurn) {
+  const std::string program = RAYGAUGE_PROGRAM;
+  write("e.toml",
+        "name = 'e'\n[sweep]\nn = [2, 3]\nN = 20\nrepetitions = 3\n[[generator]]\nname = 'example2'\n"
+        "[[method]]\nname = 'direct'\n");
+  const ProgramResult outcome = run_raygauge({"compare", "--rerun", "e.toml", "--base-program", program,
+                                              "--new-program", program, "--pairs", "2", "--json"});
+  EXPECT_TRUE(outcome.status == 0 || outcome.status == 1)
+      << outcome.err;  // two pairs are few on a busy machine
+  EXPECT_EQ(outcome.err, "pair 1 of 2\npair 2 of 2\n");
+  const auto json = nlohmann::ordered_json::parse(outcome.out);
+  EXPECT_EQ(json["base_runs"], 2);
+  EXPECT_TRUE(json["paired"].get<bool>());
+  EXPECT_EQ(json["cells"].size(), 2U);
+  EXPECT_EQ(json["cells"][0]["pairs"], 3);
+  expect_complaint(run_raygauge({"compare", "--rerun", "e.toml", "--base-program", "/bin/false",
+                                 "--new-program", program, "--quiet"}),
+                   "raygauge: /bin/false failed: exit status 1");
+  expect_complaint(run_raygauge({"compare", "--rerun", "e.toml", "--base-program", program}),
+                   "raygauge: --rerun EXPERIMENT, --base-program and --new-program go together");
+  expect_complaint(run_raygauge({"compare", "e.toml"}),
+                   "raygauge: compare takes BASE.h5 NEW.h5, or --base FILES --new FILES, or --rerun "
+                   "EXPERIMENT with two programs");
 }
 
 TEST_F(CompareCommand, EndsWithZeroForEqualRunsAndChangesBelowTheThreshold) {
@@ -209,14 +269,14 @@ TEST_F(CompareCommand, EndsWithZeroForEqualRunsAndChangesBelowTheThreshold) {
 
 TEST_F(CompareCommand, PrintsJson) {
   write_run("base.h5", 1);
-  write_run("new.h5", 1.1);
+  write_run("new.h5", 2.5);
   const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5", "--json"});
   EXPECT_EQ(outcome.status, 1);
   const auto json = nlohmann::ordered_json::parse(outcome.out);
   EXPECT_TRUE(json["regression"].get<bool>());
   EXPECT_EQ(json["correction"], "Holm");
   EXPECT_EQ(json["cells"].size(), 8U);
-  EXPECT_NEAR(json["cells"][1]["ratio"].get<double>() * json["cells"][0]["ratio"].get<double>(), 1.1, 1e-9);
+  EXPECT_NEAR(json["cells"][1]["ratio"].get<double>() * json["cells"][0]["ratio"].get<double>(), 2.5, 1e-9);
 }
 
 TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
@@ -227,7 +287,8 @@ TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
   expect_complaint(run_raygauge({"compare", "base.h5", "other.h5", "--where", "session==0 && n==9"}),
                    "raygauge: no record of base.h5 passes the filter 'session==0 && n==9'");
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "nowhere.h5"}).status, 2);
-  EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--threshold", "-1"}).status, 2);
+  expect_complaint(run_raygauge({"compare", "base.h5", "base.h5", "--threshold", "-1"}),
+                   "raygauge: threshold is -1, must be a number from 0 on");
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--significance", "2"}).status, 2);
 }
 

@@ -3,9 +3,11 @@
 #include "analysis/studies/compare/compare_tables.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/render/number_text.h"
+#include "analysis/render/words.h"
 
 namespace raygauge {
 namespace {
@@ -20,23 +22,35 @@ std::string p_words(double p) {
   return p < kSmallest ? "<1e-4" : significant(p, 2);
 }
 
-TableCell change_cell(Change change, std::size_t lost) {
-  std::string text = change == Change::none ? "" : to_string(change);
-  if (lost > 0) text += (text.empty() ? "" : ", ") + std::to_string(lost) + " lost";
-  if (change == Change::slower || lost > 0) return {text, Emphasis::alarm};
-  return {text, change == Change::faster ? Emphasis::strong : Emphasis::none};
+TableCell change_cell(const Finding& finding) {
+  std::string text = finding.change == Change::none ? "" : to_string(finding.change);
+  if (finding.lost > 0) text += (text.empty() ? "" : ", ") + std::to_string(finding.lost) + " lost";
+  if (finding.change == Change::slower || finding.lost > 0) return {text, Emphasis::alarm};
+  return {text, finding.change == Change::none ? Emphasis::none : Emphasis::strong};
+}
+
+bool has_several_runs(const Comparison& comparison) { return comparison.base_runs + comparison.new_runs > 2; }
+
+/// What the verdict rests on: the p value between runs where there are several a side.
+TableCell p_cell(const Finding& finding, const Comparison& comparison) {
+  return p_words(has_several_runs(comparison) ? finding.run_p : finding.adjusted_p);
+}
+
+TableCell spread_cell(const Finding& finding) {
+  return std::isnan(finding.run_spread) ? "-" : significant(100 * finding.run_spread, 2) + " %";
 }
 
 Table methods_table(const Comparison& comparison) {
   Table table;
   table.title = "time of NEW over time of BASE, all cells";
-  table.header = {{"method", "cells", "geometric mean", "adjusted p", ""}};
+  table.header = {{"method", "cells", "geometric mean", "between runs", "adjusted p", ""}};
   for (const MethodChange& method : comparison.methods) {
     table.rows.push_back({{{method.method},
                            {std::to_string(method.cells)},
                            {ratio_words(method.ratio.ratio)},
-                           {p_words(method.adjusted_p)},
-                           change_cell(method.change, method.lost)}});
+                           spread_cell(method),
+                           p_cell(method, comparison),
+                           change_cell(method)}});
   }
   return table;
 }
@@ -48,15 +62,15 @@ std::vector<CellChange> changed_cells(const Comparison& comparison) {
                [](const CellChange& cell) { return cell.change != Change::none || cell.lost > 0; });
   const auto rank = [](const CellChange& cell) {
     const double size = std::abs(std::log(cell.ratio.ratio.ratio));
-    return std::pair(cell.lost > 0 ? 0 : (cell.change == Change::slower ? 1 : 2),
-                     std::isnan(size) ? 0 : -size);
+    const bool slower = cell.change == Change::slower || cell.change == Change::suspected_slower;
+    return std::pair(cell.lost > 0 ? 0 : (slower ? 1 : 2), std::isnan(size) ? 0 : -size);
   };
   std::stable_sort(changed.begin(), changed.end(),
                    [&](const CellChange& a, const CellChange& b) { return rank(a) < rank(b); });
   return changed;
 }
 
-TableRow cell_row(const CellChange& cell) {
+TableRow cell_row(const CellChange& cell, const Comparison& comparison) {
   constexpr double kMilli = 1e3;
   return {{{problem_name(cell.cell)},
            {cell.method},
@@ -66,8 +80,9 @@ TableRow cell_row(const CellChange& cell) {
            {padded_significant(kMilli * cell.base_seconds, 3)},
            {padded_significant(kMilli * cell.new_seconds, 3)},
            {ratio_words(cell.ratio.ratio)},
-           {p_words(cell.adjusted_p)},
-           change_cell(cell.change, cell.lost)}};
+           spread_cell(cell),
+           p_cell(cell, comparison),
+           change_cell(cell)}};
 }
 
 Table cells_table(const Comparison& comparison, std::size_t most_rows) {
@@ -76,11 +91,11 @@ Table cells_table(const Comparison& comparison, std::size_t most_rows) {
   table.title = "cells that changed: " + std::to_string(changed.size()) + " of " +
                 std::to_string(comparison.cells.size());
   table.header = {{"generator (parameters)", "method", "n", "N", "tolerance", "base ms", "new ms", "ratio",
-                   "adjusted p", ""}};
+                   "between runs", "adjusted p", ""}};
   table.key_columns = 5;
   for (const CellChange& cell : changed) {
     if (most_rows > 0 && table.rows.size() == most_rows) break;
-    table.rows.push_back(cell_row(cell));
+    table.rows.push_back(cell_row(cell, comparison));
   }
   if (table.rows.size() < changed.size())
     table.notes.push_back(std::to_string(changed.size() - table.rows.size()) + " more; --all shows them");
@@ -89,8 +104,13 @@ Table cells_table(const Comparison& comparison, std::size_t most_rows) {
 
 std::string percent_words(double fraction) { return significant(100 * fraction, 3) + " %"; }
 
-std::vector<std::string> method_notes(const Comparison& comparison) {
-  const std::size_t paired =
+std::string threshold_words(const Comparison& comparison) {
+  return percent_words(comparison.options.threshold) + " with adjusted p ";
+}
+
+/// The tests within runs: all there is with one run a side.
+std::vector<std::string> notes_within_runs(const Comparison& comparison) {
+  const auto paired =
       static_cast<std::size_t>(std::count_if(comparison.cells.begin(), comparison.cells.end(),
                                              [](const CellChange& cell) { return cell.pairs > 0; }));
   const std::string level = percent_words(comparison.options.confidence);
@@ -100,16 +120,39 @@ std::vector<std::string> method_notes(const Comparison& comparison) {
                     " order-statistic interval, Wilcoxon's signed-rank test");
   }
   if (paired < comparison.cells.size()) {
-    notes.push_back(std::to_string(comparison.cells.size() - paired) +
-                    " cells without common instances: ratio of medians, " + level +
+    notes.push_back(counted(comparison.cells.size() - paired, "cell") +
+                    " without common instances: ratio of medians, " + level +
                     " interval from those of the medians, rank-sum test");
   }
   notes.push_back("geometric mean of the cells' ratios, " + level + " Student's t interval and test");
+  notes.push_back("p adjusted by Holm over " +
+                  counted(comparison.cells.size() + comparison.methods.size(), "test") +
+                  "; a difference within the runs is one of more than " + threshold_words(comparison) + "< " +
+                  significant(comparison.options.significance, 3));
   notes.push_back(
-      "p adjusted by Holm over " + std::to_string(comparison.cells.size() + comparison.methods.size()) +
-      " tests; a change is significantly more than " + percent_words(comparison.options.threshold) +
-      " with adjusted p < " + significant(comparison.options.significance, 3));
+      "one run a side does not tell how runs differ: such a difference is suspected, and a change "
+      "only beyond a factor of " +
+      significant(kLargestCellDrift, 3) + " in a cell or " + significant(kLargestMethodDrift, 3) +
+      " of a method, the most that a busy machine was seen to drift; compare --rerun or several "
+      "files a side decide");
   return notes;
+}
+
+std::vector<std::string> notes_between_runs(const Comparison& comparison) {
+  const std::string runs = comparison.options.paired
+                               ? counted(comparison.base_runs, "pair") + " of runs, each in random order"
+                               : counted(comparison.base_runs, "run") + " of BASE, " +
+                                     counted(comparison.new_runs, "run") + " of NEW";
+  return {runs + "; ratio: median over them of the instances' median ratio, with its range or interval",
+          "between runs: standard deviation of a run's log time, in per cent",
+          std::string("adjusted p: randomisation test of the ") +
+              (comparison.options.paired ? "signs of the pairs" : "labels of the runs") +
+              " by the largest statistic over all cells and methods; a change is one of more than " +
+              threshold_words(comparison) + "<= " + significant(comparison.options.significance, 3)};
+}
+
+std::vector<std::string> method_notes(const Comparison& comparison) {
+  return has_several_runs(comparison) ? notes_between_runs(comparison) : notes_within_runs(comparison);
 }
 
 }  // namespace
@@ -130,7 +173,8 @@ std::vector<Table> comparison_tables(const Comparison& comparison, const std::ve
 Table comparison_long_table(const Comparison& comparison) {
   Table table;
   table.header = {{"generator", "generator_parameters", "n", "N", "tolerance", "method", "base_seconds",
-                   "new_seconds", "pairs", "ratio", "lower", "upper", "p", "adjusted_p", "change", "lost"}};
+                   "new_seconds", "pairs", "ratio", "lower", "upper", "p", "adjusted_p", "run_p",
+                   "run_spread", "change", "lost"}};
   table.key_columns = 6;
   for (const CellChange& cell : comparison.cells) {
     const Interval& interval = cell.ratio.ratio.interval;
@@ -148,6 +192,8 @@ Table comparison_long_table(const Comparison& comparison) {
                            number_cell(interval.upper),
                            number_cell(cell.ratio.p),
                            number_cell(cell.adjusted_p),
+                           number_cell(cell.run_p),
+                           number_cell(cell.run_spread),
                            {to_string(cell.change)},
                            {std::to_string(cell.lost)}}});
   }
@@ -155,25 +201,29 @@ Table comparison_long_table(const Comparison& comparison) {
 }
 
 std::string comparison_verdict(const Comparison& comparison) {
-  std::size_t slower = 0;
-  std::size_t faster = 0;
+  std::array<std::size_t, 5> counts{};
   std::size_t lost = 0;
   for (const CellChange& cell : comparison.cells) {
-    slower += cell.change == Change::slower ? 1 : 0;
-    faster += cell.change == Change::faster ? 1 : 0;
+    ++counts.at(static_cast<std::size_t>(cell.change));
     lost += cell.lost;
   }
-  std::string methods;
-  for (const MethodChange& method : comparison.methods) {
-    if (method.change == Change::none) continue;
-    methods += "; " + method.method + " " + to_string(method.change) + " over all cells";
+  std::string text = comparison.regressed()    ? "REGRESSION"
+                     : comparison.suspicious() ? "suspected regression"
+                                               : "no regression";
+  text += ": of " + counted(comparison.cells.size(), "cell") + " " +
+          std::to_string(counts[static_cast<std::size_t>(Change::slower)]) + " slower, " +
+          std::to_string(counts[static_cast<std::size_t>(Change::faster)]) + " faster";
+  for (const Change change : {Change::suspected_slower, Change::suspected_faster}) {
+    const std::size_t count = counts.at(static_cast<std::size_t>(change));
+    if (count > 0) text += ", " + std::to_string(count) + " " + to_string(change);
   }
-  std::string text = std::string(comparison.regressed() ? "REGRESSION" : "no regression") + ": of " +
-                     std::to_string(comparison.cells.size()) + " cells " + std::to_string(slower) +
-                     " slower, " + std::to_string(faster) + " faster" + methods;
-  if (lost > 0) text += "; " + std::to_string(lost) + " instances no longer solved";
+  for (const MethodChange& method : comparison.methods) {
+    if (method.change != Change::none)
+      text += "; " + method.method + " " + to_string(method.change) + " over all cells";
+  }
+  if (lost > 0) text += "; " + counted(lost, "instance") + " no longer solved";
   if (comparison.contradictions > 0)
-    text += "; " + std::to_string(comparison.contradictions) + " instances with contradictory bounds";
+    text += "; " + counted(comparison.contradictions, "instance") + " with contradictory bounds";
   return text;
 }
 

@@ -19,7 +19,7 @@ std::vector<Table> comparison_tables(const Comparison& comparison, const std::ve
 /// Every cell and method, one a line: for CSV.
 Table comparison_long_table(const Comparison& comparison);
 
-/// The outcome in one line: "no regression: …" or "REGRESSION: …".
+/// The outcome in one line: "no regression: …", "suspected regression: …" or "REGRESSION: …".
 std::string comparison_verdict(const Comparison& comparison);
 
 }  // namespace raygauge

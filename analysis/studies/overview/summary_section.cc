@@ -16,10 +16,6 @@
 namespace raygauge::report {
 namespace {
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 /// "3 … 10 (8 values)".
 template <class Number>
 std::string range_words(const std::set<Number>& values) {
