@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/exceptions.h"
+#include "engine/queries/solver.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/batch_docs.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/interrupt.h"
+#include "python/bindings/results.h"
+#include "python/bindings/solving.h"
+#include "python/bindings/workers.h"
+
+namespace raygauge::python {
+namespace {
+
+using py::literals::operator""_a;
+
+/// One operand of a batch: a set that all problems share, or one for each problem.
+class BatchOperand {
+ public:
+  BatchOperand(py::handle object, const char* name) : name_(name) {
+    if (is_list_of_sets(object)) {
+      read_list(object);
+    } else if (py::isinstance<ConvexSet>(object)) {
+      shared_ = as_set(object, name);
+      dimension_ = shared_->dimension();
+    } else {
+      read_array(object);
+    }
+  }
+
+  /// The number of problems it is of; 0 where all share it.
+  std::ptrdiff_t count() const noexcept { return count_; }
+  bool is_shared() const noexcept { return shared_ != nullptr; }
+  int dimension() const noexcept { return dimension_; }
+
+  /// The set of problem k; without the interpreter's lock.
+  SetPointer set(std::ptrdiff_t k) const {
+    if (shared_) return shared_;
+    if (!sets_.empty()) return sets_[static_cast<std::size_t>(k)];
+    return point_set_of_rows(points_ + k * size_ * dimension_, size_, dimension_);
+  }
+
+ private:
+  static bool is_list_of_sets(py::handle object) {
+    if (!PyList_Check(object.ptr()) && !PyTuple_Check(object.ptr())) return false;
+    for (const py::handle member : object) {
+      if (py::isinstance<ConvexSet>(member) || py::isinstance<py::array>(member)) return true;
+    }
+    return false;
+  }
+
+  void read_list(py::handle object) {
+    for (const py::handle member : object) {
+      const std::string name = std::string(name_) + "[" + std::to_string(sets_.size()) + "]";
+      sets_.push_back(as_set(member, name.c_str()));
+    }
+    count_ = static_cast<std::ptrdiff_t>(sets_.size());
+    dimension_ = sets_.front()->dimension();
+  }
+
+  void read_array(py::handle object) {
+    array_ = as_doubles(object, name_);
+    if (array_->ndim() != 3) {
+      shared_ = as_set(*array_, name_);
+      dimension_ = shared_->dimension();
+      return;
+    }
+    count_ = array_->shape(0);
+    size_ = array_->shape(1);
+    dimension_ = as_dimension(array_->shape(2), name_);
+    points_ = array_->data();
+  }
+
+  const char* name_;
+  SetPointer shared_;
+  std::vector<SetPointer> sets_;
+  std::optional<py::array_t<double, py::array::c_style>> array_;
+  const double* points_ = nullptr;
+  std::ptrdiff_t count_ = 0;
+  std::ptrdiff_t size_ = 0;
+  int dimension_ = 0;
+};
+
+/// The answers of a batch, a NumPy array each.
+struct DistanceBatch {
+  py::array_t<double> distance, lower, upper;
+  py::array_t<std::int8_t> status_code;
+  py::array_t<double> normal;  // NaN where a problem has none
+  py::object contact_point;    // an array, or None
+  py::array_t<std::int64_t> pivots;
+  double* contact_data = nullptr;
+
+  DistanceBatch(std::ptrdiff_t count, int n, bool witness)
+      : distance(count),
+        lower(count),
+        upper(count),
+        status_code(count),
+        normal({count, static_cast<std::ptrdiff_t>(n)}),
+        contact_point(py::none()),
+        pivots(count) {
+    if (!witness) return;
+    py::array_t<double> points({count, static_cast<std::ptrdiff_t>(n)});
+    contact_data = points.mutable_data();
+    contact_point = std::move(points);
+  }
+};
+
+/// Where the threads of a batch write: the arrays' memory.
+struct BatchOutput {
+  double* distance;
+  double* lower;
+  double* upper;
+  std::int8_t* status;
+  double* normal;
+  double* contact;
+  std::int64_t* pivots;
+  int n;
+
+  BatchOutput(DistanceBatch& batch, int dimension)
+      : distance(batch.distance.mutable_data()),
+        lower(batch.lower.mutable_data()),
+        upper(batch.upper.mutable_data()),
+        status(batch.status_code.mutable_data()),
+        normal(batch.normal.mutable_data()),
+        contact(batch.contact_data),
+        pivots(batch.pivots.mutable_data()),
+        n(dimension) {}
+
+  void store(std::ptrdiff_t k, const DistanceResult& result) const {
+    distance[k] = result.distance;
+    lower[k] = result.lower;
+    upper[k] = result.upper;
+    status[k] = static_cast<std::int8_t>(result.status);
+    pivots[k] = result.counters.pivots;
+    store_vector(result.normal, normal + k * n);
+    if (contact != nullptr) store_vector(result.contact_point, contact + k * n);
+  }
+
+ private:
+  void store_vector(const Vector& vector, double* row) const {
+    Eigen::Map<Vector> target(row, n);
+    if (vector.size() == n) {
+      target = vector;
+    } else {
+      target.setConstant(DistanceResult::kUnset);
+    }
+  }
+};
+
+/// Throws the same kind of error, which says in which problem it arose.
+template <class Function>
+void naming_problem(std::ptrdiff_t k, const Function& function) {
+  const auto text = [k](const Error& error) { return "problem " + std::to_string(k) + ": " + error.what(); };
+  try {
+    function();
+  } catch (const DimensionMismatchError& error) {
+    throw DimensionMismatchError(text(error));
+  } catch (const NonFiniteError& error) {
+    throw NonFiniteError(text(error));
+  } catch (const EmptySetError& error) {
+    throw EmptySetError(text(error));
+  } catch (const InvalidParameterError& error) {
+    throw InvalidParameterError(text(error));
+  }
+}
+
+std::ptrdiff_t problem_count(const BatchOperand& A, const BatchOperand& Q) {
+  if (A.is_shared() && Q.is_shared()) {
+    throw InvalidParameterError(
+        "A, Q: one of them is to have an axis of problems, as an array of shape (K, N, n) or a list of sets; "
+        "distance() answers a single problem");
+  }
+  if (!A.is_shared() && !Q.is_shared() && A.count() != Q.count()) {
+    throw DimensionMismatchError("A holds " + std::to_string(A.count()) + " problems, Q " +
+                                 std::to_string(Q.count()));
+  }
+  return A.is_shared() ? Q.count() : A.count();
+}
+
+DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std::string& method, bool witness,
+                        double time_limit, int threads) {
+  const BatchOperand a(A, "A");
+  const BatchOperand q(Q, "Q");
+  const DistanceOptions options = options_of(method, tolerance, time_limit);
+  const std::ptrdiff_t count = problem_count(a, q);
+  const int team = batch_threads(threads, count);
+  if (a.dimension() != q.dimension()) {
+    throw DimensionMismatchError("A has n = " + std::to_string(a.dimension()) + ", Q has n = " +
+                                 std::to_string(q.dimension()));
+  }
+  DistanceBatch batch(count, a.dimension(), witness);
+  const BatchOutput output(batch, a.dimension());
+  const Effects effects = witness ? Effects::witness : Effects::none;
+  std::atomic<bool> stop = false;
+  const BatchWorker worker = [&](const std::function<std::ptrdiff_t()>& next) {
+    DistanceSolver solver(options);
+    for (std::ptrdiff_t k = next(); k >= 0; k = next()) {
+      naming_problem(k, [&] { output.store(k, solver.solve(*a.set(k), *q.set(k), effects)); });
+    }
+  };
+  run_interruptibly(stop, [&] { share_items(count, team, stop, worker); });
+  return batch;
+}
+
+py::object status_texts(const DistanceBatch& batch) {
+  const py::object names = py::module_::import("numpy").attr("array")(py::cast(status_names()));
+  return names.attr("__getitem__")(batch.status_code);
+}
+
+}  // namespace
+
+void bind_batches(py::module_& module) {
+  py::class_<DistanceBatch>(module, "Distances", kDistanceBatchDoc)
+      .def_readonly("distance", &DistanceBatch::distance)
+      .def_readonly("lower", &DistanceBatch::lower)
+      .def_readonly("upper", &DistanceBatch::upper)
+      .def_readonly("status_code", &DistanceBatch::status_code)
+      .def_property_readonly("status", &status_texts)
+      .def_readonly("normal", &DistanceBatch::normal)
+      .def_readonly("contact_point", &DistanceBatch::contact_point)
+      .def_readonly("pivots", &DistanceBatch::pivots)
+      .def("__len__", [](const DistanceBatch& batch) { return batch.distance.size(); })
+      .def("__repr__", [](const DistanceBatch& batch) {
+        return "<raygauge.Distances of " + std::to_string(batch.distance.size()) + " problems>";
+      });
+  module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a, "tolerance"_a = 1e-9,
+             "method"_a = "direct", py::kw_only(), "witness"_a = false,
+             "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
+}
+
+}  // namespace raygauge::python

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The docstrings of batches. Their examples are run by tests/python/test_doctests.py.
+
+namespace raygauge::python {
+
+inline constexpr const char* kDistanceBatchDoc = R"(The answers of a batch: arrays with one row a problem.
+
+distance, lower, upper: shape (K,), as in Distance. status: texts, shape (K,); status_code: their numbers, int8.
+normal: shape (K, n), nan where a problem has none. contact_point: shape (K, n), or None unless witness=True.
+pivots: basis changes, shape (K,).
+)";
+
+inline constexpr const char* kDistancesDoc = R"(The distances of K problems in one call, on threads, without the interpreter's lock.
+
+A, Q: an array of shape (K, N, n), a problem a row; a list of K sets or arrays of points; or, one of them, a set or an
+array of shape (N, n) that all problems share. Arrays are not to be written to meanwhile.
+tolerance, method, witness, time_limit (of each problem): as in distance. threads: 0 for one on each CPU.
+
+Returns Distances. Raises as distance does, naming the problem, counted from 0; Ctrl-C raises KeyboardInterrupt after
+the problems that are being solved. Answers do not depend on the number of threads.
+
+>>> import numpy as np
+>>> points = np.array([[[2.0, 0.0]], [[0.0, 3.0]], [[0.0, 0.0]]])  # three problems with one point each
+>>> r = rg.distances(points, rg.Box([-1, -1], [1, 1]))
+>>> r.distance
+array([2., 3., 0.])
+>>> r.status
+array(['optimal', 'optimal', 'contains_origin'], dtype='<U15')
+)";
+
+}  // namespace raygauge::python

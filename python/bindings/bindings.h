@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace raygauge::python {
+
+// Each adds its part to the module raygauge._raygauge.
+void bind_errors(pybind11::module_& module);
+void bind_sets(pybind11::module_& module);
+void bind_results(pybind11::module_& module);
+void bind_queries(pybind11::module_& module);
+void bind_batches(pybind11::module_& module);
+
+}  // namespace raygauge::python

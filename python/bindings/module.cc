@@ -1,0 +1,13 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/bindings.h"
+
+PYBIND11_MODULE(_raygauge, module) {
+  module.doc() = "The compiled part of raygauge; import raygauge instead.";
+  module.attr("__version__") = RAYGAUGE_VERSION;
+  raygauge::python::bind_errors(module);
+  raygauge::python::bind_sets(module);
+  raygauge::python::bind_results(module);
+  raygauge::python::bind_queries(module);
+  raygauge::python::bind_batches(module);
+}

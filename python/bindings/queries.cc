@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "engine/exceptions.h"
+#include "engine/queries/gradient.h"
+#include "engine/queries/growth_distance.h"
+#include "engine/queries/object_distance.h"
+#include "engine/queries/origin_in_interior.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/query_docs.h"
+#include "python/bindings/solving.h"
+
+namespace raygauge::python {
+namespace {
+
+using py::literals::operator""_a;
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kTolerance = 1e-9;
+
+DistanceResult distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
+                        bool witness, double time_limit, std::int64_t max_iterations, int threads) {
+  const SetPointer a = as_set(A, "A");
+  const SetPointer q = as_set(Q, "Q");
+  DistanceOptions options = options_of(method, tolerance, time_limit);
+  options.max_iterations = max_iterations;
+  options.threads = threads;
+  const Lease<DistanceSolver> solver;
+  solver->set_options(options);
+  const py::gil_scoped_release release;
+  return solver->solve(*a, *q, witness ? Effects::witness : Effects::none);
+}
+
+ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, double tolerance,
+                               const std::string& method, bool closest_points, bool gradient,
+                               double time_limit) {
+  const SetPointer first = as_set(A1, "A1");
+  const SetPointer second = as_set(A2, "A2");
+  const SetPointer metric = as_set(Q, "Q");
+  ObjectEffects effects = ObjectEffects::none;
+  if (closest_points) effects = effects | ObjectEffects::closest_points;
+  if (gradient) effects = effects | ObjectEffects::gradient;
+  ObjectDistanceSolver solver(options_of(method, tolerance, time_limit));
+  const py::gil_scoped_release release;
+  return solver.solve(*first, *second, *metric, effects);
+}
+
+DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
+                               double time_limit) {
+  const SetPointer a = as_set(A, "A");
+  const SetPointer q = as_set(Q, "Q");
+  GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
+  const py::gil_scoped_release release;
+  return solver.solve(*a, *q);
+}
+
+SeparationResult separation(py::handle A1, py::handle A2, double tolerance, const std::string& method,
+                            double time_limit) {
+  const SetPointer first = as_set(A1, "A1");
+  const SetPointer second = as_set(A2, "A2");
+  GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
+  const py::gil_scoped_release release;
+  return solver.separation(*first, *second);
+}
+
+py::object contains_origin_inside(py::handle Q, double time_limit) {
+  const SetPointer q = as_set(Q, "Q");
+  const PointSet* points = as_point_set(*q);
+  if (points == nullptr) {
+    throw InvalidParameterError("Q: an array of points or a PointSet is needed, got " + described(Q));
+  }
+  OriginInInterior::Answer answer{};
+  {
+    const py::gil_scoped_release release;
+    answer = origin_in_interior(*points, time_limit).answer;
+  }
+  if (answer == OriginInInterior::Answer::unknown) return py::none();
+  return py::bool_(answer == OriginInInterior::Answer::holds);
+}
+
+}  // namespace
+
+void bind_queries(py::module_& module) {
+  module.def("distance", &distance, kDistanceDoc, "A"_a, "Q"_a, "tolerance"_a = kTolerance,
+             "method"_a = "direct", py::kw_only(), "witness"_a = false, "time_limit"_a = kNoLimit,
+             "max_iterations"_a = 0, "threads"_a = 1);
+  module.def("object_distance", &object_distance, kObjectDistanceDoc, "A1"_a, "A2"_a, "Q"_a,
+             "tolerance"_a = kTolerance, "method"_a = "direct", py::kw_only(), "closest_points"_a = false,
+             "gradient"_a = false, "time_limit"_a = kNoLimit);
+  module.def("growth_distance", &growth_distance, kGrowthDistanceDoc, "A"_a, "Q"_a,
+             "tolerance"_a = kTolerance, "method"_a = "newton", py::kw_only(), "time_limit"_a = kNoLimit);
+  module.def("separation", &separation, kSeparationQueryDoc, "A1"_a, "A2"_a, "tolerance"_a = kTolerance,
+             "method"_a = "newton", py::kw_only(), "time_limit"_a = kNoLimit);
+  module.def("origin_in_interior", &contains_origin_inside, kOriginInInteriorDoc, "Q"_a, py::kw_only(),
+             "time_limit"_a = kNoLimit);
+  module.def(
+      "gradient_moving_A", [](const DistanceResult& r) { return readonly_array(gradient_moving_A(r)); },
+      kGradientMovingADoc, "result"_a);
+  module.def(
+      "gradient_moving_Q", [](const DistanceResult& r) { return readonly_array(gradient_moving_Q(r)); },
+      kGradientMovingQDoc, "result"_a);
+}
+
+}  // namespace raygauge::python

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/results.h"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/queries/growth_distance.h"
+#include "engine/queries/object_distance.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/result_docs.h"
+
+namespace raygauge::python {
+namespace {
+
+constexpr std::array kStatuses{DistanceStatus::optimal,         DistanceStatus::contains_origin,
+                               DistanceStatus::unreachable,     DistanceStatus::precision_limit,
+                               DistanceStatus::iteration_limit, DistanceStatus::time_limit};
+constexpr std::array kOutcomeNames{"separated", "intersecting", "undecided"};
+
+/// class NAME(enum.StrEnum), with a member for each name, whose value is the name.
+py::object text_enum(py::module_& module, const char* name, const std::vector<std::string>& names,
+                     const char* doc) {
+  py::dict members;
+  for (const std::string& member : names) members[py::str(member)] = member;
+  const py::object type =
+      py::module_::import("enum").attr("StrEnum")(name, members, py::arg("module") = "raygauge");
+  type.attr("__doc__") = doc;
+  module.attr(name) = type;
+  return type;
+}
+
+/// The members of an enumeration of ours, which live as long as the process.
+std::vector<py::handle>& status_members() {
+  static std::vector<py::handle> members;
+  return members;
+}
+std::vector<py::handle>& outcome_members() {
+  static std::vector<py::handle> members;
+  return members;
+}
+
+void keep_members(const py::object& type, const std::vector<std::string>& names,
+                  std::vector<py::handle>& members) {
+  members.clear();
+  for (const std::string& name : names) {
+    members.push_back(type[py::str(name)].cast<py::object>().release());
+  }
+}
+
+py::object array_or_none(const Vector& vector) {
+  return vector.size() == 0 ? py::object(py::none()) : readonly_array(vector);
+}
+
+double gap_of(const DistanceResult& result) {
+  return result.upper == result.lower ? 0 : result.upper - result.lower;
+}
+
+std::string number(double value) { return py::repr(py::float_(value)).cast<std::string>(); }
+
+std::string repr_of(const DistanceResult& result, const char* type) {
+  return std::string(type) + "(" + number(result.distance) + ", lower=" + number(result.lower) +
+         ", upper=" + number(result.upper) + ", status='" + std::string(to_string(result.status)) + "')";
+}
+
+std::vector<std::pair<std::ptrdiff_t, double>> origin_weights(const DistanceResult& result) {
+  std::vector<std::pair<std::ptrdiff_t, double>> weights;
+  for (const PointWeight& point : result.origin_weights) weights.emplace_back(point.index, point.weight);
+  return weights;
+}
+
+void bind_counters(py::module_& module) {
+  py::class_<DistanceCounters>(module, "Counters", "What a solve did.")
+      .def_readonly("outer_iterations", &DistanceCounters::outer_iterations)
+      .def_readonly("ray_iterations", &DistanceCounters::ray_iterations)
+      .def_readonly("pivots", &DistanceCounters::pivots)
+      .def_readonly("support_queries", &DistanceCounters::support_queries)
+      .def_readonly("points_priced", &DistanceCounters::points_priced)
+      .def_readonly("refactorisations", &DistanceCounters::refactorisations)
+      .def_readonly("exact_pivots", &DistanceCounters::exact_pivots)
+      .def_readonly("witness_evaluations", &DistanceCounters::witness_evaluations)
+      .def("__repr__", [](const DistanceCounters& counters) {
+        return "Counters(pivots=" + std::to_string(counters.pivots) +
+               ", support_queries=" + std::to_string(counters.support_queries) +
+               ", exact_pivots=" + std::to_string(counters.exact_pivots) + ")";
+      });
+}
+
+void bind_distance(py::module_& module) {
+  py::class_<DistanceResult>(module, "Distance", kDistanceResultDoc)
+      .def_readonly("distance", &DistanceResult::distance)
+      .def_readonly("lower", &DistanceResult::lower)
+      .def_readonly("upper", &DistanceResult::upper)
+      .def_property_readonly("gap", gap_of)
+      .def_property_readonly("status",
+                             [](const DistanceResult& result) { return status_object(result.status); })
+      .def_property_readonly("normal",
+                             [](const DistanceResult& result) { return array_or_none(result.normal); })
+      .def_property_readonly("contact_point",
+                             [](const DistanceResult& result) { return array_or_none(result.contact_point); })
+      .def_readonly("sigma", &DistanceResult::sigma)
+      .def_readonly("seconds", &DistanceResult::seconds)
+      .def_property_readonly("origin_weights", origin_weights)
+      .def_readonly("counters", &DistanceResult::counters)
+      .def("__float__", [](const DistanceResult& result) { return result.distance; })
+      .def("__repr__", [](const DistanceResult& result) { return repr_of(result, "Distance"); });
+}
+
+void bind_object_distance(py::module_& module) {
+  py::class_<ObjectDistance>(module, "ObjectDistance", kObjectDistanceResultDoc)
+      .def_property_readonly("distance", [](const ObjectDistance& r) { return r.distance.distance; })
+      .def_property_readonly("lower", [](const ObjectDistance& r) { return r.distance.lower; })
+      .def_property_readonly("upper", [](const ObjectDistance& r) { return r.distance.upper; })
+      .def_property_readonly("gap", [](const ObjectDistance& r) { return gap_of(r.distance); })
+      .def_property_readonly("status", [](const ObjectDistance& r) { return status_object(r.distance.status); })
+      .def_property_readonly("normal", [](const ObjectDistance& r) { return array_or_none(r.distance.normal); })
+      .def_property_readonly("counters", [](const ObjectDistance& r) { return r.distance.counters; })
+      .def_property_readonly("closest_point_1",
+                             [](const ObjectDistance& r) { return array_or_none(r.closest_point_1); })
+      .def_property_readonly("closest_point_2",
+                             [](const ObjectDistance& r) { return array_or_none(r.closest_point_2); })
+      .def_property_readonly("gradient_1", [](const ObjectDistance& r) { return array_or_none(r.gradient_1); })
+      .def_property_readonly("gradient_2", [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
+      .def("__float__", [](const ObjectDistance& r) { return r.distance.distance; })
+      .def("__repr__", [](const ObjectDistance& r) { return repr_of(r.distance, "ObjectDistance"); });
+}
+
+void bind_separation(py::module_& module) {
+  py::class_<SeparationResult>(module, "SeparationResult", kSeparationResultDoc)
+      .def_property_readonly("outcome",
+                             [](const SeparationResult& result) {
+                               return py::reinterpret_borrow<py::object>(
+                                   outcome_members()[static_cast<std::size_t>(result.outcome)]);
+                             })
+      .def_property_readonly("normal",
+                             [](const SeparationResult& result) { return array_or_none(result.normal); })
+      .def_readonly("lower", &SeparationResult::lower)
+      .def_readonly("upper", &SeparationResult::upper)
+      .def_readonly("counters", &SeparationResult::counters)
+      .def("__repr__", [](const SeparationResult& result) {
+        return std::string("SeparationResult('") + kOutcomeNames[static_cast<std::size_t>(result.outcome)] +
+               "', lower=" + number(result.lower) + ", upper=" + number(result.upper) + ")";
+      });
+}
+
+}  // namespace
+
+std::vector<std::string> status_names() {
+  std::vector<std::string> names;
+  for (const DistanceStatus status : kStatuses) names.emplace_back(to_string(status));
+  return names;
+}
+
+py::object status_object(DistanceStatus status) {
+  return py::reinterpret_borrow<py::object>(status_members()[static_cast<std::size_t>(status)]);
+}
+
+void bind_results(py::module_& module) {
+  const std::vector<std::string> names = status_names();
+  keep_members(text_enum(module, "Status", names, kStatusDoc), names, status_members());
+  const std::vector<std::string> outcomes(kOutcomeNames.begin(), kOutcomeNames.end());
+  keep_members(text_enum(module, "Separation", outcomes, kSeparationDoc), outcomes, outcome_members());
+  bind_counters(module);
+  bind_distance(module);
+  bind_object_distance(module);
+  bind_separation(module);
+}
+
+}  // namespace raygauge::python

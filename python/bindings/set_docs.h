@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The docstrings of the sets. Their examples are run by tests/python/test_doctests.py.
+
+namespace raygauge::python {
+
+inline constexpr const char* kConvexSetDoc = R"(A nonempty compact convex set of R^n, known through its support function.
+
+Sets never change and may be used by several threads and in several calls at once. They are made by the classes
+below; an array of points of shape (N, n) stands for the convex hull of its rows wherever a set is expected.
+)";
+
+inline constexpr const char* kPointSetDoc = R"(conv{p_1, ..., p_N}, the convex hull of N points.
+
+points: array of shape (N, n), one point a row; an array in C order of doubles is read once, without another copy.
+
+Raises EmptySetError, NonFiniteError (naming point and coordinate, counted from 0), InvalidParameterError.
+
+>>> triangle = rg.PointSet([[2, 0], [4, -1], [4, 1]])
+>>> len(triangle), triangle.dimension
+(3, 2)
+>>> triangle.support_function([1, 0])
+4.0
+)";
+
+inline constexpr const char* kBallDoc = R"({x : |x - center| <= radius}, the Euclidean ball; radius 0 is a point.
+
+center: shape (n,). Raises InvalidParameterError, NonFiniteError.
+
+>>> rg.distance(rg.Ball([3, 0, 0], 1), rg.Ball([0, 0, 0])).distance
+2.0
+)";
+
+inline constexpr const char* kEllipsoidDoc = R"({center + L z : |z| <= 1}, an ellipsoid of any orientation.
+
+center: shape (n,). factor: L, shape (n, m); semi-axes a along the columns of a rotation R are L = R * a.
+
+>>> rg.Ellipsoid([0, 0], [[3, 0], [0, 1]]).support_function([1, 0])
+3.0
+)";
+
+inline constexpr const char* kPNormBallDoc = R"({center + semi_axes * z : |z|_p <= 1}, the ball of a weighted p-norm.
+
+center: shape (n,). semi_axes: a number or shape (n,), not negative. p: from 1 to infinity.
+
+>>> round(rg.distance([[3, 4]], rg.PNormBall([0, 0], p=1)).distance, 9)  # |(3, 4)| in the norm of p = 1
+7.0
+)";
+
+inline constexpr const char* kCapsuleDoc = R"({x : the distance of x to the segment from p to q is <= radius}.
+
+p, q: shape (n,). Raises InvalidParameterError, DimensionMismatchError, NonFiniteError.
+
+>>> rg.Capsule([0, 0, 0], [0, 0, 2], 0.5).support_function([0, 0, 1])
+2.5
+)";
+
+inline constexpr const char* kCylinderDoc = R"(The cylinder around the segment from p to q, which differ; p, q: shape (n,).
+
+>>> rg.Cylinder([0, 0, 0], [0, 0, 2], 0.5).support_function([0, 0, 1])
+2.0
+)";
+
+inline constexpr const char* kTruncatedConeDoc = R"(The hull of two discs across the axis from base to top.
+
+base, top: shape (n,), and differ; top_radius 0 is a cone.
+
+>>> rg.TruncatedCone([0, 0, 0], 1, [0, 0, 2]).support_function([1, 0, 0])
+1.0
+)";
+
+inline constexpr const char* kBoxDoc = R"({x : lower <= x <= upper}, a box along the axes; lower, upper: shape (n,).
+
+>>> rg.Box([-1, -2], [1, 2]).support_function([1, 1])
+3.0
+)";
+
+inline constexpr const char* kSimplexDoc = R"(The simplex with a right-angled corner and legs along the axes.
+
+corner: shape (n,). legs: a number or shape (n,), of either sign.
+
+>>> rg.Simplex([0, 0, 0]).support_function([1, 2, 3])
+3.0
+)";
+
+inline constexpr const char* kAffineImageDoc = R"({matrix @ x + translation : x in set}.
+
+matrix: shape (n, n), invertible. translation: shape (n,).
+
+>>> rg.AffineImage(rg.Ball([0, 0]), [[2, 0], [0, 1]], [5, 0]).support_function([1, 0])
+7.0
+)";
+
+inline constexpr const char* kMinkowskiSumDoc = R"(A + B = {a + b : a in A, b in B}; A, B: sets or arrays of points.
+
+>>> rg.MinkowskiSum(rg.Box([-1, -1], [1, 1]), rg.Ball([0, 0], 0.5)).support_function([1, 0])
+1.5
+)";
+
+inline constexpr const char* kMinkowskiDifferenceDoc = R"(A2 - A1 = {a2 - a1 : a2 in A2, a1 in A1}.
+
+Its distance is that from object A1 to object A2, see object_distance.
+
+>>> rg.MinkowskiDifference(rg.Ball([5, 0]), rg.Ball([0, 0])).center
+array([5., 0.])
+)";
+
+inline constexpr const char* kUnionHullDoc = R"(The convex hull of a union; sets: an iterable of sets or arrays of points.
+
+>>> rg.UnionHull([rg.Ball([0, 0]), [[3, 0]]]).support_function([1, 0])
+3.0
+)";
+
+inline constexpr const char* kSupportMappingSetDoc = R"(A set of one's own, from its support mapping.
+
+center: shape (n,), a point of the set, in its interior if it has one. mapping: a callable that takes u, shape (n,),
+and returns a point of the set that is farthest along u; always the same one for the same u, also for u = 0. It is
+called with the interpreter's lock held. What it raises passes through the call that asked.
+
+>>> import numpy as np
+>>> diamond = rg.SupportMappingSet([0, 0], lambda u: np.sign(u) * (np.abs(u) == np.abs(u).max()) / max(1, (np.abs(u)
+...     == np.abs(u).max()).sum()))
+>>> rg.distance([[3, 1]], diamond).distance
+4.0
+)";
+
+}  // namespace raygauge::python

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/exceptions.h"
+#include "engine/sets/affine_image.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/box.h"
+#include "engine/sets/capsule.h"
+#include "engine/sets/cylinder.h"
+#include "engine/sets/ellipsoid.h"
+#include "engine/sets/minkowski_difference.h"
+#include "engine/sets/minkowski_sum.h"
+#include "engine/sets/p_norm_ball.h"
+#include "engine/sets/point_set.h"
+#include "engine/sets/simplex.h"
+#include "engine/sets/support_mapping_set.h"
+#include "engine/sets/truncated_cone.h"
+#include "engine/sets/union_hull.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/set_docs.h"
+
+namespace raygauge::python {
+namespace {
+
+using py::literals::operator""_a;
+
+/// A class of sets, which Python holds by the same pointer as the engine does.
+template <class Set>
+py::class_<Set, ConvexSet, std::shared_ptr<Set>> set_class(py::module_& module, const char* name,
+                                                           const char* doc) {
+  return {module, name, doc};
+}
+
+/// One number for all n coordinates, or an array of n.
+Vector numbers_of(py::handle object, Eigen::Index n, const char* name) {
+  if (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr())) {
+    return Vector::Constant(n, object.cast<double>());
+  }
+  return as_vector(object, name);
+}
+
+/// s(u) as a Python callable gives it; any thread may ask.
+SupportMappingSet::Mapping mapping_of(py::object callable, int n) {
+  const auto function = std::shared_ptr<py::object>(new py::object(std::move(callable)), [](py::object* held) {
+    const py::gil_scoped_acquire acquire;
+    delete held;
+  });
+  return [function, n](const double* u, double* point) {
+    const py::gil_scoped_acquire acquire;
+    const py::object answer = (*function)(py::array_t<double>(n, u));
+    const Vector support = as_vector(answer, "what the mapping returned");
+    if (support.size() != n) {
+      throw DimensionMismatchError("what the mapping returned: " + std::to_string(n) +
+                                   " coordinates are needed, got " + std::to_string(support.size()));
+    }
+    Eigen::Map<Vector>(point, n) = support;
+  };
+}
+
+std::shared_ptr<SupportMappingSet> support_mapping(py::handle center, const py::object& mapping) {
+  if (PyCallable_Check(mapping.ptr()) == 0) {
+    throw InvalidParameterError("mapping: a callable u -> s(u) is needed, got " + described(mapping));
+  }
+  const Vector c = as_vector(center, "center");
+  return std::make_shared<SupportMappingSet>(c, mapping_of(mapping, static_cast<int>(c.size())));
+}
+
+py::array_t<double> points_of(const PointSet& set) {
+  py::array_t<double> rows({set.size(), static_cast<std::ptrdiff_t>(set.dimension())});
+  for (std::ptrdiff_t i = 0; i < set.size(); ++i) set.copy_point(i, rows.mutable_data(i, 0));
+  return rows;
+}
+
+void bind_interface(py::module_& module) {
+  py::class_<ConvexSet, std::shared_ptr<ConvexSet>>(module, "ConvexSet", kConvexSetDoc)
+      .def_property_readonly("dimension", &ConvexSet::dimension, "n, the dimension of the space.")
+      .def(
+          "support_function",
+          [](const ConvexSet& set, py::handle u) { return set.support_function(as_vector(u, "u")); }, "u"_a,
+          "h(u) = max u·x over the set, for a direction u, shape (n,), of any length.")
+      .def(
+          "support_mapping",
+          [](const ConvexSet& set, py::handle u) {
+            return readonly_array(set.support_mapping(as_vector(u, "u")));
+          },
+          "u"_a, "A point of the set that is farthest along u, shape (n,).")
+      .def_property_readonly(
+          "center", [](const ConvexSet& set) { return readonly_array(set.center()); },
+          "A point deep inside the set, shape (n,).")
+      .def("__repr__", [](py::handle self) {
+        return "<raygauge." + self.attr("__class__").attr("__name__").cast<std::string>() + ", n = " +
+               std::to_string(self.cast<const ConvexSet&>().dimension()) + ">";
+      });
+}
+
+void bind_points(py::module_& module) {
+  set_class<PointSet>(module, "PointSet", kPointSetDoc)
+      .def(py::init([](py::handle points) {
+             if (py::isinstance<PointSet>(points)) return points.cast<std::shared_ptr<PointSet>>();
+             if (py::isinstance<ConvexSet>(points)) {
+               throw InvalidParameterError("points: an array of shape (N, n) is needed, got " +
+                                           described(points));
+             }
+             return std::dynamic_pointer_cast<PointSet>(
+                 std::const_pointer_cast<ConvexSet>(as_set(points, "points")));
+           }),
+           "points"_a)
+      .def_property_readonly("points", points_of, "The points, a new array of shape (N, n).")
+      .def("__len__", &PointSet::size)
+      .def(py::pickle([](const PointSet& set) { return points_of(set); },
+                      [](const py::array_t<double>& points) {
+                        return std::dynamic_pointer_cast<PointSet>(
+                            std::const_pointer_cast<ConvexSet>(as_set(points, "points")));
+                      }));
+}
+
+void bind_round_sets(py::module_& module) {
+  set_class<Ball>(module, "Ball", kBallDoc)
+      .def(py::init([](py::handle center, double radius) {
+             return std::make_shared<Ball>(as_vector(center, "center"), radius);
+           }),
+           "center"_a, "radius"_a = 1.0)
+      .def_property_readonly("radius", &Ball::radius);
+  set_class<Ellipsoid>(module, "Ellipsoid", kEllipsoidDoc)
+      .def(py::init([](py::handle center, py::handle factor) {
+             return std::make_shared<Ellipsoid>(as_vector(center, "center"), as_matrix(factor, "factor"));
+           }),
+           "center"_a, "factor"_a);
+  set_class<PNormBall>(module, "PNormBall", kPNormBallDoc)
+      .def(py::init([](py::handle center, py::handle semi_axes, double p) {
+             const Vector c = as_vector(center, "center");
+             return std::make_shared<PNormBall>(c, numbers_of(semi_axes, c.size(), "semi_axes"), p);
+           }),
+           "center"_a, "semi_axes"_a = 1.0, "p"_a = 2.0)
+      .def_property_readonly("p", &PNormBall::p);
+  set_class<Capsule>(module, "Capsule", kCapsuleDoc)
+      .def(py::init([](py::handle p, py::handle q, double radius) {
+             return std::make_shared<Capsule>(as_vector(p, "p"), as_vector(q, "q"), radius);
+           }),
+           "p"_a, "q"_a, "radius"_a)
+      .def_property_readonly("radius", &Capsule::radius);
+  set_class<Cylinder>(module, "Cylinder", kCylinderDoc)
+      .def(py::init([](py::handle p, py::handle q, double radius) {
+             return std::make_shared<Cylinder>(as_vector(p, "p"), as_vector(q, "q"), radius);
+           }),
+           "p"_a, "q"_a, "radius"_a)
+      .def_property_readonly("radius", &Cylinder::radius);
+  set_class<TruncatedCone>(module, "TruncatedCone", kTruncatedConeDoc)
+      .def(py::init([](py::handle base, double base_radius, py::handle top, double top_radius) {
+             return std::make_shared<TruncatedCone>(as_vector(base, "base"), base_radius,
+                                                    as_vector(top, "top"), top_radius);
+           }),
+           "base"_a, "base_radius"_a, "top"_a, "top_radius"_a = 0.0);
+}
+
+void bind_polytopes(py::module_& module) {
+  set_class<Box>(module, "Box", kBoxDoc)
+      .def(py::init([](py::handle lower, py::handle upper) {
+             return std::make_shared<Box>(as_vector(lower, "lower"), as_vector(upper, "upper"));
+           }),
+           "lower"_a, "upper"_a)
+      .def_property_readonly("lower", [](const Box& box) { return readonly_array(box.lower()); })
+      .def_property_readonly("upper", [](const Box& box) { return readonly_array(box.upper()); });
+  set_class<Simplex>(module, "Simplex", kSimplexDoc)
+      .def(py::init([](py::handle corner, py::handle legs) {
+             const Vector o = as_vector(corner, "corner");
+             return std::make_shared<Simplex>(o, numbers_of(legs, o.size(), "legs"));
+           }),
+           "corner"_a, "legs"_a = 1.0);
+}
+
+std::shared_ptr<UnionHull> union_hull(const py::iterable& sets) {
+  std::vector<SetPointer> members;
+  for (const py::handle member : sets) {
+    const std::string name = "sets[" + std::to_string(members.size()) + "]";
+    members.push_back(as_set(member, name.c_str()));
+  }
+  return std::make_shared<UnionHull>(std::move(members));
+}
+
+void bind_combinators(py::module_& module) {
+  set_class<AffineImage>(module, "AffineImage", kAffineImageDoc)
+      .def(py::init([](py::handle set, py::handle matrix, py::handle translation) {
+             return std::make_shared<AffineImage>(as_set(set, "set"), as_matrix(matrix, "matrix"),
+                                                  as_vector(translation, "translation"));
+           }),
+           "set"_a, "matrix"_a, "translation"_a);
+  set_class<MinkowskiSum>(module, "MinkowskiSum", kMinkowskiSumDoc)
+      .def(py::init([](py::handle A, py::handle B) {
+             return std::make_shared<MinkowskiSum>(as_set(A, "A"), as_set(B, "B"));
+           }),
+           "A"_a, "B"_a);
+  set_class<MinkowskiDifference>(module, "MinkowskiDifference", kMinkowskiDifferenceDoc)
+      .def(py::init([](py::handle A2, py::handle A1) {
+             return std::make_shared<MinkowskiDifference>(as_set(A2, "A2"), as_set(A1, "A1"));
+           }),
+           "A2"_a, "A1"_a);
+  set_class<UnionHull>(module, "UnionHull", kUnionHullDoc).def(py::init(&union_hull), "sets"_a);
+  set_class<SupportMappingSet>(module, "SupportMappingSet", kSupportMappingSetDoc)
+      .def(py::init(&support_mapping), "center"_a, "mapping"_a);
+}
+
+}  // namespace
+
+void bind_sets(py::module_& module) {
+  bind_interface(module);
+  bind_points(module);
+  bind_round_sets(module);
+  bind_polytopes(module);
+  bind_combinators(module);
+}
+
+}  // namespace raygauge::python

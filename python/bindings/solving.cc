@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/solving.h"
+
+#include <array>
+
+#include "engine/exceptions.h"
+
+namespace raygauge::python {
+namespace {
+
+constexpr std::array kMethods{DistanceMethod::direct, DistanceMethod::newton, DistanceMethod::zheng_yamane};
+
+}  // namespace
+
+DistanceMethod method_of(const std::string& name) {
+  for (const DistanceMethod method : kMethods) {
+    if (name == to_string(method)) return method;
+  }
+  std::vector<std::string> names;
+  for (const DistanceMethod method : kMethods) names.emplace_back(to_string(method));
+  throw UnknownNameError("method", name, names);
+}
+
+DistanceOptions options_of(const std::string& method, double tolerance, double time_limit) {
+  DistanceOptions options;
+  options.method = method_of(method);
+  options.tolerance = tolerance;
+  options.time_limit = time_limit;
+  return options;
+}
+
+}  // namespace raygauge::python

@@ -1,0 +1,117 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Figures of results on matplotlib axes, in the colours and dashes of the program's own figures.
+
+Each takes the dataset of raygauge.open and draws on `axes` (default: matplotlib's current ones), which it returns.
+Needs python3-matplotlib and python3-pandas.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from .results import Results
+
+# As in analysis/render/figures/style.cc: one list for the engine's methods, one for the others.
+_ENGINE_LOOKS = (("#D55E00", "o"), ("#0072B2", "s"), ("#009E73", "^"), ("#CC79A7", "D"))
+_OTHER_LOOKS = (("#000000", "o", "--"), ("#8C8C8C", "s", ":"), ("#56B4E9", "^", "--"), ("#E69F00", "D", ":"))
+_ENGINE_METHODS = ("direct", "newton", "zheng_yamane")
+_SOLVED = ("optimal", "contains_origin", "unreachable")
+_AXIS_LABELS = {"N": "points in each set, N", "n": "dimension n", "tolerance": "tolerance"}
+
+
+def _looks(methods: list[str]) -> dict[str, dict[str, Any]]:
+    """How the curve of each method looks, given all methods of the figure, sorted."""
+    looks: dict[str, dict[str, Any]] = {}
+    engine = [method for method in methods if method.startswith(_ENGINE_METHODS)]
+    for rank, method in enumerate(engine):
+        color, marker = _ENGINE_LOOKS[rank % len(_ENGINE_LOOKS)]
+        looks[method] = {"color": color, "marker": marker, "linestyle": "-"}
+    others = [method for method in methods if method not in looks]
+    for rank, method in enumerate(others):
+        color, marker, dash = _OTHER_LOOKS[rank % len(_OTHER_LOOKS)]
+        looks[method] = {"color": color, "marker": marker, "linestyle": dash, "markerfacecolor": "none"}
+    return looks
+
+
+def _current(axes: Axes | None) -> Axes:
+    if axes is not None:
+        return axes
+    import matplotlib.pyplot as plt
+
+    return plt.gca()
+
+
+def _median_interval(values: np.ndarray[Any, Any]) -> tuple[float, float, float]:
+    """The median and its 95 % order-statistic interval; with fewer than 6 values the interval is their range."""
+    ordered = np.sort(values)
+    count = len(ordered)
+    half = 0.98 * np.sqrt(count)
+    low = max(0, int(np.floor(count / 2 - half)))
+    high = min(count - 1, int(np.ceil(count / 2 + half)))
+    return float(np.median(ordered)), float(ordered[low]), float(ordered[high])
+
+
+def medians(results: Results, by: str = "N") -> pd.DataFrame:
+    """The median seconds of a solve with their 95 % interval, by method and `by` ("N", "n" or "tolerance").
+
+    What counts is as in `raygauge table`: an unsolved record counts as infinitely slow; where methods disagree on an
+    instance, the record is left out. Columns: method, `by`, median, low, high.
+    """
+    import pandas as pd
+
+    frame = results[["method", by, "seconds", "status", "agrees"]].to_dataframe()
+    frame = frame[frame["agrees"].astype(bool)]
+    solved = frame["status"].isin(_SOLVED)
+    frame["seconds"] = frame["seconds"].where(solved, np.inf)
+    rows = []
+    for (method, value), group in frame.groupby(["method", by], observed=True, sort=True):
+        rows.append((str(method), value, *_median_interval(group["seconds"].to_numpy())))
+    return pd.DataFrame(rows, columns=["method", by, "median", "low", "high"])
+
+
+def time(results: Results, by: str = "N", axes: Axes | None = None) -> Axes:
+    """Median seconds of a solve against N, n or the tolerance, a curve for each method, with 95 % intervals."""
+    here = _current(axes)
+    table = medians(results, by)
+    looks = _looks(sorted(set(table["method"])))
+    for method, look in looks.items():
+        curve = table[(table["method"] == method) & np.isfinite(table["median"])]
+        high = curve["high"].where(np.isfinite(curve["high"]), curve["median"])
+        bars = [curve["median"] - curve["low"], high - curve["median"]]
+        here.errorbar(curve[by], curve["median"], yerr=bars, label=method, linewidth=1, markersize=4, capsize=2, **look)
+    here.set_xscale("log")
+    here.set_yscale("log")
+    here.set_xlabel(_AXIS_LABELS.get(by, by))
+    here.set_ylabel("median seconds of a solve")
+    here.legend()
+    return here
+
+
+def performance_profile(results: Results, axes: Axes | None = None) -> Axes:
+    """The share of instances that each method solves within a factor of the fastest one (Dolan and Moré)."""
+    here = _current(axes)
+    frame = results[["method", "cell", "repetition", "seconds", "status", "agrees"]].to_dataframe()
+    solved = frame["status"].isin(_SOLVED) & frame["agrees"].astype(bool)
+    frame["seconds"] = frame["seconds"].where(solved, np.inf)
+    frame["method"] = frame["method"].astype(str)
+    table = frame.pivot_table(index=["cell", "repetition"], columns="method", values="seconds", aggfunc="min")
+    fastest = table.min(axis=1)
+    ratios = table.div(fastest, axis=0).where(np.isfinite(fastest), np.inf)
+    for method, look in _looks(sorted(ratios.columns)).items():
+        ordered = np.sort(ratios[method].to_numpy())
+        finite = ordered[np.isfinite(ordered)]
+        share = np.arange(1, len(finite) + 1) / len(ordered)
+        here.step(finite, share, where="post", label=method, color=look["color"], linestyle=look["linestyle"])
+    here.set_xscale("log")
+    here.set_ylim(0, 1.02)
+    here.set_xlabel("time / time of the fastest method")
+    here.set_ylabel("share of instances solved")
+    here.legend()
+    return here

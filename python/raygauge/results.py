@@ -1,0 +1,63 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""The dataset that raygauge.open makes of a results file; docs/file-format.md describes the file."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import h5py
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from .files import ResultsError
+
+
+class Results(xr.Dataset):
+    """An xarray.Dataset whose data frames hold texts as categories."""
+
+    __slots__ = ()
+
+    def to_dataframe(self, dim_order: Any = None) -> pd.DataFrame:
+        """A pandas.DataFrame with a row for each record; columns of texts are categorical."""
+        frame: pd.DataFrame = super().to_dataframe(dim_order)
+        texts = [name for name, column in frame.items() if column.dtype == object]
+        return frame.astype({name: "category" for name in texts})
+
+
+def _values(dataset: h5py.Dataset) -> np.ndarray[Any, Any]:
+    if h5py.check_string_dtype(dataset.dtype) is None:
+        return np.asarray(dataset[...])
+    # Fixed-length texts repeat: each distinct one is decoded once.
+    texts, numbers = np.unique(dataset[...], return_inverse=True)
+    decoded = np.array([text.decode() for text in texts], dtype=object)
+    return decoded[numbers] if len(texts) else np.empty(0, dtype=object)
+
+
+def _variable(dataset: h5py.Dataset) -> xr.Variable:
+    attributes = {"units": str(dataset.attrs["unit"]), "description": str(dataset.attrs["description"])}
+    return xr.Variable(("record",), _values(dataset), attributes)
+
+
+def _dataset(file: h5py.File, path: str) -> Results:
+    if file.attrs.get("format") != "raygauge-results":
+        raise ResultsError(f"{path}: no results file of raygauge")
+    variables = {name: _variable(column) for name, column in file["records"].items()}
+    attributes = {
+        "experiment": file["provenance/experiment"].asstr()[()],
+        "raygauge_version": str(file.attrs["raygauge_version"]),
+        "schema_version": int(file.attrs["schema_version"]),
+    }
+    return Results(variables, attrs=attributes)
+
+
+def read(path: str | os.PathLike[str]) -> Results:
+    """See raygauge.open."""
+    name = os.fspath(path)
+    try:
+        with h5py.File(name, "r") as file:
+            return _dataset(file, name)
+    except (OSError, KeyError) as error:
+        raise ResultsError(f"{name}: {error}") from error
