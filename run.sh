@@ -14,7 +14,10 @@ usage() {
 usage: ./run.sh [run] [OPTION...]     install, build, run experiments/example2.toml, print Table III, draw figures
        ./run.sh build [OPTION...]     install, build the program: build/release/raygauge
        ./run.sh test [OPTION...]      install, build everything, run the whole test suite
-       ./run.sh install [check]       install what is missing; with `check` also what .ci/run needs beyond the tests
+       ./run.sh python               install, build the Python package, install it into build/python-env
+       ./run.sh docs                 install, build the documentation site: build/site/html/index.html
+       ./run.sh install [check]       install what is missing; with other groups of
+                                     cmake/debian-packages.txt (check, python, docs) theirs too
        ./run.sh help                  this text
 
 Options are passed on: run's to `raygauge run` (--force measures anew, --threads K, --set sweep.n=3,4, -o FILE.h5, …),
@@ -109,6 +112,17 @@ run_example2() {
   "$program" plot "$output" -o "$(dirname -- "$output")"
 }
 
+# install_python: the package by pip into an environment that sees Debian's packages, from the build folder.
+install_python() {
+  local environment=$root/build/python-env
+  [[ -x $environment/bin/python ]] || /usr/bin/python3 -m venv --system-site-packages "$environment"
+  say "Installing the Python package into $environment"
+  RAYGAUGE_BUILD_FOLDER=$root/build/$preset "$environment/bin/python" -m pip install --quiet \
+    --no-build-isolation --no-deps --force-reinstall "$root"
+  say "A first distance: $environment/bin/python python/examples/first_distance.py"
+  (cd / && "$environment/bin/python" "$root/python/examples/first_distance.py")
+}
+
 main() {
   local command=run
   if (($#)) && [[ $1 != -?* || $1 == --help || $1 == -h ]]; then
@@ -134,6 +148,19 @@ main() {
       build
       say "Testing"
       (cd -- "$root" && ctest --preset "$preset" --parallel $((jobs + 1)) "$@")
+      ;;
+    python)
+      install_packages build python
+      configure
+      build --target raygauge_python
+      install_python
+      ;;
+    docs)
+      install_packages build python docs
+      configure
+      build --target raygauge_python
+      say "Building the documentation site"
+      PYTHONPATH=$root/build/$preset/python /usr/bin/python3 "$root/docs/site/build_site.py" "$root/build/site"
       ;;
     install) install_packages build "$@" ;;
     help | --help | -h) usage ;;

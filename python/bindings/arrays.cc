@@ -40,8 +40,7 @@ auto translated(py::handle object, const char* name, Convert convert) {
 
 Doubles converted(py::handle object, const char* name) {
   const auto array = translated(object, name, [&] {
-    return py::reinterpret_steal<py::array>(
-        py::module_::import("numpy").attr("asarray")(object).release());
+    return py::reinterpret_steal<py::array>(py::module_::import("numpy").attr("asarray")(object).release());
   });
   if (!holds_numbers(array)) refuse(array, name, "an array of real numbers");
   return translated(object, name, [&] {

@@ -17,6 +17,7 @@
 #include "python/bindings/batch_docs.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/interrupt.h"
+#include "python/bindings/poses.h"
 #include "python/bindings/results.h"
 #include "python/bindings/solving.h"
 #include "python/bindings/workers.h"
@@ -176,38 +177,103 @@ void naming_problem(std::ptrdiff_t k, const Function& function) {
   }
 }
 
-std::ptrdiff_t problem_count(const BatchOperand& A, const BatchOperand& Q) {
-  if (A.is_shared() && Q.is_shared()) {
+/// Poses of a batch, one for each problem, or none at all.
+class BatchPoses {
+ public:
+  BatchPoses(py::handle object, int n, const char* name) : name_(name), n_(n) {
+    if (object.is_none()) return;
+    matrices_ = as_doubles(object, name);
+    const bool fits = matrices_->ndim() == 3 && matrices_->shape(1) == n + 1 && matrices_->shape(2) == n + 1;
+    if (!fits) {
+      const std::string size = std::to_string(n + 1);
+      throw DimensionMismatchError(std::string(name) + ": homogeneous matrices of shape (K, " + size + ", " +
+                                   size + ") are needed, got " + described(object));
+    }
+    data_ = matrices_->data();
+  }
+
+  bool given() const noexcept { return matrices_.has_value(); }
+  std::ptrdiff_t count() const noexcept { return given() ? matrices_->shape(0) : 0; }
+
+  /// The pose of problem k; without the interpreter's lock.
+  std::optional<Pose> pose(std::ptrdiff_t k) const {
+    if (!given()) return std::nullopt;
+    return pose_of_rows(data_ + k * (n_ + 1) * (n_ + 1), n_, name_);
+  }
+
+ private:
+  const char* name_;
+  int n_;
+  std::optional<py::array_t<double, py::array::c_style>> matrices_;
+  const double* data_ = nullptr;
+};
+
+/// One side of a batch: sets and their poses.
+struct BatchSide {
+  BatchSide(py::handle sets, const char* sets_name, py::handle matrices, const char* poses_name)
+      : operand(sets, sets_name),
+        poses(matrices, operand.dimension(), poses_name),
+        name(sets_name),
+        pose_name(poses_name) {}
+
+  BatchOperand operand;
+  BatchPoses poses;
+  const char* name;
+  const char* pose_name;
+};
+
+/// K, on which everything that has an axis of problems must agree.
+std::ptrdiff_t problem_count(const BatchSide& A, const BatchSide& Q) {
+  std::optional<std::ptrdiff_t> count;
+  std::string first;
+  const auto agree = [&](bool has_axis, std::ptrdiff_t problems, const char* name) {
+    if (!has_axis) return;
+    if (count && *count != problems) {
+      throw DimensionMismatchError(first + " holds " + std::to_string(*count) + " problems, " + name + " " +
+                                   std::to_string(problems));
+    }
+    count = problems;
+    first = name;
+  };
+  for (const BatchSide* side : {&A, &Q}) {
+    agree(!side->operand.is_shared(), side->operand.count(), side->name);
+    agree(side->poses.given(), side->poses.count(), side->pose_name);
+  }
+  if (!count) {
     throw InvalidParameterError(
-        "A, Q: one of them is to have an axis of problems, as an array of shape (K, N, n) or a list of sets; "
-        "distance() answers a single problem");
+        "A, Q: one of them is to have an axis of problems, as an array of shape (K, N, n), a list of sets or "
+        "poses; distance() answers a single problem");
   }
-  if (!A.is_shared() && !Q.is_shared() && A.count() != Q.count()) {
-    throw DimensionMismatchError("A holds " + std::to_string(A.count()) + " problems, Q " +
-                                 std::to_string(Q.count()));
-  }
-  return A.is_shared() ? Q.count() : A.count();
+  return *count;
 }
 
-DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std::string& method, bool witness,
-                        double time_limit, int threads) {
-  const BatchOperand a(A, "A");
-  const BatchOperand q(Q, "Q");
+DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std::string& method,
+                        py::handle poses_A, py::handle poses_Q, bool witness, double time_limit,
+                        int threads) {
+  const BatchSide a(A, "A", poses_A, "poses_A");
+  const BatchSide q(Q, "Q", poses_Q, "poses_Q");
   const DistanceOptions options = options_of(method, tolerance, time_limit);
   const std::ptrdiff_t count = problem_count(a, q);
   const int team = batch_threads(threads, count);
-  if (a.dimension() != q.dimension()) {
-    throw DimensionMismatchError("A has n = " + std::to_string(a.dimension()) + ", Q has n = " +
-                                 std::to_string(q.dimension()));
+  const int n = a.operand.dimension();
+  if (n != q.operand.dimension()) {
+    throw DimensionMismatchError("A has n = " + std::to_string(n) +
+                                 ", Q has n = " + std::to_string(q.operand.dimension()));
   }
-  DistanceBatch batch(count, a.dimension(), witness);
-  const BatchOutput output(batch, a.dimension());
+  DistanceBatch batch(count, n, witness);
+  const BatchOutput output(batch, n);
   const Effects effects = witness ? Effects::witness : Effects::none;
   std::atomic<bool> stop = false;
   const BatchWorker worker = [&](const std::function<std::ptrdiff_t()>& next) {
     DistanceSolver solver(options);
     for (std::ptrdiff_t k = next(); k >= 0; k = next()) {
-      naming_problem(k, [&] { output.store(k, solver.solve(*a.set(k), *q.set(k), effects)); });
+      naming_problem(k, [&] {
+        const SetPointer object = a.operand.set(k);
+        const SetPointer gauge = q.operand.set(k);
+        const std::optional<Pose> object_pose = a.poses.pose(k);
+        const std::optional<Pose> gauge_pose = q.poses.pose(k);
+        output.store(k, solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), effects));
+      });
     }
   };
   run_interruptibly(stop, [&] { share_items(count, team, stop, worker); });
@@ -236,8 +302,8 @@ void bind_batches(py::module_& module) {
         return "<raygauge.Distances of " + std::to_string(batch.distance.size()) + " problems>";
       });
   module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a, "tolerance"_a = 1e-9,
-             "method"_a = "direct", py::kw_only(), "witness"_a = false,
-             "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
+             "method"_a = "direct", py::kw_only(), "poses_A"_a = py::none(), "poses_Q"_a = py::none(),
+             "witness"_a = false, "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
 }
 
 }  // namespace raygauge::python

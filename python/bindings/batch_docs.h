@@ -13,10 +13,12 @@ normal: shape (K, n), nan where a problem has none. contact_point: shape (K, n),
 pivots: basis changes, shape (K,).
 )";
 
-inline constexpr const char* kDistancesDoc = R"(The distances of K problems in one call, on threads, without the interpreter's lock.
+inline constexpr const char* kDistancesDoc =
+    R"(The distances of K problems in one call, on threads, without the interpreter's lock.
 
 A, Q: an array of shape (K, N, n), a problem a row; a list of K sets or arrays of points; or, one of them, a set or an
 array of shape (N, n) that all problems share. Arrays are not to be written to meanwhile.
+poses_A, poses_Q: homogeneous matrices of shape (K, n+1, n+1), rigid motions of the sets, one for each problem.
 tolerance, method, witness, time_limit (of each problem): as in distance. threads: 0 for one on each CPU.
 
 Returns Distances. Raises as distance does, naming the problem, counted from 0; Ctrl-C raises KeyboardInterrupt after
@@ -29,6 +31,10 @@ the problems that are being solved. Answers do not depend on the number of threa
 array([2., 3., 0.])
 >>> r.status
 array(['optimal', 'optimal', 'contains_origin'], dtype='<U15')
+>>> poses = np.tile(np.eye(4), (3, 1, 1))
+>>> poses[:, 0, 3] = [2, 3, 4]  # one unit ball in three places
+>>> rg.distances(rg.Ball([0, 0, 0]), rg.Ball([0, 0, 0]), method="newton", poses_A=poses).distance.round(6)
+array([1., 2., 3.])
 )";
 
 }  // namespace raygauge::python

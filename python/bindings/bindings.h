@@ -9,6 +9,7 @@ namespace raygauge::python {
 // Each adds its part to the module raygauge._raygauge.
 void bind_errors(pybind11::module_& module);
 void bind_sets(pybind11::module_& module);
+void bind_poses(pybind11::module_& module);
 void bind_results(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);

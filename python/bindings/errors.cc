@@ -11,7 +11,6 @@ namespace py = pybind11;
 
 namespace {
 
-
 template <class Exception>
 py::object add(py::module_& module, const char* name, const py::object& base, const char* doc) {
   auto type = py::register_exception<Exception>(module, name, base);

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_raygauge, module) {
   module.attr("__version__") = RAYGAUGE_VERSION;
   raygauge::python::bind_errors(module);
   raygauge::python::bind_sets(module);
+  raygauge::python::bind_poses(module);
   raygauge::python::bind_results(module);
   raygauge::python::bind_queries(module);
   raygauge::python::bind_batches(module);

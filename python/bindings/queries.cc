@@ -11,6 +11,7 @@
 #include "engine/queries/origin_in_interior.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/poses.h"
 #include "python/bindings/query_docs.h"
 #include "python/bindings/solving.h"
 
@@ -23,48 +24,62 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 1e-9;
 
 DistanceResult distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
-                        bool witness, double time_limit, std::int64_t max_iterations, int threads) {
+                        py::handle pose_A, py::handle pose_Q, py::handle warm, bool witness,
+                        double time_limit, std::int64_t max_iterations, int threads) {
   const SetPointer a = as_set(A, "A");
   const SetPointer q = as_set(Q, "Q");
+  const auto a_pose = as_pose(pose_A, a->dimension(), "pose_A");
+  const auto q_pose = as_pose(pose_Q, q->dimension(), "pose_Q");
+  WarmStart* const kept = as_warm_start(warm);
   DistanceOptions options = options_of(method, tolerance, time_limit);
   options.max_iterations = max_iterations;
   options.threads = threads;
   const Lease<DistanceSolver> solver;
   solver->set_options(options);
   const py::gil_scoped_release release;
-  return solver->solve(*a, *q, witness ? Effects::witness : Effects::none);
+  const Effects effects = witness ? Effects::witness : Effects::none;
+  return solver->solve(posed(*a, a_pose), posed(*q, q_pose), effects, kept);
 }
 
 ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, double tolerance,
-                               const std::string& method, bool closest_points, bool gradient,
-                               double time_limit) {
+                               const std::string& method, py::handle pose_1, py::handle pose_2,
+                               py::handle warm, bool closest_points, bool gradient, double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
   const SetPointer metric = as_set(Q, "Q");
+  const auto first_pose = as_pose(pose_1, first->dimension(), "pose_1");
+  const auto second_pose = as_pose(pose_2, second->dimension(), "pose_2");
+  WarmStart* const kept = as_warm_start(warm);
   ObjectEffects effects = ObjectEffects::none;
   if (closest_points) effects = effects | ObjectEffects::closest_points;
   if (gradient) effects = effects | ObjectEffects::gradient;
   ObjectDistanceSolver solver(options_of(method, tolerance, time_limit));
   const py::gil_scoped_release release;
-  return solver.solve(*first, *second, *metric, effects);
+  return solver.solve(posed(*first, first_pose), posed(*second, second_pose), *metric, effects, kept);
 }
 
 DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
-                               double time_limit) {
+                               py::handle pose_A, py::handle pose_Q, py::handle warm, double time_limit) {
   const SetPointer a = as_set(A, "A");
   const SetPointer q = as_set(Q, "Q");
+  const auto a_pose = as_pose(pose_A, a->dimension(), "pose_A");
+  const auto q_pose = as_pose(pose_Q, q->dimension(), "pose_Q");
+  WarmStart* const kept = as_warm_start(warm);
   GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
   const py::gil_scoped_release release;
-  return solver.solve(*a, *q);
+  return solver.solve(posed(*a, a_pose), posed(*q, q_pose), kept);
 }
 
 SeparationResult separation(py::handle A1, py::handle A2, double tolerance, const std::string& method,
-                            double time_limit) {
+                            py::handle pose_1, py::handle pose_2, py::handle warm, double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
+  const auto first_pose = as_pose(pose_1, first->dimension(), "pose_1");
+  const auto second_pose = as_pose(pose_2, second->dimension(), "pose_2");
+  WarmStart* const kept = as_warm_start(warm);
   GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
   const py::gil_scoped_release release;
-  return solver.separation(*first, *second);
+  return solver.separation(posed(*first, first_pose), posed(*second, second_pose), kept);
 }
 
 py::object contains_origin_inside(py::handle Q, double time_limit) {
@@ -86,15 +101,19 @@ py::object contains_origin_inside(py::handle Q, double time_limit) {
 
 void bind_queries(py::module_& module) {
   module.def("distance", &distance, kDistanceDoc, "A"_a, "Q"_a, "tolerance"_a = kTolerance,
-             "method"_a = "direct", py::kw_only(), "witness"_a = false, "time_limit"_a = kNoLimit,
-             "max_iterations"_a = 0, "threads"_a = 1);
+             "method"_a = "direct", py::kw_only(), "pose_A"_a = py::none(), "pose_Q"_a = py::none(),
+             "warm"_a = py::none(), "witness"_a = false, "time_limit"_a = kNoLimit, "max_iterations"_a = 0,
+             "threads"_a = 1);
   module.def("object_distance", &object_distance, kObjectDistanceDoc, "A1"_a, "A2"_a, "Q"_a,
-             "tolerance"_a = kTolerance, "method"_a = "direct", py::kw_only(), "closest_points"_a = false,
-             "gradient"_a = false, "time_limit"_a = kNoLimit);
+             "tolerance"_a = kTolerance, "method"_a = "direct", py::kw_only(), "pose_1"_a = py::none(),
+             "pose_2"_a = py::none(), "warm"_a = py::none(), "closest_points"_a = false, "gradient"_a = false,
+             "time_limit"_a = kNoLimit);
   module.def("growth_distance", &growth_distance, kGrowthDistanceDoc, "A"_a, "Q"_a,
-             "tolerance"_a = kTolerance, "method"_a = "newton", py::kw_only(), "time_limit"_a = kNoLimit);
+             "tolerance"_a = kTolerance, "method"_a = "newton", py::kw_only(), "pose_A"_a = py::none(),
+             "pose_Q"_a = py::none(), "warm"_a = py::none(), "time_limit"_a = kNoLimit);
   module.def("separation", &separation, kSeparationQueryDoc, "A1"_a, "A2"_a, "tolerance"_a = kTolerance,
-             "method"_a = "newton", py::kw_only(), "time_limit"_a = kNoLimit);
+             "method"_a = "newton", py::kw_only(), "pose_1"_a = py::none(), "pose_2"_a = py::none(),
+             "warm"_a = py::none(), "time_limit"_a = kNoLimit);
   module.def("origin_in_interior", &contains_origin_inside, kOriginInInteriorDoc, "Q"_a, py::kw_only(),
              "time_limit"_a = kNoLimit);
   module.def(

@@ -6,11 +6,14 @@
 
 namespace raygauge::python {
 
-inline constexpr const char* kDistanceDoc = R"(The generalized distance d_Q(A) = min{t >= 0 : A and t Q have a common point}.
+inline constexpr const char* kDistanceDoc =
+    R"(The generalized distance d_Q(A) = min{t >= 0 : A and t Q have a common point}.
 
 A, Q: sets, or arrays of points of shape (N, n), of the same n; Q is to have the origin in its interior.
 tolerance: the solve ends when upper - lower <= tolerance * upper; in (0, 1).
 method: direct, newton (smooth sets, many digits) or zheng_yamane (the paper's algorithm).
+pose_A, pose_Q: homogeneous matrices of shape (n+1, n+1), rigid motions of the sets, which are not copied.
+warm: a WarmStart that the pair keeps from query to query.
 witness: also compute a contact point. time_limit: seconds. max_iterations: basis changes, 0 for the engine's own limit.
 threads: of one solve; they help with a million coordinates and more.
 
@@ -26,10 +29,11 @@ Raises DimensionMismatchError, NonFiniteError, EmptySetError, InvalidParameterEr
 array([2., 0.])
 )";
 
-inline constexpr const char* kObjectDistanceDoc = R"(The distance from object A1 to object A2 in the metric of Q.
+inline constexpr const char* kObjectDistanceDoc =
+    R"(The distance from object A1 to object A2 in the metric of Q.
 
 min{gauge_Q(a2 - a1) : a1 in A1, a2 in A2}; Euclidean with Q = Ball(zeros(n)).
-A1, A2, Q: sets, or arrays of points of shape (N, n). closest_points, gradient: what to compute besides.
+A1, A2, Q: sets, or arrays of points of shape (N, n). pose_1, pose_2, warm: as in distance. closest_points, gradient: what to compute besides.
 Returns an ObjectDistance; 0 with status contains_origin where the objects meet. Raises as distance does.
 
 >>> r = rg.object_distance(rg.Ball([0, 0]), rg.Ball([5, 0]), rg.Ball([0, 0]), method="newton", closest_points=True)
@@ -39,24 +43,29 @@ Returns an ObjectDistance; 0 with status contains_origin where the objects meet.
 (array([1., 0.]), array([4., 0.]))
 )";
 
-inline constexpr const char* kGrowthDistanceDoc = R"(The growth distance: A scaled about its centre and Q about the origin touch.
+inline constexpr const char* kGrowthDistanceDoc =
+    R"(The growth distance: A scaled about its centre and Q about the origin touch.
 
 min{s >= 0 : c_A + s (A - c_A) and s Q have a common point}; above 1 for separated sets, below 1 for overlapping ones.
+pose_A, pose_Q, warm: as in distance.
 Returns a Distance. Raises as distance does.
 
 >>> round(rg.growth_distance(rg.Ball([3, 0]), rg.Ball([0, 0])).distance, 9)
 1.5
 )";
 
-inline constexpr const char* kSeparationQueryDoc = R"(Whether two objects are separated; ends at the first proof of either answer.
+inline constexpr const char* kSeparationQueryDoc =
+    R"(Whether two objects are separated; ends at the first proof of either answer.
 
+pose_1, pose_2, warm: as in distance.
 Returns a SeparationResult. Raises as distance does.
 
 >>> rg.separation(rg.Ball([0, 0]), rg.Ball([3, 0])).outcome
 <Separation.separated: 'separated'>
 )";
 
-inline constexpr const char* kOriginInInteriorDoc = R"(Whether the origin lies in the interior of the hull of points, as a gauge needs.
+inline constexpr const char* kOriginInInteriorDoc =
+    R"(Whether the origin lies in the interior of the hull of points, as a gauge needs.
 
 Q: an array of shape (N, n) or a PointSet. Returns True or False, both proven, or None if the time limit came first.
 
@@ -64,7 +73,8 @@ Q: an array of shape (N, n) or a PointSet. Returns True or False, both proven, o
 True
 )";
 
-inline constexpr const char* kGradientMovingADoc = R"(The gradient of d_Q(A + t) with respect to t at 0, shape (n,).
+inline constexpr const char* kGradientMovingADoc =
+    R"(The gradient of d_Q(A + t) with respect to t at 0, shape (n,).
 
 result: of distance(), with a finite distance above 0; at a kink, one of the subgradients.
 
@@ -72,7 +82,8 @@ result: of distance(), with a finite distance above 0; at a kink, one of the sub
 array([1., 0.])
 )";
 
-inline constexpr const char* kGradientMovingQDoc = R"(The gradient of the distance of A in the gauge of Q + t at t = 0, shape (n,).
+inline constexpr const char* kGradientMovingQDoc =
+    R"(The gradient of the distance of A in the gauge of Q + t at t = 0, shape (n,).
 
 >>> rg.gradient_moving_Q(rg.distance(rg.Ball([3, 0]), rg.Ball([0, 0]), 1e-12, "newton")).round(6)
 array([-2., -0.])

@@ -28,11 +28,11 @@ sigma: the last sigma_k of the method zheng_yamane; nan otherwise. seconds: wall
 origin_weights: for contains_origin of point sets, (index, weight) of the points of A that prove it.
 counters: what the solve did.
 
->>> r = rg.distance([[2, 0], [4, -1], [4, 1]], [[1, 0], [-1, 0], [0, 1], [0, -1]])
+>>> r = rg.distance([[2, 0], [4, -1], [4, 1]], rg.Ball([0, 0]), 1e-9, "newton")
 >>> r
-Distance(2.0, lower=2.0, upper=2.0, status='optimal')
->>> r.normal
-array([-1.,  0.])
+Distance(2.0..., lower=..., upper=2.0..., status='optimal')
+>>> round(r.normal[0], 6)
+-1.0
 )";
 
 inline constexpr const char* kObjectDistanceResultDoc = R"(The distance of two objects, see object_distance.

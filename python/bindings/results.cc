@@ -118,15 +118,19 @@ void bind_object_distance(py::module_& module) {
       .def_property_readonly("lower", [](const ObjectDistance& r) { return r.distance.lower; })
       .def_property_readonly("upper", [](const ObjectDistance& r) { return r.distance.upper; })
       .def_property_readonly("gap", [](const ObjectDistance& r) { return gap_of(r.distance); })
-      .def_property_readonly("status", [](const ObjectDistance& r) { return status_object(r.distance.status); })
-      .def_property_readonly("normal", [](const ObjectDistance& r) { return array_or_none(r.distance.normal); })
+      .def_property_readonly("status",
+                             [](const ObjectDistance& r) { return status_object(r.distance.status); })
+      .def_property_readonly("normal",
+                             [](const ObjectDistance& r) { return array_or_none(r.distance.normal); })
       .def_property_readonly("counters", [](const ObjectDistance& r) { return r.distance.counters; })
       .def_property_readonly("closest_point_1",
                              [](const ObjectDistance& r) { return array_or_none(r.closest_point_1); })
       .def_property_readonly("closest_point_2",
                              [](const ObjectDistance& r) { return array_or_none(r.closest_point_2); })
-      .def_property_readonly("gradient_1", [](const ObjectDistance& r) { return array_or_none(r.gradient_1); })
-      .def_property_readonly("gradient_2", [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
+      .def_property_readonly("gradient_1",
+                             [](const ObjectDistance& r) { return array_or_none(r.gradient_1); })
+      .def_property_readonly("gradient_2",
+                             [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
       .def("__float__", [](const ObjectDistance& r) { return r.distance.distance; })
       .def("__repr__", [](const ObjectDistance& r) { return repr_of(r.distance, "ObjectDistance"); });
 }

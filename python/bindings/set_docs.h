@@ -6,7 +6,8 @@
 
 namespace raygauge::python {
 
-inline constexpr const char* kConvexSetDoc = R"(A nonempty compact convex set of R^n, known through its support function.
+inline constexpr const char* kConvexSetDoc =
+    R"(A nonempty compact convex set of R^n, known through its support function.
 
 Sets never change and may be used by several threads and in several calls at once. They are made by the classes
 below; an array of points of shape (N, n) stands for the convex hull of its rows wherever a set is expected.
@@ -25,7 +26,8 @@ Raises EmptySetError, NonFiniteError (naming point and coordinate, counted from 
 4.0
 )";
 
-inline constexpr const char* kBallDoc = R"({x : |x - center| <= radius}, the Euclidean ball; radius 0 is a point.
+inline constexpr const char* kBallDoc =
+    R"({x : |x - center| <= radius}, the Euclidean ball; radius 0 is a point.
 
 center: shape (n,). Raises InvalidParameterError, NonFiniteError.
 
@@ -41,7 +43,8 @@ center: shape (n,). factor: L, shape (n, m); semi-axes a along the columns of a 
 3.0
 )";
 
-inline constexpr const char* kPNormBallDoc = R"({center + semi_axes * z : |z|_p <= 1}, the ball of a weighted p-norm.
+inline constexpr const char* kPNormBallDoc =
+    R"({center + semi_axes * z : |z|_p <= 1}, the ball of a weighted p-norm.
 
 center: shape (n,). semi_axes: a number or shape (n,), not negative. p: from 1 to infinity.
 
@@ -57,7 +60,8 @@ p, q: shape (n,). Raises InvalidParameterError, DimensionMismatchError, NonFinit
 2.5
 )";
 
-inline constexpr const char* kCylinderDoc = R"(The cylinder around the segment from p to q, which differ; p, q: shape (n,).
+inline constexpr const char* kCylinderDoc =
+    R"(The cylinder around the segment from p to q, which differ; p, q: shape (n,).
 
 >>> rg.Cylinder([0, 0, 0], [0, 0, 2], 0.5).support_function([0, 0, 1])
 2.0
@@ -71,7 +75,8 @@ base, top: shape (n,), and differ; top_radius 0 is a cone.
 1.0
 )";
 
-inline constexpr const char* kBoxDoc = R"({x : lower <= x <= upper}, a box along the axes; lower, upper: shape (n,).
+inline constexpr const char* kBoxDoc =
+    R"({x : lower <= x <= upper}, a box along the axes; lower, upper: shape (n,).
 
 >>> rg.Box([-1, -2], [1, 2]).support_function([1, 1])
 3.0
@@ -93,7 +98,8 @@ matrix: shape (n, n), invertible. translation: shape (n,).
 7.0
 )";
 
-inline constexpr const char* kMinkowskiSumDoc = R"(A + B = {a + b : a in A, b in B}; A, B: sets or arrays of points.
+inline constexpr const char* kMinkowskiSumDoc =
+    R"(A + B = {a + b : a in A, b in B}; A, B: sets or arrays of points.
 
 >>> rg.MinkowskiSum(rg.Box([-1, -1], [1, 1]), rg.Ball([0, 0], 0.5)).support_function([1, 0])
 1.5
@@ -107,7 +113,8 @@ Its distance is that from object A1 to object A2, see object_distance.
 array([5., 0.])
 )";
 
-inline constexpr const char* kUnionHullDoc = R"(The convex hull of a union; sets: an iterable of sets or arrays of points.
+inline constexpr const char* kUnionHullDoc =
+    R"(The convex hull of a union; sets: an iterable of sets or arrays of points.
 
 >>> rg.UnionHull([rg.Ball([0, 0]), [[3, 0]]]).support_function([1, 0])
 3.0

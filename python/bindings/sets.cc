@@ -45,10 +45,11 @@ Vector numbers_of(py::handle object, Eigen::Index n, const char* name) {
 
 /// s(u) as a Python callable gives it; any thread may ask.
 SupportMappingSet::Mapping mapping_of(py::object callable, int n) {
-  const auto function = std::shared_ptr<py::object>(new py::object(std::move(callable)), [](py::object* held) {
-    const py::gil_scoped_acquire acquire;
-    delete held;
-  });
+  const auto function =
+      std::shared_ptr<py::object>(new py::object(std::move(callable)), [](py::object* held) {
+        const py::gil_scoped_acquire acquire;
+        delete held;
+      });
   return [function, n](const double* u, double* point) {
     const py::gil_scoped_acquire acquire;
     const py::object answer = (*function)(py::array_t<double>(n, u));
@@ -92,8 +93,8 @@ void bind_interface(py::module_& module) {
           "center", [](const ConvexSet& set) { return readonly_array(set.center()); },
           "A point deep inside the set, shape (n,).")
       .def("__repr__", [](py::handle self) {
-        return "<raygauge." + self.attr("__class__").attr("__name__").cast<std::string>() + ", n = " +
-               std::to_string(self.cast<const ConvexSet&>().dimension()) + ">";
+        return "<raygauge." + self.attr("__class__").attr("__name__").cast<std::string>() +
+               ", n = " + std::to_string(self.cast<const ConvexSet&>().dimension()) + ">";
       });
 }
 

@@ -98,6 +98,10 @@ class UnionHull(ConvexSet):
 class SupportMappingSet(ConvexSet):
     def __init__(self, center: ArrayLike, mapping: Callable[[Array], ArrayLike]) -> None: ...
 
+class WarmStart:
+    def __init__(self) -> None: ...
+    def clear(self) -> None: ...
+
 class Counters:
     @property
     def outer_iterations(self) -> int: ...
@@ -203,6 +207,9 @@ def distance(
     tolerance: float = 1e-9,
     method: Method = "direct",
     *,
+    pose_A: ArrayLike | None = None,
+    pose_Q: ArrayLike | None = None,
+    warm: WarmStart | None = None,
     witness: bool = False,
     time_limit: float = ...,
     max_iterations: int = 0,
@@ -214,6 +221,8 @@ def distances(
     tolerance: float = 1e-9,
     method: Method = "direct",
     *,
+    poses_A: ArrayLike | None = None,
+    poses_Q: ArrayLike | None = None,
     witness: bool = False,
     time_limit: float = ...,
     threads: int = 0,
@@ -225,15 +234,34 @@ def object_distance(
     tolerance: float = 1e-9,
     method: Method = "direct",
     *,
+    pose_1: ArrayLike | None = None,
+    pose_2: ArrayLike | None = None,
+    warm: WarmStart | None = None,
     closest_points: bool = False,
     gradient: bool = False,
     time_limit: float = ...,
 ) -> ObjectDistance: ...
 def growth_distance(
-    A: SetLike, Q: SetLike, tolerance: float = 1e-9, method: Method = "newton", *, time_limit: float = ...
+    A: SetLike,
+    Q: SetLike,
+    tolerance: float = 1e-9,
+    method: Method = "newton",
+    *,
+    pose_A: ArrayLike | None = None,
+    pose_Q: ArrayLike | None = None,
+    warm: WarmStart | None = None,
+    time_limit: float = ...,
 ) -> Distance: ...
 def separation(
-    A1: SetLike, A2: SetLike, tolerance: float = 1e-9, method: Method = "newton", *, time_limit: float = ...
+    A1: SetLike,
+    A2: SetLike,
+    tolerance: float = 1e-9,
+    method: Method = "newton",
+    *,
+    pose_1: ArrayLike | None = None,
+    pose_2: ArrayLike | None = None,
+    warm: WarmStart | None = None,
+    time_limit: float = ...,
 ) -> SeparationResult: ...
 def origin_in_interior(Q: ArrayLike | PointSet, *, time_limit: float = ...) -> bool | None: ...
 def gradient_moving_A(result: Distance) -> Array: ...

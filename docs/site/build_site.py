@@ -1,0 +1,191 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Builds the documentation site and checks every link in it.
+
+    build_site.py OUTPUT       PYTHONPATH holding the package raygauge
+
+OUTPUT/html is the site: the pages of docs/, the Python API from its docstrings, the C++ API by Doxygen (html/cpp).
+"""
+
+import html.parser
+import inspect
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+# Pages by kind, in order; what is in docs/ but not here stands under "More".
+NAVIGATION = {
+    "Tutorials": ["user-guide", "python"],
+    "How-to": ["experiments", "analysis", "scenes", "clusters", "contributing"],
+    "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
+    "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
+    "Gallery": ["gallery"],
+}
+
+
+def signature_of(member):
+    """name(parameters) of a function; pybind11 writes it into the first line of the docstring."""
+    try:
+        return str(inspect.signature(member))
+    except (TypeError, ValueError):
+        first = (member.__doc__ or "").splitlines()[:1]
+        return re.sub(r"^\w+|raygauge\._raygauge\.", "", first[0]) if first and "(" in first[0] else ""
+
+
+def body_of(member):
+    """The docstring without the signature that pybind11 puts before it."""
+    text = inspect.cleandoc(member.__doc__ or "")
+    if re.match(r"\w+\(.*\) -> ", text):
+        text = text.partition("\n")[2].strip()
+    lines, example = [], False
+    for line in text.splitlines():
+        begins = line.startswith(">>>")
+        if begins and not example:
+            lines += ["", "```pycon"]
+            example = True
+        if example and not line.strip():
+            lines.append("```")
+            example = False
+        lines.append(line)
+    return "\n".join(lines + (["```"] if example else []))
+
+
+def constructor_of(member):
+    first = (member.__init__.__doc__ or "").splitlines()[:1]
+    match = re.match(r"__init__\(self: [\w.]+(?:, )?(.*)\) -> None", first[0]) if first else None
+    return f"({match.group(1)})" if match else ""
+
+
+def python_api(package):
+    parts = ["# Python API\n\n`import raygauge as rg`. Arrays are NumPy's; [python.md](python.md) is the tutorial.\n"]
+    kinds = {"Queries": [], "Sets": [], "Results": [], "Sweeps and figures": [], "Errors": []}
+    for name in sorted(package.__all__, key=str.lower):
+        member = getattr(package, name)
+        if inspect.ismodule(member):
+            kinds["Sweeps and figures"] += [(f"{name}.{key}", value) for key, value in vars(member).items()
+                                            if inspect.isfunction(value) and not key.startswith("_")]
+        elif inspect.isclass(member) and issubclass(member, Exception):
+            kinds["Errors"].append((name, member))
+        elif inspect.isclass(member) and issubclass(member, package.ConvexSet):
+            kinds["Sets"].append((name, member))
+        elif inspect.isclass(member):
+            kinds["Results"].append((name, member))
+        elif callable(member):
+            kinds["Sweeps and figures" if name in ("open", "run") else "Queries"].append((name, member))
+    for kind, members in kinds.items():
+        parts.append(f"## {kind}\n")
+        for name, member in members:
+            call = constructor_of(member) if inspect.isclass(member) else signature_of(member)
+            parts.append(f"### rg.{name}\n\n" + (f"`{name}{call}`\n\n" if call else "") + body_of(member) + "\n")
+    return "\n".join(parts)
+
+
+class Links(html.parser.HTMLParser):
+    """What a page links to or loads, and the anchors that it has."""
+
+    def __init__(self):
+        super().__init__()
+        self.targets, self.anchors, self.loaded = [], set(), []
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        self.anchors.update(value for key, value in attributes if key in ("id", "name") and value)
+        if tag == "a" and values.get("href"):
+            self.targets.append(values["href"])
+        if tag in ("script", "img", "iframe") and values.get("src"):
+            self.loaded.append(values["src"])
+        if tag == "link" and values.get("href") and "canonical" not in (values.get("rel") or ""):
+            self.loaded.append(values["href"])
+
+
+def read_links(page):
+    links = Links()
+    links.feed(page.read_text(encoding="utf-8"))
+    return links
+
+
+def broken_links(site):
+    """One line for each link of the site that leads nowhere, or thing that is loaded from the network."""
+    pages = {page: read_links(page) for page in sorted(site.rglob("*.html"))}
+    for page, links in pages.items():
+        place = page.relative_to(site)
+        for target in links.loaded:
+            if urllib.parse.urlparse(target).netloc:
+                yield f"{place}: loads {target}"
+        for target in links.targets + links.loaded:
+            parsed = urllib.parse.urlparse(target)
+            if parsed.scheme or parsed.netloc or target.startswith("javascript:"):
+                continue
+            path = urllib.parse.unquote(parsed.path)
+            linked = page if not path else (page.parent / path).resolve()
+            if place.name == "404.html":  # written for the root of a server
+                continue
+            if linked.is_dir():
+                linked = linked / "index.html"
+            if not linked.exists():
+                yield f"{place}: no {target}"
+            elif parsed.fragment and linked in pages and "cpp" not in linked.parts:
+                if urllib.parse.unquote(parsed.fragment) not in pages[linked].anchors:
+                    yield f"{place}: no anchor {target}"
+
+
+def navigation_text(pages):
+    """The nav of mkdocs.yml for these pages (names without .md)."""
+    listed = {name for names in NAVIGATION.values() for name in names} | {"index"}
+    kinds = {**NAVIGATION, "More": sorted(set(pages) - listed)}
+    lines = ["nav:", "  - Home: index.md"]
+    for kind, names in kinds.items():
+        present = [name for name in names if name in pages]
+        if present:
+            lines += [f"  - {kind}:", *(f"      - {name}.md" for name in present)]
+    return "\n".join(lines) + "\n"
+
+
+def write_sources(folder):
+    import raygauge
+
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(ROOT / "docs", folder, ignore=shutil.ignore_patterns("site"))
+    pages = {path.name: path.read_text(encoding="utf-8") for path in folder.glob("*.md")}
+    pages["python-api.md"] = python_api(raygauge)
+    pages["index.md"] = pages.pop("README.md") + "\nThe C++ API: [classes and functions](cpp/index.html).\n"
+    (folder / "README.md").unlink()
+    for name, text in pages.items():
+        # The lists and tables of the pages follow their paragraphs at once, as GitHub reads them.
+        text = re.sub(r"(?m)^([^\n|>#`\-* ][^\n]*)\n(?=(?:- |\* |\| ))", r"\1\n\n", text)
+        (folder / name).write_text(text.replace("(README.md", "(index.md"), encoding="utf-8")
+
+
+def run_doxygen(output):
+    settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
+    settings += f"\nINPUT = {ROOT / 'engine'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
+    settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
+    subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
+
+
+def main():
+    output = pathlib.Path(sys.argv[1]).resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    write_sources(output / "source")
+    pages = sorted(path.stem for path in (output / "source").glob("*.md"))
+    settings = (HERE / "mkdocs.yml").read_text(encoding="utf-8") + navigation_text(pages)
+    (output / "mkdocs.yml").write_text(settings, encoding="utf-8")
+    (output / "source" / "cpp").mkdir(exist_ok=True)
+    (output / "source" / "cpp" / "index.html").write_text("", encoding="utf-8")  # Doxygen writes it below
+    subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict"], cwd=output, check=True)
+    run_doxygen(output)
+    broken = list(broken_links(output / "html"))
+    print("\n".join(broken))
+    pages = len(list((output / "html").rglob("*.html")))
+    print(f"{pages} pages, {len(broken)} broken links: {output / 'html' / 'index.html'}")
+    sys.exit(bool(broken))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "engine/queries/warm_start.h"
+#include "engine/sets/pose.h"
+#include "python/bindings/arrays.h"
+
+namespace raygauge::python {
+
+/// The pose of a homogeneous matrix of (n+1)² numbers in C order, the last row being 0 ... 0 1. Throws
+/// InvalidParameterError and what Pose throws.
+Pose pose_of_rows(const double* matrix, int n, const char* name);
+
+/// A pose for a query: none for None, else that of an array of shape (n+1, n+1). Throws
+/// DimensionMismatchError for one of another n.
+std::optional<Pose> as_pose(py::handle object, int n, const char* name);
+
+/// The set in the pose, if there is one; both must outlive it.
+inline Posed posed(const ConvexSet& set, const std::optional<Pose>& pose) {
+  return pose ? Posed(set, *pose) : Posed(set);
+}
+
+/// What a caller keeps from query to query; nullptr for None.
+WarmStart* as_warm_start(py::handle object);
+
+}  // namespace raygauge::python

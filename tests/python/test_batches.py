@@ -1,0 +1,126 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Batches: the answers of single calls, whatever the operands are and however many threads share them."""
+import threading
+import unittest
+
+import numpy as np
+
+import raygauge as rg
+
+
+def rotations(generator, count):
+    axes, _ = np.linalg.qr(generator.normal(size=(count, 3, 3)))
+    axes[:, :, 0] *= np.sign(np.linalg.det(axes))[:, None]
+    return axes
+
+
+class Batches(unittest.TestCase):
+    def setUp(self):
+        generator = np.random.default_rng(2)
+        self.A = generator.normal(size=(120, 20, 3)) + generator.normal(size=(120, 1, 3)) * 4
+        self.Q = generator.normal(size=(120, 15, 3))
+
+    def assert_same(self, batch, singles):
+        self.assertEqual(len(batch), len(singles))
+        for name in ("distance", "lower", "upper"):
+            np.testing.assert_array_equal(getattr(batch, name), [getattr(single, name) for single in singles])
+        self.assertEqual(list(batch.status), [single.status for single in singles])
+
+    def test_arrays_of_problems_have_the_bits_of_single_calls(self):
+        batch = rg.distances(self.A, self.Q, witness=True)
+        singles = [rg.distance(a, q, witness=True) for a, q in zip(self.A, self.Q)]
+        self.assert_same(batch, singles)
+        for k, single in enumerate(singles):
+            for name in ("normal", "contact_point"):
+                expected = getattr(single, name)
+                found = getattr(batch, name)[k]
+                np.testing.assert_array_equal(found, np.full(3, np.nan) if expected is None else expected)
+        self.assertEqual(list(batch.pivots), [single.counters.pivots for single in singles])
+
+    def test_a_shared_operand_is_that_of_every_problem(self):
+        self.assert_same(rg.distances(self.A, self.Q[0]), [rg.distance(a, self.Q[0]) for a in self.A])
+        ball = rg.Ball([0, 0, 0])
+        self.assert_same(rg.distances(ball, self.Q), [rg.distance(ball, q) for q in self.Q])
+
+    def test_lists_mix_sets_and_arrays(self):
+        sets = [rg.Ball([5, 0, 0]), self.A[1], rg.Box([2, 2, 2], [3, 3, 3])]
+        self.assert_same(rg.distances(sets, self.Q[0]), [rg.distance(a, self.Q[0]) for a in sets])
+
+    def test_answers_do_not_depend_on_the_number_of_threads(self):
+        one = rg.distances(self.A, self.Q, threads=1)
+        for threads in (2, 3, 8):
+            np.testing.assert_array_equal(rg.distances(self.A, self.Q, threads=threads).lower, one.lower)
+
+    def test_poses_move_each_problem(self):
+        generator = np.random.default_rng(4)
+        poses = np.tile(np.eye(4), (50, 1, 1))
+        poses[:, :3, :3] = rotations(generator, 50)
+        poses[:, :3, 3] = generator.normal(size=(50, 3)) * 5
+        batch = rg.distances(self.A[0], self.Q[0], poses_A=poses)
+        self.assert_same(batch, [rg.distance(self.A[0], self.Q[0], pose_A=pose) for pose in poses])
+
+    def test_no_problem_at_all_is_a_batch(self):
+        self.assertEqual(len(rg.distances(np.empty((0, 5, 3)), self.Q[0])), 0)
+
+    def test_sets_of_ones_own_are_asked_from_all_threads(self):
+        names = set()
+
+        def mapping(u):
+            names.add(threading.get_ident())
+            return np.sign(u)
+
+        own = rg.SupportMappingSet(np.zeros(3), mapping)
+        batch = rg.distances(self.A, own, threads=2)
+        box = rg.Box(-np.ones(3), np.ones(3))
+        np.testing.assert_allclose(batch.distance, rg.distances(self.A, box).distance, rtol=1e-8)
+
+    def test_other_threads_of_python_run_meanwhile(self):
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.wait(0.001):
+                ticks.append(1)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        problems = np.random.default_rng(1).normal(size=(300, 400, 6)) + 3
+        rg.distances(problems, np.random.default_rng(2).normal(size=(400, 6)), threads=1)
+        done.set()
+        thread.join()
+        self.assertGreater(len(ticks), 3)
+
+
+class Refusals(unittest.TestCase):
+    def test_the_problem_is_named(self):
+        problems = np.ones((9, 4, 3))
+        problems[7, 2, 1] = np.nan
+        with self.assertRaisesRegex(rg.NonFiniteError, "problem 7"):
+            rg.distances(problems, rg.Ball([0, 0, 0]))
+
+    def test_operands_that_do_not_fit_are_refused(self):
+        A, Q = np.ones((4, 5, 3)), np.ones((4, 5, 3))
+        refused = [(A, Q[:3], {}), (A, Q[:, :, :2], {}), (A[0], Q[0], {}), (A, Q, {"threads": -1}),
+                   (A, Q, {"threads": 10**6}), (A, Q, {"tolerance": 0}), (A, Q, {"method": "glpk"}),
+                   (A, Q, {"poses_A": np.eye(4)}), (A, Q, {"poses_A": np.zeros((4, 4, 4))}),
+                   (A, Q, {"poses_Q": np.tile(np.eye(4), (3, 1, 1))}), ([], Q, {}), (A, [rg.Ball([0, 0])] * 4, {})]
+        for operand, gauge, options in refused:
+            with self.assertRaises(rg.Error):
+                rg.distances(operand, gauge, **options)
+
+    def test_what_a_mapping_raises_passes_through_a_batch(self):
+        calls = []
+
+        def mapping(u):
+            calls.append(1)
+            if len(calls) > 40:
+                raise LookupError("on purpose")
+            return np.sign(u)
+
+        own = rg.SupportMappingSet(np.zeros(3), mapping)
+        with self.assertRaisesRegex(LookupError, "on purpose"):
+            rg.distances(np.random.default_rng(0).normal(size=(200, 5, 3)) + 4, own, threads=2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,97 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Results files as datasets and frames; sweeps run from Python."""
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+import raygauge as rg
+from raygauge.sweeps import toml_text
+
+EXPERIMENT = {
+    "name": 'a "quoted" name',
+    "sweep": {"n": np.array([2, 3]), "N": [20, 40], "tolerance": 1e-6, "repetitions": 4},
+    "run": {"timing": "serial"},
+    "generator": [{"name": "example2", "separation": 1.5}],
+    "method": [{"name": "direct"}, {"name": "zheng_yamane", "label": "paper"}],
+}
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.scratch.name, "mine.h5")
+        cls.results = rg.run(EXPERIMENT, cls.path)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_every_record_of_the_grid_is_there(self):
+        self.assertEqual(self.results.sizes["record"], 2 * 2 * 4 * 2)
+        self.assertEqual(set(self.results.method.values), {"direct", "paper"})
+        self.assertEqual(set(self.results.n.values), {2, 3})
+
+    def test_columns_units_and_values_are_those_of_the_export(self):
+        table = pathlib.Path(self.scratch.name, "mine.csv")
+        subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "export", self.path, "--csv", table], check=True,
+                       stdout=subprocess.DEVNULL)
+        with open(table, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(set(rows[0]), set(self.results.variables))
+        for name in ("seconds", "distance", "lower", "upper"):
+            np.testing.assert_array_equal(self.results[name].values, [float(row[name]) for row in rows])
+        for name in ("method", "status", "generator_parameters"):
+            self.assertEqual(list(self.results[name].values), [row[name] for row in rows])
+        for variable in self.results.variables.values():
+            self.assertTrue(variable.attrs["description"])
+            self.assertIn("units", variable.attrs)
+        self.assertEqual(self.results.seconds.attrs["units"], "s")
+
+    def test_texts_are_strings_and_in_frames_categories(self):
+        self.assertIsInstance(self.results.method.values[0], str)
+        frame = self.results.isel(record=self.results.method.values == "direct")[["method", "seconds"]].to_dataframe()
+        self.assertEqual(str(frame.dtypes["method"]), "category")
+        self.assertEqual(len(frame), 16)
+        self.assertEqual(self.results.to_dataframe().dtypes["agrees"], bool)
+
+    def test_provenance_is_kept(self):
+        self.assertIn("example2", self.results.attrs["experiment"])
+        self.assertEqual(self.results.attrs["raygauge_version"], rg.__version__)
+
+    def test_a_run_is_not_overwritten_but_by_force(self):
+        with self.assertRaisesRegex(rg.ProgramError, "mine.h5"):
+            rg.run(EXPERIMENT, self.path)
+        other = pathlib.Path(self.scratch.name, "other.h5")
+        rg.run(EXPERIMENT, other)
+        self.assertEqual(rg.run(EXPERIMENT, other, force=True, threads=1).sizes["record"], 32)
+        self.assertEqual(rg.run(EXPERIMENT, other, resume=True).sizes["record"], 32)
+
+    def test_mistakes_of_an_experiment_are_told_in_the_programs_words(self):
+        with self.assertRaisesRegex(rg.ProgramError, "example2"):
+            rg.run({**EXPERIMENT, "generator": [{"name": "exampel2"}]}, pathlib.Path(self.scratch.name, "no.h5"))
+        with self.assertRaises(rg.InvalidParameterError):
+            rg.run({"sweep": {"n": object()}}, pathlib.Path(self.scratch.name, "no.h5"))
+
+    def test_what_is_no_results_file_is_refused(self):
+        text = pathlib.Path(self.scratch.name, "text.h5")
+        text.write_text("no results", encoding="utf-8")
+        for path in (text, pathlib.Path(self.scratch.name, "missing.h5"), self.scratch.name):
+            with self.assertRaises(rg.ResultsError):
+                rg.open(path)
+
+    def test_dicts_become_toml_that_reads_back(self):
+        import tomllib
+
+        plain = {**EXPERIMENT, "sweep": {**EXPERIMENT["sweep"], "n": [2, 3]}}
+        self.assertEqual(tomllib.loads(toml_text(plain)), plain)
+
+
+if __name__ == "__main__":
+    unittest.main()
