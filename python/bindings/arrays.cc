@@ -100,7 +100,11 @@ SetPointer point_set_of_rows(const double* rows, std::ptrdiff_t count, int dimen
 }
 
 SetPointer as_set(py::handle object, const char* name) {
-  if (py::isinstance<ConvexSet>(object)) return object.cast<std::shared_ptr<ConvexSet>>();
+  if (!py::isinstance<py::array>(object)) {
+    py::detail::make_caster<std::shared_ptr<ConvexSet>> set;
+    if (!object.is_none() && set.load(object, false))
+      return py::detail::cast_op<std::shared_ptr<ConvexSet>&>(set);
+  }
   const Doubles array = as_doubles(object, name);
   if (array.ndim() != 1 && array.ndim() != 2) {
     refuse(array, name, "a set or an array of points of shape (N, n)");

@@ -263,6 +263,7 @@ DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std:
   DistanceBatch batch(count, n, witness);
   const BatchOutput output(batch, n);
   const Effects effects = witness ? Effects::witness : Effects::none;
+  const bool moving = a.poses.given() || q.poses.given();
   std::atomic<bool> stop = false;
   const BatchWorker worker = [&](const std::function<std::ptrdiff_t()>& next) {
     DistanceSolver solver(options);
@@ -270,9 +271,13 @@ DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std:
       naming_problem(k, [&] {
         const SetPointer object = a.operand.set(k);
         const SetPointer gauge = q.operand.set(k);
-        const std::optional<Pose> object_pose = a.poses.pose(k);
-        const std::optional<Pose> gauge_pose = q.poses.pose(k);
-        output.store(k, solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), effects));
+        if (moving) {
+          const std::optional<Pose> object_pose = a.poses.pose(k);
+          const std::optional<Pose> gauge_pose = q.poses.pose(k);
+          output.store(k, solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), effects));
+        } else {
+          output.store(k, solver.solve(*object, *gauge, effects));
+        }
       });
     }
   };

@@ -29,8 +29,8 @@ origin_weights: for contains_origin of point sets, (index, weight) of the points
 counters: what the solve did.
 
 >>> r = rg.distance([[2, 0], [4, -1], [4, 1]], rg.Ball([0, 0]), 1e-9, "newton")
->>> r
-Distance(2.0..., lower=..., upper=2.0..., status='optimal')
+>>> r.lower <= 2 <= r.upper, r.status
+(True, <Status.optimal: 'optimal'>)
 >>> round(r.normal[0], 6)
 -1.0
 )";
