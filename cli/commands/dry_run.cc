@@ -13,7 +13,6 @@
 namespace raygauge::cli {
 namespace {
 
-std::string value_text(int value) { return std::to_string(value); }
 const std::string& value_text(const std::string& value) { return value; }
 std::string value_text(double value) { return to_string(ParameterValue(value)); }
 
@@ -24,14 +23,42 @@ std::string value_text(const ComponentSpec& component) {
   return parameters.empty() ? text : text + " {" + parameters + "}";
 }
 
+/// The most entries of a list that are printed.
+constexpr std::size_t kMostEntries = 12;
+
+/// The first entries, and how many values there are if that is not all.
+std::string joined(const std::vector<std::string>& entries, const char* separator, std::size_t values) {
+  std::string text;
+  const std::size_t shown = entries.size() > kMostEntries ? kMostEntries - 1 : entries.size();
+  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : separator) + entries[i];
+  if (shown < entries.size()) text += separator + std::string("… (") + std::to_string(values) + " values)";
+  return text;
+}
+
 template <class T>
 std::string list_text(const std::vector<T>& values, const char* separator) {
-  std::string text;
-  for (const T& value : values) {
-    if (!text.empty()) text += separator;
-    text += value_text(value);
+  std::vector<std::string> entries;
+  for (const T& value : values) entries.push_back(value_text(value));
+  return joined(entries, separator, entries.size());
+}
+
+/// "3 5 … 10" or "200 … 2000 (step 200)": evenly spaced values, four or more, as a range.
+std::string list_text(const std::vector<int>& values, const char* separator) {
+  constexpr std::size_t kFewest = 4;
+  std::vector<std::string> entries;
+  for (std::size_t first = 0; first < values.size();) {
+    std::size_t last = first + 1;
+    const auto step = [&](std::size_t i) { return values[i] - values[i - 1]; };
+    while (last + 1 < values.size() && step(last + 1) == step(first + 1)) ++last;
+    if (last - first + 1 < kFewest || last >= values.size()) {
+      entries.push_back(std::to_string(values[first++]));
+      continue;
+    }
+    entries.push_back(std::to_string(values[first]) + " … " + std::to_string(values[last]));
+    if (step(last) != 1) entries.back() += " (step " + std::to_string(step(last)) + ")";
+    first = last + 1;
   }
-  return text;
+  return joined(entries, separator, values.size());
 }
 
 /// Generators that differ in their parameters' values alone, such as one [[generator]] with lists makes.

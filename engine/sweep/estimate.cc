@@ -14,7 +14,14 @@
 namespace raygauge {
 namespace {
 
-constexpr std::size_t kProbes = 5;
+/// The next probe costs so many times the last one: large steps reach dear cells in few solves, and small
+/// ones make sure that none takes much longer than foreseen.
+constexpr double kStep = 8;
+/// A solve is foreseen to take no longer than this power of the cost makes of the last one. (Measured: the
+/// simplex baselines come nearest to it.)
+constexpr double kSteepest = 2;
+/// Below this cost any method takes milliseconds.
+constexpr double kCheap = 2000;
 
 /// Seconds of one repetition with all methods, at a cell's expected cost.
 struct Probe {
@@ -24,7 +31,7 @@ struct Probe {
 
 double repetition_seconds(const SweepPlan& plan, const Cell& cell, double budget_seconds) {
   SolveRequest request = plan.request(cell);
-  request.time_limit = std::min(request.time_limit, budget_seconds);
+  request.time_limit = std::min(request.time_limit, std::max(budget_seconds, 1e-3));
   const SteadyClock::time_point start = SteadyClock::now();
   const Instance instance = plan.instance(cell, 0);
   for (const auto& method : plan.make_methods()) {
@@ -34,32 +41,85 @@ double repetition_seconds(const SweepPlan& plan, const Cell& cell, double budget
   return seconds_since(start);
 }
 
-/// Probes cells of increasing cost, at most one of each cost, until the budget is spent.
-std::vector<Probe> probe(const SweepPlan& plan, const std::vector<Cell>& by_cost, double budget_seconds) {
-  const SteadyClock::time_point start = SteadyClock::now();
-  repetition_seconds(plan, by_cost.front(), budget_seconds);  // first calls load libraries and touch memory
-  std::vector<Probe> probes;
-  for (std::size_t i = 0; i < kProbes && seconds_since(start) < budget_seconds; ++i) {
-    const Cell& cell = by_cost[i * (by_cost.size() - 1) / (kProbes - 1)];
-    if (!probes.empty() && expected_cost(cell) <= probes.back().cost) continue;
-    probes.push_back({expected_cost(cell), repetition_seconds(plan, cell, budget_seconds)});
+/// Smaller and smaller cells like `cell`, the smallest first, where `cell` itself may take long.
+std::vector<Cell> smaller_cells(Cell cell) {
+  constexpr int kFewDimensions = 4;
+  std::vector<Cell> smaller;
+  while (expected_cost(cell) > kCheap && cell.N > 1) {
+    if (cell.n > kFewDimensions) cell.n /= 2;
+    cell.N = std::max(1, cell.N / 2);
+    smaller.push_back(cell);
   }
-  if (probes.empty()) {
-    probes.push_back(
-        {expected_cost(by_cost.front()), repetition_seconds(plan, by_cost.front(), budget_seconds)});
-  }
-  return probes;
+  std::reverse(smaller.begin(), smaller.end());
+  return smaller;
 }
+
+/// What is to be probed, in increasing cost: cells of the grid in steps, after smaller ones if all are dear.
+std::vector<Cell> candidates(const std::vector<Cell>& by_cost) {
+  std::vector<Cell> result = smaller_cells(by_cost.front());
+  result.push_back(by_cost.front());
+  while (true) {
+    const double last = expected_cost(result.back());
+    const auto dearer = [](double cost, const Cell& cell) { return cost < expected_cost(cell); };
+    const auto next = std::upper_bound(by_cost.begin(), by_cost.end(), last, dearer);
+    if (next == by_cost.end()) return result;
+    const auto beyond = std::upper_bound(next, by_cost.end(), kStep * last, dearer);
+    result.push_back(beyond == next ? *next : *(beyond - 1));
+  }
+}
+
+/// Probes cells of increasing cost while the next one is foreseen to end within the budget.
+class Prober {
+ public:
+  Prober(const SweepPlan& plan, double budget_seconds) : plan_(plan), budget_seconds_(budget_seconds) {}
+
+  std::vector<Probe> run(const std::vector<Cell>& by_cost) {
+    const double smallest_of_grid = expected_cost(by_cost.front());
+    for (const Cell& cell : candidates(by_cost)) {
+      const double cost = expected_cost(cell);
+      if (!probes_.empty() && seconds_left() < foreseen(cost)) break;
+      try {
+        const bool first = probes_.empty();
+        probe(cell);
+        if (!first || seconds_left() <= 0) continue;
+        probes_.clear();  // first calls load libraries and touch memory
+        probe(cell);
+      } catch (const InvalidParameterError&) {
+        if (cost >= smallest_of_grid) throw;  // else a size that the family does not have
+      }
+    }
+    return probes_;
+  }
+
+ private:
+  double seconds_left() const { return budget_seconds_ - seconds_since(start_); }
+  double foreseen(double cost) const {
+    return probes_.back().seconds * std::pow(cost / probes_.back().cost, kSteepest);
+  }
+  void probe(const Cell& cell) {
+    const double seconds = repetition_seconds(plan_, cell, seconds_left());
+    probes_.push_back({expected_cost(cell), seconds});
+  }
+
+  const SweepPlan& plan_;
+  double budget_seconds_;
+  SteadyClock::time_point start_ = SteadyClock::now();
+  std::vector<Probe> probes_;
+};
 
 /// The power law through the two probes nearest to `cost`; proportional to cost if there is one only.
 double seconds_at(double cost, const std::vector<Probe>& probes) {
+  constexpr double kFlattest = 0.5;
+  constexpr double kSteepestTrend = 3;
   if (probes.size() == 1) return probes.front().seconds * cost / probes.front().cost;
   std::size_t upper = 1;
   while (upper + 1 < probes.size() && probes[upper].cost < cost) ++upper;
   const Probe& a = probes[upper - 1];
   const Probe& b = probes[upper];
-  const double exponent = std::log(b.seconds / a.seconds) / std::log(b.cost / a.cost);
-  return a.seconds * std::pow(cost / a.cost, exponent);
+  const double slope = std::log(b.seconds / a.seconds) / std::log(b.cost / a.cost);
+  const bool inside = a.cost <= cost && cost <= b.cost;
+  const double exponent = inside ? slope : std::clamp(slope, kFlattest, kSteepestTrend);
+  return b.seconds * std::pow(cost / b.cost, exponent);
 }
 
 }  // namespace
@@ -70,16 +130,17 @@ SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegist
   const SweepPlan plan(experiment, generators, methods);
   std::vector<Cell> by_cost = longest_first(plan.cells(), false, experiment.seed);
   std::reverse(by_cost.begin(), by_cost.end());
-  const std::vector<Probe> probes = probe(plan, by_cost, budget_seconds);
+  const std::vector<Probe> probes = Prober(plan, budget_seconds - seconds_since(start)).run(by_cost);
 
   SweepEstimate estimate;
   estimate.cells = by_cost.size();
   estimate.instances = estimate.cells * static_cast<std::uint64_t>(experiment.repetitions);
   estimate.records = estimate.instances * experiment.methods.size();
   estimate.threads = sweep_threads(experiment, estimate.cells);
+  const double longest = static_cast<double>(experiment.methods.size()) * experiment.time_limit;
   for (const Cell& cell : by_cost) {
-    estimate.seconds +=
-        (experiment.repetitions + experiment.warmup) * seconds_at(expected_cost(cell), probes);
+    estimate.seconds += (experiment.repetitions + experiment.warmup) *
+                        std::min(longest, seconds_at(expected_cost(cell), probes));
   }
   estimate.seconds /= estimate.threads;
   estimate.probed_cells = probes.size();

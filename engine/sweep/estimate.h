@@ -18,16 +18,18 @@ struct SweepEstimate {
   std::uint64_t records = 0;    ///< instances × methods
   int threads = 1;
 
-  double seconds = 0;            ///< whole sweep, as if the threads did not slow each other down
-  double probing_seconds = 0;    ///< spent on finding out
-  std::size_t probed_cells = 0;  ///< cells that were probed; the others lie between or beyond them
+  double seconds = 0;          ///< whole sweep, as if the threads did not slow each other down
+  double probing_seconds = 0;  ///< spent on finding out
+  std::size_t probed_cells =
+      0;  ///< cells that were probed; the others lie between or beyond them (smaller ones count too)
 };
 
 /// Solves one instance of a few cells, from cheap to expensive ones, with every method, and takes the time of
-/// a repetition to be a power of n·N between and beyond them. Probing ends after the first cell that brings
-/// it to `budget_seconds`, a single solve being limited to that as well. Stores nothing. Throws what
+/// a repetition to be a power of n·N between and beyond them. A cell is probed only if the one before it lets
+/// expect that it ends within `budget_seconds` of the call, a single solve being limited to that as well;
+/// where all cells are large, smaller ones of the same generator come first. Stores nothing. Throws what
 /// run_sweep throws.
 SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
-                             const MethodRegistry& methods, double budget_seconds = 2);
+                             const MethodRegistry& methods, double budget_seconds = 1.2);
 
 }  // namespace raygauge

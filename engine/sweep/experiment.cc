@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sweep/experiment.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "engine/exceptions.h"
@@ -101,6 +102,24 @@ std::vector<std::pair<int, int>> sizes_of(const Experiment& experiment, const Ge
   return sizes;
 }
 
+/// The first value that appears a second time; nothing where all differ.
+template <class T>
+std::optional<T> repeated_value(std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  const auto twice = std::adjacent_find(values.begin(), values.end());
+  return twice == values.end() ? std::nullopt : std::optional<T>(*twice);
+}
+
+void require_distinct(const std::vector<std::pair<int, int>>& sizes, const std::vector<double>& tolerances) {
+  const auto size = repeated_value(sizes);
+  const auto tolerance = repeated_value(tolerances);
+  if (sizes.empty() || tolerances.empty() || (!size && !tolerance)) return;
+  const auto [n, N] = size.value_or(sizes.front());
+  throw InvalidParameterError("the cell n = " + std::to_string(n) + ", N = " + std::to_string(N) +
+                              ", tolerance = " + text_of(tolerance.value_or(tolerances.front())) +
+                              " appears twice in the grid");
+}
+
 }  // namespace
 
 const std::string& label_of(const ComponentSpec& component) {
@@ -123,13 +142,11 @@ void validate(const Experiment& experiment) {
 std::vector<Cell> grid_of(const Experiment& experiment) {
   require_affordable(experiment);
   std::vector<Cell> cells;
-  std::set<std::tuple<std::size_t, int, int, double>> seen;
   for (std::size_t generator = 0; generator < experiment.generators.size(); ++generator) {
-    for (const auto& [n, N] : sizes_of(experiment, experiment.generators[generator])) {
+    const auto sizes = sizes_of(experiment, experiment.generators[generator]);
+    require_distinct(sizes, experiment.tolerance);
+    for (const auto& [n, N] : sizes) {
       for (const double tolerance : experiment.tolerance) {
-        require(seen.emplace(generator, n, N, tolerance).second,
-                "the cell n = " + std::to_string(n) + ", N = " + std::to_string(N) +
-                    ", tolerance = " + text_of(tolerance) + " appears twice in the grid");
         cells.push_back({cells.size(), generator, n, N, tolerance});
       }
     }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -58,6 +59,7 @@ class RayMethod final : public SolveMethod {
     if (const double busy = real_parameter(parameters_, "busy_seconds"); busy > 0) {
       std::this_thread::sleep_for(std::chrono::duration<double>(busy));
     }
+    if (const double unit = real_parameter(parameters_, "busy_seconds_of_cost"); unit > 0) sleep(unit);
     const double d = instance_->A->center()(0) / instance_->Q->center()(0);
     result_.distance = d * (1 + real_parameter(parameters_, "error"));
     result_.lower = result_.distance * (1 - request.tolerance / 2);
@@ -69,6 +71,14 @@ class RayMethod final : public SolveMethod {
   DistanceResult result() override { return result_; }
 
  private:
+  /// For unit · (n N)^1.5 seconds, whatever the time limit. Repetition 0 of small_experiment has its N in its
+  /// distance.
+  void sleep(double unit) const {
+    const int n = instance_->A->dimension();
+    const double N = 1000 * (*instance_->exact_distance - n - 8.5);
+    std::this_thread::sleep_for(std::chrono::duration<double>(unit * std::pow(n * N, 1.5)));
+  }
+
   Parameters parameters_;
   CallLog& log_;
   const Instance* instance_ = nullptr;
@@ -92,6 +102,7 @@ inline MethodRegistry fake_methods(CallLog& log) {
                 "reads the distance off the ray",
                 {{"error", 0.0, -1.0, 1.0, "relative error of the answer", {}},
                  {"busy_seconds", 0.0, 0.0, 1.0, "how long a solve takes", {}},
+                 {"busy_seconds_of_cost", 0.0, 0.0, 1.0, "a solve takes this, times (n N)^1.5", {}},
                  {"throw_at", std::int64_t{0}, 0.0, 1e9, "first solve of the log that throws; 0: none", {}}},
                 [&log](const Parameters& p) { return std::make_unique<RayMethod>(p, log); }});
   return registry;

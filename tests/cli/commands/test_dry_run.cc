@@ -46,6 +46,28 @@ TEST(DryRun, ClaimsNoCombinationThatIsNotThere) {
             "               v {a=2 b=1}\n");
 }
 
+TEST(DryRun, WritesRanges) {
+  Experiment experiment;
+  experiment.generators = {spec("example2", {})};
+  experiment.methods = {{"direct", "", {}}};
+  experiment.n = {2, 3, 4, 5, 7, 9, 11, 13, 20};
+  experiment.N = {200, 400, 600, 800, 1000};
+  const std::string text = dry_run_text(experiment, {});
+  EXPECT_NE(text.find("  n            2 … 5 7 … 13 (step 2) 20\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  N            200 … 1000 (step 200)\n"), std::string::npos) << text;
+}
+
+TEST(DryRun, ShortensListsWithoutAPattern) {
+  Experiment experiment;
+  experiment.generators = {spec("example2", {})};
+  experiment.methods = {{"direct", "", {}}};
+  experiment.n.clear();
+  for (int i = 0; i < 1000; ++i) experiment.n.push_back(2 + i * i);
+  EXPECT_NE(
+      dry_run_text(experiment, {}).find("n            2 3 6 11 18 27 38 51 66 83 102 … (1000 values)\n"),
+      std::string::npos);
+}
+
 TEST(DryRun, WritesManyMethodsOnSeveralLines) {
   Experiment experiment;
   experiment.generators = {spec("example2", {})};

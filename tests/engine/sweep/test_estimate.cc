@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/sweep/timed_solve.h"
 #include "tests/engine/fake_components.h"
 
 namespace raygauge::test_estimate {
@@ -47,8 +48,36 @@ TEST_F(Estimate, ProbingStopsWhenTheBudgetIsSpent) {
   experiment.methods = {{"ray", "", {{"busy_seconds", 0.02}}}};
   const SweepEstimate result = estimate(experiment, 0.01);
   EXPECT_EQ(result.probed_cells, 1u);
-  EXPECT_EQ(log_.solves, 2);
+  EXPECT_EQ(log_.solves, 1);
   EXPECT_GT(result.seconds, 0);
+}
+
+TEST_F(Estimate, KeepsWithinItsBudgetOnAGridOfAMillionCells) {
+  Experiment experiment = testing::small_experiment();
+  experiment.n.clear();
+  experiment.N.clear();
+  for (int n = 1; n <= 80; ++n) experiment.n.push_back(n);
+  for (int N = 1; N <= 12500; ++N) experiment.N.push_back(N);
+  experiment.tolerance = {1e-6};
+  experiment.generators[0].n = {};
+  // From a microsecond to a quarter of an hour a solve.
+  experiment.methods = {{"ray", "", {{"busy_seconds_of_cost", 1e-6}}}};
+  const auto start = SteadyClock::now();
+  const SweepEstimate result = estimate(experiment, 1);
+  EXPECT_EQ(result.cells, 1000000u);
+  EXPECT_LT(seconds_since(start), 3) << "a second, and what a busy machine adds";
+  EXPECT_GT(result.seconds, 3600);
+}
+
+TEST_F(Estimate, ProbesSmallerCellsWhereAllAreLarge) {
+  Experiment experiment = testing::small_experiment();
+  experiment.n = {80};
+  experiment.N = {100000};  // 6 hours a solve
+  experiment.methods = {{"ray", "", {{"busy_seconds_of_cost", 1e-6}}}};
+  const auto start = SteadyClock::now();
+  const SweepEstimate result = estimate(experiment, 1);
+  EXPECT_LT(seconds_since(start), 3);
+  EXPECT_GT(result.probed_cells, 0u);
 }
 
 TEST_F(Estimate, RejectsWhatTheSweepWouldReject) {
