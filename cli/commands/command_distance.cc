@@ -24,7 +24,8 @@ namespace {
 constexpr const char* kSources =
     "A and Q are each the convex hull of points: a text file with one point a line (commas or blanks, # "
     "comments), - for\n"
-    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply: its vertices); or what "
+    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply: its vertices), also "
+    "compressed (.gz); or what "
     "a set file\n"
     "(.toml) describes: shape = \"ball\" and every parameter of that shape. Shapes, and what describes them "
     "(raygauge info\n"
@@ -84,6 +85,7 @@ struct DistanceArguments {
   DistanceQuery query;
   std::string stop_rule = "certified_gap";
   std::string instruction_set = "automatic";
+  PointFormat format;
   bool json = false;
 };
 
@@ -111,7 +113,8 @@ void check_options(const DistanceOptions& options) {
 }
 
 Instance read_instance(const DistanceArguments& arguments) {
-  Instance instance{read_set_source(arguments.A), read_set_source(arguments.Q), std::nullopt};
+  Instance instance{read_set_source(arguments.A, arguments.format),
+                    read_set_source(arguments.Q, arguments.format), std::nullopt};
   if (instance.A->dimension() == instance.Q->dimension()) return instance;
   const auto described = [](const std::string& source, const ConvexSet& set) {
     return input_name(source) + " has n = " + std::to_string(set.dimension());
@@ -169,6 +172,8 @@ void add_distance_command(CLI::App& app, int& status) {
                    "One of " + joined(all_methods().names()) +
                        "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
       ->type_name("NAME");
+  command->add_flag("--skip-header", arguments->format.skip_header,
+                    "The first line of a text file of points is a heading, unless it begins with a number");
   command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
   command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
   CLI::Option* iterations = command

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/input_file.h"
 
-#include <array>
+#include <fcntl.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
+#include <filesystem>
 #include <system_error>
 
 #include "engine/exceptions.h"
@@ -13,39 +17,82 @@
 namespace raygauge::cli {
 namespace {
 
-struct FileClose {
-  void operator()(std::FILE* file) const noexcept { std::fclose(file); }
-};
+constexpr std::size_t kChunk = 1 << 20;
 
-[[noreturn]] void throw_reason(const std::string& path) {
-  const int reason = errno;
-  throw InvalidParameterError(input_name(path) + ": " + std::generic_category().message(reason));
-}
-
-std::string read_all(std::FILE* file, const std::string& path) {
-  constexpr std::size_t kChunk = 1 << 20;
-  std::string bytes;
-  std::size_t size = 0;
-  while (true) {
-    bytes.resize(size + kChunk);
-    const std::size_t got = std::fread(bytes.data() + size, 1, kChunk, file);
-    size += got;
-    if (got < kChunk) break;
-  }
-  if (std::ferror(file) != 0) throw_reason(path);
-  bytes.resize(size);
-  return bytes;
+[[noreturn]] void throw_reason(const std::string& name, int reason) {
+  throw InvalidParameterError(name + ": " + std::generic_category().message(reason));
 }
 
 }  // namespace
 
+/// zlib passes through what is not compressed.
+struct InputFile::Stream {
+  explicit Stream(gzFile opened) : file(opened) {}
+  ~Stream() { gzclose_r(file); }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  gzFile file;
+};
+
+InputFile::InputFile(const std::string& path) : name_(input_name(path)) {
+  const int descriptor = path == kStandardInput ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                                : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw_reason(name_, errno);
+  const gzFile file = gzdopen(descriptor, "rb");
+  if (file == nullptr) {
+    ::close(descriptor);
+    throw InvalidParameterError(name_ + ": does not fit into memory");
+  }
+  stream_ = std::make_unique<Stream>(file);
+  gzbuffer(file, 1 << 17);
+}
+
+InputFile::~InputFile() = default;
+
+std::size_t InputFile::read(char* out, std::size_t size) {
+  std::size_t done = 0;
+  while (done < size) {
+    const auto wanted = static_cast<unsigned>(std::min(size - done, kChunk));
+    errno = 0;
+    const int got = gzread(stream_->file, out + done, wanted);
+    const int reason = errno;
+    int code = Z_OK;
+    gzerror(stream_->file, &code);
+    if (code == Z_ERRNO) throw_reason(name_, reason == 0 ? EIO : reason);
+    if (got < 0 || code == Z_BUF_ERROR || code == Z_DATA_ERROR)
+      throw InvalidParameterError(name_ + ": gzip data that is truncated or damaged");
+    done += static_cast<std::size_t>(got);
+    if (got == 0) break;
+  }
+  return done;
+}
+
 std::string input_name(const std::string& path) { return path == kStandardInput ? "standard input" : path; }
 
 std::string read_input(const std::string& path) {
-  if (path == kStandardInput) return read_all(stdin, path);
-  const std::unique_ptr<std::FILE, FileClose> file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) throw_reason(path);
-  return read_all(file.get(), path);
+  InputFile file(path);
+  std::string bytes;
+  std::size_t size = 0;
+  while (true) {
+    bytes.resize(size + kChunk);
+    const std::size_t got = file.read(bytes.data() + size, kChunk);
+    size += got;
+    if (got < kChunk) break;
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string content_extension(const std::string& path) {
+  const auto lower = [](const std::filesystem::path& name) {
+    std::string extension = name.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension.empty() ? extension : extension.substr(1);
+  };
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  const std::string extension = lower(name);
+  return extension == "gz" ? lower(name.stem()) : extension;
 }
 
 }  // namespace raygauge::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 
 namespace raygauge::cli {
@@ -9,11 +11,33 @@ namespace raygauge::cli {
 /// The name that stands for standard input.
 inline constexpr const char* kStandardInput = "-";
 
-/// All bytes of a file, or of standard input for "-". Throws InvalidParameterError with the system's reason:
-/// the file is missing, a directory, not readable.
+/// A file, or standard input for "-", read from front to back. What gzip has compressed is decompressed,
+/// whatever its name is.
+class InputFile {
+ public:
+  /// Throws InvalidParameterError with the system's reason: the file is missing, not readable.
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// Puts the next `size` bytes at `out`, fewer only at the end. Throws InvalidParameterError: a folder,
+  /// truncated or damaged gzip data.
+  std::size_t read(char* out, std::size_t size);
+
+ private:
+  struct Stream;
+  std::string name_;
+  std::unique_ptr<Stream> stream_;
+};
+
+/// All bytes of an InputFile. Throws as it does.
 std::string read_input(const std::string& path);
 
 /// How messages call the input: its path, or "standard input".
 std::string input_name(const std::string& path);
+
+/// "off" of "a/b.OFF" and of "a/b.off.gz": what the name says of the content.
+std::string content_extension(const std::string& path);
 
 }  // namespace raygauge::cli

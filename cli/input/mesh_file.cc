@@ -8,32 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <vector>
 
 #include "cli/input/input_file.h"
+#include "cli/input/vertex_reader.h"
 #include "engine/exceptions.h"
 
 namespace raygauge::cli {
 namespace {
-
-using Vertex = std::array<double, 3>;
-
-/// "obj" of "a/b.OBJ".
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension.empty() ? extension : extension.substr(1);
-}
-
-/// "OFF BINARY", "COFF BINARY", …: Assimp reads it as text and finds no vertices.
-bool is_binary_off(const std::string& bytes) {
-  const std::string first_line = bytes.substr(0, bytes.find_first_of("\r\n"));
-  return first_line.find("OFF BINARY") != std::string::npos;
-}
 
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -65,28 +48,42 @@ void require_finite(const std::vector<Vertex>& vertices, const std::string& path
   }
 }
 
-}  // namespace
-
-bool is_mesh_file(const std::string& path) {
-  constexpr std::array<const char*, 4> kExtensions = {"obj", "off", "stl", "ply"};
-  return std::find(kExtensions.begin(), kExtensions.end(), extension_of(path)) != kExtensions.end();
-}
-
-Eigen::MatrixXd read_mesh_vertices(const std::string& path) {
-  // Read here, so that a missing file, a directory, … are named as for every other kind of input.
-  const std::string bytes = read_input(path);
-  if (bytes.empty()) throw EmptySetError(path + ": the file is empty");
-  if (is_binary_off(bytes))
-    throw InvalidParameterError(path + ": binary OFF is not read; save the mesh as ASCII");
+std::vector<Vertex> assimp_vertices(const std::string& bytes, const std::string& path) {
   Assimp::Importer importer;
   const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension_of(path).c_str());
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, content_extension(path).c_str());
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InvalidParameterError(path +
                                 ": not a mesh that can be read: " + one_line(importer.GetErrorString()));
   }
   std::vector<Vertex> vertices;
   append_vertices(*scene, *scene->mRootNode, aiMatrix4x4(), vertices);
+  return vertices;
+}
+
+/// Formats whose header could promise too much are read here.
+std::vector<Vertex> vertices_of(const std::string& bytes, const std::string& path) {
+  const std::string format = content_extension(path);
+  if (format == "off") return off_vertices(bytes, path);
+  if (format == "ply") return ply_vertices(bytes, path);
+  if (format == "stl" && is_binary_stl(bytes)) return binary_stl_vertices(bytes);
+  if (format == "stl" && !bytes.starts_with("solid"))
+    throw InvalidParameterError(path + ": neither a text STL file nor a whole binary one");
+  return assimp_vertices(bytes, path);
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::string& path) {
+  constexpr std::array<const char*, 4> kExtensions = {"obj", "off", "stl", "ply"};
+  return std::find(kExtensions.begin(), kExtensions.end(), content_extension(path)) != kExtensions.end();
+}
+
+Eigen::MatrixXd read_mesh_vertices(const std::string& path) {
+  // Read here, so that a missing file, a directory, … are named as for every other kind of input.
+  const std::string bytes = read_input(path);
+  if (bytes.empty()) throw EmptySetError(path + ": the file is empty");
+  std::vector<Vertex> vertices = vertices_of(bytes, path);
   if (vertices.empty()) throw EmptySetError(path + ": no vertices");
   require_finite(vertices, path);
   std::sort(vertices.begin(), vertices.end());

@@ -7,12 +7,13 @@
 
 namespace raygauge::cli {
 
-/// Whether the name ends as a mesh's does: .obj, .off, .stl or .ply, in any case.
+/// Whether the name ends as a mesh's does: .obj, .off, .stl or .ply, in any case, also with .gz
+/// behind it.
 bool is_mesh_file(const std::string& path);
 
 /// The vertices of a mesh file as the columns of a 3 × N matrix, each distinct one once, with the
-/// transformations of its nodes applied. Coordinates are single precision, as
-/// Assimp reads them. Throws InvalidParameterError for a file that cannot be read or understood,
+/// transformations of its nodes applied. OFF and PLY give every digit of their coordinates, OBJ
+/// and STL single precision. Throws InvalidParameterError for a file that cannot be read or understood,
 /// EmptySetError for one without vertices, NonFiniteError for a NaN or an infinity among them.
 Eigen::MatrixXd read_mesh_vertices(const std::string& path);
 

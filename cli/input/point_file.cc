@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/input/input_file.h"
@@ -31,53 +33,111 @@ std::string quoted(std::string_view token) {
   return "'" + text + (token.size() > kLongest ? "…'" : "'");
 }
 
+bool begins_with_number(const char* begin, const char* end) {
+  double ignored = 0;
+  const auto [stop, error] = std::from_chars(begin, end, ignored);
+  return error != std::errc::invalid_argument && (stop == end || ends_token(*stop));
+}
+
+/// Reads blocks of a text as they come; a line that a block cuts is kept for the next one.
 class PointParser {
  public:
-  PointParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  PointParser(const std::string& name, const PointFormat& format)
+      : name_(name), skip_header_(format.skip_header) {}
 
-  Eigen::MatrixXd parse() {
-    if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) text_.remove_prefix(kByteOrderMark.size());
-    if (text_.find('\0') != std::string_view::npos) {
+  void feed(std::string_view block) {
+    if (block.empty()) return;
+    if (std::memchr(block.data(), '\0', block.size()) != nullptr)
       throw InvalidParameterError(name_ + ": not a text file in UTF-8 or ASCII (it holds zero bytes)");
+    const std::size_t last = block.rfind('\n');
+    if (last == std::string_view::npos) {
+      rest_ += block;
+      return;
     }
-    while (!text_.empty()) parse_line(next_line());
+    if (!rest_.empty()) {
+      const std::size_t first = block.find('\n') + 1;
+      rest_ += block.substr(0, first);
+      parse_lines(rest_);
+      rest_.clear();
+      parse_lines(block.substr(first, last + 1 - first));
+    } else {
+      parse_lines(block.substr(0, last + 1));
+    }
+    rest_ = block.substr(last + 1);
+  }
+
+  Eigen::MatrixXd finish() {
+    parse_lines(rest_);
     if (values_.empty())
       throw EmptySetError(name_ + ": no points (the file is empty, or holds comments only)");
     return Eigen::MatrixXd::Map(values_.data(), n_, static_cast<std::ptrdiff_t>(values_.size()) / n_);
   }
 
  private:
-  /// Cuts the next line off the text: it ends at LF, CR LF or CR.
-  std::string_view next_line() {
-    const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
-    const std::string_view line = text_.substr(0, end);
-    const std::size_t skip = text_.substr(end, 2) == "\r\n" ? 2 : 1;
-    text_.remove_prefix(std::min(end + skip, text_.size()));
-    ++line_number_;
-    return line;
+  /// What stands between the coordinates of a line.
+  struct Separators {
+    bool comma = false;
+    bool semicolon = false;
+    bool blank = false;  ///< alone
+  };
+
+  /// Lines end at LF, CR LF or CR; the last one may lack its end.
+  void parse_lines(std::string_view text) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (at != end) {
+      const auto left = static_cast<std::size_t>(end - at);
+      const auto* newline = static_cast<const char*>(std::memchr(at, '\n', left));
+      const char* stop = newline == nullptr ? end : newline;
+      const auto* carriage =
+          static_cast<const char*>(std::memchr(at, '\r', static_cast<std::size_t>(stop - at)));
+      if (carriage != nullptr) stop = carriage;
+      ++line_number_;
+      parse_line(at, stop);
+      const bool two = stop != end && *stop == '\r' && stop + 1 != end && stop[1] == '\n';
+      at = std::min(stop + (two ? 2 : 1), end);
+    }
   }
 
-  void parse_line(std::string_view line) {
+  void parse_line(const char* begin, const char* end) {
+    if (line_number_ == 1 &&
+        std::string_view(begin, static_cast<std::size_t>(end - begin)).starts_with(kByteOrderMark))
+      begin += kByteOrderMark.size();
     const std::size_t size_before = values_.size();
-    const char* const begin = line.data();
-    const char* const end = begin + line.size();
-    const auto skip_blanks = [end](const char* at) { return std::find_if_not(at, end, is_blank); };
+    const auto skip_blanks = [end](const char* from) {
+      while (from != end && is_blank(*from)) ++from;
+      return from;
+    };
+    const auto at_end = [end](const char* from) { return from == end || *from == '#'; };
     const char* at = skip_blanks(begin);
-    while (at != end && *at != '#') {
-      const char* const token_end = std::find_if(at, end, ends_token);
-      const auto column = at - begin + 1;
-      if (token_end == at)
-        throw InvalidParameterError(place(column) + "a coordinate is missing before this separator");
-      values_.push_back(parse_number(at, token_end, column));
-      at = skip_blanks(token_end);
-      if (at == end || !is_separator(*at)) continue;
-      at = skip_blanks(at + 1);
-      if (at == end || *at == '#') {
-        throw InvalidParameterError(place(at - begin + 1) +
-                                    "a coordinate is missing after the last separator");
+    if (at_end(at)) return;
+    if (std::exchange(skip_header_, false) && !begins_with_number(at, end)) return;
+    Separators separators;
+    while (true) {
+      at = parse_number(at, end, begin);
+      const char* next = skip_blanks(at);
+      if (at_end(next)) break;
+      if (!is_separator(*next)) {
+        separators.blank = true;
+      } else {
+        (*next == ',' ? separators.comma : separators.semicolon) = true;
+        next = skip_blanks(next + 1);
+        if (at_end(next))
+          throw InvalidParameterError(place(next - begin + 1) +
+                                      "a coordinate is missing after the last separator");
       }
+      at = next;
     }
-    if (values_.size() > size_before) check_length(static_cast<std::ptrdiff_t>(values_.size() - size_before));
+    check_separators(separators);
+    check_length(static_cast<std::ptrdiff_t>(values_.size() - size_before));
+  }
+
+  /// A comma beside another separator may be a decimal one: 2,5;0,5 would be four coordinates.
+  void check_separators(const Separators& separators) const {
+    if (!separators.comma || !(separators.semicolon || separators.blank)) return;
+    throw InvalidParameterError(name_ + ": line " + std::to_string(line_number_) + " has commas beside " +
+                                (separators.semicolon ? "semicolons" : "blanks") +
+                                ": are they decimal commas? Write 2.5, not 2,5, or separate by commas alone");
   }
 
   void check_length(std::ptrdiff_t length) {
@@ -91,9 +151,23 @@ class PointParser {
     }
   }
 
-  double parse_number(const char* begin, const char* end, std::ptrdiff_t column) const {
-    const std::string_view token(begin, static_cast<std::size_t>(end - begin));
+  /// Stores the number at `at`, in the line [begin, end), and returns where it ends.
+  const char* parse_number(const char* at, const char* end, const char* begin) {
     // from_chars takes no plus sign.
+    const char* const digits = *at == '+' && end - at > 1 && at[1] != '-' ? at + 1 : at;
+    double value = 0;
+    const auto [stop, error] = std::from_chars(digits, end, value);
+    if (error != std::errc() || !(stop == end || ends_token(*stop)) || !std::isfinite(value))
+      return parse_oddity(at, std::find_if(at, end, ends_token), at - begin + 1);
+    values_.push_back(value);
+    return stop;
+  }
+
+  /// A token that is no plain number: an underflow, or a complaint.
+  const char* parse_oddity(const char* begin, const char* end, std::ptrdiff_t column) {
+    if (begin == end)
+      throw InvalidParameterError(place(column) + "a coordinate is missing before this separator");
+    const std::string_view token(begin, static_cast<std::size_t>(end - begin));
     const char* const digits = *begin == '+' && end - begin > 1 && begin[1] != '-' ? begin + 1 : begin;
     double value = 0;
     const auto [stop, error] = std::from_chars(digits, end, value);
@@ -104,7 +178,8 @@ class PointParser {
     if (error == std::errc::result_out_of_range)
       value = std::strtod(std::string(digits, end).c_str(), nullptr);
     if (!std::isfinite(value)) throw NonFiniteError(place(column) + quoted(token) + non_finite_reason(token));
-    return value;
+    values_.push_back(value);
+    return end;
   }
 
   static std::string non_finite_reason(std::string_view token) {
@@ -112,14 +187,17 @@ class PointParser {
     return is_overflow ? " is too large for double precision" : " is not a finite number";
   }
 
-  std::string header_hint() const { return values_.empty() ? " (a heading must start with '#')" : ""; }
+  std::string header_hint() const {
+    return values_.empty() ? " (a heading must start with '#'; --skip-header skips one)" : "";
+  }
 
   std::string place(std::ptrdiff_t column) const {
     return name_ + ":" + std::to_string(line_number_) + ":" + std::to_string(column) + ": ";
   }
 
-  std::string_view text_;
   const std::string& name_;
+  bool skip_header_;
+  std::string rest_;
   std::vector<double> values_;
   std::ptrdiff_t n_ = 0;
   std::ptrdiff_t line_number_ = 0;
@@ -128,12 +206,20 @@ class PointParser {
 
 }  // namespace
 
-Eigen::MatrixXd parse_points(std::string_view text, const std::string& name) {
-  return PointParser(text, name).parse();
+Eigen::MatrixXd parse_points(std::string_view text, const std::string& name, const PointFormat& format) {
+  PointParser parser(name, format);
+  parser.feed(text);
+  return parser.finish();
 }
 
-Eigen::MatrixXd read_point_file(const std::string& path) {
-  return parse_points(read_input(path), input_name(path));
+Eigen::MatrixXd read_point_file(const std::string& path, const PointFormat& format) {
+  constexpr std::size_t kBlock = 1 << 20;
+  InputFile file(path);
+  const std::string name = input_name(path);
+  PointParser parser(name, format);
+  std::string block(kBlock, '\0');
+  while (const std::size_t size = file.read(block.data(), kBlock)) parser.feed({block.data(), size});
+  return parser.finish();
 }
 
 }  // namespace raygauge::cli

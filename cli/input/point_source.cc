@@ -9,13 +9,13 @@
 
 namespace raygauge::cli {
 
-Eigen::MatrixXd read_point_source(const std::string& source) {
+Eigen::MatrixXd read_point_source(const std::string& source, const PointFormat& format) {
   if (const auto reference = parse_dataset_reference(source)) return read_points(*reference);
   if (is_mesh_file(source)) return read_mesh_vertices(source);
   if (source.ends_with(".h5") || source.ends_with(".hdf5")) {
     throw InvalidParameterError(source + ": name the dataset, as in " + source + ":/points");
   }
-  return read_point_file(source);
+  return read_point_file(source, format);
 }
 
 }  // namespace raygauge::cli

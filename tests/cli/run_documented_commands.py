@@ -5,7 +5,8 @@
     run_documented_commands.py PAGE.md ...       what the page shows (docs/contributing.md has the rules)
     run_documented_commands.py --help-texts ...  the examples at the end of `raygauge COMMAND --help`
 
-Each command must end with status 0, or with one that its comment names: `raygauge … # exit status 0 or 1`.
+Each command must end with status 0, or with one that its comment names: `raygauge … # exit status 0 or 1`. What the page
+shows of its output must be what it prints; `…` stands for anything within a line, a line of it for any lines.
 """
 import argparse
 import os
@@ -18,8 +19,8 @@ import tempfile
 
 RAYGAUGE = re.compile(r"(^|[|;&(]\s*)raygauge\s")
 EXPECTED_STATUS = re.compile(r"#.*exit status (\d+)(?:,? or (\d+))?")
-READS_RESULTS = re.compile(r"\braygauge (table|plot|export|info|report|compare)\b")
-RESULTS_FILE = re.compile(r"[\w./-]+\.h5(?!\S)")
+READS_RESULTS = re.compile(r"\braygauge (table|plot|export|info|report|compare)\b|END_OF_PYTHON")
+RESULTS_FILE = re.compile(r"[\w./-]+\.h5(?![\w.:/])")
 
 
 def code_blocks(page):
@@ -50,16 +51,54 @@ def joined(lines):
     return re.sub(r"\\\n\s*", "", "\n".join(lines)).splitlines()
 
 
+class Command:
+    """What to run in a shell, and what the page says that it prints (None where it says nothing)."""
+
+    def __init__(self, text, output=None):
+        self.text = text
+        self.output = output
+
+
+def session_of(lines):
+    """The commands of a console block with the lines below each."""
+    commands = []
+    for line in joined(lines):
+        if line.startswith("$ "):
+            commands.append(Command(line[2:], []))
+        elif commands:
+            commands[-1].output.append(line)
+    return commands
+
+
 def commands_of(page):
-    """What to run, one shell text each."""
+    """What to run, in the order of the page."""
+    last = None
     for kind, lines in code_blocks(page):
+        shown, last = last, None
         if kind == "sh" and any(RAYGAUGE.search(line) for line in lines):
-            yield "\n".join(lines)
+            last = Command("\n".join(lines))
+            yield last
+        elif kind == "python":
+            last = Command(f"{sys.executable} - <<'END_OF_PYTHON'\n" + "\n".join(lines) + "\nEND_OF_PYTHON")
+            yield last
+        elif kind == "text" and shown is not None:
+            shown.output = lines
         elif kind == "console":
-            prompted = [line[2:] for line in joined(lines) if line.startswith("$ ")]
-            yield from (line for line in prompted if RAYGAUGE.search(line))
+            session = session_of(lines)
+            yield from (session if any(RAYGAUGE.search(each.text) for each in session) else [])
         elif kind == "indented":
-            yield from (line for line in joined(lines) if line.startswith("raygauge "))
+            yield from (Command(line) for line in joined(lines) if line.startswith("raygauge "))
+
+
+def is_shown(shown, printed):
+    """Whether the lines `shown` stand for the text `printed`."""
+    pattern = ""
+    for line in shown:
+        if line.strip() == "…":
+            pattern += r"(?:.*\n)*"
+        else:
+            pattern += ".*".join(re.escape(part) for part in line.rstrip().split("…")) + r"[ ]*\n"
+    return re.fullmatch(pattern, printed if printed.endswith("\n") or not printed else printed + "\n") is not None
 
 
 def examples_of(help_text):
@@ -131,13 +170,16 @@ class Folder:
 
     def failure(self, command):
         """What went wrong with the command; "" if nothing did."""
-        self.provide_results(command)
-        expected = EXPECTED_STATUS.search(command)
+        self.provide_results(command.text)
+        expected = EXPECTED_STATUS.search(command.text)
         statuses = [int(each) for each in expected.groups() if each] if expected else [0]
-        outcome = self.shell(command)
-        if outcome.returncode in statuses:
-            return ""
-        return f"exit status {outcome.returncode}, expected {statuses}:\n$ {command}\n{outcome.stdout}\n"
+        outcome = self.shell(command.text)
+        if outcome.returncode not in statuses:
+            return f"exit status {outcome.returncode}, expected {statuses}:\n$ {command.text}\n{outcome.stdout}\n"
+        if command.output is not None and not is_shown(command.output, outcome.stdout):
+            shown = "\n".join(command.output)
+            return f"another output than the page shows:\n$ {command.text}\n{outcome.stdout}\nshown:\n{shown}\n"
+        return ""
 
 
 def help_texts(raygauge):
@@ -157,7 +199,7 @@ def main():
     parser.add_argument("--source", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
     if arguments.help_texts:
-        commands = [line for text in help_texts(arguments.raygauge) for line in examples_of(text)]
+        commands = [Command(line) for text in help_texts(arguments.raygauge) for line in examples_of(text)]
     else:
         commands = list(commands_of(arguments.page.read_text()))
     with tempfile.TemporaryDirectory(prefix="raygauge-docs-") as path:

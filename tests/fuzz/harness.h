@@ -12,6 +12,7 @@ namespace raygauge::fuzz {
 
 /// The fuzz targets: each takes any bytes; what escapes it is a finding.
 void check_point_file(std::string_view input);
+void check_mesh_file(std::string_view input);
 void check_experiment_file(std::string_view input);
 void check_set_file(std::string_view input);
 void check_set_pair(std::string_view text);

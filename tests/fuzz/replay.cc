@@ -28,6 +28,7 @@ struct Target {
 const std::vector<Target>& targets() {
   static const std::vector<Target> all = {
       {"point_file", check_point_file},
+      {"mesh_file", check_mesh_file},
       {"experiment_file", check_experiment_file},
       {"set_file", check_set_file},
       {"set_pair", check_set_pair},

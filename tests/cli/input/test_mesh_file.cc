@@ -3,8 +3,13 @@
 #include "cli/input/mesh_file.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include "engine/exceptions.h"
 #include "tests/results/support.h"
@@ -26,6 +31,29 @@ class MeshFile : public ::testing::Test {
   Eigen::MatrixXd read(const std::string& name, const std::string& bytes) {
     testing::write_bytes(folder_.file(name), bytes);
     return read_mesh_vertices(folder_.file(name));
+  }
+
+  static std::string big_endian_ints(const std::vector<int>& values) {
+    std::string bytes;
+    for (const int value : values)
+      for (const int shift : {24, 16, 8, 0})
+        bytes += static_cast<char>(static_cast<unsigned>(value) >> shift);
+    return bytes;
+  }
+
+  /// The coordinates of the triangle in single precision, each vertex with `extra` zeros behind it.
+  static std::string floats(bool big_endian, int extra) {
+    std::string bytes;
+    for (const std::array<float, 3>& vertex : {std::array<float, 3>{1, 0, 0}, {0, 2, 0}, {0, 0, 4}}) {
+      for (const float value : vertex) {
+        std::string raw(sizeof value, ' ');
+        std::memcpy(raw.data(), &value, sizeof value);
+        if (big_endian) std::reverse(raw.begin(), raw.end());
+        bytes += raw;
+      }
+      bytes += std::string(sizeof(float) * static_cast<std::size_t>(extra), '\0');
+    }
+    return bytes;
   }
 
   /// The error without the folder of the file.
@@ -76,8 +104,49 @@ TEST_F(MeshFile, WhatIsNoMeshIsNamedOnOneLine) {
   EXPECT_EQ(error("empty.off", ""), "empty.off: the file is empty");
 }
 
-TEST_F(MeshFile, BinaryOffIsRefusedByName) {
-  EXPECT_EQ(error("b.off", "OFF BINARY\n\1\2\3"), "b.off: binary OFF is not read; save the mesh as ASCII");
+TEST_F(MeshFile, BinaryFormatsGiveTheVerticesOfATriangle) {
+  const Eigen::MatrixXd expected{{0, 0, 1}, {0, 2, 0}, {4, 0, 0}};
+  EXPECT_EQ(read("t.off", "OFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 0)), expected);
+  EXPECT_EQ(read("t.off", "COFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 4)), expected);
+  for (const bool big : {false, true}) {
+    std::string header = kPly;
+    header.resize(header.find("1 0 0\n0 2 0"));
+    header.replace(header.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
+    EXPECT_EQ(read("t.ply", header + floats(big, 0)), expected) << big;
+  }
+  std::string stl(80, ' ');
+  stl += std::string("\1\0\0\0", 4) + std::string(12, '\0') + floats(false, 0) + std::string(2, '\0');
+  EXPECT_EQ(read("t.stl", stl), expected);
+}
+
+TEST_F(MeshFile, TextFormatsKeepEveryDigit) {
+  EXPECT_EQ(read("t.off", "OFF 1 0 0\n0.1 1e-9 123456789.125 255 0 0\n")(0, 0), 0.1);
+  EXPECT_EQ(read("t.off", "OFF 1 0 0\n0.1 1e-9 123456789.125 255 0 0\n")(2, 0), 123456789.125);
+}
+
+TEST_F(MeshFile, GzipIsReadUnderAnyName) {
+  const Eigen::MatrixXd expected{{0, 0, 1}, {0, 2, 0}, {4, 0, 0}};
+  for (const char* name : {"t.off.gz", "t.off"}) {
+    const gzFile file = gzopen(folder_.file(name).c_str(), "wb");
+    gzputs(file, kOff);
+    gzclose(file);
+    EXPECT_EQ(read_mesh_vertices(folder_.file(name)), expected) << name;
+  }
+  const std::string half = testing::read_bytes(folder_.file("t.off")).substr(0, 30);
+  EXPECT_EQ(error("half.off.gz", half), "half.off.gz: gzip data that is truncated or damaged");
+}
+
+TEST_F(MeshFile, AHeaderThatPromisesTooMuchIsNotBelieved) {
+  EXPECT_EQ(error("t.off", "OFF\n1000000000 1 0\n1 0 0\n"),
+            "t.off: the header promises 1000000000 vertices, and 6 bytes are left");
+  EXPECT_EQ(error("t.off", "OFF BINARY\n" + big_endian_ints({-1, 1, 0})),
+            "t.off: the header promises 4294967295 vertices, and 0 bytes are left");
+  std::string ply = kPly;
+  ply.replace(ply.find("vertex 3"), 8, "vertex 1000000000000");
+  EXPECT_EQ(error("t.ply", ply),
+            "t.ply: the header promises 1000000000000 of 'vertex', and 26 bytes are left");
+  EXPECT_EQ(error("t.stl", std::string(80, ' ') + "\xFF\xFF\xFF\x7F"),
+            "t.stl: neither a text STL file nor a whole binary one");
 }
 
 TEST_F(MeshFile, CoordinatesThatAreNotFiniteAreRefused) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/exceptions.h"
+#include "tests/results/support.h"
 
 namespace raygauge::cli::test_point_file {
 namespace {
@@ -61,8 +62,35 @@ TEST(PointFile, WhatIsNoNumberIsNamedWithLineAndColumn) {
   EXPECT_EQ(message_of<InvalidParameterError>("1 2\n3 four\n"), "A.csv:2:3: 'four' is not a number");
   EXPECT_EQ(message_of<InvalidParameterError>("1 2\n3 4m\n"), "A.csv:2:3: '4m' is not a number");
   EXPECT_EQ(message_of<InvalidParameterError>("x,y\n1,2\n"),
-            "A.csv:1:1: 'x' is not a number (a heading must start with '#')");
+            "A.csv:1:1: 'x' is not a number (a heading must start with '#'; --skip-header skips one)");
   EXPECT_EQ(message_of<InvalidParameterError>("1 +-2\n"), "A.csv:1:3: '+-2' is not a number");
+}
+
+TEST(PointFile, DecimalCommasAreRefusedWithAHint) {
+  EXPECT_EQ(
+      message_of<InvalidParameterError>("2,5;0,5\n"),
+      "A.csv: line 1 has commas beside semicolons: are they decimal commas? Write 2.5, not 2,5, or separate "
+      "by commas alone");
+  EXPECT_EQ(
+      message_of<InvalidParameterError>("1 2\n2,5\t0,5\n"),
+      "A.csv: line 2 has commas beside blanks: are they decimal commas? Write 2.5, not 2,5, or separate by "
+      "commas alone");
+}
+
+TEST(PointFile, AHeadingIsSkippedOnRequest) {
+  EXPECT_EQ(parse_points("# data\n\nx, y\n1 2\n3 4\n", "x", {.skip_header = true}), two_points());
+  EXPECT_EQ(parse_points("1 2\n3 4\n", "x", {.skip_header = true}), two_points()) << "no point is dropped";
+  EXPECT_THROW(parse_points("x y\n", "x", {.skip_header = true}), EmptySetError);
+}
+
+TEST(PointFile, BlocksMayCutLinesAnywhere) {
+  const testing::TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 200000; ++i) text += std::to_string(i) + ",0.125\r\n";
+  testing::write_bytes(folder.file("long.csv"), text);
+  const Eigen::MatrixXd points = read_point_file(folder.file("long.csv"));
+  ASSERT_EQ(points.cols(), 200000);
+  for (int i = 0; i < 200000; ++i) ASSERT_EQ(points(0, i), i);
 }
 
 TEST(PointFile, AMissingCoordinateIsNotReadAsZero) {
