@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "engine/exceptions.h"
+
 namespace raygauge::cli {
 
 void add_analysis_options(CLI::App& command, AnalysisArguments& arguments) {
@@ -39,6 +41,12 @@ OutputRequest output_request(const std::string& path, OutputKind kind, std::vect
   OutputRequest request = {path, kind, std::move(extensions), arguments.files, force};
   output_place(request);
   return request;
+}
+
+void refuse_filter_of_scene(const AnalysisArguments& arguments) {
+  if (arguments.where.empty()) return;
+  throw InvalidParameterError(arguments.files.front() +
+                              ": holds the results of a scene, which --where does not filter");
 }
 
 }  // namespace raygauge::cli

@@ -7,6 +7,7 @@
 #include "cli/output/output_file.h"
 #include "engine/exceptions.h"
 #include "results/journal/csv.h"
+#include "results/scene/scene_file.h"
 
 namespace raygauge::cli {
 namespace {
@@ -17,7 +18,18 @@ struct ExportArguments {
   bool force = false;
 };
 
+/// A scene's records; they have columns of their own, and no filter.
+bool exported_scene(const ExportArguments& arguments) {
+  const std::vector<std::string>& files = arguments.analysis.files;
+  if (files.size() != 1 || !is_scene_file(files.front())) return false;
+  refuse_filter_of_scene(arguments.analysis);
+  write_to(output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force),
+           scene_csv(read_scene_file(files.front())));
+  return true;
+}
+
 int export_records(const ExportArguments& arguments) {
+  if (exported_scene(arguments)) return kAnswered;
   const Filter filter = filter_of(arguments.analysis);
   const OutputRequest output =
       output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);

@@ -7,6 +7,7 @@
 #include "cli/commands/commands.h"
 #include "cli/output/build_report.h"
 #include "cli/output/file_report.h"
+#include "cli/output/scene_text.h"
 #include "results/run/results_file.h"
 
 namespace raygauge::cli {
@@ -27,6 +28,11 @@ struct InfoArguments {
 
 std::string report(const InfoArguments& arguments) {
   if (arguments.path.empty()) return arguments.json ? json_text(build_json()) + "\n" : build_text();
+  if (is_scene_file(arguments.path)) {
+    const SceneFile scene = read_scene_file(arguments.path);
+    return arguments.json ? json_text(scene_info_json(arguments.path, scene)) + "\n"
+                          : scene_info_text(arguments.path, scene);
+  }
   const ResultsFile results = read_results(arguments.path);
   return arguments.json ? json_text(results_json(arguments.path, results)) + "\n"
                         : results_text(arguments.path, results);

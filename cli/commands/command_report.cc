@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/render/report/report.h"
+#include "analysis/render/scene/scene_page.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
@@ -23,6 +24,12 @@ int write_report(const ReportArguments& arguments) {
   const Filter filter = filter_of(arguments.analysis);  // complains before the files are read
   const OutputRequest output = output_request(arguments.output, OutputKind::text, {".html", ".htm"},
                                               arguments.analysis, arguments.force);
+  if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front())) {
+    refuse_filter_of_scene(arguments.analysis);
+    write_to(output, scene_page::make_page(read_scene_file(arguments.analysis.files.front())));
+    print_path(output);
+    return kAnswered;
+  }
   write_to(output, report::make_page(read_files(arguments.analysis), filter, arguments.baselines));
   print_path(output);
   return kAnswered;

@@ -18,6 +18,7 @@
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
+#include "cli/output/scene_text.h"
 #include "cli/output/terminal.h"
 #include "engine/exceptions.h"
 
@@ -122,7 +123,19 @@ RenderOptions render_options(const TableArguments& arguments, TableFormat format
   return options;
 }
 
+/// A scene's results have one table, plain text.
+bool printed_scene(const TableArguments& arguments) {
+  const std::vector<std::string>& files = arguments.analysis.files;
+  if (files.size() != 1 || !is_scene_file(files.front())) return false;
+  refuse_filter_of_scene(arguments.analysis);
+  write_to(output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
+                          {".txt", ".csv"}, arguments.analysis, arguments.force),
+           scene_table_text(read_scene_file(files.front())));
+  return true;
+}
+
 int print_table(const TableArguments& arguments) {
+  if (printed_scene(arguments)) return kAnswered;
   require_one_kind(arguments);
   const TableFormat format = table_format_from_string(arguments.format);
   const OutputRequest output =

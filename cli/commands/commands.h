@@ -19,6 +19,7 @@ enum ExitStatus : int {
 /// exit status in `status`. Errors are thrown as raygauge::Error; program.cc prints them as one line and
 /// exits with kBadInput.
 void add_run_command(CLI::App& app, int& status);
+void add_scene_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
 void add_table_command(CLI::App& app, int& status);
 void add_plot_command(CLI::App& app, int& status);

@@ -34,6 +34,7 @@ int run_command(int argc, char** argv) {
   app.footer("raygauge COMMAND --help tells a command's options, with their defaults.");
   int status = kAnswered;
   add_run_command(app, status);
+  add_scene_command(app, status);
   add_distance_command(app, status);
   add_table_command(app, status);
   add_plot_command(app, status);

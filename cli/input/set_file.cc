@@ -109,4 +109,9 @@ SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named
   return SetFile{std::filesystem::path(path).parent_path(), read_named}.set_of(source.root, 0);
 }
 
+SetPointer read_set_table(const toml::table& table, const std::filesystem::path& folder,
+                          const ReadNamedSet& read_named) {
+  return SetFile{folder, read_named}.set_of(table, 0);
+}
+
 }  // namespace raygauge::cli

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "cli/input/shapes.h"
+#include "cli/input/toml_source.h"
 
 namespace raygauge::cli {
 
@@ -27,6 +29,10 @@ using ReadNamedSet = std::function<SetPointer(const std::string& source)>;
 /// another. Throws Error, with file and line: unreadable file, TOML syntax, unknown shape or key, a missing
 /// key, values that the shape does not take.
 SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named);
+
+/// The set of one such table inside a file of another kind, whose relative names start at `folder`.
+SetPointer read_set_table(const toml::table& table, const std::filesystem::path& folder,
+                          const ReadNamedSet& read_named);
 
 inline constexpr int kDeepestSet = 16;
 

@@ -11,6 +11,7 @@
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
 #include "engine/sets/capsule.h"
+#include "engine/sets/contact_wrenches.h"
 #include "engine/sets/cylinder.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/minkowski_difference.h"
@@ -104,6 +105,11 @@ const std::vector<Shape>& shapes() {
       shape<TruncatedCone>("truncated_cone", "the hull of two discs across the axis from base to top",
                            vector("base"), number("base_radius", ">= 0"), vector("top", "not base"),
                            number("top_radius", ">= 0; 0: a cone")),
+      shape<ContactWrenches>("contact_wrenches",
+                             "the wrenches (f, p x f) of a contact with friction, normal force at most 1",
+                             vector("p", "where"), vector("n", "not zero; into the object that is held"),
+                             number("mu", ">= 0; coefficient of friction"),
+                             number("facets", "0: the exact cone; m >= 3: an inscribed one of m facets")),
       shape<AffineImage>("affine_image", "{M x + t : x in S}", set("S"), matrix("M", "n × n, invertible"),
                          vector("t")),
       made_by(AffineImage::rigid, "rigid_image", "{R x + t : x in S}", set("S"),

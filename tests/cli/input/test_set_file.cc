@@ -62,6 +62,7 @@ std::map<std::string, Described> described_shapes() {
       {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
       {"cylinder", {"p = [0, 0]\nq = [3, 0]\nradius = 2", 3 + 4}},
+      {"contact_wrenches", {"p = [0, 0, 1]\nn = [2, 0, 0]\nmu = 0.5\nfacets = 0", 1 + 0.5 * 2}},
       {"truncated_cone", {"base = [0, 0]\nbase_radius = 1\ntop = [3, 0]\ntop_radius = 2", 3 + 4}},
       {"affine_image", {"S = " + ball + "\nM = [[0, 1], [2, 0]]\nt = [0, 1]", 2 + 4 + 2 * std::sqrt(17.0)}},
       {"rigid_image", {"S = " + ball + "\nR = [[0, -1], [1, 0]]\nt = [1, 0]", 1 + 2 + 2 * kLength}},
@@ -81,7 +82,9 @@ TEST_F(SetFiles, DescribeEveryShape) {
     const auto found = described.find(shape.name);
     ASSERT_NE(found, described.end());
     const SetPointer set = read("shape = \"" + shape.name + "\"\n" + found->second.text);
-    EXPECT_NEAR(set->support_function(Eigen::Vector2d(1, 2)), found->second.support, 1e-14);
+    Vector u = Vector::Zero(set->dimension());
+    u.head(2) << 1, 2;
+    EXPECT_NEAR(set->support_function(u), found->second.support, 1e-14);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/exceptions.h"
+#include "engine/scene/joint_motion.h"
 #include "tests/engine/scene/random_scenes.h"
 
 namespace raygauge::test_motion {
@@ -25,6 +26,47 @@ TEST(Motion, BoundsHoldForEveryPointDirectionAndInterval) {
     SmallVector p = uniform_vector(random, n, 1.0);
     p *= reach / std::max(reach, p.norm());
     const SmallVector u = uniform_vector(random, n, 1.0);
+    const MotionBound bound = moving->bound(from, to);
+    const Placement first = moving->at(from);
+    const Placement last = moving->at(to);
+    const SmallVector way = (last.R * p + last.t) - (first.R * p + first.t);
+    const double rounding = 1e-12;
+    EXPECT_LE(way.dot(u), bound.speed_along(u, reach) * (to - from) + rounding);
+    EXPECT_LE(way.norm(), bound.speed(reach) * (to - from) + rounding);
+  }
+}
+
+/// A chain of five links with joints of every kind along a random trajectory over [0, 1].
+MotionPointer robot_link(Random& random) {
+  auto tree = std::make_shared<KinematicTree>();
+  auto trajectory = std::make_shared<JointTrajectory>();
+  for (int i = 0; i < 5; ++i) {
+    TreeLink link;
+    link.parent = i - 1;
+    link.origin = placement(random, 3, 0.5);
+    link.kind = static_cast<JointKind>(random() % 3);
+    link.axis = Eigen::Vector3d(uniform_vector(random, 3, 1.0)).normalized();
+    link.joint = i / 2;  // some share a joint, as mimics do
+    link.scale = uniform(random, -2, 2);
+    link.offset = uniform(random, -1, 1);
+    tree->links.push_back(link);
+  }
+  trajectory->times = {0, 0.3, 1};
+  trajectory->values = 2 * Eigen::MatrixXd::Random(3, 3);
+  return std::make_shared<LinkMotion>(tree, trajectory, placement(random, 3, 1.0), 4);
+}
+
+// The same for links of robots, over long and short intervals.
+TEST(Motion, BoundsHoldForLinksOfRobots) {
+  Random random(3);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const MotionPointer moving = robot_link(random);
+    const double from = uniform(random, 0, 1);
+    const double to = std::min(moving->next_break(from), from + std::pow(10.0, uniform(random, -5, 0)));
+    const double reach = uniform(random, 0.1, 2);
+    SmallVector p = uniform_vector(random, 3, 1.0);
+    p *= reach / std::max(reach, p.norm());
+    const SmallVector u = uniform_vector(random, 3, 1.0);
     const MotionBound bound = moving->bound(from, to);
     const Placement first = moving->at(from);
     const Placement last = moving->at(to);

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/scene/scene_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+#include <vector>
+
+namespace raygauge::scene_page {
+namespace {
+
+using nlohmann::json;
+
+json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+
+json point(const SmallVector& v) {
+  json list = json::array();
+  for (Eigen::Index k = 0; k < v.size(); ++k) list.push_back(v[k]);
+  return list;
+}
+
+json record_json(const SceneRecord& record) {
+  json entry = {{"query", record.query},
+                {"a", record.body_a},
+                {"b", record.body_b},
+                {"kind", std::string(to_string(record.kind))},
+                {"time", number(record.time)},
+                {"status", std::string(to_string(record.status))},
+                {"distance", number(record.distance)},
+                {"lower", number(record.lower)},
+                {"upper", number(record.upper)},
+                {"growth", number(record.growth)},
+                {"growth_lower", number(record.growth_lower)},
+                {"growth_upper", number(record.growth_upper)}};
+  if (record.point_a.size() > 0) {
+    entry["pa"] = point(record.point_a);
+    entry["pb"] = point(record.point_b);
+  }
+  return entry;
+}
+
+std::string short_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.5g", x);
+  return text;
+}
+
+std::string pair_text(const SceneFile& file, const SceneRecord& record) {
+  return file.queries[static_cast<std::size_t>(record.query)].name + ": " +
+         file.bodies[static_cast<std::size_t>(record.body_a)].name + " – " +
+         file.bodies[static_cast<std::size_t>(record.body_b)].name + ": ";
+}
+
+json event(const SceneRecord& record, const std::string& text) {
+  return {{"time", number(record.time)}, {"text", text}};
+}
+
+json continuous_event(const SceneFile& file, const SceneRecord& record) {
+  const std::string pair = pair_text(file, record);
+  if (record.kind == SceneRowKind::clearance) {
+    if (record.status == SceneStatus::intersecting)
+      return event(record, pair + "in contact at " + short_text(record.time) + " s");
+    return event(record, pair + "never closer than " + short_text(record.lower) + " (proven), " +
+                             short_text(record.upper) + " at " + short_text(record.time) + " s");
+  }
+  if (record.status == SceneStatus::free) return event(record, pair + "no contact, proven");
+  if (record.status == SceneStatus::contact) {
+    return event(record, pair + "first contact in [" + short_text(record.time_lower) + ", " +
+                             short_text(record.time_upper) + "] s");
+  }
+  return event(record, pair + "no contact before " + short_text(record.time_lower) + " s");
+}
+
+json events_of(const SceneFile& file) {
+  json events = json::array();
+  std::map<std::tuple<int, int, int>, SceneStatus> before;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (record.kind != SceneRowKind::instant) {
+      events.push_back(continuous_event(file, record));
+      continue;
+    }
+    const auto key = std::make_tuple(record.query, record.body_a, record.body_b);
+    const auto known = before.find(key);
+    const bool changed = known != before.end() && known->second != record.status;
+    if (changed && record.status != SceneStatus::undecided) {
+      const bool touches = record.status == SceneStatus::intersecting;
+      events.push_back(event(record, pair_text(file, record) + (touches ? "contact" : "release") + " by " +
+                                         short_text(record.time) + " s"));
+    }
+    before[key] = record.status;
+  }
+  return events;
+}
+
+json queries_of(const SceneFile& file) {
+  std::vector<SceneTally> tallies(file.queries.size());
+  std::vector<double> seconds(file.queries.size());
+  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
+  for (const SceneRow& row : file.records)
+    seconds[static_cast<std::size_t>(row.record.query)] += row.record.seconds;
+  json queries = json::array();
+  for (std::size_t q = 0; q < file.queries.size(); ++q) {
+    queries.push_back({{"name", file.queries[q].name},
+                       {"effects", file.queries[q].effects},
+                       {"asked", tallies[q].asked},
+                       {"solved", tallies[q].solved},
+                       {"shared", tallies[q].shared},
+                       {"broad_phase", tallies[q].broad_phase},
+                       {"coherence", tallies[q].coherence},
+                       {"standing", tallies[q].standing},
+                       {"seconds", seconds[q]}});
+  }
+  return queries;
+}
+
+// Inside a script element "</" would end it.
+std::string escaped(std::string text) {
+  for (std::size_t i = text.find("</"); i != std::string::npos; i = text.find("</", i + 3))
+    text.replace(i, 2, "<\\/");
+  return text;
+}
+
+void fill(std::string& page, const std::string& place, const std::string& text) {
+  page.replace(page.find(place), place.size(), text);
+}
+
+}  // namespace
+
+std::string make_page(const SceneFile& file) {
+  json data;
+  data["name"] = file.name;
+  data["finished"] = file.finished();
+  data["drawing"] = file.drawing.empty() ? json(nullptr) : json::parse(file.drawing);
+  data["bodies"] = json::array();
+  for (const SceneBodyRow& body : file.bodies) data["bodies"].push_back(body.name);
+  data["queries"] = queries_of(file);
+  data["events"] = events_of(file);
+  data["records"] = json::array();
+  for (const SceneRow& row : file.records) data["records"].push_back(record_json(row.record));
+  std::string page = page_template();
+  fill(page, "{{style}}", page_style());
+  fill(page, "{{data}}", escaped(data.dump(-1, ' ', true)));
+  fill(page, "{{script}}", page_script());
+  const bool space = data["drawing"].is_object() && data["drawing"]["dimension"] == 3;
+  fill(page, "{{three}}", space ? three_library() : "");
+  return page;
+}
+
+}  // namespace raygauge::scene_page

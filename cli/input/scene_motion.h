@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/input/toml_source.h"
+#include "engine/scene/joint_motion.h"
+
+namespace raygauge::cli {
+
+/// A pose as a scene file has it: translation, and one of angle (in the plane), quaternion [w, x, y, z], rpy
+/// (roll, pitch, yaw as in URDF) or rotation (a matrix). Angles are in radians. What is left out is zero.
+/// Throws Error, with file and line.
+Placement read_pose(const toml::table& table, int dimension, const std::string& key);
+
+/// The motion that the tables `pose` and `motion` of a body describe: none, keyframes, a CSV file of poses,
+/// or constant rates. Throws Error, with file and line.
+MotionPointer read_motion(const toml::table& body, int dimension, const std::filesystem::path& folder,
+                          double start);
+
+/// Joint values from a CSV file: a column `time`, and one for each of `joints`; others are refused.
+std::shared_ptr<const JointTrajectory> read_joint_trajectory(const std::string& path,
+                                                             const std::vector<std::string>& joints);
+
+}  // namespace raygauge::cli

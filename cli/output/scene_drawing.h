@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "engine/scene/scene.h"
+
+namespace raygauge::cli {
+
+/// What a page needs to draw a scene, as JSON: every part as a mesh of triangles (a polygon in the plane) of
+/// its support points, and where every body is at up to some hundred of the instants. "" for scenes of more
+/// than 3 dimensions.
+std::string drawing_of(const Scene& scene);
+
+}  // namespace raygauge::cli

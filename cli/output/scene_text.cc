@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/output/scene_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace raygauge::cli {
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+const std::string& body_name(const SceneFile& file, int body) {
+  return file.bodies[static_cast<std::size_t>(body)].name;
+}
+
+std::string pair_name(const SceneFile& file, const SceneRecord& row) {
+  return body_name(file, row.body_a) + " – " + body_name(file, row.body_b);
+}
+
+const std::string& query_name(const SceneFile& file, int query) {
+  return file.queries[static_cast<std::size_t>(query)].name;
+}
+
+std::vector<SceneTally> tallies_of(const SceneFile& file) {
+  std::vector<SceneTally> tallies(file.queries.size());
+  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
+  return tallies;
+}
+
+SceneCounters counters_of(const SceneFile& file) {
+  SceneCounters sum;
+  for (const SceneCellRow& row : file.cells) sum += row.counters;
+  return sum;
+}
+
+std::string continuous_text(const SceneFile& file, const SceneRecord& row) {
+  const std::string head = "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": ";
+  if (row.kind == SceneRowKind::clearance) {
+    if (row.status == SceneStatus::intersecting) return head + "they meet at " + number(row.time) + " s\n";
+    return head + "never closer than " + number(row.lower) + "; " + number(row.upper) + " at " +
+           number(row.time) + " s\n";
+  }
+  if (row.status == SceneStatus::free) return head + "no contact, proven\n";
+  if (row.status == SceneStatus::contact) {
+    return head + "first contact in [" + number(row.time_lower) + ", " + number(row.time_upper) + "] s\n";
+  }
+  return head + "no contact before " + number(row.time_lower) + " s, proven; after that undecided\n";
+}
+
+std::string status_word(SceneStatus status) {
+  if (status == SceneStatus::intersecting) return "contact";
+  return status == SceneStatus::separated ? "release" : "touching, undecided";
+}
+
+}  // namespace
+
+std::string tally_text(const SceneFile& file) {
+  const std::vector<SceneTally> tallies = tallies_of(file);
+  std::string text;
+  for (std::size_t q = 0; q < tallies.size(); ++q) {
+    const SceneTally& tally = tallies[q];
+    text += "  " + file.queries[q].name + " (" + file.queries[q].effects +
+            "): " + std::to_string(tally.asked) + " answers: " + std::to_string(tally.solved) + " solved";
+    if (tally.shared > 0) text += " (" + std::to_string(tally.shared) + " by another query)";
+    text += ", " + std::to_string(tally.broad_phase) + " broad phase, " + std::to_string(tally.coherence) +
+            " coherence, " + std::to_string(tally.standing) + " static\n";
+  }
+  const SceneCounters counters = counters_of(file);
+  text += "  solves of convex parts: " + std::to_string(counters.distance_solves) + " distance, " +
+          std::to_string(counters.separation_solves) + " separation, " +
+          std::to_string(counters.growth_solves) + " growth; " + std::to_string(counters.closest_points) +
+          " pairs of closest points, " + std::to_string(counters.gradients) + " gradients\n";
+  return text;
+}
+
+std::string event_text(const SceneFile& file) {
+  std::string text;
+  std::map<std::tuple<int, int, int>, SceneStatus> before;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (record.kind != SceneRowKind::instant) {
+      text += continuous_text(file, record);
+      continue;
+    }
+    const auto key = std::make_tuple(record.query, record.body_a, record.body_b);
+    const auto known = before.find(key);
+    const bool first_contact = known == before.end() && record.status == SceneStatus::intersecting;
+    const bool changed = known != before.end() && known->second != record.status;
+    if (first_contact || changed) {
+      text += "  " + query_name(file, record.query) + ": " + pair_name(file, record) + ": " +
+              status_word(record.status) + " at instant " + std::to_string(record.instant) + ", " +
+              number(record.time) + " s\n";
+    }
+    before[key] = record.status;
+  }
+  return text;
+}
+
+std::string scene_info_text(const std::string& path, const SceneFile& file) {
+  std::string text = path + ": results of the scene '" + file.name + "'\n";
+  text += "  " + std::to_string(file.cells.size()) + " of " + std::to_string(file.cell_count) + " cells, " +
+          std::to_string(file.records.size()) + " records, " + std::to_string(file.bodies.size()) +
+          " bodies, " + std::to_string(file.queries.size()) + " queries\n";
+  for (const Session& session : file.sessions) {
+    text += "  session started " + session.started_at + ", " + std::to_string(session.threads) +
+            " threads, commit " + session.build.git_commit + ", " + session.machine.cpu_model + "\n";
+  }
+  return text + tally_text(file);
+}
+
+Json scene_info_json(const std::string& path, const SceneFile& file) {
+  Json json;
+  json["file"] = path;
+  json["scene"] = file.name;
+  json["finished"] = file.finished();
+  json["cells"] = file.cells.size();
+  json["cell_count"] = file.cell_count;
+  json["records"] = file.records.size();
+  json["bodies"] = Json::array();
+  for (const SceneBodyRow& body : file.bodies) json["bodies"].push_back(body.name);
+  const std::vector<SceneTally> tallies = tallies_of(file);
+  for (std::size_t q = 0; q < tallies.size(); ++q) {
+    Json query;
+    query["name"] = file.queries[q].name;
+    query["effects"] = file.queries[q].effects;
+    for (const Column<SceneTallyRow>& column : scene_tally_columns()) {
+      if (column.name == "cell" || column.name == "query") continue;
+      query[column.name] = std::get<std::int64_t>(column.get({0, 0, tallies[q]}));
+    }
+    json["queries"].push_back(query);
+  }
+  const SceneCounters counters = counters_of(file);
+  for (const Column<SceneCellRow>& column : scene_cell_columns()) {
+    if (column.type == ValueType::int64)
+      json["counters"][column.name] = std::get<std::int64_t>(column.get({0, counters, 0}));
+  }
+  return json;
+}
+
+std::string scene_table_text(const SceneFile& file) {
+  struct Line {
+    std::int64_t rows = 0, contacts = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double lower = 0, time = 0, seconds = 0, widest_gap = 0;
+  };
+  std::map<std::tuple<int, int, int>, Line> lines;
+  std::string events;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (record.kind != SceneRowKind::instant) {
+      events += continuous_text(file, record);
+      continue;
+    }
+    Line& line = lines[{record.query, record.body_a, record.body_b}];
+    ++line.rows;
+    line.seconds += record.seconds;
+    if (record.status == SceneStatus::intersecting) ++line.contacts;
+    const bool distance = !std::isnan(record.distance);
+    const double value = distance ? record.distance : record.growth;
+    if (distance && record.upper > 0) {
+      line.widest_gap = std::max(line.widest_gap, (record.upper - record.lower) / record.upper);
+    }
+    if (!(value < line.least)) continue;
+    line.least = value;
+    line.lower = distance ? record.lower : record.growth_lower;
+    line.time = record.time;
+  }
+  std::string text;
+  if (!lines.empty()) {
+    text +=
+        "query, pair, rows, in contact, least value, its lower bound, at time [s], widest relative gap, "
+        "seconds\n";
+  }
+  for (const auto& [key, line] : lines) {
+    const auto& [query, a, b] = key;
+    text += query_name(file, query) + ", " + body_name(file, a) + " – " + body_name(file, b) + ", " +
+            std::to_string(line.rows) + ", " + std::to_string(line.contacts);
+    const bool valued = std::isfinite(line.least);
+    text +=
+        valued ? ", " + number(line.least) + ", " + number(line.lower) + ", " + number(line.time) : ", , , ";
+    text += ", " + number(line.widest_gap) + ", " + number(line.seconds) + "\n";
+  }
+  return text + events;
+}
+
+}  // namespace raygauge::cli

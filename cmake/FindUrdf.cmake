@@ -1,0 +1,12 @@
+# Finds the URDF parser: Urdf_FOUND, target Urdf::Urdf. (The package's own configuration names targets that are not there.)
+find_path(Urdf_INCLUDE_DIR urdf_parser/urdf_parser.h)
+find_library(Urdf_LIBRARY urdfdom_model)
+find_library(Urdf_CONSOLE_LIBRARY console_bridge)
+mark_as_advanced(Urdf_INCLUDE_DIR Urdf_LIBRARY Urdf_CONSOLE_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Urdf REQUIRED_VARS Urdf_LIBRARY Urdf_CONSOLE_LIBRARY Urdf_INCLUDE_DIR)
+if(Urdf_FOUND AND NOT TARGET Urdf::Urdf)
+  add_library(Urdf::Urdf UNKNOWN IMPORTED)
+  set_target_properties(Urdf::Urdf PROPERTIES IMPORTED_LOCATION "${Urdf_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${Urdf_INCLUDE_DIR}" INTERFACE_LINK_LIBRARIES "${Urdf_CONSOLE_LIBRARY}")
+endif()

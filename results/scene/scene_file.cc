@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "results/scene/scene_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "results/exceptions.h"
+#include "results/hdf5/hdf5_library.h"
+#include "results/run/run_directory.h"
+#include "results/scene/scene_writer.h"
+#include "results/schema/column_io.h"
+#include "results/schema/schema.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+using hdf5::Layout;
+
+constexpr const char* kSceneFormat = "raygauge-scene";
+
+void write_sessions(H5::Group& root, const std::vector<Session>& sessions) {
+  std::vector<VersionRow> versions;
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    for (const ComponentVersion& entry : sessions[i].versions) {
+      versions.push_back({static_cast<std::int32_t>(i), entry.name, entry.version});
+    }
+  }
+  hdf5::write_table(root, "sessions", session_columns(), sessions, Layout::plain);
+  hdf5::write_table(root, "versions", version_columns(), versions, Layout::plain);
+}
+
+std::vector<Session> read_sessions(const H5::Group& root, const std::string& place) {
+  std::vector<Session> sessions = hdf5::read_table(root, "sessions", session_columns(), place);
+  for (const VersionRow& row : hdf5::read_table(root, "versions", version_columns(), place)) {
+    if (row.session < 0 || static_cast<std::size_t>(row.session) >= sessions.size()) {
+      throw ResultsError(place + "/versions: session " + std::to_string(row.session) +
+                         " is not in /sessions");
+    }
+    sessions[static_cast<std::size_t>(row.session)].versions.push_back({row.name, row.version});
+  }
+  return sessions;
+}
+
+void check_format(const H5::Group& root, const std::string& file) {
+  if (!root.attrExists("format") || hdf5::read_text_attribute(root, "format", file) != kSceneFormat) {
+    throw ResultsError(file + ": an HDF5 file, but not the results of a scene");
+  }
+  const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
+  if (version == kSceneSchemaVersion) return;
+  throw SchemaVersionError(file + ": a scene of schema version " + std::to_string(version) +
+                           ", this raygauge reads version " + std::to_string(kSceneSchemaVersion));
+}
+
+std::string field_of(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    if (text->find_first_of(",\"\n") == std::string::npos) return *text;
+    std::string quoted = "\"";
+    for (const char c : *text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+  }
+  if (const auto* number = std::get_if<double>(&value)) {
+    if (std::isnan(*number)) return "nan";
+    char buffer[32];
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, *number);
+    return error == std::errc() ? std::string(buffer, end) : std::string();
+  }
+  return std::visit(
+      [](const auto& entry) -> std::string {
+        if constexpr (std::is_integral_v<std::decay_t<decltype(entry)>>) return std::to_string(entry);
+        return {};
+      },
+      value);
+}
+
+}  // namespace
+
+void sort_scene(SceneFile& file) {
+  const auto by_cell = [](const auto& x, const auto& y) { return x.cell < y.cell; };
+  std::stable_sort(file.records.begin(), file.records.end(), by_cell);
+  std::stable_sort(file.tallies.begin(), file.tallies.end(), by_cell);
+  std::stable_sort(file.cells.begin(), file.cells.end(), by_cell);
+}
+
+std::string encode_scene(const SceneFile& file) {
+  return hdf5::file_image([&](H5::Group& root) {
+    hdf5::write_attribute(root, "format", std::string(kSceneFormat));
+    hdf5::write_attribute(root, "schema_version", std::int64_t{kSceneSchemaVersion});
+    hdf5::write_attribute(root, "raygauge_version", build_info().raygauge_version);
+    hdf5::write_attribute(root, "cell_count", static_cast<std::int64_t>(file.cell_count));
+    hdf5::write_text(root, "name", file.name);
+    hdf5::write_text(root, "scene", file.text);
+    hdf5::write_text(root, "identity", file.identity);
+    hdf5::write_text(root, "drawing", file.drawing);
+    write_sessions(root, file.sessions);
+    const Layout layout = file.records.size() > 64 ? Layout::packed : Layout::plain;
+    hdf5::write_table(root, "records", scene_record_columns(), file.records, layout);
+    hdf5::write_table(root, "tallies", scene_tally_columns(), file.tallies, Layout::plain);
+    hdf5::write_table(root, "cells", scene_cell_columns(), file.cells, Layout::plain);
+    hdf5::write_table(root, "bodies", scene_body_columns(), file.bodies, Layout::plain);
+    hdf5::write_table(root, "queries", scene_query_columns(), file.queries, Layout::plain);
+  });
+}
+
+SceneFile decode_scene(const fs::path& path) {
+  SceneFile file;
+  const std::string place = path.string() + ": ";
+  hdf5::read_own_file(path, [&](H5::Group& root) {
+    check_format(root, path.string());
+    file.cell_count = static_cast<std::uint64_t>(hdf5::read_integer_attribute(root, "cell_count", place));
+    file.name = hdf5::read_text(root, "name", place);
+    file.text = hdf5::read_text(root, "scene", place);
+    file.identity = hdf5::read_text(root, "identity", place);
+    file.drawing = hdf5::read_text(root, "drawing", place);
+    file.sessions = read_sessions(root, place);
+    file.records = hdf5::read_table(root, "records", scene_record_columns(), place);
+    file.tallies = hdf5::read_table(root, "tallies", scene_tally_columns(), place);
+    file.cells = hdf5::read_table(root, "cells", scene_cell_columns(), place);
+    file.bodies = hdf5::read_table(root, "bodies", scene_body_columns(), place);
+    file.queries = hdf5::read_table(root, "queries", scene_query_columns(), place);
+  });
+  return file;
+}
+
+bool is_scene_file(const fs::path& path) {
+  if (!fs::exists(path)) return !list_scene_parts(path).empty();
+  bool scene = false;
+  try {
+    hdf5::read_file(path, [&](H5::Group& root) {
+      scene = root.attrExists("format") &&
+              hdf5::read_text_attribute(root, "format", path.string()) == kSceneFormat;
+    });
+  } catch (const ResultsError&) {
+    return false;  // whoever reads it says why it cannot be read
+  }
+  return scene;
+}
+
+SceneFile read_scene_file(const fs::path& path) {
+  const std::vector<fs::path> parts = list_scene_parts(path);
+  if (parts.empty()) return decode_scene(path);
+  SceneFile all;
+  bool first = true;
+  if (fs::exists(path)) {
+    all = decode_scene(path);
+    first = false;
+  }
+  for (const fs::path& part_path : parts) {
+    SceneFile part = decode_scene(part_path);
+    const auto known = [&](std::uint64_t cell) {
+      return std::any_of(all.cells.begin(), all.cells.end(),
+                         [&](const SceneCellRow& row) { return row.cell == cell; });
+    };
+    if (first) {
+      all = std::move(part);
+      first = false;
+      continue;
+    }
+    if (part.identity != all.identity) {
+      throw ResultsError(part_path.string() + ": belongs to another scene than the parts before it");
+    }
+    if (all.drawing.empty()) all.drawing = part.drawing;
+    if (part.sessions.size() > all.sessions.size()) all.sessions = part.sessions;
+    if (part.cells.empty() || known(part.cells.front().cell)) continue;
+    all.records.insert(all.records.end(), part.records.begin(), part.records.end());
+    all.tallies.insert(all.tallies.end(), part.tallies.begin(), part.tallies.end());
+    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
+  }
+  sort_scene(all);
+  return all;
+}
+
+std::string scene_csv(const SceneFile& file) {
+  std::string text;
+  const auto& columns = scene_record_columns();
+  for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name;
+  text += '\n';
+  for (const SceneRow& row : file.records) {
+    for (const auto& column : columns) {
+      if (&column != &columns.front()) text += ',';
+      text += field_of(column.get(row));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace raygauge

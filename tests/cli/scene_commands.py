@@ -1,0 +1,162 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Runs scenes as a user does: the shipped ones, killed and resumed, on several threads, and bad ones.
+
+    scene_commands.py --raygauge PROGRAM --scenes FOLDER
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+GOOD = """
+[time]
+to = 1
+instants = 2000
+[[body]]
+name = "a"
+shape = { shape = "box", lower = [-1, -1, -1], upper = [1, 1, 1] }
+motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }
+[[body]]
+name = "b"
+shape = { shape = "ball", center = [4, 0, 0], radius = 0.5 }
+[[body]]
+name = "c"
+shape = { shape = "capsule", p = [0, 4, 0], q = [0, 5, 1], radius = 0.5 }
+motion = { velocity = [0, -0.5, 0], spin = [3, 0, 0] }
+[[query]]
+effects = ["distance", "closest_points"]
+[[query]]
+effects = ["time_of_impact", "clearance"]
+"""
+
+BAD = {
+    "an unknown body": ('effects = ["distance", "closest_points"]', 'effects = ["distance"]\nbetween = ["d"]', "'d'"),
+    "an unknown effect": ('"closest_points"', '"closest_point"', "closest_points"),
+    "an unknown key": ("instants = 2000", "instant = 2000", "instants"),
+    "times that fall": ("to = 1\ninstants = 2000", "instants = [0, 1, 0.5]", "instants must rise"),
+    "a quaternion of another length": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }',
+                                      'pose = { quaternion = [1, 1, 0, 0] }', "not a rotation"),
+    "a matrix that is no rotation": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }',
+                                     'pose = { rotation = [[1, 0, 0], [0, 2, 0], [0, 0, 1]] }', "not a rotation"),
+    "a motion that ends too soon": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }',
+                                    'motion.file = "short.csv"', "moves from time 0"),
+    "a NaN in a trajectory": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }', 'motion.file = "nan.csv"', "nan.csv"),
+    "times of a trajectory that fall": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }',
+                                        'motion.file = "fall.csv"', "times must rise"),
+    "a robot without its mesh": ("[[query]]", '[[robot]]\nurdf = "no_mesh.urdf"\n[[query]]', "hand.stl"),
+    "a package that is not known": ("[[query]]", '[[robot]]\nurdf = "package.urdf"\n[[query]]', "--package parts"),
+    "a joint that is not understood": ("[[query]]", '[[robot]]\nurdf = "floating.urdf"\n[[query]]', "'j'"),
+}
+
+FILES = {
+    "short.csv": "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,1,0,0,1,0,0,0\n",
+    "nan.csv": "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,nan,0,0,1,0,0,0\n",
+    "fall.csv": "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,1,0,0,0\n0.5,0,0,0,1,0,0,0\n",
+    "no_mesh.urdf": '<robot name="r"><link name="l"><collision><geometry><mesh filename="hand.stl"/></geometry>'
+                    "</collision></link></robot>",
+    "package.urdf": '<robot name="r"><link name="l"><collision><geometry><mesh filename="package://parts/a.stl"/>'
+                    "</geometry></collision></link></robot>",
+    "floating.urdf": '<robot name="r"><link name="l"/><link name="m"/><joint name="j" type="floating">'
+                     '<parent link="l"/><child link="m"/></joint></robot>',
+}
+
+
+class Scenes(unittest.TestCase):
+    raygauge = None
+    scenes = None
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.work = pathlib.Path(self.folder.name)
+        for name, text in FILES.items():
+            (self.work / name).write_text(text)
+        (self.work / "good.toml").write_text(GOOD)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_raygauge(self, *arguments, status=0):
+        done = subprocess.run([self.raygauge, *map(str, arguments)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def answers(self, results):
+        """The records without times: session and seconds are of the run, not of the scene."""
+        rows = self.run_raygauge("export", results, "--csv", "-").stdout.splitlines()
+        names = rows[0].split(",")
+        kept = [i for i, name in enumerate(names) if name not in ("session", "seconds")]
+        return [[row.split(",")[i] for i in kept] for row in rows]
+
+    def test_every_shipped_scene_runs_and_has_a_page(self):
+        scenes = sorted(self.scenes.glob("*.toml"))
+        self.assertGreaterEqual(len(scenes), 5)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                results = self.work / (scene.stem + ".h5")
+                self.run_raygauge("scene", "run", scene, "-q", "-o", results)
+                self.run_raygauge("report", results, "-o", self.work / "page.html")
+                self.assertIn("solved", self.run_raygauge("info", results).stdout)
+                self.assertGreater(len(self.run_raygauge("table", results).stdout.splitlines()), 1)
+                self.assertIn("never:", self.run_raygauge("scene", "explain", scene).stdout)
+
+    def test_answers_are_the_same_on_any_number_of_threads(self):
+        first = None
+        for threads in (1, 2, 7):
+            results = self.work / f"threads{threads}.h5"
+            self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "--threads", threads, "-o", results)
+            first = first or self.answers(results)
+            self.assertEqual(first, self.answers(results))
+
+    def test_a_run_that_is_killed_is_resumed_to_the_same_answers(self):
+        whole, cut = self.work / "whole.h5", self.work / "cut.h5"
+        command = ["scene", "run", self.work / "good.toml", "-q", "--threads", 1, "-o"]
+        self.run_raygauge(*command, whole)
+        killed = 0
+        for _ in range(40):
+            process = subprocess.Popen([self.raygauge, *map(str, command), str(cut), "--resume"])
+            parts = pathlib.Path(str(cut) + ".parts")
+            before = len(list(parts.glob("scene-*.h5"))) if parts.exists() else 0
+            while process.poll() is None and not (parts.exists() and len(list(parts.glob("scene-*.h5"))) > before):
+                time.sleep(0.001)
+            if process.poll() is not None:
+                break
+            process.kill()
+            process.wait()
+            killed += 1
+        self.run_raygauge(*command, cut, "--resume")
+        self.assertGreater(killed, 0)
+        self.assertEqual(self.answers(whole), self.answers(cut))
+        self.assertFalse(pathlib.Path(str(cut) + ".parts").exists())
+
+    def test_results_are_not_replaced_unasked_and_not_mixed(self):
+        results = self.work / "r.h5"
+        command = ["scene", "run", self.work / "good.toml", "-q", "-o", results]
+        self.run_raygauge(*command)
+        self.assertIn("exists already", self.run_raygauge(*command, status=2).stderr)
+        other = self.run_raygauge(*command, "--resume", "--set", "time.instants=11", status=2)
+        self.assertIn("another scene", other.stderr)
+        self.run_raygauge(*command, "--force")
+
+    def test_what_is_wrong_with_a_scene_is_said_in_one_line(self):
+        for what, (old, new, word) in BAD.items():
+            with self.subTest(what):
+                scene = self.work / "bad.toml"
+                self.assertIn(old, GOOD)
+                scene.write_text(GOOD.replace(old, new, 1))
+                done = self.run_raygauge("scene", "run", scene, "-o", self.work / "bad.h5", status=2)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+                self.assertIn(word, done.stderr)
+                self.assertFalse((self.work / "bad.h5").exists())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--raygauge", required=True)
+    parser.add_argument("--scenes", type=pathlib.Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    Scenes.raygauge, Scenes.scenes = arguments.raygauge, arguments.scenes
+    unittest.main(argv=[sys.argv[0], *rest])
