@@ -29,7 +29,8 @@ MergedResults read_files(const AnalysisArguments& arguments);
 /// --where as a filter; without it, the one that passes everything.
 Filter filter_of(const AnalysisArguments& arguments);
 
-/// Throws InvalidParameterError where records of a scene are to be filtered: `--where` is for those of sweeps.
+/// Throws InvalidParameterError where records of a scene are to be filtered: `--where` is for those of
+/// sweeps.
 void refuse_filter_of_scene(const AnalysisArguments& arguments);
 
 /// What a command that reads these files wants to write. Throws OutputRefusedError where it may not, so that
