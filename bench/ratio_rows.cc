@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -206,6 +207,29 @@ void print_threads(const Variant& variant, const Effort& effort) {
 
 void print_n50(const Variant& variant, const Effort& effort) {
   print_pass_cell(variant, 50, 20000, effort.instances);
+}
+
+void print_high(const Variant& variant, const Effort& effort) {
+  std::vector<int> dimensions = {20, 50, 100};
+  if (!effort.quick) dimensions.insert(dimensions.end(), {150, 200, 400, 500});
+  const auto print_part = [&](const char* what, const std::function<std::vector<int>(int)>& counts) {
+    Summary direct(what);
+    Summary zheng_yamane("  zheng_yamane");
+    for (const int n : dimensions) {
+      for (const int N : counts(n)) {
+        const LpCell cell = against_lp({"direct", "zheng_yamane"}, variant, n, N, effort.instances);
+        std::printf("n = %3d, N = %5d: direct %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
+                    cell.ours[0] * 1e3, cell.ours[1] * 1e3, cell.best_name.c_str(), cell.best_lp * 1e3);
+        std::fflush(stdout);
+        direct.add(cell.ours[0] / cell.best_lp, n, N);
+        zheng_yamane.add(cell.ours[1] / cell.best_lp, n, N);
+      }
+    }
+    direct.print();
+    zheng_yamane.print();
+  };
+  print_part("direct, many points", [](int n) { return std::vector<int>{3 * n, 10 * n}; });
+  print_part("direct, few points", [](int n) { return std::vector<int>{n + 2, 3 * n / 2, 2 * n}; });
 }
 
 void print_n100(const Variant& variant, const Effort& effort) {

@@ -17,7 +17,10 @@ struct Effort {
 void print_grid(const Variant& variant, const Effort& effort);  ///< direct / LP, zheng_yamane / LP; Table III
 void print_large(const Variant& variant, const Effort& effort);  ///< direct / pass; N = 2e4, 2e5, 1e6
 void print_n50(const Variant& variant, const Effort& effort);    ///< direct / pass; n = 50, N = 2e4
-void print_n100(const Variant& variant, const Effort& effort);   ///< direct / LP; n = 100, N = 1e4
+/// direct / LP and zheng_yamane / LP at n = 20 … 500, N = 3 n, 10 n, and N = n + 2, 1.5 n, 2 n. `quick`: to
+/// n = 100.
+void print_high(const Variant& variant, const Effort& effort);
+void print_n100(const Variant& variant, const Effort& effort);  ///< direct / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10
 void print_threads(const Variant& variant,

@@ -99,6 +99,17 @@ struct MatrixNorms {
   double B = 0;         ///< ‖B‖∞
 };
 
+/// Layout of the matrix of Kernels::add_gram in R^n: column-major, gram_rows(n) rows and gram_columns(n)
+/// columns, of which the lower triangle of the first n is written. Its scratch holds gram_rows(n) +
+/// gram_columns(n) numbers for each of kGramPoints points.
+constexpr int kGramRowPadding = 16;
+constexpr int kGramColumnPadding = 6;
+constexpr int kGramPoints = 128;
+constexpr int gram_rows(int n) { return (n + kGramRowPadding - 1) / kGramRowPadding * kGramRowPadding; }
+constexpr int gram_columns(int n) {
+  return (n + kGramColumnPadding - 1) / kGramColumnPadding * kGramColumnPadding;
+}
+
 /// The vector kernels of one instruction set.
 struct Kernels {
   /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
@@ -132,6 +143,11 @@ struct Kernels {
 
   /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y.
   void (*duals)(BasisView* basis);
+
+  /// M += Σ weight_i p_i p_iᵀ over the points of `block_count` blocks in R^n, as many weights as lanes;
+  /// points of weight 0 cost nothing. Layout: gram_rows.
+  void (*add_gram)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+                   double* scratch, double* M);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

@@ -8,11 +8,12 @@
 #pragma once
 
 #include "engine/kernels/certificate_kernels.h"
+#include "engine/kernels/gram_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price, price_single, collect, pivot, simplex_loop, norms, refine, duals};
+const Kernels kKernels = {price, price_single, collect, pivot, simplex_loop, norms, refine, duals, add_gram};
 
 }  // namespace raygauge::RAYGAUGE_ISA

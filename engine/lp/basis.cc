@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/lp/basis.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -45,6 +46,11 @@ bool gauss_jordan(double* factor, int m) {
   return true;
 }
 
+// Rows from which on a blocked LU factorisation is faster than Gauss-Jordan.
+constexpr int kBlocked = 48;
+
+using Matrix = Eigen::Map<Eigen::MatrixXd>;
+
 }  // namespace
 
 void Basis::reset(int m, const Kernels& kernels) {
@@ -80,6 +86,35 @@ void Basis::set_column(int i, const double* column, double cost, std::int64_t id
 }
 
 bool Basis::refactor() {
+  if (view_.m >= kBlocked ? !invert_in_blocks() : !invert_by_rows()) return false;
+  const int m = view_.m;
+  double* x = view_.x();
+  std::fill_n(x, view_.P, 0.0);
+  for (int k = 0; k < m; ++k) {
+    const double b = b_[static_cast<std::size_t>(k)];
+    if (b == 0) continue;
+    const double* column_of_R = view_.R + static_cast<std::ptrdiff_t>(k) * view_.P;
+    for (int i = 0; i < m; ++i) x[i] += column_of_R[i] * b;
+  }
+  refresh_duals();
+  return true;
+}
+
+bool Basis::invert_in_blocks() {
+  const int m = view_.m;
+  factor_.reserve(static_cast<std::size_t>(m) * static_cast<std::size_t>(m));
+  Matrix factor(factor_.data(), m, m);
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> B(view_.B, m, m,
+                                                                     Eigen::OuterStride<>(view_.P));
+  factor = B;
+  const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu(factor);
+  if (!(factor.diagonal().cwiseAbs().minCoeff() > kSingular)) return false;
+  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> R(view_.R, m, m, Eigen::OuterStride<>(view_.P));
+  R = lu.inverse();
+  return true;
+}
+
+bool Basis::invert_by_rows() {
   const int m = view_.m;
   const std::ptrdiff_t width = 2 * static_cast<std::ptrdiff_t>(m);
   factor_.reserve(static_cast<std::size_t>(m * width));
@@ -90,16 +125,12 @@ bool Basis::refactor() {
     }
   }
   if (!gauss_jordan(factor_.data(), m)) return false;
-  double* x = view_.x();
-  std::fill_n(x, view_.P, 0.0);
   for (int i = 0; i < m; ++i) {
     for (int k = 0; k < m; ++k) {
-      const double r = factor_[static_cast<std::size_t>(i * width + m + k)];
-      view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i] = r;
-      x[i] += r * b_[static_cast<std::size_t>(k)];
+      view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i] =
+          factor_[static_cast<std::size_t>(i * width + m + k)];
     }
   }
-  refresh_duals();
   return true;
 }
 

@@ -47,6 +47,9 @@ class Basis {
   const double* column(int i) const noexcept { return view_.B + static_cast<std::ptrdiff_t>(i) * view_.P; }
 
  private:
+  bool invert_by_rows();
+  bool invert_in_blocks();
+
   BasisView view_;
   const Kernels* kernels_ = nullptr;
   AlignedBuffer<double> memory_;

@@ -15,11 +15,19 @@ constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 // Coordinates of a sample from which on pricing it in single precision saves more than making the copy takes.
 constexpr std::ptrdiff_t kWorthRounding = 8192;
 
+constexpr int kManyDimensions = 48;
+constexpr std::ptrdiff_t kSampleOverDimension = 8;
+
 // Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
 // the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
+//
+// In many dimensions that would be fewer points than make a basis, or little more, which is another problem.
 std::ptrdiff_t sample_blocks(const PointSet& S) {
   const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
-  return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, static_cast<std::ptrdiff_t>(balanced / 16));
+  const auto sample = static_cast<std::ptrdiff_t>(balanced / 16);
+  if (S.dimension() < kManyDimensions) return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, sample);
+  const std::ptrdiff_t enough = std::max(sample, kSampleOverDimension * S.dimension() / kLanes);
+  return 2 * enough >= S.block_count() ? S.block_count() : enough;
 }
 
 }  // namespace

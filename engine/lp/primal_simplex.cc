@@ -19,6 +19,7 @@ namespace {
 constexpr std::int64_t kPivotsBetweenLooks = 512;
 constexpr double kEntriesBetweenLooks = 2e7;
 constexpr double kArtificialZero = 1e-13;  // weight of artificial columns that is rounding noise
+constexpr double kFeasible = 1e-11;        // how negative a weight may be in a first basis
 constexpr int kCostRaises = 14;            // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
@@ -111,6 +112,26 @@ void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double
   basis_.set_column(n_, a, 0.0, id_of_A(index));
   place_artificials(a, frame);
   set_artificial_costs(guess_.data(), guess_error, frame);
+}
+
+bool PrimalSimplex::start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids) {
+  if (std::ssize(ids) != n_ + 1) return false;
+  basis_.reset(n_ + 1, *kernels_);
+  basis_.right_hand_side()[n_] = 1.0;
+  double* column = column_.data();
+  std::fill_n(column, basis_.view().P, 0.0);
+  for (int i = 0; i <= n_; ++i) {
+    const std::int64_t id = ids[static_cast<std::size_t>(i)];
+    (is_from_Q(id) ? Q : A).copy_point(id / 2, column);
+    column[n_] = is_from_Q(id) ? 0.0 : 1.0;
+    for (int k = 0; k < n_ && is_from_Q(id); ++k) column[k] = -column[k];
+    basis_.set_column(i, column, is_from_Q(id) ? 1.0 : 0.0, id);
+  }
+  ++refactorisations_;
+  loop_.artificials = 0;
+  if (!basis_.refactor()) return false;
+  const double* x = basis_.view().x();
+  return std::all_of(x, x + n_ + 1, [](double weight) { return weight >= -kFeasible; });
 }
 
 // B = [F S, a; 0, 1] with the signs S: R = [S F⁻¹, -S F⁻¹ a; 0, 1], whose last column is x. F = I without a

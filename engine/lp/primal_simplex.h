@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/certificates/weighted_points.h"
@@ -54,6 +55,10 @@ class PrimalSimplex {
   };
   void start(const ColumnPool& A, const ColumnPool& Q, const double* guess, double guess_error,
              const Frame* frame = nullptr);
+
+  /// First basis of these n + 1 columns. False where they are none, or where a weight is negative: start()
+  /// then.
+  bool start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids);
 
   /// Continues from the basis at hand. Working sets may have grown since, but not changed.
   End solve(const ColumnPool& A, const ColumnPool& Q, const Stopwatch& stopwatch);

@@ -16,6 +16,13 @@ namespace {
 // and the working set hardly grows (measured over 0 … 1).
 constexpr double kReach = 0.2;
 
+// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex: at
+// N = 2 n … 10 n it takes 1.4 of its time at n = 150, 0.7 at 200 and 0.47 at 400 (AVX-512).
+constexpr int kInterior = 180;
+
+// Of the normal that it ends with, where its columns make no basis.
+constexpr double kErrorInside = 1e-3;
+
 // Coordinates of both sets up to which a pass costs less than the pivots it may spare.
 constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
 
@@ -28,6 +35,9 @@ void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions&
   working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q(), true);
   chosen_A_ = chosen_Q_ = {};
   start();
+  if (separated_ && is_separated()) {
+    return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+  }
   run(false, effects, result);
 }
 
@@ -76,9 +86,41 @@ void Sifting::start() {
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
   for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
+  separated_ = false;
+  if (n_ >= kInterior) {
+    const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
+    separated_ = end == InteriorPoint::End::separated;
+    if (end != InteriorPoint::End::failed) return start_inside();
+  }
   const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
   program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr);
+}
+
+// From the columns that carry weight at the end of the interior-point method, or from its normal.
+void Sifting::start_inside() {
+  interior_.columns(start_);
+  if (!separated_ && program_.start_from(working_A_, working_Q_, start_)) return;
+  double* guess = direction_.data();
+  double largest = 0;
+  for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(interior_.normal()[k]));
+  for (int k = 0; k < n_; ++k) guess[k] = interior_.normal()[k] / largest;
+  program_.start(working_A_, working_Q_, guess, kErrorInside);
+}
+
+// Whether the interior-point method's normal, which separates the working sets, separates the sets.
+bool Sifting::is_separated() {
+  double* u = direction_.data();
+  double* v = u + n_;
+  for (int k = 0; k < n_; ++k) {
+    u[k] = Scaling::direction_component(scaling_.factor_A()[k], interior_.normal()[k]);
+    v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], interior_.normal()[k]);
+  }
+  counters_.support_queries += 2;
+  counters_.points_priced += A_->size() + Q_->size();
+  h_A_ = support_value(*kernels_, *A_, u, nullptr, resolution_for(tolerance_));
+  h_Q_ = support_value(*kernels_, *Q_, v, nullptr, resolution_for(tolerance_));
+  return lower_bound(h_A_, h_Q_) == kInfinity;
 }
 
 // The isotropic map of Q, scaled as Q is. False where none is needed.

@@ -10,6 +10,7 @@
 #include "engine/certificates/gauge_bound.h"
 #include "engine/lp/column_pool.h"
 #include "engine/lp/exact_simplex.h"
+#include "engine/lp/interior_point.h"
 #include "engine/lp/primal_simplex.h"
 #include "engine/lp/scaling.h"
 #include "engine/methods/options.h"
@@ -41,6 +42,8 @@ class Sifting {
   void begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
              const Stopwatch& stopwatch);
   void start();
+  void start_inside();
+  bool is_separated();
   bool choose_frame();
   void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);
@@ -76,6 +79,8 @@ class Sifting {
   ColumnPool working_A_;
   ColumnPool working_Q_;
   PrimalSimplex program_;
+  InteriorPoint interior_;
+  bool separated_ = false;  // by interior_, the working sets
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
   const Stopwatch* stopwatch_ = nullptr;

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/kernels/kernel.h"
+#include "engine/lp/column_pool.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// The linear program of PrimalSimplex by Mehrotra's predictor-corrector method (S. Mehrotra 1992), where
+/// bases are large: some 15 factorisations of an n x n matrix instead of some 20 n basis changes. Its answer
+/// proves nothing; it is where the simplex starts.
+///
+///     maximize t   subject to   u·a_i + t + s_i = 0,   -u·q_j + s_j = 1,   s >= 0
+///
+/// The iterates (u, t) are strictly feasible from the start, the weights x = (α, β) become so.
+class InteriorPoint {
+ public:
+  enum class End : std::uint8_t {
+    converged,
+    separated,  ///< all of Q is strictly behind the plane of normal(), and A before it
+    failed,     ///< no progress, or the stopwatch
+  };
+
+  /// Over the points of the pools, from a guess of the normal's direction (n doubles).
+  End solve(const ColumnPool& A, const ColumnPool& Q, int n, const double* guess, const Kernels& kernels,
+            const Stopwatch& stopwatch);
+
+  const double* normal() const noexcept { return y_.data(); }  ///< u
+
+  /// The n + 1 columns with the most weight at the end (identities as in PrimalSimplex): the optimal basis,
+  /// if that is unique and not degenerate.
+  void columns(std::vector<std::int64_t>& ids);
+
+  std::int64_t iterations() const noexcept { return iterations_; }
+
+ private:
+  // The points of one set, with their weights and slacks, at the end of the last block filled up.
+  struct Side {
+    PricedPoints points;
+    std::ptrdiff_t count = 0;  // of lanes
+    double sign = 1;           // of the coordinates in the program
+    double last = 0;           // entry of the columns in the convexity row
+    AlignedBuffer<double> x;
+    AlignedBuffer<double> s;
+    AlignedBuffer<double> dx;
+    AlignedBuffer<double> ds;
+    AlignedBuffer<double> weight;
+    AlignedBuffer<std::int64_t> index;
+  };
+
+  void bind(Side& side, const ColumnPool& pool, double sign);
+  void start(const double* guess);
+  void price(Side& side, const double* y, double* products);
+  void slacks(Side& side, double cost);
+  bool factor();
+  void weigh();
+  void add_weighted(const Side& side, double* sum) const;
+  void solve_for(double* rhs);
+  void directions(Side& side, double centre, bool corrector);
+  static double longest_step(const Side& side, const AlignedBuffer<double>& value,
+                             const AlignedBuffer<double>& change);
+  double complementarity(double step_x, double step_s) const;
+  double step();
+  bool is_separating() const;
+  double weight_over_slack(const Side& side, std::size_t at) const;
+  int columns_with_weight() const;
+
+  int n_ = 0;
+  const Kernels* kernels_ = nullptr;
+  std::int64_t iterations_ = 0;
+  std::ptrdiff_t count_ = 0;  // of points
+  Side A_;
+  Side Q_;
+  AlignedBuffer<double> y_;
+  AlignedBuffer<double> dy_;
+  AlignedBuffer<double> matrix_;   // Σ d p pᵀ, then its factor
+  AlignedBuffer<double> scratch_;  // of the kernel
+  AlignedBuffer<double> border_;   // Σ d_A a, and M⁻¹ of it
+  double corner_ = 0;              // Σ d_A
+  double pivot_ = 0;               // of the convexity row
+  AlignedBuffer<double> direction_;
+  AlignedBuffer<double> ranked_;  // weights, to find the (n + 1)st
+  std::vector<std::pair<double, std::int64_t>> order_;
+};
+
+}  // namespace raygauge
