@@ -1,0 +1,117 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""The Debian packages: made by cpack, installed by dpkg into a root of their own, run there, removed without a trace.
+
+    test_debs.py BUILD_FOLDER COMPILER     (as root; the libraries that they depend on are this system's)
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BUILD, COMPILER = pathlib.Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
+
+
+def run(*command, **options):
+    finished = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    if finished.returncode != 0:
+        raise AssertionError(f"{command}: {finished.stdout}{finished.stderr}")
+    return finished.stdout
+
+
+def field(package, name):
+    return run("dpkg-deb", "--field", package, name).strip()
+
+
+class Packages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.scratch.name)
+        run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder / "debs", cwd=BUILD)
+        cls.packages = {field(path, "Package"): path for path in (folder / "debs").glob("*.deb")}
+        cls.root = folder / "root"
+        (cls.root / "var/lib/dpkg/info").mkdir(parents=True)
+        (cls.root / "var/lib/dpkg/updates").mkdir()
+        (cls.root / "var/lib/dpkg/status").touch()
+        # The root holds nothing but these packages: what they depend on, and ldconfig, is looked for on this system.
+        run("dpkg", f"--root={cls.root}", "--force-depends", "--force-script-chrootless", "--install", *cls.packages.values())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def environment(self):
+        return {**os.environ, "LD_LIBRARY_PATH": str(self.root / "usr/lib"),
+                "PYTHONPATH": str(self.root / "usr/lib/python3/dist-packages"),
+                "PATH": f"{self.root / 'usr/bin'}:{os.environ['PATH']}"}
+
+    def test_1_each_part_is_a_package_that_says_what_it_needs(self):
+        self.assertLessEqual({"libraygauge0.1", "libraygauge-dev", "raygauge"}, set(self.packages))
+        self.assertRegex(field(self.packages["raygauge"], "Depends"), r"libhdf5.*libstdc\+\+6")
+        self.assertIn("libgomp1", field(self.packages["libraygauge0.1"], "Depends"))
+        for path in self.packages.values():
+            self.assertIn("copyright", run("dpkg-deb", "--contents", path))
+
+    def test_2_the_program_finds_its_libraries_and_answers(self):
+        program = self.root / "usr/bin/raygauge"
+        self.assertNotIn("not found", run("ldd", program))
+        points = pathlib.Path(self.scratch.name, "points.csv")
+        points.write_text("2,0\n4,-1\n4,1\n", encoding="utf-8")
+        gauge = pathlib.Path(self.scratch.name, "gauge.csv")
+        gauge.write_text("1,0\n-1,0\n0,1\n0,-1\n", encoding="utf-8")
+        answer = run("raygauge", "distance", points, gauge, "--json", env=self.environment())
+        self.assertRegex(answer, r'"status": *"optimal"')
+
+    def test_3_every_command_has_a_man_page_and_is_completed(self):
+        folder = self.root / "usr/share/man/man1"
+        commands = re.findall(r"(?m)^  ([a-z]+) ", run(self.root / "usr/bin/raygauge", "--help").split("Subcommands:")[1])
+        self.assertGreaterEqual(len(commands), 8)
+        completion = self.root / "usr/share/bash-completion/completions/raygauge"
+        for command in commands:
+            self.assertIn(f"raygauge-{command} \\-", (folder / f"raygauge-{command}.1").read_text(encoding="utf-8"))
+            words = f"source {completion}; COMP_WORDS=(raygauge {command[:-1]}); COMP_CWORD=1; _raygauge; "
+            self.assertIn(command, run("bash", "-c", words + 'echo "${COMPREPLY[@]}"').split())
+        words = f"source {completion}; COMP_WORDS=(raygauge run --resu); COMP_CWORD=2; _raygauge; "
+        self.assertEqual(run("bash", "-c", words + 'echo "${COMPREPLY[@]}"').strip(), "--resume")
+
+    def test_4_the_shared_library_shows_its_own_names_alone(self):
+        library = self.root / "usr/lib/libraygauge.so.0.1"
+        self.assertNotIn("not found", run("ldd", library))
+        self.assertIn("libraygauge.so.0.1", run("objdump", "-p", library))
+        names = [line.split(maxsplit=2)[2] for line in
+                 run("nm", "--dynamic", "--defined-only", "--demangle", library).splitlines()]
+        own = re.compile(r"(?:(?:vtable|typeinfo|typeinfo name|guard variable) for |non-virtual thunk to )?raygauge::")
+        self.assertGreater(len(names), 100)
+        self.assertEqual([name for name in names if not own.match(name)], [])
+
+    def test_5_a_program_is_compiled_and_linked_against_the_packages(self):
+        source = pathlib.Path(__file__).parent / "example" / "quickstart.cc"
+        program = pathlib.Path(self.scratch.name, "quickstart")
+        include = self.root / "usr/include"
+        run(COMPILER, "-std=c++20", "-DEIGEN_MAX_ALIGN_BYTES=16", "-DEIGEN_MALLOC_ALREADY_ALIGNED=1", f"-I{include}",
+            f"-I{include}/raygauge", "-I/usr/include/eigen3", source, "-o", program, f"-L{self.root / 'usr/lib'}", "-lraygauge")
+        self.assertIn("libraygauge.so.0.1", run("ldd", program, env=self.environment()))
+        self.assertIn("distance 2,", run(program, env=self.environment()))
+
+    def test_6_the_python_package_answers(self):
+        if "python3-raygauge" not in self.packages:  # a build without Python makes none
+            self.assertFalse((BUILD / "python/raygauge").exists())
+            return
+        text = run("/usr/bin/python3", "-c", "import raygauge as rg; print(rg.__file__, rg.distance([[2, 0]], rg.Ball([0, 0])))",
+                   env=self.environment())
+        self.assertIn(str(self.root), text)
+        self.assertIn("optimal", text)
+
+    def test_7_all_is_removed_without_a_trace(self):
+        run("dpkg", f"--root={self.root}", "--force-depends", "--force-script-chrootless", "--purge", *self.packages)
+        left = [path for path in self.root.rglob("*") if path.is_file() and "var/lib/dpkg" not in str(path)
+                and "var/log" not in str(path)]
+        self.assertEqual(left, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
