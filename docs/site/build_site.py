@@ -21,7 +21,7 @@ ROOT = HERE.parent.parent
 
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
-    "Tutorials": ["user-guide", "python"],
+    "Tutorials": ["tutorials", "user-guide", "python", "pandas"],
     "How-to": ["experiments", "analysis", "scenes", "clusters", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
