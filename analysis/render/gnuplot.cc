@@ -105,7 +105,6 @@ std::string terminal(ImageFormat format, double width, double height) {
   constexpr double kPointsPerInch = 72;
   constexpr double kCairoPoints = 96;  // of a font to the inch
   constexpr double kScreenPixels = 96;
-  constexpr double kPrintPixels = 300;
   switch (format) {
     case ImageFormat::svg: {
       const std::string scale = significant(kScreenPixels / kPointsPerInch, 6);
@@ -113,8 +112,8 @@ std::string terminal(ImageFormat format, double width, double height) {
              " fixed enhanced font 'sans-serif,8' fontscale " + scale + " background 'white'\n";
     }
     case ImageFormat::png: {
-      const std::string scale = significant(kPrintPixels / kCairoPoints, 6);
-      return "set terminal pngcairo size " + sizes(width, height, kPrintPixels) +
+      const std::string scale = significant(kPrintPixelsAnInch / kCairoPoints, 6);
+      return "set terminal pngcairo size " + sizes(width, height, kPrintPixelsAnInch) +
              " enhanced font 'Sans,8' fontscale " + scale + " linewidth " + scale + " pointscale " + scale +
              " background 'white'\n";
     }

@@ -16,6 +16,9 @@ class GnuplotError : public Error {
   using Error::Error;
 };
 
+/// Of a PNG.
+inline constexpr double kPrintPixelsAnInch = 300;
+
 enum class ImageFormat : std::uint8_t { svg, png, pdf };
 
 /// By the extension of a file name. Throws InvalidParameterError for any other than .svg, .png and .pdf.

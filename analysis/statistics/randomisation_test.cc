@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "analysis/statistics/statistics.h"
 
@@ -33,27 +34,56 @@ double median_magnitude(const std::vector<double>& values) {
   return magnitudes.empty() ? 0 : median(magnitudes);
 }
 
-/// Half the series' own scale, half that of the median series: own scales of few values are too uncertain,
-/// and one that a change has enlarged must not hide it. Neither depends on the labels.
+/// Median of ||x_j| - |x_k||: free of the change where all values have it.
+double own_scale(const std::vector<double>& values) {
+  std::vector<double> differences;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    for (std::size_t k = 0; k < j; ++k) {
+      const double difference = std::abs(std::abs(values[j]) - std::abs(values[k]));
+      if (!std::isnan(difference)) differences.push_back(difference);
+    }
+  }
+  return differences.empty() ? median_magnitude(values) : median(differences);
+}
+
+constexpr double kSmallestScale = 1e-12;
+
+/// Half the scale of the median series, a quarter of the series' own, a quarter of its group's mean: own
+/// scales of few values are too uncertain. None of them depends on the labels.
 std::vector<double> scales_of(const std::vector<RunSeries>& series) {
   std::vector<double> own;
+  std::map<std::string, std::pair<double, double>> groups;  // sum and count
+  for (const RunSeries& each : series) {
+    own.push_back(own_scale(each.values));
+    groups[each.group].first += own.back();
+    groups[each.group].second += 1;
+  }
+  const double pooled = std::max(median(own), kSmallestScale);
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    const auto& [sum, count] = groups[series[s].group];
+    own[s] = pooled / 2 + (own[s] + sum / count) / 4;
+  }
+  return own;
+}
+
+/// Values are cut off at twice this: half the median magnitude of the series, half that of the median series.
+std::vector<double> cuts_of(const std::vector<RunSeries>& series) {
+  std::vector<double> own;
   for (const RunSeries& each : series) own.push_back(median_magnitude(each.values));
-  constexpr double kSmallest = 1e-12;
-  const double pooled = std::max(median(own), kSmallest);
-  for (double& scale : own) scale = (pooled + std::min(scale, 2 * pooled)) / 2;
+  const double pooled = std::max(median(own), kSmallestScale);
+  for (double& cut : own) cut = pooled + std::min(cut, 2 * pooled);
   return own;
 }
 
 Standardised standardised(const std::vector<RunSeries>& series, const std::vector<std::string>& groups) {
-  constexpr double kCut = 2;
   Standardised result;
   result.scales = scales_of(series);
+  const std::vector<double> cuts = cuts_of(series);
   std::map<std::string, std::size_t> blocks;
   for (std::size_t s = 0; s < series.size(); ++s) {
     result.blocks.push_back(blocks.emplace(series[s].block, blocks.size()).first->second);
-    const double limit = kCut * result.scales[s];
     std::vector<double> values = series[s].values;
-    for (double& x : values) x = std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
+    for (double& x : values) x = std::isnan(x) ? 0 : std::clamp(x, -cuts[s], cuts[s]);
     result.values.push_back(std::move(values));
   }
   for (const std::string& group : groups) {

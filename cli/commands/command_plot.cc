@@ -38,10 +38,20 @@ FigureOptions figure_options(const PlotArguments& arguments) {
   return options;
 }
 
-void write_figure(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
-                  const OutputRequest& output) {
-  write_to(output, draw(figure, records, options, image_format_of(output.path)));
-  print_path(output);
+/// "fig.svg" becomes "fig-2.svg": where the second page of a figure goes.
+std::string page_path(const std::filesystem::path& path, std::size_t page) {
+  const std::string name = path.stem().string() + "-" + std::to_string(page) + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+void write_figure(const PlotArguments& arguments, const Figure& figure, const std::vector<Record>& records,
+                  const FigureOptions& options, const OutputRequest& output) {
+  const std::vector<std::string> pages = draw(figure, records, options, image_format_of(output.path));
+  for (std::size_t p = 0; p < pages.size(); ++p) {
+    const OutputRequest place = p == 0 ? output : picture_request(arguments, page_path(output.path, p + 1));
+    write_to(place, pages[p]);
+    print_path(place);
+  }
 }
 
 bool is_image_name(const std::string& path) {
@@ -76,7 +86,7 @@ void write_all_figures(const PlotArguments& arguments, const FigureOptions& opti
   for (const Figure& figure : figures()) {
     try {
       for (const OutputRequest& output : outputs.at(figure.name))
-        write_figure(figure, records, options, output);
+        write_figure(arguments, figure, records, options, output);
     } catch (const FigureNeedsError& missing) {
       std::fprintf(stderr, "skipped: %s\n", missing.what());
     }
@@ -92,7 +102,7 @@ int plot(const PlotArguments& arguments) {
   const Figure& figure = figure_named(arguments.figure);
   image_format_of(arguments.output);  // complains before the files are read
   const OutputRequest output = picture_request(arguments, arguments.output);
-  write_figure(figure, read_files(arguments.analysis).records, options, output);
+  write_figure(arguments, figure, read_files(arguments.analysis).records, options, output);
   return kAnswered;
 }
 

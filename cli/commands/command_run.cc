@@ -13,6 +13,7 @@
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
 #include "cli/interrupt.h"
+#include "cli/output/counted.h"
 #include "cli/output/progress.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
@@ -80,9 +81,12 @@ std::string table_command(const Experiment& experiment, const std::string& path)
 void print_end(const Experiment& experiment, const std::string& path, const SweepSummary& sweep,
                const std::vector<Record>& records) {
   const RunSummary summary = summarise(experiment, records);
-  std::printf("%s: %llu cells in %s on %d %s; %zu records\n", experiment.name.c_str(),
-              static_cast<unsigned long long>(sweep.cells_done), duration_text(sweep.wall_seconds).c_str(),
-              sweep.threads, sweep.threads == 1 ? "thread" : "threads", summary.records);
+  const auto words = [](std::uint64_t count, const char* noun) {
+    return counted(static_cast<std::int64_t>(count), noun);
+  };
+  std::printf("%s: %s in %s on %s; %s\n", experiment.name.c_str(), words(sweep.cells_done, "cell").c_str(),
+              duration_text(sweep.wall_seconds).c_str(), counted(sweep.threads, "thread").c_str(),
+              words(summary.records, "record").c_str());
   std::fputs(summary_text(summary, sweep.calibration).c_str(), stdout);
   std::printf("  results    %s\n  next       %s\n", path.c_str(), table_command(experiment, path).c_str());
 }

@@ -65,9 +65,9 @@ void require_one_kind(const TableArguments& arguments) {
   if (arguments.stability) kinds.emplace_back("--stability");
   if (arguments.accuracy) kinds.emplace_back("--accuracy");
   if (kinds.empty() && !pivot)
-    throw InvalidParameterError(
-        "table: say which, --paper table1|table2|table3, --stability, --accuracy, or --rows, --cols and "
-        "--value");
+    throw InvalidParameterError("table: which table? " + arguments.analysis.files.front() +
+                                " is read; add --paper table1|table2|table3, "
+                                "--stability, --accuracy, or --rows, --cols and --value");
   if (kinds.size() > 1) throw InvalidParameterError("table: " + kinds[0] + " or " + kinds[1] + ", not both");
   if (pivot && !kinds.empty())
     throw InvalidParameterError("table: " + kinds[0] +
@@ -110,7 +110,7 @@ std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<
   if (arguments.value) options.value = *arguments.value;
   options.filter = filter;
   options.baselines = arguments.baselines;
-  return {pivot_table(make_pivot(records, options), arguments.intervals)};
+  return {pivot_table(make_pivot(records, options), arguments.intervals, arguments.format == "csv")};
 }
 
 RenderOptions render_options(const TableArguments& arguments, TableFormat format) {

@@ -23,6 +23,8 @@ std::string line_text(const std::string& path, std::uint32_t line) {
 }
 
 std::string region_text(const toml::source_region& source) {
+  // What --set has made stands in no file.
+  if (!source.path && source.begin.line == 0) return "--set";
   return line_text(source.path ? *source.path : std::string(), source.begin.line);
 }
 
@@ -111,9 +113,16 @@ toml::table& chosen_entry(toml::array& entries, const std::vector<std::string>& 
     }
   }
   if (entries.size() == 1 && entries[0].is_table()) return *entries[0].as_table();
-  throw InvalidParameterError(mark + ": there are " + std::to_string(entries.size()) + " [[" +
-                              parts[next - 1] + "]] entries, say which: " + parts[next - 1] +
-                              ".NAME.KEY=VALUE");
+  std::string names;
+  for (const toml::node& entry : entries) {
+    const toml::table* table = entry.as_table();
+    if (table == nullptr) continue;
+    const auto name = (*table)[table->contains("label") ? "label" : "name"].value<std::string>();
+    names += (names.empty() ? "" : ", ") + name.value_or("?");
+  }
+  throw InvalidParameterError(mark + ": '" + parts[next] + "' is none of the " +
+                              std::to_string(entries.size()) + " [[" + parts[next - 1] + "]] entries (" +
+                              names + "); write " + parts[next - 1] + ".NAME." + parts[next] + "=VALUE");
 }
 
 /// The table that holds the last part of a key, created where it is missing.

@@ -33,7 +33,7 @@ std::vector<Record> grid() {
 
 std::string svg(const std::string& figure, const std::vector<Record>& records,
                 const FigureOptions& options = {}) {
-  return draw(figure_named(figure), records, options, ImageFormat::svg);
+  return draw(figure_named(figure), records, options, ImageFormat::svg).front();
 }
 
 /// The texts of a picture, in order.
@@ -187,9 +187,9 @@ TEST(Figures, SayWhatTheyNeed) {
   EXPECT_EQ(complaint("time_vs_N", records, options), "figure time_vs_N: no record passes the filter 'n==7'");
   records = grid();
   records[0].tolerance = 1e-3;
-  EXPECT_EQ(
-      complaint("time_vs_N", records),
-      "figure time_vs_N shows one tolerance, the records have several (1e-6; 0.001); choose with --where");
+  EXPECT_EQ(complaint("ratio_heatmap", records),
+            "figure ratio_heatmap shows one tolerance, the records have several (1e-6; 0.001); choose with "
+            "--where");
 }
 
 TEST(Figures, AreFoundByName) {
@@ -201,6 +201,43 @@ TEST(Figures, AreFoundByName) {
             std::string::npos);
   EXPECT_EQ(figure_size_from_string("double"), FigureSize::double_wide);
   EXPECT_THROW(figure_size_from_string("huge"), UnknownNameError);
+}
+
+TEST(TimeVsN, HasAPanelForEveryGenerator) {
+  std::vector<Record> records = grid();
+  for (Record record : grid()) {
+    record.generator = "clusters";
+    records.push_back(record);
+  }
+  const std::multiset<std::string> texts = labels(svg("time_vs_N", records));
+  for (const char* once : {"clusters (separation=1.5), n = 3", "example2 (separation=1.5), n = 4"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+}
+
+TEST(Figures, SayWhatTheyShowAndHowLargeTheyAre) {
+  const std::string picture = svg("time_vs_N", grid());
+  EXPECT_NE(picture.find("<title>time_vs_N</title>"), std::string::npos);
+  EXPECT_NE(picture.find("<desc>median time of a solve against N"), std::string::npos);
+  EXPECT_NE(picture.find("<svg role=\"img\""), std::string::npos);
+  const std::string png = draw(figure_named("time_vs_N"), grid(), {}, ImageFormat::png).front();
+  // 300 pixels an inch are 11811 a metre: 0x2E23.
+  EXPECT_EQ(png.substr(33, 21),
+            std::string("\0\0\0\x09pHYs\0\0\x2E\x23\0\0\x2E\x23\x01", 17) + png.substr(50, 4));
+}
+
+TEST(Figures, ThatAreHigherThanAPageGoOnOnTheNext) {
+  std::vector<Record> records;
+  for (int n = 3; n < 60; ++n)
+    for (const int N : {200, 400}) add_records(records, "direct", n, N, {1, 2, 3});
+  const std::vector<std::string> pages = draw(figure_named("time_vs_N"), records, {}, ImageFormat::svg);
+  ASSERT_GE(pages.size(), 2U);
+  EXPECT_NE(pages[1].find(", page 2 of "), std::string::npos);
+  std::size_t panels = 0;
+  for (const std::string& page : pages) {
+    for (const std::string& text : labels(page)) panels += text.starts_with("n = ") ? 1 : 0;
+    EXPECT_EQ(labels(page).count("direct"), 1U);
+  }
+  EXPECT_EQ(panels, 57U);
 }
 
 }  // namespace

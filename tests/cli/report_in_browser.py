@@ -135,6 +135,39 @@ def check_controls(browser, failures):
     failures.expect(browser.execute_script(color) != light, "the theme does not change")
 
 
+def check_tables(browser, failures, when):
+    """No table is wider than its box, with everything unfolded."""
+    wide = browser.execute_script("""
+        for (const fold of document.querySelectorAll("details")) fold.open = true;
+        raygauge.fitTables();
+        return [...document.querySelectorAll(".scroll")].filter((box) => box.scrollWidth > box.clientWidth + 1)
+          .map((box) => box.textContent.slice(0, 40) + ": " + box.scrollWidth + " in " + box.clientWidth);""")
+    failures.expect(not wide, f"{when}: tables wider than their boxes: {wide}")
+
+
+def check_sorting(browser, failures):
+    """A click on a head sorts by its column, another the other way round."""
+    column = """
+        const table = [...document.querySelectorAll("#summary table")].pop(), last = table.tHead.rows[0].cells.length - 1;
+        table.tHead.rows[0].cells[last].click();
+        return [...table.tBodies[0].rows].map((row) => Number(row.cells[last].textContent));"""
+    up, down = browser.execute_script(column), browser.execute_script(column)
+    failures.expect(up == sorted(up) and down == sorted(down, reverse=True), f"sorting gives {up} and {down}")
+
+
+def check_axes(browser, failures):
+    """The axes of every chart begin and end within a tenth of the data's range."""
+    wrong = browser.execute_script("""
+        return raygauge.charts.flatMap((chart, c) => ["x", "y"].filter((name) => {
+          const axis = chart.scales[name], log = axis.type === "logarithmic";
+          const all = chart.data.datasets.flatMap((set) => set.data).flatMap((p) => name === "x" ? [p.x] : [p.y, p.low, p.high])
+            .filter((v) => v !== undefined && (!log || v > 0)).map((v) => log ? Math.log(v) : v);
+          const low = Math.min(...all), high = Math.max(...all), ends = [axis.min, axis.max].map((v) => log ? Math.log(v) : v);
+          return high > low && (low - ends[0] > 0.1 * (high - low) || ends[1] - high > 0.1 * (high - low));
+        }).map((name) => c + name));""")
+    failures.expect(not wrong, f"axes far beyond their data: {wrong}")
+
+
 def check_phone(browser, failures):
     browser.set_window_size(500, 844)  # the narrowest window that Chromium grants
     phone = {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True}
@@ -171,12 +204,17 @@ def main():
             seconds = open_page(browser, page)
             charts = check_curves(browser, failures, "light")
             shoot(browser, arguments.screenshots, "light")
+            check_axes(browser, failures)
+            check_sorting(browser, failures)
+            browser.set_window_size(1184, 900)
+            check_tables(browser, failures, "1184 pixels")
             check_legend(browser, failures)
             check_controls(browser, failures)
             check_curves(browser, failures, "dark")
             shoot(browser, arguments.screenshots, "dark")
             check_phone(browser, failures)
             check_curves(browser, failures, "phone")
+            check_tables(browser, failures, "phone")
             shoot(browser, arguments.screenshots, "phone")
             check_download(browser, failures, information["records"])
             failures.expect(len(browser.print_page()) > 50_000, "the printed page is empty")

@@ -79,10 +79,10 @@ TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
 }
 
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
-  expect_complaint(
-      run_raygauge({"table", "r.h5"}),
-      "raygauge: table: say which, --paper table1|table2|table3, --stability, --accuracy, or --rows, "
-      "--cols and --value");
+  expect_complaint(run_raygauge({"table", "r.h5"}),
+                   "raygauge: table: which table? r.h5 is read; add --paper table1|table2|table3, "
+                   "--stability, --accuracy, or --rows, "
+                   "--cols and --value");
   expect_complaint(
       run_raygauge({"table", "r.h5", "--paper", "table3", "--rows", "n"}),
       "raygauge: table: --paper has its own rows, columns and value; drop --rows, --cols, --value");

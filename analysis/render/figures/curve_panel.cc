@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "analysis/constants.h"
 #include "analysis/render/figures/style.h"
@@ -32,7 +34,7 @@ std::string curve_block(const std::string& name, const PanelCurve& curve) {
 }
 
 /// The curves, competitors below those of raygauge.
-std::string plot_of(const CurvePanel& panel, std::size_t index, const std::vector<std::string>& methods) {
+std::string plot_of(const CurvePanel& panel, std::size_t index) {
   std::string text = "plot " + (panel.background.empty() ? "NaN notitle" : panel.background);
   for (const bool competitors : {true, false}) {
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
@@ -41,19 +43,16 @@ std::string plot_of(const CurvePanel& panel, std::size_t index, const std::vecto
       const std::string block = ", \\\n  " + curve_block_name(index, c);
       if (!panel.curves[c].bars.empty()) {
         text += block + " using 1:3:(0):($4-$3) with vectors nohead lw 0.7 lc rgb '" +
-                figure_style::line_color(method, methods) + "'";
+                figure_style::line_color(method) + "'";
       }
-      text += block + " using 1:2 with linespoints " + figure_style::line_style(method, methods);
+      text += block + " using 1:2 with linespoints " + figure_style::line_style(method);
     }
   }
   return text + "\n";
 }
 
-}  // namespace
-
-Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
-                          const std::vector<std::string>& methods, const std::string& x,
-                          const std::string& y) {
+Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
+                       const std::vector<std::string>& methods, const std::string& x, const std::string& y) {
   Drawing drawing;
   drawing.width = grid.width;
   drawing.height = grid.height();
@@ -67,10 +66,30 @@ Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& 
                     grid.axis_labels(x, y) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     drawing.script += grid.margins(p) + panels[p].settings + "set title " +
-                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" +
-                      plot_of(panels[p], p, methods);
+                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" + plot_of(panels[p], p);
   }
   drawing.script += "unset multiplot\n";
+  return drawing;
+}
+
+}  // namespace
+
+Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
+                          const std::vector<std::string>& methods, const std::string& x,
+                          const std::string& y) {
+  const std::size_t most = grid.columns * grid.rows_a_page();
+  std::vector<Drawing> pages;
+  for (std::size_t first = 0; first < panels.size(); first += most) {
+    const std::size_t last = std::min(first + most, panels.size());
+    PanelGrid page = grid;
+    page.rows = (last - first + grid.columns - 1) / grid.columns;
+    pages.push_back(page_of_panels(page,
+                                   {panels.begin() + static_cast<std::ptrdiff_t>(first),
+                                    panels.begin() + static_cast<std::ptrdiff_t>(last)},
+                                   methods, x, y));
+  }
+  Drawing drawing = std::move(pages.front());
+  drawing.next_pages.assign(std::make_move_iterator(pages.begin() + 1), std::make_move_iterator(pages.end()));
   return drawing;
 }
 

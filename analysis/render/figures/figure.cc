@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/figures/figure.h"
 
+#include <utility>
+
+#include "analysis/render/figures/description.h"
 #include "analysis/studies/accuracy/true_error.h"
 #include "analysis/studies/accuracy/work_precision.h"
 #include "analysis/studies/crossover/crossover_map.h"
@@ -54,10 +57,19 @@ const Figure& figure_named(const std::string& name) {
   throw UnknownNameError("figure", name, known);
 }
 
-std::string draw(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
-                 ImageFormat format) {
-  const Drawing drawing = figure.make(records, options);
-  return draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height);
+std::vector<std::string> draw(const Figure& figure, const std::vector<Record>& records,
+                              const FigureOptions& options, ImageFormat format) {
+  Drawing first = figure.make(records, options);
+  std::vector<Drawing> pages = std::move(first.next_pages);
+  pages.insert(pages.begin(), std::move(first));
+  std::vector<std::string> pictures;
+  for (std::size_t p = 0; p < pages.size(); ++p) {
+    std::string title = figure.name;
+    if (pages.size() > 1) title += ", page " + std::to_string(p + 1) + " of " + std::to_string(pages.size());
+    pictures.push_back(described(draw_with_gnuplot(pages[p].script, format, pages[p].width, pages[p].height),
+                                 format, title, figure.description));
+  }
+  return pictures;
 }
 
 }  // namespace raygauge

@@ -43,6 +43,7 @@ struct Drawing {
   std::string script;  ///< for gnuplot, without the terminal
   double width = 0;    ///< inches
   double height = 0;
+  std::vector<Drawing> next_pages;  ///< where the panels do not fit on one page of paper
 };
 
 struct Figure {
@@ -58,8 +59,9 @@ const std::vector<Figure>& figures();
 /// Throws UnknownNameError, which lists the known ones.
 const Figure& figure_named(const std::string& name);
 
-/// The picture as the bytes of a file. Throws FigureNeedsError and GnuplotError.
-std::string draw(const Figure& figure, const std::vector<Record>& records, const FigureOptions& options,
-                 ImageFormat format);
+/// The picture as the bytes of a file, one for each page. An SVG bears the figure's name and description, a
+/// PNG its pixels an inch. Throws FigureNeedsError and GnuplotError.
+std::vector<std::string> draw(const Figure& figure, const std::vector<Record>& records,
+                              const FigureOptions& options, ImageFormat format);
 
 }  // namespace raygauge

@@ -40,6 +40,12 @@ double PanelGrid::height() const {
   return legend + kBottom + static_cast<double>(rows) * (panel_height() + kTitle + x_labels) - x_labels;
 }
 
+std::size_t PanelGrid::rows_a_page() const {
+  constexpr double kPage = 9;
+  const double room = kPage - legend - kBottom + x_labels;
+  return static_cast<std::size_t>(std::max(1.0, std::floor(room / (panel_height() + kTitle + x_labels))));
+}
+
 std::string PanelGrid::margins(std::size_t panel) const {
   const auto column = static_cast<double>(panel % columns);
   const std::size_t above = panel / columns;
@@ -68,8 +74,8 @@ std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) cons
       std::to_string(legend_columns) + "\n";
   for (const std::string& method : methods) {
     text += method == methods.front() ? "plot " : ", \\\n  ";
-    text += "NaN with linespoints " + figure_style::line_style(method, methods) + " title " +
-            figure_style::quoted(method);
+    text +=
+        "NaN with linespoints " + figure_style::line_style(method) + " title " + figure_style::quoted(method);
   }
   return text +
          "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "

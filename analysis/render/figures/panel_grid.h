@@ -28,11 +28,15 @@ struct PanelGrid {
   double panel_width() const;
   double panel_height() const;
   double height() const;
+  /// How many rows a page of paper holds, 9 inches high.
+  std::size_t rows_a_page() const;
 
   /// Whether a panel stands in the first column.
   bool is_left(std::size_t panel) const { return panel % columns == 0; }
-  /// Whether no panel of `count` stands below.
-  bool is_lowest(std::size_t panel, std::size_t count) const { return panel + columns >= count; }
+  /// Whether no panel of `count` stands below on its page.
+  bool is_lowest(std::size_t panel, std::size_t count) const {
+    return panel + columns >= count || (panel / columns + 1) % rows_a_page() == 0;
+  }
 
   /// gnuplot's margins of a panel.
   std::string margins(std::size_t panel) const;

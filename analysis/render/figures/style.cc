@@ -9,34 +9,26 @@
 
 #include "analysis/data/columns.h"
 #include "analysis/render/figures/figure.h"
+#include "analysis/render/method_look.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
 
 namespace raygauge::figure_style {
 namespace {
 
-struct Look {
-  const char* color;
-  const char* dash;
-  int point;
-};
-
-// Markers of gnuplot: 7 ●, 5 ■, 9 ▲, 13 ◆; the numbers below them are the open ones.
-constexpr std::array<Look, 4> kOurs = {
-    {{"#D55E00", "1", 7}, {"#0072B2", "1", 5}, {"#009E73", "1", 9}, {"#CC79A7", "1", 13}}};
-constexpr std::array<Look, 4> kCompetitors = {
-    {{"#000000", "'-'", 6}, {"#8C8C8C", "'.'", 4}, {"#56B4E9", "'-'", 8}, {"#E69F00", "'.'", 12}}};
-
-constexpr Look kPaper = {"#8C8C8C", "1", 2};
-
-Look look_of(const std::string& method, const std::vector<std::string>& methods) {
-  if (method == kPaperCurve) return kPaper;
-  const bool competitor = is_competitor(method);
-  const auto here = std::find(methods.begin(), methods.end(), method);
-  const auto rank = static_cast<std::size_t>(std::count_if(
-      methods.begin(), here, [&](const std::string& other) { return is_competitor(other) == competitor; }));
-  return competitor ? kCompetitors[rank % kCompetitors.size()] : kOurs[rank % kOurs.size()];
+/// gnuplot's numbers of the filled markers; the open one of each is one below.
+int point_type(const MethodLook& look) {
+  constexpr std::array<int, 5> kFilled = {7, 5, 9, 13, 11};
+  return kFilled.at(static_cast<std::size_t>(look.marker)) - (look.filled ? 0 : 1);
 }
+
+std::string dash_type(Dash dash) {
+  constexpr std::array<const char*, 4> kTypes = {"1", "'-'", "'.'", "'-.'"};
+  return kTypes.at(static_cast<std::size_t>(dash));
+}
+
+constexpr const char* kPaperColor = "#8C8C8C";
+constexpr int kPaperPoint = 2;
 
 void require_one(const std::string& figure, const std::vector<Record>& records, const std::string& name) {
   const AnalysisColumn& column = analysis_column(name);
@@ -51,19 +43,19 @@ void require_one(const std::string& figure, const std::vector<Record>& records, 
 
 }  // namespace
 
-std::string line_style(const std::string& method, const std::vector<std::string>& methods) {
-  const Look look = look_of(method, methods);
-  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1 pt " +
-         std::to_string(look.point) + " ps 0.45";
+std::string line_style(const std::string& method) {
+  const MethodLook look = look_of_method(method);
+  const bool paper = method == kPaperCurve;
+  return "lc rgb '" + line_color(method) + "' dt " + (paper ? "1" : dash_type(look.dash)) + " lw 1 pt " +
+         std::to_string(paper ? kPaperPoint : point_type(look)) + " ps 0.45";
 }
 
-std::string step_style(const std::string& method, const std::vector<std::string>& methods) {
-  const Look look = look_of(method, methods);
-  return std::string("lc rgb '") + look.color + "' dt " + look.dash + " lw 1.4";
+std::string step_style(const std::string& method) {
+  return "lc rgb '" + line_color(method) + "' dt " + dash_type(look_of_method(method).dash) + " lw 1.4";
 }
 
-std::string line_color(const std::string& method, const std::vector<std::string>& methods) {
-  return look_of(method, methods).color;
+std::string line_color(const std::string& method) {
+  return method == kPaperCurve ? kPaperColor : look_of_method(method).color;
 }
 
 std::string screen(double fraction) { return significant(fraction, 6); }

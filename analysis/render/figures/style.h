@@ -12,19 +12,17 @@ namespace raygauge::figure_style {
 
 // What figures have in common: looks, and the checks of what they need.
 
-/// In the place of a method: what the paper published. Grey, with crosses; the last of a figure's `methods`.
+/// In the place of a method: what the paper published. Grey, with crosses.
 inline constexpr const char* kPaperCurve = "paper";
 
-/// How a method's curve looks, for gnuplot: colours of Okabe and Ito, which colour-blind readers tell apart;
-/// methods of raygauge solid with filled markers, competitors dashed with open ones, so that the curves also
-/// differ in grey. `methods` are all of the figure.
-std::string line_style(const std::string& method, const std::vector<std::string>& methods);
+/// How a method's curve looks (look_of_method()), for gnuplot.
+std::string line_style(const std::string& method);
 
 /// The same without markers, for step functions.
-std::string step_style(const std::string& method, const std::vector<std::string>& methods);
+std::string step_style(const std::string& method);
 
 /// "#D55E00": the colour in line_style().
-std::string line_color(const std::string& method, const std::vector<std::string>& methods);
+std::string line_color(const std::string& method);
 
 /// A fraction of the width or height of the whole picture, for gnuplot's "screen".
 std::string screen(double fraction);

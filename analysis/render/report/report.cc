@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/report/report.h"
 
+#include <array>
+#include <set>
+
+#include "analysis/render/method_look.h"
 #include "analysis/render/report/page_assets.h"
+#include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "engine/exceptions.h"
 #include "results/provenance/provenance.h"
@@ -10,17 +15,49 @@
 namespace raygauge::report {
 namespace {
 
-/// The methods with what their look depends on: raygauge's own or not, and the place among those.
+/// The methods with their looks, in Chart.js's words.
 Json methods_json(const std::vector<std::string>& names) {
+  constexpr std::array<const char*, 5> kMarkers = {"circle", "rect", "triangle", "rectRot", "triangle down"};
+  static const std::array<std::vector<int>, 4> kDashes = {{{}, {7, 4}, {2, 3}, {7, 3, 2, 3}}};
   Json methods = Json::array();
-  int own = 0;
-  int competitors = 0;
   for (const std::string& method : names) {
-    const bool competitor = is_competitor(method);
-    methods.push_back(
-        {{"name", method}, {"competitor", competitor}, {"rank", competitor ? competitors++ : own++}});
+    const MethodLook look = look_of_method(method);
+    methods.push_back({{"name", method},
+                       {"what", what_method_is(method)},
+                       {"color", look.color},
+                       {"dark", look.dark_color},
+                       {"marker", kMarkers.at(static_cast<std::size_t>(look.marker))},
+                       {"dash", kDashes.at(static_cast<std::size_t>(look.dash))},
+                       {"filled", look.filled}});
   }
   return methods;
+}
+
+/// The experiment's description: the string after "description = " in its text.
+std::string description_of(const std::string& experiment) {
+  const std::string key = "description = ";
+  const std::size_t line = experiment.find("\n" + key);
+  if (line == std::string::npos) return "";
+  const std::size_t begin = line + 1 + key.size();
+  const std::size_t end = experiment.find(experiment[begin], begin + 1);
+  return end == std::string::npos ? "" : experiment.substr(begin + 1, end - begin - 1);
+}
+
+/// What stands below the title: dates and descriptions of the runs.
+std::string subtitle(const std::vector<MergedFile>& files) {
+  constexpr std::size_t kDate = 10;  // of ISO 8601
+  std::set<std::string> dates;
+  std::set<std::string> descriptions;
+  for (const MergedFile& file : files) {
+    descriptions.insert(description_of("\n" + file.provenance.experiment_text));
+    for (const Session& session : file.provenance.sessions) dates.insert(session.started_at.substr(0, kDate));
+  }
+  dates.erase("");
+  descriptions.erase("");
+  std::string text = joined(descriptions, "; ");
+  if (dates.empty()) return text;
+  const std::string when = *dates.begin() + (dates.size() > 1 ? " to " + *dates.rbegin() : "");
+  return text + (text.empty() ? "Run on " : ". Run on ") + when;
 }
 
 std::string page_title(const std::vector<MergedFile>& files) {
@@ -90,6 +127,7 @@ std::string make_page(const MergedResults& merged, const Filter& filter,
                       const std::vector<std::string>& baselines) {
   const Input input = input_of(merged, filter, baselines);
   Json data = {{"title", page_title(merged.files)},
+               {"subtitle", subtitle(merged.files)},
                {"version", build_info().raygauge_version},
                {"methods", methods_json(input.methods)},
                {"sections", Json::array()}};

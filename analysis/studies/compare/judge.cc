@@ -114,9 +114,10 @@ Change verdict(const Finding& finding, double largest_drift, const Comparison& c
   const double runs =
       (1 / static_cast<double>(comparison.base_runs) + 1 / static_cast<double>(comparison.new_runs)) / 2;
   const bool beyond_drift = std::abs(std::log(ratio)) > std::sqrt(runs) * std::log(largest_drift);
-  if (finding.run_p <= options.significance || (within && beyond_drift))
+  const bool runs_decide = smallest_run_p(comparison) <= options.significance;
+  if (finding.run_p <= options.significance || (within && beyond_drift && !runs_decide))
     return slower ? Change::slower : Change::faster;
-  if (!within || smallest_run_p(comparison) <= options.significance) return Change::none;
+  if (!within || runs_decide) return Change::none;
   return slower ? Change::suspected_slower : Change::suspected_faster;
 }
 

@@ -92,7 +92,7 @@ Drawing crossover_figure(const std::vector<Record>& records, const FigureOptions
     const std::string block = "$winner" + std::to_string(w);
     drawing.script += winner_block(block, winning[w], winners, map, mark);
     boxes += (boxes.empty() ? "plot " : ", \\\n  ") + block + " using " + kCellBox +
-             " with boxxyerror lc rgb '" + figure_style::line_color(winning[w], methods) + "' title " +
+             " with boxxyerror lc rgb '" + figure_style::line_color(winning[w]) + "' title " +
              figure_style::quoted(mark + winning[w]);
     labels += ", \\\n  " + block + " using 1:2:3 with labels " + map.font(kWinnerCharacters) + " notitle";
   }

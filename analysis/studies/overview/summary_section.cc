@@ -7,6 +7,7 @@
 
 #include "analysis/data/columns.h"
 #include "analysis/data/outliers.h"
+#include "analysis/render/method_look.h"
 #include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/render/words.h"
@@ -59,7 +60,7 @@ std::string machine_line(const Input& input) {
   return text.empty() ? "Nothing is known of machine and build." : text + ".";
 }
 
-/// First line of the verdict: are the answers to be believed?
+/// Second line of the verdict: are the answers to be believed?
 std::string answers_line(const Input& input) {
   std::size_t unsolved = 0;
   std::size_t disagreeing = 0;
@@ -80,6 +81,14 @@ std::string answers_line(const Input& input) {
          ".";
 }
 
+/// "160 times faster", "1.4 times slower": a ratio of times as one says it.
+std::string times_words(double ratio) {
+  const double times = ratio < 1 ? 1 / ratio : ratio;
+  constexpr int kNoExponent = 12;
+  return significant(std::stod(significant(times, 2)), kNoExponent) +
+         (ratio < 1 ? " times faster" : " times slower");
+}
+
 /// How fast one method is against the baselines; "" where no cell tells.
 std::string speed_words(const Input& input, const std::string& method) {
   std::vector<double> finite;
@@ -96,13 +105,12 @@ std::string speed_words(const Input& input, const std::string& method) {
   }
   const std::string never = unsolved == 0 ? "" : ", unsolved in " + counted(unsolved, "cell");
   if (finite.empty()) return unsolved == 0 ? "" : method + " is" + never.substr(1);
-  return method + " takes " + padded_significant(geometric_mean(finite), 2) +
-         " of the best baseline's time (geometric mean of " + counted(finite.size(), "cell") + ", worst " +
-         padded_significant(quantile(finite, 1), 2) + "), significantly faster in " + std::to_string(faster) +
-         never;
+  return method + " is " + times_words(geometric_mean(finite)) +
+         " than the best baseline (geometric mean of " + counted(finite.size(), "cell") + "; at worst " +
+         times_words(quantile(finite, 1)) + "), significantly faster in " + std::to_string(faster) + never;
 }
 
-/// Second line: how fast against the baselines.
+/// First line: how fast against the baselines.
 std::string speed_line(const Input& input) {
   if (input.baselines.empty()) return "Speed: no baseline among the methods, so no ratio.";
   std::vector<std::string> words;
@@ -141,7 +149,7 @@ std::string precision_line(const Input& input) {
 Table methods_table(const Input& input) {
   Table table;
   table.title = "methods";
-  table.header = {{"method", "records", "unsolved", "disagreeing", "outlying times"}};
+  table.header = {{"method", "what it is", "records", "unsolved", "disagreeing", "outlying times"}};
   const std::vector<CellTimes> all = cell_times(input.records);
   for (const std::string& method : input.methods) {
     std::size_t records = 0;
@@ -159,6 +167,7 @@ Table methods_table(const Input& input) {
       return TableCell(std::to_string(count), count > 0 ? Emphasis::alarm : Emphasis::none);
     };
     table.rows.push_back({{{method},
+                           {what_method_is(method)},
                            {std::to_string(records)},
                            alarm(unsolved),
                            alarm(disagreeing),
@@ -174,7 +183,7 @@ Table methods_table(const Input& input) {
 
 std::optional<Section> summary_section(const Input& input) {
   Section section{"summary", "Summary", {}};
-  section.blocks.push_back(text_block({answers_line(input), speed_line(input), precision_line(input)}, true));
+  section.blocks.push_back(text_block({speed_line(input), answers_line(input), precision_line(input)}, true));
   section.blocks.push_back(text_block({run_line(input), machine_line(input)}));
   if (!input.filter.expression().empty())
     section.blocks.push_back(text_block({"Only records for which " + input.filter.expression() + "."}));

@@ -43,6 +43,15 @@ TableCell table_cell(const Pivot& pivot, const PivotCell& cell, bool intervals) 
   return {text, cell.value, marked ? Emphasis::alarm : Emphasis::none};
 }
 
+/// The cell, and with `separate` the ends of its interval beside it: empty where it has none.
+void add_cells(TableRow& row, const Pivot& pivot, const PivotCell& cell, bool intervals, bool separate) {
+  row.cells.push_back(table_cell(pivot, cell, intervals && !separate));
+  if (!separate) return;
+  const bool has_interval = cell.interval && !std::isnan(cell.value);
+  row.cells.push_back(has_interval ? number_cell(cell.interval->lower) : TableCell(""));
+  row.cells.push_back(has_interval ? number_cell(cell.interval->upper) : TableCell(""));
+}
+
 std::string key_text(const std::string& name, const Value& value) {
   const std::string text = text_of(value);
   return std::holds_alternative<std::string>(value) ? text : name + "=" + text;
@@ -112,7 +121,8 @@ std::vector<std::string> notes(const Pivot& pivot) {
 
 }  // namespace
 
-Table pivot_table(const Pivot& pivot, bool intervals) {
+Table pivot_table(const Pivot& pivot, bool intervals, bool separate) {
+  separate = separate && intervals;
   Table table;
   table.title = title(pivot);
   table.key_columns = pivot.row_names.size();
@@ -120,9 +130,14 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
   for (std::size_t line = 0; line < lines; ++line) {
     std::vector<std::string> header =
         line + 1 == lines ? pivot.row_names : std::vector<std::string>(table.key_columns);
-    for (const auto& key : pivot.column_keys)
+    for (const auto& key : pivot.column_keys) {
       header.push_back(pivot.column_names.empty() ? table.title
                                                   : key_text(pivot.column_names[line], key[line]));
+      if (!separate) continue;
+      const std::string name = header.back();
+      const bool last = line + 1 == lines;
+      header.insert(header.end(), {name + (last ? " lower" : ""), name + (last ? " upper" : "")});
+    }
     table.header.push_back(std::move(header));
   }
   for (std::size_t r = 0; r < pivot.row_keys.size(); ++r) {
@@ -132,7 +147,7 @@ Table pivot_table(const Pivot& pivot, bool intervals) {
     row.starts_group = r > 0 && has_groups && key.front() != pivot.row_keys[r - 1].front();
     for (const Value& value : key) row.cells.emplace_back(text_of(value));
     for (std::size_t c = 0; c < pivot.column_keys.size(); ++c)
-      row.cells.push_back(table_cell(pivot, pivot.cell(r, c), intervals));
+      add_cells(row, pivot, pivot.cell(r, c), intervals, separate);
     table.rows.push_back(std::move(row));
   }
   table.notes = notes(pivot);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/constants.h"
 #include "analysis/data/outliers.h"
 
 namespace raygauge {
@@ -43,5 +44,17 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, Siz
 }
 
 PowerLaw fit_scaling(const ScalingCurve& curve) { return fit_power_law(curve.sizes, curve.medians); }
+
+TimeUnit unit_of(const std::vector<ScalingCurve>& curves) {
+  double low = kInfinity;
+  double high = 0;
+  for (const ScalingCurve& curve : curves) {
+    for (const double seconds : curve.medians) {
+      low = std::min(low, seconds);
+      high = std::max(high, seconds);
+    }
+  }
+  return time_unit_for(low, high);
+}
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/render/time_unit.h"
 #include "analysis/statistics/power_law.h"
 #include "analysis/studies/table3/cell_ratio.h"
 
@@ -33,5 +34,8 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, Siz
 /// seconds = factor · size^exponent over the medians of a curve with three sizes or more (two leave no
 /// interval). Throws as fit_power_law().
 PowerLaw fit_scaling(const ScalingCurve& curve);
+
+/// The unit for an axis of the curves' medians.
+TimeUnit unit_of(const std::vector<ScalingCurve>& curves);
 
 }  // namespace raygauge

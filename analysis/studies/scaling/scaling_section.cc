@@ -10,7 +10,6 @@
 namespace raygauge::report {
 namespace {
 
-constexpr double kMilli = 1e3;
 constexpr std::size_t kFewest = 3;  // sizes that leave a fit an interval
 
 const char* size_name(SizeAxis axis) { return axis == SizeAxis::n ? "n" : "N"; }
@@ -25,7 +24,7 @@ Facets curve_facets(const ScalingCurve& curve, SizeAxis axis) {
   return facets;
 }
 
-Series series_of(const ScalingCurve& curve, SizeAxis axis) {
+Series series_of(const ScalingCurve& curve, SizeAxis axis, double per_second) {
   Series series{curve.method, "", curve_facets(curve, axis), {}};
   if (curve.sizes.size() >= kFewest) {
     const PowerLaw fit = fit_scaling(curve);
@@ -34,8 +33,9 @@ Series series_of(const ScalingCurve& curve, SizeAxis axis) {
   for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
     std::string remark = std::to_string(curve.counts[i]) + " times";
     if (curve.outliers[i] > 0) remark += ", " + std::to_string(curve.outliers[i]) + " outliers";
-    series.points.push_back({curve.sizes[i], kMilli * curve.medians[i], kMilli * curve.intervals[i].lower,
-                             kMilli * curve.intervals[i].upper, remark});
+    series.points.push_back({curve.sizes[i], per_second * curve.medians[i],
+                             per_second * curve.intervals[i].lower, per_second * curve.intervals[i].upper,
+                             remark});
   }
   return series;
 }
@@ -72,8 +72,9 @@ void add_axis(const Input& input, SizeAxis axis, Section& section) {
   chart.caption = std::string("Median time of a solve against ") + size_name(axis) +
                   "; bars: 95 % order-statistic intervals of the medians.";
   chart.x.label = axis == SizeAxis::n ? "n, dimension" : "N, points in each set";
-  chart.y.label = "median time (ms)";
-  for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis));
+  const TimeUnit unit = unit_of(curves);
+  chart.y.label = std::string("median time of a solve (") + unit.name + ")";
+  for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis, unit.per_second));
   section.blocks.push_back(chart_block(chart));
   const Table exponents = exponents_table(curves, axis);
   if (!exponents.rows.empty()) section.blocks.push_back(table_block(exponents));

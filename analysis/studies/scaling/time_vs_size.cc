@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/studies/scaling/time_vs_size.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "analysis/constants.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
 #include "analysis/render/number_text.h"
+#include "analysis/render/time_unit.h"
 #include "analysis/studies/scaling/scaling.h"
 
 namespace raygauge {
@@ -30,23 +34,43 @@ constexpr SizeFigure kAgainstN = {"time_vs_N", SizeAxis::N, "N", "n", "N, points
 constexpr SizeFigure kAgainstDimension = {"time_vs_dimension", SizeAxis::n, "n", "N", "n, dimension"};
 
 /// A panel for each value of the other size.
-std::vector<CurvePanel> size_panels(const std::vector<Record>& records, const SizeFigure& figure) {
-  std::map<int, CurvePanel> panels;
-  for (const ScalingCurve& curve : scaling_curves(records, figure.axis, 1)) {
+/// What of a panel's cell its title must name: generator and tolerance only where there are several.
+struct PanelTitles {
+  explicit PanelTitles(const std::vector<ScalingCurve>& curves) {
+    for (const ScalingCurve& curve : curves) {
+      problems.insert(problem_name(curve.cell));
+      tolerances.insert(curve.cell.tolerance);
+    }
+  }
+  std::string title(const ScalingCurve& curve, const std::string& size) const {
+    std::string text = problems.size() > 1 ? problem_name(curve.cell) + ", " : "";
+    if (tolerances.size() > 1) text += "ε = " + significant(curve.cell.tolerance, 3) + ", ";
+    return text + size;
+  }
+  std::set<std::string> problems;
+  std::set<double> tolerances;
+};
+
+std::vector<CurvePanel> size_panels(const std::vector<ScalingCurve>& curves, const SizeFigure& figure,
+                                    double per_second) {
+  const PanelTitles titles(curves);
+  std::map<std::tuple<std::string, double, int>, CurvePanel> panels;
+  for (const ScalingCurve& curve : curves) {
     const int other = figure.axis == SizeAxis::N ? curve.cell.n : curve.cell.N;
+    CurvePanel& panel = panels[{problem_name(curve.cell), curve.cell.tolerance, other}];
     PanelCurve drawn{curve.method, {}, {}};
     for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
-      const double ms = 1e3 * curve.medians[i];
-      const double upper = 1e3 * curve.intervals[i].upper;
-      drawn.points.emplace_back(curve.sizes[i], ms);
+      const double time = per_second * curve.medians[i];
+      const double upper = per_second * curve.intervals[i].upper;
+      drawn.points.emplace_back(curve.sizes[i], time);
       // A bar that has no end is drawn to the point.
-      drawn.bars.emplace_back(1e3 * curve.intervals[i].lower, std::isinf(upper) ? ms : upper);
+      drawn.bars.emplace_back(per_second * curve.intervals[i].lower, std::isinf(upper) ? time : upper);
     }
-    panels[other].title = std::string(figure.panel) + " = " + std::to_string(other);
-    panels[other].curves.push_back(std::move(drawn));
+    panel.title = titles.title(curve, std::string(figure.panel) + " = " + std::to_string(other));
+    panel.curves.push_back(std::move(drawn));
   }
   std::vector<CurvePanel> result;
-  for (auto& [other, panel] : panels) result.push_back(std::move(panel));
+  for (auto& [key, panel] : panels) result.push_back(std::move(panel));
   return result;
 }
 
@@ -101,13 +125,19 @@ void set_axes(std::vector<CurvePanel>& panels, const PanelGrid& grid, const Size
 
 Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records,
                     const FigureOptions& options) {
-  const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter);
+  const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter, {});
   const std::vector<std::string> methods = methods_of(kept);
-  std::vector<CurvePanel> panels = size_panels(kept, figure);
+  const std::vector<ScalingCurve> curves = scaling_curves(kept, figure.axis, 1);
+  const TimeUnit unit = unit_of(curves);
+  std::vector<CurvePanel> panels = size_panels(curves, figure, unit.per_second);
+  // Titles with the name of a generator need room.
+  const bool long_titles = !panels.empty() && panels.front().title.size() > 16;
+  const std::size_t most_columns = (options.size == FigureSize::single ? 2 : 4) / (long_titles ? 2 : 1);
   const PanelGrid grid =
-      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 2 : 4);
+      panel_grid(std::max<std::size_t>(1, panels.size()), methods, options.size, most_columns);
   set_axes(panels, grid, figure);
-  return draw_curve_panels(grid, panels, methods, figure.label, "median time of a solve (ms)");
+  return draw_curve_panels(grid, panels, methods, figure.label,
+                           std::string("median time of a solve (") + unit.name + ")");
 }
 
 }  // namespace

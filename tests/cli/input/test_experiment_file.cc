@@ -187,7 +187,8 @@ TEST_F(ExperimentFile, OverridesChooseAmongEntriesByNameLabelOrPosition) {
   const Experiment by_position = read(two, {"method.1.error=0.5"});
   EXPECT_EQ(to_string(by_position.methods[1].parameters), "error=0.5");
   EXPECT_EQ(error(two, {"method.error=0.5"}),
-            "--set method.error=0.5: there are 2 [[method]] entries, say which: method.NAME.KEY=VALUE");
+            "--set method.error=0.5: 'error' is none of the 2 [[method]] entries (ray, second); write "
+            "method.NAME.error=VALUE");
 }
 
 TEST_F(ExperimentFile, TheEffectiveTextGivesTheSameExperimentAgain) {

@@ -33,19 +33,34 @@ raygauge.dataset = (series, stepped) => {
     label: series.name, data, stepped: stepped ? "before" : false, tension: 0,
     borderColor: look.color, backgroundColor: look.filled ? look.color : raygauge.css("--paper"),
     borderDash: look.dash, borderWidth: 1.8,
-    pointStyle: look.marker, pointBorderColor: look.color, pointRadius: stepped ? 0 : 4, pointHoverRadius: 6,
+    pointStyle: look.marker, rotation: look.rotation, pointBorderColor: look.color, pointRadius: stepped ? 0 : 4, pointHoverRadius: 6,
   };
 };
 
-raygauge.axis = (axis, logarithmic) => ({
+/** Where an axis begins and ends: at the data, a little wider. */
+raygauge.limits = (series, index, logarithmic) => {
+  const ends = index === 0 ? [0] : [1, 2, 3];
+  const values = series.flatMap((each) => each.points.flatMap((point) => ends.map((i) => point[i])))
+    .filter((value) => typeof value === "number" && (!logarithmic || value > 0));
+  if (values.length === 0) return {};
+  const [low, high] = values.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity]);
+  if (logarithmic) return low === high ? {} : { min: low / (high / low) ** 0.03, max: high * (high / low) ** 0.03 };
+  const below = low - 0.03 * (high - low);
+  return low === high ? {} : { min: low >= 0 ? Math.max(0, below) : below, max: high + 0.03 * (high - low) };
+};
+
+raygauge.axis = (axis, logarithmic, limits) => ({
+  ...limits,
   type: logarithmic ? "logarithmic" : "linear",
   title: { display: true, text: axis.label, color: raygauge.css("--ink") },
   grid: { color: raygauge.css("--line") },
   ticks: {
     color: raygauge.css("--soft"), maxRotation: 0, autoSkip: true, autoSkipPadding: 12,
     callback(value) {
-      if (!logarithmic) return raygauge.short(value);
+      const isEnd = value === this.min || value === this.max;
+      if (!logarithmic) return isEnd && Number(value.toPrecision(2)) !== value ? "" : raygauge.short(value);
       const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+      if (Math.abs(value - Number(value.toPrecision(1))) > 1e-6 * value) return "";
       const decades = Math.log10(this.max / this.min);
       return (decades > 4 ? [1] : decades > 2 ? [1, 3] : [1, 2, 5]).includes(digit) ? raygauge.short(value) : "";
     },
@@ -59,10 +74,13 @@ raygauge.tooltip = (context) => {
   return context.dataset.label + ": " + raygauge.short(point.y) + bars + (point.remark ? "; " + point.remark : "");
 };
 
-raygauge.options = (block, logarithmic) => ({
+raygauge.options = (block, logarithmic, series) => ({
   animation: false, maintainAspectRatio: false, responsive: true, normalized: true,
   interaction: { mode: "nearest", intersect: false },
-  scales: { x: raygauge.axis(block.x, logarithmic.x), y: raygauge.axis(block.y, logarithmic.y) },
+  scales: {
+    x: raygauge.axis(block.x, logarithmic.x, raygauge.limits(series, 0, logarithmic.x)),
+    y: raygauge.axis(block.y, logarithmic.y, raygauge.limits(series, 1, logarithmic.y)),
+  },
   plugins: {
     legend: { labels: { color: raygauge.css("--ink"), usePointStyle: !block.stepped } },
     tooltip: {
@@ -85,6 +103,27 @@ raygauge.logSwitch = (axis, logarithmic, redraw) => {
   return button;
 };
 
+/** Saves the chart as a picture on paper of the page's colour. */
+raygauge.saveChart = (canvas, name) => {
+  const copy = raygauge.element("canvas", { width: canvas.width, height: canvas.height });
+  const context = copy.getContext("2d");
+  context.fillStyle = raygauge.css("--paper");
+  context.fillRect(0, 0, copy.width, copy.height);
+  context.drawImage(canvas, 0, 0);
+  copy.toBlob((blob) => {
+    const address = URL.createObjectURL(blob);
+    raygauge.element("a", { href: address, download: name + ".png" }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 1000);
+  });
+};
+
+raygauge.saveButton = (canvas, block) => {
+  const button = raygauge.element("button", { type: "button", class: "save" }, "Save as PNG");
+  const name = (block.y.label + " " + block.x.label).replace(/[^A-Za-z0-9]+/g, "_");
+  button.addEventListener("click", () => raygauge.saveChart(canvas, name));
+  return button;
+};
+
 raygauge.blocks.chart = (block) => {
   const canvas = raygauge.element("canvas", { role: "img", "aria-label": block.caption });
   const logarithmic = { x: block.x.log, y: block.y.log };
@@ -99,12 +138,13 @@ raygauge.blocks.chart = (block) => {
     }
     const datasets = chosen.map((series) =>
       ({ ...raygauge.dataset(series, block.stepped), method: series.method, hidden: hidden.has(series.method) }));
-    const options = raygauge.options(block, logarithmic);
+    const options = raygauge.options(block, logarithmic, chosen);
     chart = new Chart(canvas, { type: "line", data: { datasets }, options, plugins: [raygauge.intervalBars] });
     raygauge.charts.push(chart);
   };
   const menus = raygauge.facetMenus(block.series, (series) => { chosen = series; draw(); });
-  menus.controls.append(raygauge.logSwitch("x", logarithmic, draw), raygauge.logSwitch("y", logarithmic, draw));
+  menus.controls.append(raygauge.logSwitch("x", logarithmic, draw), raygauge.logSwitch("y", logarithmic, draw),
+    raygauge.saveButton(canvas, block));
   const node = raygauge.element("div", { class: "block" }, raygauge.element("p", { class: "caption" }, block.caption),
     menus.controls, raygauge.element("div", { class: "chart" }, canvas));
   raygauge.redraw.push(draw);

@@ -63,6 +63,7 @@ raygauge.blocks.heatmap = (block) => {
   const draw = () => {
     holder.replaceChildren(raygauge.heatTable(block, chosen, (text) => { remark.textContent = text; }));
     legend.replaceChildren(raygauge.heatLegend(chosen));
+    raygauge.fitTables();
   };
   const menus = raygauge.facetMenus(block.cells, (cells) => { chosen = cells; draw(); });
   raygauge.redraw.push(draw);

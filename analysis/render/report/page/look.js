@@ -7,22 +7,17 @@ const raygauge = {
   blocks: {},  // by type: a function that makes { node, start } of a block
 };
 
-// Okabe and Ito, which colour-blind readers tell apart; methods of raygauge solid with filled markers, competitors
-// dashed with hollow ones, so that curves also differ in grey. A competitor's last entry is its
-// colour on dark paper.
-raygauge.own = [["#D55E00", "circle"], ["#0072B2", "rect"], ["#009E73", "triangle"], ["#CC79A7", "rectRot"]];
-raygauge.competitors = [["#000000", "circle", [7, 4], "#FFFFFF"], ["#8C8C8C", "rect", [2, 3], "#A8A8A8"],
-  ["#56B4E9", "triangle", [7, 4], "#56B4E9"], ["#E69F00", "rectRot", [2, 3], "#E69F00"]];
-
 raygauge.isDark = () => document.documentElement.dataset.theme === "dark";
 raygauge.css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+/** Colour, marker and dash of a method: the same in every figure and on every page (analysis/render/method_look.cc). */
 raygauge.look = (name) => {
-  const method = raygauge.data.methods.find((each) => each.name === name) || { competitor: false, rank: 0 };
-  const list = method.competitor ? raygauge.competitors : raygauge.own;
-  const [color, marker, dash, darkColor] = list[method.rank % list.length];
-  const shown = raygauge.isDark() && darkColor ? darkColor : color;
-  return { color: shown, marker, dash: dash || [], filled: !method.competitor };
+  const method = raygauge.data.methods.find((each) => each.name === name);
+  const [marker, down] = method.marker.split(" ");
+  return {
+    color: raygauge.isDark() ? method.dark : method.color, marker, rotation: down ? 180 : 0, dash: method.dash,
+    filled: method.filled,
+  };
 };
 
 /** element("td", {class: "key"}, "text", child, ...) */

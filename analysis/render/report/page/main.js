@@ -11,10 +11,14 @@ raygauge.start = () => {
   const system = matchMedia("(prefers-color-scheme: dark)");
   raygauge.setTheme(system.matches);
   document.querySelector("h1").textContent = data.title;
+  document.querySelector("#subtitle").textContent = data.subtitle;
   document.querySelector("footer").textContent = "raygauge " + data.version + ", with Chart.js " + Chart.version +
     ". Everything on this page is inside it.";
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
   const [nav, main] = [document.querySelector("nav"), document.querySelector("main")];
+  nav.append(...raygauge.sharedMenus(data.sections));
+  const headline = data.sections.filter((section) => section.id === "scaling")
+    .flatMap((section) => section.blocks).find((block) => block.type === "chart");
   for (const section of data.sections) {
     nav.append(element("a", { href: "#" + section.id }, section.title));
     const place = element("section", { id: section.id }, element("h2", {}, section.title));
@@ -23,8 +27,15 @@ raygauge.start = () => {
       const { node, start } = raygauge.blocks[block.type](block);
       place.append(node);
       if (start) start();
+      if (block.lead && headline) {
+        const chart = raygauge.blocks.chart(headline);
+        place.append(chart.node);
+        chart.start();
+      }
     }
   }
+  raygauge.fitTables();
+  addEventListener("resize", raygauge.fitTables);
   document.getElementById("theme").addEventListener("click", () => raygauge.setTheme(!raygauge.isDark()));
   system.addEventListener("change", (event) => raygauge.setTheme(event.matches));
   let printed = false;

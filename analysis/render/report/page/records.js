@@ -15,5 +15,6 @@ raygauge.blocks.records = (block) => {
   });
   const text = block.count + " records with every column of the results file; distances with all digits, times with " +
     block.time_digits + ".";
-  return { node: raygauge.element("div", { class: "block" }, raygauge.element("p", {}, text), button) };
+  return { node: raygauge.element("details", { class: "block" }, raygauge.element("summary", {}, "download"),
+    raygauge.element("p", {}, text), button) };
 };

@@ -33,7 +33,7 @@ std::vector<Record> solves(const std::string& roles) {
 }
 
 std::string picture_of(const std::string& figure, const std::vector<Record>& records) {
-  return draw(figure_named(figure), records, {}, ImageFormat::svg);
+  return draw(figure_named(figure), records, {}, ImageFormat::svg).front();
 }
 
 void expect_texts(const std::string& picture, std::initializer_list<const char*> texts) {
@@ -66,7 +66,7 @@ TEST(Example1Figures, NameEveryMethodInTheLegendHoweverLongTheNames) {
   }
   FigureOptions options;
   options.size = FigureSize::single;
-  const std::string picture = draw(figure_named("fig5"), records, options, ImageFormat::svg);
+  const std::string picture = draw(figure_named("fig5"), records, options, ImageFormat::svg).front();
   expect_texts(picture, {">zheng_yamane<", ">zheng_yamane_published<", ">nlopt_mma<", ">paper<"});
   EXPECT_EQ(picture.find("translate(-"), std::string::npos) << "something stands outside the picture";
 }

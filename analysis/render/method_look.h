@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace raygauge {
+
+enum class Marker : unsigned char { circle, square, triangle, diamond, triangle_down };
+enum class Dash : unsigned char { solid, dashed, dotted, dash_dotted };
+
+/// How a method looks in every figure and on every page, whatever other methods are there.
+struct MethodLook {
+  std::string color;       ///< "#D55E00"; of Okabe and Ito, which colour-blind readers tell apart
+  std::string dark_color;  ///< on dark paper
+  Marker marker = Marker::circle;
+  Dash dash = Dash::solid;
+  bool filled = true;  ///< competitors have hollow markers
+};
+
+/// The look of a method by its label. The methods of this program have looks that differ in marker or dash,
+/// so that nothing is lost in grey; any other label gets one drawn from its letters.
+MethodLook look_of_method(const std::string& method);
+
+/// One line on what a method is, for readers of a page; "" for a label that this program does not know.
+std::string what_method_is(const std::string& method);
+
+}  // namespace raygauge

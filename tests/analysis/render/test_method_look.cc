@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/render/method_look.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "analysis/render/time_unit.h"
+
+namespace raygauge::test_method_look {
+namespace {
+
+TEST(MethodLook, OfTheProgramsOwnMethodsDiffersInGreyToo) {
+  std::set<std::tuple<Marker, Dash, bool>> looks;
+  std::set<std::string> colors;
+  const std::set<std::string> methods = {"direct",     "zheng_yamane", "newton", "glpk_primal", "glpk_dual",
+                                         "clp_primal", "clp_dual",     "exact",  "nlopt_slsqp", "nlopt_mma"};
+  for (const std::string& method : methods) {
+    const MethodLook look = look_of_method(method);
+    looks.insert({look.marker, look.dash, look.filled});
+    colors.insert(look.color);
+    EXPECT_NE(what_method_is(method), "") << method;
+  }
+  EXPECT_EQ(looks.size(), methods.size());
+  EXPECT_EQ(colors.size(), methods.size());
+}
+
+TEST(MethodLook, OfAnUnknownLabelIsAlwaysTheSame) {
+  const MethodLook look = look_of_method("my_solver");
+  EXPECT_EQ(look.color, look_of_method("my_solver").color);
+  EXPECT_TRUE(look.filled);
+  EXPECT_NE(look.dash, Dash::solid);
+  EXPECT_EQ(what_method_is("my_solver"), "");
+}
+
+TEST(TimeUnit, FollowsTheSizeOfTheTimes) {
+  EXPECT_STREQ(time_unit_for(1e-6, 1e-4).name, "µs");
+  EXPECT_STREQ(time_unit_for(1e-4, 1e-1).name, "ms");
+  EXPECT_STREQ(time_unit_for(1e-1, 1e2).name, "s");
+}
+
+}  // namespace
+}  // namespace raygauge::test_method_look
