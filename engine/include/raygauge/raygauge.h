@@ -8,6 +8,7 @@
 #include "engine/methods/result.h"
 #include "engine/queries/gradient.h"
 #include "engine/queries/growth_distance.h"
+#include "engine/queries/membership.h"
 #include "engine/queries/object_distance.h"
 #include "engine/queries/origin_in_interior.h"
 #include "engine/queries/solver.h"

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/membership.h"
+
+#include "engine/queries/growth_body.h"
+#include "engine/queries/solver.h"
+#include "engine/sets/parameters.h"
+#include "engine/sets/posed_view.h"
+
+namespace raygauge {
+namespace {
+
+DistanceOptions options_for(const ConvexSet& S, double tolerance) {
+  DistanceOptions options;
+  options.tolerance = tolerance;
+  if (S.structure() == SupportStructure::smooth) options.method = DistanceMethod::newton;
+  return options;
+}
+
+}  // namespace
+
+GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance) {
+  check_dimension("gauge", "x", x.size(), S.dimension());
+  const Vector at = checked_finite("gauge", "x", x);
+  const PointView point(at.data(), S.dimension());
+  DistanceSolver solver(options_for(S, tolerance));
+  const DistanceResult& result = solver.solve(point, S);
+  GaugeBounds bounds{result.lower, result.upper};
+  Vector normal(S.dimension());
+  const double formula = S.gauge_unchecked(at.data(), normal.data());
+  if (formula >= bounds.lower && formula < bounds.upper) bounds.upper = formula;
+  return bounds;
+}
+
+// Both sets are seen from c: the bounds cover the rounding errors of the shift.
+Membership contains(const ConvexSet& S, const ConstVectorRef& x, double tolerance) {
+  const int n = S.dimension();
+  check_dimension("contains", "x", x.size(), n);
+  const Vector at = checked_finite("contains", "x", x);
+  const Pose from_center(Eigen::MatrixXd::Identity(n, n), -S.center());
+  const PointView point(at.data(), n);
+  DistanceSolver solver(options_for(S, tolerance));
+  const DistanceResult& result = solver.solve(Posed(point, from_center), Posed(S, from_center));
+  if (result.lower > 1) return Membership::outside;
+  return result.upper <= 1 ? Membership::inside : Membership::undecided;
+}
+
+}  // namespace raygauge
