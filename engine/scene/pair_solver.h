@@ -50,6 +50,7 @@ enum class PairSeparation : std::uint8_t { separated, intersecting, undecided };
 /// lay between them. Never trusted: a plane is tested before anything is concluded from it.
 struct PairMemory {
   std::vector<SmallVector> normals;  ///< by part_a * (parts of b) + part_b; empty: none
+  std::vector<char> overlapped;      ///< of those pairs: whether they shared a point when last solved
 };
 
 /// Answers questions about two placed bodies. One a thread: it owns the workspace.
@@ -100,6 +101,7 @@ class PairSolver {
   double part_plane_bound(int i, int j, const SmallVector& u) const;
   void solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory, PairAnswer& best);
   void place_parts(const PartPair& pair);
+  bool still_overlap(const PartPair& pair, const PairMemory& memory, PairAnswer& best);
 
   int dimension_;
   ObjectDistanceSolver distance_;
