@@ -31,10 +31,10 @@ struct RandomisationOptions {
 
 /// Randomisation test of pairs whose order was drawn at random, for each block and pair by itself: with
 /// labels that mean nothing, every difference has either sign with probability 1/2. The statistic of a series
-/// is the mean of its differences, cut off at twice their scale (so that one disturbed pair does not decide),
-/// over the scale; that of a group the same of the mean of its series. The p values compare with the largest
-/// statistic over all series and groups (Westfall and Young 1993): the probability of any false alarm is at
-/// most the level, whatever disturbs the machine and however the series depend on each other.
+/// is the mean of its differences, cut off at twice their median size (so that one disturbed pair does not
+/// decide), over the scale; that of a group the same of the mean of its series. The p values compare with the
+/// largest statistic over all series and groups (Westfall and Young 1993): the probability of any false alarm
+/// is at most the level, whatever disturbs the machine and however the series depend on each other.
 RandomisationResult test_pairs(const std::vector<RunSeries>& series, const std::vector<std::string>& groups,
                                const RandomisationOptions& options = {});
 
