@@ -142,7 +142,7 @@ int run_experiment(const RunArguments& arguments, const Experiment& experiment,
 
 int run(const RunArguments& arguments) {
   const GeneratorRegistry generators = all_generators();
-  const MethodRegistry methods = all_methods();
+  const MethodRegistry methods = sweep_methods();
   Experiment experiment =
       read_experiment(arguments.experiment_path, arguments.overrides, generators, methods);
   if (arguments.threads) experiment.threads = *arguments.threads;

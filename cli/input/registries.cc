@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/registries.h"
 
+#include "baselines/command_method.h"
 #include "baselines/registry.h"
 #include "generators/registry.h"
 
@@ -17,6 +18,12 @@ MethodRegistry all_methods() {
   MethodRegistry registry("method");
   register_engine_methods(registry);
   register_baselines(registry);
+  return registry;
+}
+
+MethodRegistry sweep_methods() {
+  MethodRegistry registry = all_methods();
+  register_command_method(registry);
   return registry;
 }
 

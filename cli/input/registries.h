@@ -13,4 +13,7 @@ GeneratorRegistry all_generators();
 /// Every method of this build: the engine's and the baselines'.
 MethodRegistry all_methods();
 
+/// What a sweep may name: these and `command`, which needs a parameter that tells whose program to run.
+MethodRegistry sweep_methods();
+
 }  // namespace raygauge::cli
