@@ -349,9 +349,11 @@ double PrimalSimplex::proven_upper() {
 // Σβ where every weight is proven to be positive; +infinity otherwise, or where the unrefined solution is not
 // good enough.
 double PrimalSimplex::enclosed_upper(bool refine) {
+  BasisView& view = basis_.view();
+  // The enclosure takes n³ operations, and artificial columns with weight leave nothing to prove with it.
+  if (artificial_weight() > kArtificialZero) return kInfinity;
   const Enclosure enclosure = basis_.enclose(refine);
   if (!enclosure.valid) return kInfinity;
-  BasisView& view = basis_.view();
   left_out_ = 0;
   double sum = 0;
   double error = 0;
