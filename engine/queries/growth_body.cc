@@ -10,8 +10,9 @@
 
 namespace raygauge {
 
-GrowthBody::GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q)
-    : ConvexSet(A.dimension()), A_(A), Q_(Q), c_A_(c_A), c_Q_(c_Q) {}
+GrowthBody::GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q,
+                       bool c_Q_in_Q)
+    : ConvexSet(A.dimension()), A_(A), Q_(Q), c_A_(c_A), c_Q_(c_Q), c_Q_in_Q_(c_Q_in_Q) {}
 
 double GrowthBody::do_support(const double* u, double* point) const {
   const int n = dimension();
@@ -41,7 +42,9 @@ double GrowthBody::do_inner_radius(const double* c) const {
     around.data()[k] = c_Q_[k] + c[k];
     size += std::fabs(c_Q_[k]) + std::fabs(c[k]) + std::fabs(c_A_[k]);
   }
-  const double radius = A_.inner_radius_unchecked(c_A_) + Q_.inner_radius_unchecked(around.data());
+  const double radius_Q = Q_.inner_radius_unchecked(around.data());
+  if (!c_Q_in_Q_ && !(radius_Q > 0)) return 0;
+  const double radius = A_.inner_radius_unchecked(c_A_) + radius_Q;
   // c_A is a point of A and c_Q one of Q, up to their rounding: one ball is enough if c is 0.
   const bool at_center = std::all_of(c, c + n, [](double x) { return x == 0; });
   return at_center ? proven_length(radius, size + radius, n) : 0.0;

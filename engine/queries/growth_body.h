@@ -14,7 +14,9 @@ namespace raygauge {
 class GrowthBody final : public ConvexSet {
  public:
   /// The sets must outlive the object; c_A and c_Q are points of theirs, n = dimension() doubles.
-  GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q);
+  /// `c_Q_in_Q` says whether c_Q is known to be a point of Q: the origin need not be.
+  GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q,
+             bool c_Q_in_Q = true);
 
  private:
   double do_support(const double* u, double* point) const override;
@@ -28,6 +30,7 @@ class GrowthBody final : public ConvexSet {
   const ConvexSet& Q_;
   const double* c_A_;
   const double* c_Q_;
+  bool c_Q_in_Q_;
 };
 
 /// {p}: a point as a set, seen where it stands.

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
-#include "engine/exceptions.h"
 #include "engine/queries/growth_body.h"
+#include "engine/queries/spatial_query.h"
+#include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 
 namespace raygauge {
+namespace {
+
+constexpr double kNoThreshold = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 DistanceOptions GrowthDistanceSolver::newton_options() {
   DistanceOptions options;
@@ -18,18 +23,30 @@ DistanceOptions GrowthDistanceSolver::newton_options() {
   return options;
 }
 
-GrowthDistanceSolver::GrowthDistanceSolver(const DistanceOptions& options) : solver_(options) {}
+GrowthDistanceSolver::GrowthDistanceSolver(const DistanceOptions& options)
+    : solver_(options), spatial_(std::make_unique<SpatialQuery>()) {}
 
-// A is scaled about its centre, Q about center_Q_.
-const DistanceResult& GrowthDistanceSolver::solve_about(const ConvexSet& A, const ConvexSet& Q,
+GrowthDistanceSolver::~GrowthDistanceSolver() = default;
+GrowthDistanceSolver::GrowthDistanceSolver(GrowthDistanceSolver&&) noexcept = default;
+GrowthDistanceSolver& GrowthDistanceSolver::operator=(GrowthDistanceSolver&&) noexcept = default;
+
+// A is scaled about its centre, Q about the origin or its own. By fixed-size code where that has the answer.
+const DistanceResult& GrowthDistanceSolver::solve_about(const Posed& A, const Posed& Q, bool about_origin,
                                                         double threshold, WarmStart* warm) {
+  if (spatial_->growth(A, Q, about_origin, solver_.options(), threshold, warm, spatial_result_)) {
+    return spatial_result_;
+  }
+  const InPose in_pose_A(A), in_pose_Q(Q);
   const int n = A.dimension();
   const auto size = static_cast<std::size_t>(n);
   center_A_.resize(size);
+  center_Q_.resize(size);
   ray_.resize(size);
-  A.center_unchecked(center_A_.data());
+  std::fill_n(center_Q_.data(), n, 0.0);
+  if (!about_origin) in_pose_Q.set().center_unchecked(center_Q_.data());
+  in_pose_A.set().center_unchecked(center_A_.data());
   for (std::size_t k = 0; k < size; ++k) ray_[k] = center_A_[k] - center_Q_[k];
-  const GrowthBody body(A, center_A_.data(), Q, center_Q_.data());
+  const GrowthBody body(in_pose_A.set(), center_A_.data(), in_pose_Q.set(), center_Q_.data(), !about_origin);
   solver_.set_threshold(threshold);
   const PointView ray(ray_.data(), n);
   return solver_.solve(Posed(ray), Posed(body), Effects::none, warm);
@@ -40,14 +57,14 @@ const DistanceResult& GrowthDistanceSolver::solve(const ConvexSet& A, const Conv
 }
 
 const DistanceResult& GrowthDistanceSolver::solve(const Posed& A, const Posed& Q, WarmStart* warm) {
-  if (A.dimension() != Q.dimension()) {
-    throw DimensionMismatchError("growth distance: A lives in R^" + std::to_string(A.dimension()) +
-                                 ", Q in R^" + std::to_string(Q.dimension()));
-  }
-  center_Q_.resize(static_cast<std::size_t>(A.dimension()));
-  std::fill_n(center_Q_.data(), A.dimension(), 0.0);
-  const InPose in_pose_A(A), in_pose_Q(Q);
-  return solve_about(in_pose_A.set(), in_pose_Q.set(), std::numeric_limits<double>::quiet_NaN(), warm);
+  check_dimension("growth distance", "Q", Q.dimension(), A.dimension());
+  return solve_about(A, Q, true, kNoThreshold, warm);
+}
+
+const DistanceResult& GrowthDistanceSolver::solve_about_centers(const Posed& A1, const Posed& A2,
+                                                                WarmStart* warm) {
+  check_dimension("growth distance", "A2", A2.dimension(), A1.dimension());
+  return solve_about(A2, A1, false, kNoThreshold, warm);
 }
 
 const SeparationResult& GrowthDistanceSolver::separation(const ConvexSet& A1, const ConvexSet& A2) {
@@ -55,14 +72,8 @@ const SeparationResult& GrowthDistanceSolver::separation(const ConvexSet& A1, co
 }
 
 const SeparationResult& GrowthDistanceSolver::separation(const Posed& A1, const Posed& A2, WarmStart* warm) {
-  if (A1.dimension() != A2.dimension()) {
-    throw DimensionMismatchError("separation: A1 lives in R^" + std::to_string(A1.dimension()) +
-                                 ", A2 in R^" + std::to_string(A2.dimension()));
-  }
-  center_Q_.resize(static_cast<std::size_t>(A1.dimension()));
-  const InPose in_pose_1(A1), in_pose_2(A2);
-  in_pose_1.set().center_unchecked(center_Q_.data());
-  const DistanceResult& growth = solve_about(in_pose_2.set(), in_pose_1.set(), 1.0, warm);
+  check_dimension("separation", "A2", A2.dimension(), A1.dimension());
+  const DistanceResult& growth = solve_about(A2, A1, false, 1.0, warm);
   separation_.lower = growth.lower;
   separation_.upper = growth.upper;
   separation_.counters = growth.counters;

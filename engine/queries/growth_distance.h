@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/queries/solver.h"
 
 namespace raygauge {
+
+class SpatialQuery;
 
 enum class Separation : std::uint8_t {
   separated,     ///< a plane lies between the objects, proven
@@ -37,6 +40,10 @@ struct SeparationResult {
 /// size allocates nothing.
 class GrowthDistanceSolver {
  public:
+  ~GrowthDistanceSolver();
+  GrowthDistanceSolver(GrowthDistanceSolver&&) noexcept;
+  GrowthDistanceSolver& operator=(GrowthDistanceSolver&&) noexcept;
+
   /// `newton` is the default method here: B has second-order information wherever A and Q do. Throws
   /// InvalidParameterError for an option outside its range.
   explicit GrowthDistanceSolver(const DistanceOptions& options = newton_options());
@@ -49,6 +56,9 @@ class GrowthDistanceSolver {
   /// left, and is brought up to date; nullptr: every solve is a first one.
   const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
 
+  /// The growth distance of two objects, each scaled about its own centre.
+  const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
+
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
   /// bound that is on one side of 1. Throws DimensionMismatchError.
   const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
@@ -58,10 +68,12 @@ class GrowthDistanceSolver {
 
  private:
   static DistanceOptions newton_options();
-  const DistanceResult& solve_about(const ConvexSet& A, const ConvexSet& Q, double threshold,
+  const DistanceResult& solve_about(const Posed& A, const Posed& Q, bool about_origin, double threshold,
                                     WarmStart* warm);
 
   DistanceSolver solver_;
+  std::unique_ptr<SpatialQuery> spatial_;
+  DistanceResult spatial_result_;
   SeparationResult separation_;
   std::vector<double> center_A_, center_Q_, ray_;
 };

@@ -7,6 +7,7 @@
 #include "engine/certificates/weighted_points.h"
 #include "engine/queries/object_pair.h"
 #include "engine/queries/solver.h"
+#include "engine/queries/spatial_query.h"
 #include "engine/sets/posed_view.h"
 
 namespace raygauge {
@@ -18,7 +19,9 @@ struct ObjectDistanceSolver::Workspace {
   SupportPairs pairs;
   WeightedPoints combination;
   ObjectDistance result;
+  SpatialQuery spatial;
 
+  void add_gradients(ObjectEffects effects);
   void find_closest_points(int n);
 };
 
@@ -40,6 +43,18 @@ void ObjectDistanceSolver::Workspace::find_closest_points(int n) {
   ++result.closest_point_evaluations;
 }
 
+void ObjectDistanceSolver::Workspace::add_gradients(ObjectEffects effects) {
+  const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
+  if (has_effect(effects, ObjectEffects::gradient) && apart) {
+    result.gradient_1 = result.distance.normal;
+    result.gradient_2 = -result.distance.normal;
+    ++result.gradient_evaluations;
+  } else {
+    result.gradient_1.resize(0);
+    result.gradient_2.resize(0);
+  }
+}
+
 ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
     : workspace_(std::make_unique<Workspace>(options)) {}
 
@@ -55,6 +70,12 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Posed& posed_2,
                                                   const ConvexSet& Q, ObjectEffects effects,
                                                   WarmStart* warm) {
+  if (posed_1.dimension() == posed_2.dimension() &&
+      workspace_->spatial.distance(posed_1, posed_2, Q, workspace_->solver.options(), effects, warm,
+                                   workspace_->result)) {
+    workspace_->add_gradients(effects);
+    return workspace_->result;
+  }
   const InPose in_pose_1(posed_1), in_pose_2(posed_2);
   const ConvexSet& A1 = in_pose_1.set();
   const ConvexSet& A2 = in_pose_2.set();
@@ -74,14 +95,7 @@ const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Po
     result.closest_point_1.resize(0);
     result.closest_point_2.resize(0);
   }
-  if (has_effect(effects, ObjectEffects::gradient) && apart) {
-    result.gradient_1 = result.distance.normal;
-    result.gradient_2 = -result.distance.normal;
-    ++result.gradient_evaluations;
-  } else {
-    result.gradient_1.resize(0);
-    result.gradient_2.resize(0);
-  }
+  workspace.add_gradients(effects);
   return result;
 }
 

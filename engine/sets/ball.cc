@@ -5,6 +5,7 @@
 #include "engine/numerics/exact_sum.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 
@@ -54,6 +55,14 @@ bool Ball::do_touches_origin(double* u) const {
     u[k] = -center_[k];
   }
   return radius_ > 0 && difference.is_zero();
+}
+
+bool Ball::do_spatial_shape(SpatialShape& shape) const {
+  if (!place(shape, center_, dimension())) return false;
+  shape.kind = SpatialShape::Kind::point;
+  shape.radius = shape.inner_radius = radius_;
+  shape.extent = length(shape.center);
+  return true;
 }
 
 SupportStructure Ball::do_structure() const noexcept { return SupportStructure::smooth; }

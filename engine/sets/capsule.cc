@@ -6,6 +6,7 @@
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 
@@ -46,6 +47,15 @@ double Capsule::do_inner_radius(const double* c) const {
   const double t = length_squared > 0 ? std::clamp(along / length_squared, 0.0, 1.0) : 0.0;
   for (int k = 0; k < n; ++k) nearest.data()[k] = (1 - t) * p_[k] + t * q_[k];
   return proven_length(radius_ - distance_between(nearest.data(), c, n), size, n);
+}
+
+bool Capsule::do_spatial_shape(SpatialShape& shape) const {
+  if (!place(shape, 0.5 * p_ + 0.5 * q_, dimension())) return false;
+  shape.kind = SpatialShape::Kind::segment;
+  shape.axis.column[0] = spatial(q_, dimension()) - shape.center;
+  shape.radius = shape.inner_radius = radius_;
+  shape.extent = length(shape.center) + length(shape.axis.column[0]);
+  return true;
 }
 
 SupportStructure Capsule::do_structure() const noexcept { return SupportStructure::smooth; }

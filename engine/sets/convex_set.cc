@@ -90,4 +90,6 @@ Vector ConvexSet::center() const {
   return point;
 }
 
+bool ConvexSet::do_spatial_shape(SpatialShape&) const { return false; }
+
 }  // namespace raygauge

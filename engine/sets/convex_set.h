@@ -15,6 +15,8 @@ using Vector = Eigen::VectorXd;
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using VectorRef = Eigen::Ref<Eigen::VectorXd>;
 
+struct SpatialShape;
+
 /// What is known of a support function beyond its values.
 enum class SupportStructure : std::uint8_t {
   unknown,   ///< nothing
@@ -124,6 +126,10 @@ class ConvexSet {
   /// reach. Writes u. False by default.
   bool touches_origin_unchecked(double* u) const { return do_touches_origin(u); }
 
+  /// What fixed-size code needs of a set of R^2 or R^3; false for all others, and where there is none, as by
+  /// default.
+  bool spatial_shape_unchecked(SpatialShape& shape) const { return do_spatial_shape(shape); }
+
   SupportStructure structure() const noexcept { return do_structure(); }
 
   /// Second-order information at u != 0 for `smooth` sets; the greatest value is h_S(u). count = 0 where
@@ -186,6 +192,7 @@ class ConvexSet {
   virtual double do_gauge(const double* x, double* normal) const;
   virtual bool do_quad_gauge_normal(const Quad* x, Quad* normal) const;
   virtual bool do_touches_origin(double* u) const;
+  virtual bool do_spatial_shape(SpatialShape& shape) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
   virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
   virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;

@@ -8,6 +8,7 @@
 #include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 namespace {
@@ -95,6 +96,21 @@ bool Ellipsoid::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   if (!solve_in_quad(factor_, false, z.data())) return false;
   std::copy_n(z.data(), n, normal);
   return solve_in_quad(factor_, true, normal);
+}
+
+bool Ellipsoid::do_spatial_shape(SpatialShape& shape) const {
+  const int n = dimension();
+  if (!place(shape, center_, n) || factor_.cols() != n) return false;
+  shape.kind = SpatialShape::Kind::ellipsoid;
+  shape.axis = {};
+  double square = 0;
+  for (int j = 0; j < n; ++j) {
+    shape.axis.column[j] = spatial(factor_.col(j), n);
+    square += dot(shape.axis.column[j], shape.axis.column[j]);
+  }
+  shape.inner_radius = inverse_.least_stretch() * (1 - 0x1p-50);
+  shape.extent = length(shape.center) + std::sqrt(square);
+  return true;
 }
 
 SupportStructure Ellipsoid::do_structure() const noexcept { return SupportStructure::smooth; }

@@ -26,6 +26,7 @@ class Ellipsoid final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 namespace {
@@ -126,6 +127,22 @@ void Frustum::find_facet_point(const Real* normal, const Real* target, Real* poi
   const Real radius = at_top ? top_radius_ : base_radius_;
   const Real away = std::min(axis_.radial_part(offset.data(), point), radius);
   for (int k = 0; k < n; ++k) point[k] = disc[k] + away * point[k];
+}
+
+bool Frustum::do_spatial_shape(SpatialShape& shape) const {
+  const int n = dimension();
+  if (n != 3) return false;
+  place(shape, 0.5 * base_ + 0.5 * top_, n);
+  shape.kind = SpatialShape::Kind::frustum;
+  shape.axis.column[0] = spatial(axis_.direction(), n);
+  shape.base = spatial(base_, n);
+  shape.top = spatial(top_, n);
+  shape.base_radius = base_radius_;
+  shape.top_radius = top_radius_;
+  const double c[3] = {shape.center.x, shape.center.y, shape.center.z};
+  shape.inner_radius = do_inner_radius(c);
+  shape.extent = std::max(length(shape.base), length(shape.top)) + std::max(base_radius_, top_radius_);
+  return true;
 }
 
 SupportStructure Frustum::do_structure() const noexcept { return SupportStructure::smooth; }

@@ -11,6 +11,7 @@
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 namespace {
@@ -154,6 +155,21 @@ double PNormBall::do_gauge(const double* x, double* normal) const {
 
 bool PNormBall::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   return has_gauge() && gauge(x, normal) > 0;
+}
+
+bool PNormBall::do_spatial_shape(SpatialShape& shape) const {
+  const int n = dimension();
+  if (p_ != 2 || !place(shape, center_, n)) return false;
+  const bool round = (semi_axes_.array() == semi_axes_[0]).all();
+  shape.kind = round ? SpatialShape::Kind::point : SpatialShape::Kind::ellipsoid;
+  shape.axis = {};
+  shape.axis.column[0].x = semi_axes_[0];
+  shape.axis.column[1].y = semi_axes_[1];
+  if (n == 3) shape.axis.column[2].z = semi_axes_[2];
+  shape.radius = round ? semi_axes_[0] : 0.0;
+  shape.inner_radius = semi_axes_.minCoeff();
+  shape.extent = length(shape.center) + (round ? 0.0 : semi_axes_.norm());
+  return true;
 }
 
 SupportStructure PNormBall::do_structure() const noexcept {

@@ -29,6 +29,7 @@ class PNormBall final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   double do_gauge(const double* x, double* normal) const override;
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   bool do_is_unconditional(double* extent) const override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;

@@ -11,6 +11,7 @@
 #include "engine/exceptions.h"
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 namespace {
@@ -101,6 +102,17 @@ double PointSet::do_support(const double* u, double* point) const {
 void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
 void PointSet::do_magnitude(double* magnitude) const { Vector::Map(magnitude, dimension()) = magnitude_; }
+
+bool PointSet::do_spatial_shape(SpatialShape& shape) const {
+  if (!place(shape, center_, dimension())) return false;
+  shape.kind = SpatialShape::Kind::points;
+  shape.extent = std::sqrt(dot(magnitude_.data(), magnitude_.data(), dimension()));
+  shape.coordinates = dimension();
+  shape.blocks = data_.get();
+  shape.block_count = block_count_;
+  shape.size = size_;
+  return true;
+}
 
 SupportStructure PointSet::do_structure() const noexcept {
   return size_ == 1 ? SupportStructure::point : SupportStructure::polytope;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <typeinfo>
 
 #include "engine/sets/convex_set.h"
 #include "engine/sets/isotropic_map.h"
@@ -85,6 +84,7 @@ class PointSet final : public ConvexSet {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
@@ -104,8 +104,6 @@ class PointSet final : public ConvexSet {
 };
 
 /// S as the point set that it is, or nullptr.
-inline const PointSet* as_point_set(const ConvexSet& S) noexcept {
-  return typeid(S) == typeid(PointSet) ? static_cast<const PointSet*>(&S) : nullptr;
-}
+const PointSet* as_point_set(const ConvexSet& S) noexcept;
 
 }  // namespace raygauge

@@ -13,6 +13,7 @@
 #include "engine/queries/object_distance.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/ellipsoid.h"
+#include "engine/sets/prepared_set.h"
 #include "engine/sets/truncated_cone.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
@@ -218,6 +219,34 @@ TEST(RepeatedObjectDistance, AllocatesNothing) {
   growth.solve(A2, Q);
   growth.separation(A1, A2);
   EXPECT_EQ(allocations - before, 0);
+}
+
+// Bodies of R^3 in poses, cold and warm, by fixed-size code; the second of two frames is counted.
+TEST(PosedSolve, AllocatesNothing) {
+  Random random(106);
+  const Vector zero = Vector::Zero(3);
+  const PreparedSet hull(sphere_points(3, 200, random));
+  const PointSet points(sphere_points(3, 50, random));
+  const Ellipsoid ellipsoid(zero, Eigen::MatrixXd(Eigen::Vector3d(1, 0.5, 0.4).asDiagonal()));
+  const TruncatedCone cone(-0.5 * Vector::Unit(3, 2), 0.6, 0.5 * Vector::Unit(3, 2), 0.3);
+  const Ball metric(zero, 1);
+  for (const ConvexSet* A :
+       {static_cast<const ConvexSet*>(&hull), static_cast<const ConvexSet*>(&points),
+        static_cast<const ConvexSet*>(&ellipsoid), static_cast<const ConvexSet*>(&cone)}) {
+    ObjectDistanceSolver distance;
+    GrowthDistanceSolver growth;
+    WarmStart warm, warm_growth;
+    long before = 0;
+    for (int frame = 0; frame < 2; ++frame) {
+      before = allocations;
+      const Pose pose(Eigen::Quaterniond(1, 0.1 * frame, 0.2, 0.3), Eigen::Vector3d(3, 0.01 * frame, 0.2));
+      const auto effects = ObjectEffects::closest_points | ObjectEffects::gradient;
+      distance.solve({*A, pose}, {hull, Pose(3)}, metric, effects, &warm);
+      growth.solve_about_centers({*A, pose}, {hull, Pose(3)}, &warm_growth);
+      growth.separation({*A, pose}, {hull, Pose(3)}, &warm_growth);
+    }
+    EXPECT_EQ(allocations - before, 0);
+  }
 }
 
 }  // namespace

@@ -30,6 +30,7 @@
 #include "engine/sets/p_norm_ball.h"
 #include "engine/sets/point_set.h"
 #include "engine/sets/pose.h"
+#include "engine/sets/prepared_set.h"
 #include "engine/sets/simplex.h"
 #include "engine/sets/support_mapping_set.h"
 #include "engine/sets/truncated_cone.h"

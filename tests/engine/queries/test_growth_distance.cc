@@ -8,6 +8,7 @@
 
 #include "engine/exceptions.h"
 #include "engine/queries/gradient.h"
+#include "engine/queries/growth_body.h"
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
 #include "engine/sets/ellipsoid.h"
@@ -82,6 +83,14 @@ TEST(SeparationTest, ProvesItselfByAPlane) {
     EXPECT_LT(A2.support_function(result.normal), -A1.support_function(-result.normal));
   }
   EXPECT_GT(separated, 10);
+}
+
+// The difference of such a Q has no ball about the origin, however large those of A are: residuals have no price.
+TEST(GrowthDistance, HasNoBallAboutAnOriginOutsideQ) {
+  const Ball A(Eigen::Vector3d(3, 0, 0), 1), Q(Eigen::Vector3d(5, 0, 0), 1);
+  const Vector c_A = A.center(), zero = Vector::Zero(3), c_Q = Q.center();
+  EXPECT_EQ(GrowthBody(A, c_A.data(), Q, zero.data(), false).inner_radius_unchecked(zero.data()), 0);
+  EXPECT_NEAR(GrowthBody(A, c_A.data(), Q, c_Q.data(), true).inner_radius_unchecked(zero.data()), 2, 1e-12);
 }
 
 TEST(SeparationTest, StopsAtTheFirstCertificate) {

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/methods/spatial/spatial_pair.h"
+
+namespace raygauge {
+
+/// How a fixed-size solve ended. Where it is `open` the bounds hold, but another method has to close them.
+enum class SpatialEnd : std::uint8_t { closed, intersecting, separated, open };
+
+/// A combination of at most four support points.
+struct SpatialCombination {
+  int count = 0;
+  SpatialPoint point[4];
+  double weight[4] = {0, 0, 0, 0};
+};
+
+/// The answer to a query about a pair, in the frame of its first body.
+struct SpatialAnswer {
+  SpatialEnd end = SpatialEnd::open;
+  double lower = 0;
+  double upper = 0;
+  Vector3 normal;  ///< outer normal of what touches the difference D, not a unit vector: it proves `lower`
+  SpatialCombination combination;  ///< proves `upper`
+  int iterations = 0;
+};
+
+/// Where a solve begins: with the vertices of the last one, or with its direction.
+struct SpatialStart {
+  bool has_normal = false;
+  Vector3 normal;
+  int count = 0;
+  std::int32_t index_1[4], index_2[4];
+};
+
+/// The Euclidean distance of two bodies: that of the origin to D, less the balls of both, by the algorithm of
+/// Gilbert, Johnson & Keerthi on the cores. With s_l support points, v = Σ c_l s_l the point nearest to the
+/// origin of their hull, and w the support point for -v,
+///
+///     v·w/|v| <= d(cores) <= |v|,
+///
+/// both with SpatialPair::error() outward. `intersecting` is proven by a v shorter than the balls, or by four
+/// support points whose hull contains the origin deeper than that error.
+SpatialAnswer spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start);
+
+}  // namespace raygauge

@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/spatial_growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace raygauge {
+namespace {
+
+constexpr int kMostExchanges = 80;
+constexpr int kMostDiscoveries = 40;
+constexpr int kMostNewtonSteps = 12;
+constexpr double kUp = 1 + 0x1p-46,
+                 kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
+constexpr double kInfinity = __builtin_inf();
+
+class Growth {
+ public:
+  Growth(SpatialPair& pair, double tolerance, double threshold)
+      : pair_(pair),
+        tolerance_(tolerance),
+        threshold_(threshold),
+        p_(pair.between_centers()),
+        size_(length(p_)) {
+    inner_radius_ = kDown * pair.inner_radius() - 2 * pair.error();
+  }
+
+  SpatialAnswer run(const SpatialStart& start);
+
+ private:
+  SpatialPoint support(const Vector3& u, bool proven);
+  bool is_done();
+  void bound_from_below(const Vector3& u, const SpatialPoint& w);
+  void bound_from_above(const SpatialPoint* corner, int count, const double* weight);
+  double price_of_residual(const Vector3& r, double weights) const;
+  bool newton(Vector3 u);
+  bool discover(Vector3 u);
+  bool recall(const SpatialStart& start);
+  void refine();
+  bool weigh(double* weight, double* uncertainty) const;
+
+  SpatialPair& pair_;
+  double tolerance_;
+  double threshold_;
+  Vector3 p_;
+  double size_;
+  double inner_radius_;
+  SpatialPoint portal_[3];
+  SpatialAnswer answer_;
+};
+
+// s_B(u), balls included.
+SpatialPoint Growth::support(const Vector3& u, bool proven) {
+  SpatialPoint w = pair_.support(u, proven);
+  w.s = w.s + p_;
+  if (pair_.radius() > 0) w.s = w.s + u * (pair_.radius() / length(u));
+  ++answer_.iterations;
+  return w;
+}
+
+bool Growth::is_done() {
+  if (answer_.upper < kInfinity && answer_.upper - answer_.lower <= tolerance_ * answer_.upper) {
+    answer_.end = SpatialEnd::closed;
+  } else if (answer_.lower > threshold_) {
+    answer_.end = SpatialEnd::separated;
+  } else if (answer_.upper < threshold_) {
+    answer_.end = SpatialEnd::intersecting;
+  }
+  return answer_.end != SpatialEnd::open;
+}
+
+// u·p and u·s are within |u| error() of what they stand for.
+void Growth::bound_from_below(const Vector3& u, const SpatialPoint& w) {
+  const double slack = 2 * pair_.error() * length(u);
+  const double along = dot(u, p_) - slack, height = dot(u, w.s) + slack;
+  if (!(along > 0) || !(height > 0)) return;
+  const double lower = along / height * kDown;
+  if (!(lower > answer_.lower)) return;
+  answer_.lower = lower;
+  answer_.normal = u;
+}
+
+double Growth::price_of_residual(const Vector3& r, double weights) const {
+  if (!(inner_radius_ > 0)) return kInfinity;
+  return (length(r) + 2 * pair_.error() * (1 + weights)) / inner_radius_ * kUp;
+}
+
+void Growth::bound_from_above(const SpatialPoint* corner, int count, const double* weight) {
+  Vector3 r = p_;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    r = r - corner[i].s * weight[i];
+    sum += weight[i];
+  }
+  const double upper = sum * kUp + price_of_residual(r, sum);
+  if (!(upper < answer_.upper)) return;
+  answer_.upper = upper;
+}
+
+// A solve of the 3 × 3 system K x = b for a symmetric K; false where K is singular to working precision.
+bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
+  const Vector3 c0 = cross(K.column[1], K.column[2]);
+  const double determinant = dot(K.column[0], c0);
+  const double scale = length(K.column[0]) * length(K.column[1]) * length(K.column[2]);
+  if (!(std::fabs(determinant) > 1e-13 * scale)) return false;
+  x = Vector3{dot(b, c0), dot(b, cross(K.column[2], K.column[0])), dot(b, cross(K.column[0], K.column[1]))} *
+      (1 / determinant);
+  return true;
+}
+
+// Newton steps on the unit sphere. True when the solve is done; the best direction is in the answer
+// otherwise.
+bool Growth::newton(Vector3 u) {
+  constexpr double kLongestStep = 0.7;
+  Matrix3 H;
+  u = u * (1 / length(u));
+  SpatialPoint w = support(u, true);
+  double ratio = dot(u, p_) / dot(u, w.s);
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
+    bound_from_below(u, w);
+    bound_from_above(&w, 1, &ratio);
+    if (is_done()) return true;
+    if (!(ratio > 0) || !pair_.hessian(u, H)) return false;
+    const double trace = H.column[0].x + H.column[1].y + H.column[2].z;
+    H.column[0] = H.column[0] + u * (trace * u.x);  // H u = 0: any multiple of u uᵀ makes it regular
+    H.column[1] = H.column[1] + u * (trace * u.y);
+    H.column[2] = H.column[2] + u * (trace * u.z);
+    Vector3 step;
+    if (!solve(H, p_ * (1 / ratio) - w.s, step)) return false;
+    step = step - u * dot(u, step);
+    const double long_by = length(step) / kLongestStep;
+    if (long_by > 1) step = step * (1 / long_by);
+    double share = 1, higher = 0;
+    Vector3 next;
+    SpatialPoint at_next;
+    // Where a step does not rise, a body with edges has one there, which no shorter step gets past.
+    const int trials = pair_.is_smooth() ? 4 : 1;
+    for (int trial = 0; trial < trials; ++trial, share *= 0.35) {
+      next = u + step * share;
+      next = next * (1 / length(next));
+      at_next = support(next, true);
+      higher = dot(next, p_) / dot(next, at_next.s);
+      if (higher >= ratio * (1 - 1e-14)) break;
+    }
+    if (!(higher >= ratio * (1 - 1e-9))) return false;
+    u = next;
+    w = at_next;
+    ratio = higher;
+  }
+  return false;
+}
+
+// The weights of the portal in p, and bounds on their errors where it is a basis.
+bool Growth::weigh(double* weight, double* uncertainty) const {
+  double determinant = 0, rows[3];
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 n = cross(portal_[(i + 1) % 3].s, portal_[(i + 2) % 3].s);
+    if (i == 0) determinant = dot(n, portal_[0].s);
+    if (!(std::fabs(determinant) > 0)) return false;
+    weight[i] = std::max(0.0, dot(n, p_) / determinant);
+    rows[i] = length(n) / std::fabs(determinant);
+  }
+  Vector3 r = p_;
+  for (int i = 0; i < 3; ++i) r = r - portal_[i].s * weight[i];
+  const double sum = weight[0] + weight[1] + weight[2];
+  const double residual = length(r) + 4 * pair_.error() * (1 + sum);
+  // The exact inverse differs from the computed one by a share of error times its norm, which must be small.
+  const double norm = rows[0] + rows[1] + rows[2];
+  const double share = 8 * norm * pair_.error();
+  for (int i = 0; i < 3; ++i) uncertainty[i] = share < 0.25 ? 2 * norm * residual : kInfinity;
+  return true;
+}
+
+// Three support points whose cone holds p; false where none are found, as for a B without an interior.
+bool Growth::discover(Vector3 u) {
+  portal_[0] = support(u, false);
+  Vector3 n = cross(portal_[0].s, p_);
+  if (!(length(n) > 1e-12 * length(portal_[0].s) * size_)) n = any_orthogonal(p_);
+  portal_[1] = support(n, false);
+  for (int i = 0; i < kMostDiscoveries; ++i) {
+    n = cross(portal_[0].s, portal_[1].s);
+    if (!(dot(n, n) > 0)) n = cross(p_, any_orthogonal(p_));
+    if (dot(n, p_) < 0) {
+      std::swap(portal_[0], portal_[1]);
+      n = -n;
+    }
+    portal_[2] = support(n, false);
+    const SpatialPoint& w = portal_[2];
+    if (dot(p_, cross(w.s, portal_[0].s)) < 0) {
+      portal_[1] = w;
+    } else if (dot(p_, cross(portal_[1].s, w.s)) < 0) {
+      portal_[0] = w;
+    } else {
+      return dot(n, w.s) > 0;
+    }
+  }
+  return false;
+}
+
+// The vertices of the last solve, if their cone still holds p.
+bool Growth::recall(const SpatialStart& start) {
+  if (start.count != 3) return false;
+  for (int i = 0; i < 3; ++i) {
+    if (!pair_.vertex(start.index_1[i], start.index_2[i], portal_[i])) return false;
+    SpatialPoint& corner = portal_[i];
+    corner.s = corner.s + p_;
+  }
+  const Vector3 n = cross(portal_[0].s, portal_[1].s);
+  if (dot(n, portal_[2].s) < 0) std::swap(portal_[0], portal_[1]);
+  return dot(p_, cross(portal_[0].s, portal_[1].s)) >= 0 && dot(p_, cross(portal_[1].s, portal_[2].s)) >= 0 &&
+         dot(p_, cross(portal_[2].s, portal_[0].s)) >= 0;
+}
+
+void Growth::refine() {
+  for (int i = 0; i < kMostExchanges; ++i) {
+    Vector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
+    if (dot(n, p_) < 0) n = -n;
+    const double plane = dot(n, portal_[0].s);
+    if (!(plane > 0)) return;
+    SpatialPoint w = support(n, false);
+    const double hopeful = plane / dot(n, w.s);  // lower/upper, but for rounding
+    const bool may_end = hopeful >= 1 - tolerance_;
+    if (may_end || !std::isnan(threshold_)) {
+      if (may_end && pair_.climbs()) w = support(n, true);
+      if (may_end || dot(n, p_) > threshold_ * dot(n, w.s)) {
+        if (!may_end && pair_.climbs()) w = support(n, true);
+        bound_from_below(n, w);
+      }
+      double weight[3], uncertainty[3];
+      if (weigh(weight, uncertainty)) {
+        bound_from_above(portal_, 3, weight);
+        const bool positive =
+            weight[0] >= uncertainty[0] && weight[1] >= uncertainty[1] && weight[2] >= uncertainty[2];
+        const double sum = (weight[0] + weight[1] + weight[2] + uncertainty[0] * 3) * kUp;
+        if (positive && sum < answer_.upper) answer_.upper = sum;
+      }
+      if (is_done()) return;
+      if (hopeful >= 1 - 1e-15) return;
+    }
+    const double d0 = dot(p_, cross(w.s, portal_[0].s)), d1 = dot(p_, cross(w.s, portal_[1].s)),
+                 d2 = dot(p_, cross(w.s, portal_[2].s));
+    if (d1 >= 0 && d2 <= 0) {
+      portal_[0] = w;
+    } else if (d2 >= 0 && d0 <= 0) {
+      portal_[1] = w;
+    } else {
+      portal_[2] = w;
+    }
+  }
+}
+
+SpatialAnswer Growth::run(const SpatialStart& start) {
+  answer_.upper = kInfinity;
+  if (!(size_ > 4 * pair_.error())) return answer_;
+  const bool steered = start.has_normal && dot(start.normal, p_) > 0;
+  Matrix3 H;
+  if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return answer_;
+  if (!std::isnan(threshold_)) {
+    const Vector3 u = steered ? start.normal : p_;
+    bound_from_below(u, support(u, true));
+    if (is_done()) return answer_;
+  }
+  const Vector3 u = answer_.lower > 0 ? answer_.normal : steered ? start.normal : p_;
+  if (!recall(start) && !discover(u)) return answer_;
+  refine();
+  answer_.combination.count = 3;
+  for (int i = 0; i < 3; ++i) answer_.combination.point[i] = portal_[i];
+  return answer_;
+}
+
+}  // namespace
+
+SpatialAnswer spatial_growth(SpatialPair& pair, double tolerance, double threshold,
+                             const SpatialStart& start) {
+  return Growth(pair, tolerance, threshold).run(start);
+}
+
+}  // namespace raygauge

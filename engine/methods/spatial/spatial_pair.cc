@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/spatial_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/sets/hull_climb.h"
+
+namespace raygauge {
+namespace {
+
+using Kind = SpatialShape::Kind;
+
+constexpr double kSmallest = 1e-70,
+                 kLargest = 1e70;     // of what is squared and multiplied up to the fourth power
+constexpr double kAlongAxis = 1e-14;  // |v_⊥|/|v| that is nothing but rounding
+constexpr int kLanes = 8;             // of PointSet's blocks
+
+struct Frame {
+  Matrix3 R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vector3 t;
+  double defect = 0;
+};
+
+Frame frame_of(const Pose* pose) {
+  Frame frame;
+  if (pose == nullptr) return frame;
+  const int n = pose->dimension();
+  const double* R = pose->rotation_data();
+  const double* t = pose->translation_data();
+  frame.defect = pose->defect();
+  if (n == 3) {
+    frame.R = {{{R[0], R[1], R[2]}, {R[3], R[4], R[5]}, {R[6], R[7], R[8]}}};
+    frame.t = {t[0], t[1], t[2]};
+  } else {
+    frame.R = {{{R[0], R[1], 0}, {R[2], R[3], 0}, {0, 0, 1}}};
+    frame.t = {t[0], t[1], 0};
+  }
+  return frame;
+}
+
+Vector3 frustum_support(const SpatialShape& shape, const Vector3& v) {
+  const Vector3& a = shape.axis.column[0];
+  Vector3 w = v - a * dot(v, a);
+  w = w - a * dot(w, a);
+  double across = length(w);
+  if (across > kAlongAxis * length(v)) {
+    w = w * (1 / across);
+  } else {
+    w = {};
+    across = 0;
+  }
+  const double base = dot(v, shape.base) + shape.base_radius * across;
+  const double top = dot(v, shape.top) + shape.top_radius * across;
+  return top > base ? shape.top + w * shape.top_radius : shape.base + w * shape.base_radius;
+}
+
+Vector3 ellipsoid_support(const SpatialShape& shape, const Vector3& v) {
+  const Vector3 z = shape.axis.transposed_times(v);
+  const double size = length(z);
+  return size > 0 ? shape.center + shape.axis * (z * (1 / size)) : shape.center;
+}
+
+Vector3 box_vertex(const SpatialShape& shape, std::int32_t index) {
+  const Vector3& half = shape.axis.column[0];
+  return shape.center + Vector3{(index & 1) != 0 ? -half.x : half.x, (index & 2) != 0 ? -half.y : half.y,
+                                (index & 4) != 0 ? -half.z : half.z};
+}
+
+bool vertex_of(const SpatialShape& shape, std::int32_t index, Vector3& x) {
+  switch (shape.kind) {
+    case Kind::point:
+      x = shape.center;
+      return index == 0;
+    case Kind::segment:
+      x = index == 0 ? shape.center + shape.axis.column[0] : shape.center - shape.axis.column[0];
+      return index == 0 || index == 1;
+    case Kind::box:
+      x = box_vertex(shape, index);
+      return index >= 0 && index < 8;
+    case Kind::points: {
+      if (index < 0 || index >= shape.size) return false;
+      const int n = shape.coordinates;
+      const double* p = shape.blocks + std::ptrdiff_t{index / kLanes} * n * kLanes + index % kLanes;
+      x = {p[0], p[kLanes], n == 3 ? p[2 * kLanes] : 0.0};
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+bool has_vertices(const SpatialShape& shape) {
+  return shape.kind != Kind::ellipsoid && shape.kind != Kind::frustum;
+}
+
+// w (1 - a aᵀ - b bᵀ) for unit vectors a and b, b perhaps zero.
+void add_projector(double w, const Vector3& a, const Vector3& b, Matrix3& H) {
+  H.column[0] = H.column[0] + Vector3{w, 0, 0} - a * (w * a.x) - b * (w * b.x);
+  H.column[1] = H.column[1] + Vector3{0, w, 0} - a * (w * a.y) - b * (w * b.y);
+  H.column[2] = H.column[2] + Vector3{0, 0, w} - a * (w * a.z) - b * (w * b.z);
+}
+
+// The Hessian of the core's support function at v, added to H.
+void add_hessian(const SpatialShape& shape, const Vector3& v, Matrix3& H) {
+  if (shape.kind == Kind::ellipsoid) {
+    const Matrix3& L = shape.axis;
+    const Vector3 z = L.transposed_times(v);
+    const double size = length(z);
+    if (!(size > 0)) return;
+    const Vector3 unit = z * (1 / size);
+    Matrix3 P{};
+    add_projector(1 / size, unit, {}, P);  // then L P Lᵀ
+    const Matrix3 LP{{L * P.column[0], L * P.column[1], L * P.column[2]}};
+    for (int j = 0; j < 3; ++j) {
+      const Vector3 row = j == 0   ? Vector3{L.column[0].x, L.column[1].x, L.column[2].x}
+                          : j == 1 ? Vector3{L.column[0].y, L.column[1].y, L.column[2].y}
+                                   : Vector3{L.column[0].z, L.column[1].z, L.column[2].z};
+      H.column[j] = H.column[j] + LP * row;
+    }
+  } else if (shape.kind == Kind::frustum) {
+    const Vector3& a = shape.axis.column[0];
+    Vector3 w = v - a * dot(v, a);
+    const double across = length(w);
+    if (!(across > kAlongAxis * length(v))) return;
+    w = w * (1 / across);
+    const bool top =
+        dot(v, shape.top) + shape.top_radius * across > dot(v, shape.base) + shape.base_radius * across;
+    add_projector((top ? shape.top_radius : shape.base_radius) / across, a, w, H);
+  }
+}
+
+}  // namespace
+
+bool SpatialPair::bind(const Posed& first, const Posed& second, const Kernels& kernels) {
+  dimension_ = first.dimension();
+  if (dimension_ != 2 && dimension_ != 3) return false;
+  if (!first.set.spatial_shape_unchecked(shape_[0]) || !second.set.spatial_shape_unchecked(shape_[1]))
+    return false;
+  kernels_ = &kernels;
+  const Frame one = frame_of(first.pose);
+  const Frame two = frame_of(second.pose);
+  anchor_ = shape_[0].center;
+  anchor_radius_ = shape_[0].inner_radius;
+  W_ = one.R;
+  w_ = one.t;
+  for (int j = 0; j < 3; ++j) R_.column[j] = one.R.transposed_times(two.R.column[j]);
+  const Vector3 apart = two.t - one.t;
+  t_ = one.R.transposed_times(apart);
+  const double size =
+      shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius + length(apart);
+  if (!(size > kSmallest && size < kLargest)) return false;
+  error_ = size * (kRounding + 2 * (one.defect + two.defect));
+  height_ = dimension_ == 2 ? size : 0.0;
+  vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
+  last_[0] = last_[1] = -1;
+  climbs_ = shape_[0].graph != nullptr || shape_[1].graph != nullptr;
+  queries_ = 0;
+  return true;
+}
+
+bool SpatialPair::scale_first_about_origin(const Posed& first) {
+  const Vector3 origin = W_.transposed_times(-w_);
+  if (length(origin - anchor_) == 0) return true;
+  const double size = error_ / kRounding + length(w_);
+  error_ = size * (kRounding + 4 * (first.pose == nullptr ? 0.0 : first.pose->defect())) + error_;
+  const double c[3] = {origin.x, origin.y, origin.z};
+  anchor_ = origin;
+  anchor_radius_ = first.set.inner_radius_unchecked(c);
+  return anchor_radius_ > 0;
+}
+
+std::int32_t SpatialPair::highest(int i, const Vector3& v, bool proven) {
+  const SpatialShape& shape = shape_[i];
+  if (shape.graph != nullptr && !proven) return last_[i] = climb(*shape.graph, v, last_[i]);
+  const double u[3] = {v.x, v.y, v.z};
+  std::ptrdiff_t index = 0;
+  kernels_->price(shape.blocks, shape.block_count, shape.coordinates, u, &index);
+  return static_cast<std::int32_t>(std::min(index, shape.size - 1));
+}
+
+Vector3 SpatialPair::support_of(int i, const Vector3& v, bool proven, std::int32_t& index) {
+  const SpatialShape& shape = shape_[i];
+  ++queries_;
+  switch (shape.kind) {
+    case Kind::point:
+      index = 0;
+      return shape.center;
+    case Kind::segment:
+      index = dot(v, shape.axis.column[0]) >= 0 ? 0 : 1;
+      return index == 0 ? shape.center + shape.axis.column[0] : shape.center - shape.axis.column[0];
+    case Kind::box:
+      index = (v.x < 0 ? 1 : 0) | (v.y < 0 ? 2 : 0) | (v.z < 0 ? 4 : 0);
+      return box_vertex(shape, index);
+    case Kind::ellipsoid:
+      return ellipsoid_support(shape, v);
+    case Kind::frustum:
+      return frustum_support(shape, v);
+    case Kind::points:
+      index = highest(i, v, proven);
+      Vector3 x;
+      vertex_of(shape, index, x);
+      return x;
+  }
+  return shape.center;
+}
+
+SpatialPoint SpatialPair::support(const Vector3& u, bool proven) {
+  SpatialPoint point;
+  point.a1 = support_of(0, u, proven, point.index_1);
+  point.a2 = R_ * support_of(1, R_.transposed_times(-u), proven, point.index_2) + t_;
+  point.s = point.a1 - point.a2;
+  if (height_ > 0) point.s.z += u.z < 0 ? -height_ : height_;
+  return point;
+}
+
+bool SpatialPair::vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
+  Vector3 x;
+  if (!vertices_ || !vertex_of(shape_[0], index_1, point.a1) || !vertex_of(shape_[1], index_2, x))
+    return false;
+  point.a2 = R_ * x + t_;
+  point.s = point.a1 - point.a2;
+  point.index_1 = index_1;
+  point.index_2 = index_2;
+  return true;
+}
+
+bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
+  const bool curved = radius() > 0 || shape_[0].kind == Kind::ellipsoid || shape_[1].kind == Kind::ellipsoid;
+  if (!curved || height_ > 0) return false;
+  const double size = length(u);
+  H = {};
+  Matrix3 inner{};
+  add_hessian(shape_[1], R_.transposed_times(-u), inner);
+  const Matrix3 half{{R_ * inner.column[0], R_ * inner.column[1], R_ * inner.column[2]}};
+  const Vector3 rows[3] = {{R_.column[0].x, R_.column[1].x, R_.column[2].x},
+                           {R_.column[0].y, R_.column[1].y, R_.column[2].y},
+                           {R_.column[0].z, R_.column[1].z, R_.column[2].z}};
+  for (int j = 0; j < 3; ++j) H.column[j] = half * rows[j];
+  add_hessian(shape_[0], u, H);
+  if (radius() > 0) add_projector(radius() / size, u * (1 / size), {}, H);
+  return true;
+}
+
+Vector3 SpatialPair::between_centers() const noexcept { return R_ * shape_[1].center + t_ - anchor_; }
+
+void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {
+  const Vector3 v = W_ * vector;
+  out[0] = v.x;
+  out[1] = v.y;
+  if (dimension_ == 3) out[2] = v.z;
+}
+
+void SpatialPair::point_to_world(const Vector3& point, double* out) const noexcept {
+  const Vector3 v = W_ * point + w_;
+  out[0] = v.x;
+  out[1] = v.y;
+  if (dimension_ == 3) out[2] = v.z;
+}
+
+Vector3 SpatialPair::to_body(const double* vector) const noexcept {
+  return W_.transposed_times({vector[0], vector[1], dimension_ == 3 ? vector[2] : 0.0});
+}
+
+}  // namespace raygauge

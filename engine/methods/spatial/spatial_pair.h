@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "engine/kernels/kernel.h"
+#include "engine/sets/pose.h"
+#include "engine/sets/spatial_shape.h"
+
+namespace raygauge {
+
+/// A point of the difference of two cores with the points that it is the difference of, all in the frame of
+/// the first body.
+struct SpatialPoint {
+  Vector3 s;  ///< a1 - a2
+  Vector3 a1, a2;
+  std::int32_t index_1 = -1, index_2 = -1;  ///< which points of their cores; -1 where cores have no vertices
+};
+
+/// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
+///
+/// Rounding errors are covered by one number. Where |x| is at most Z on everything that is computed with, a
+/// support point s computed for u is within error() = kRounding Z (and the defects of the poses) of a point
+/// of D, and u·s is within |u| error() of h_D(u). The chain from a world pose to s is four products with 3 ×
+/// 3 matrices and three sums, each within 8 rounding units of Z; kRounding is twice what that adds up to, and
+/// more.
+class SpatialPair {
+ public:
+  /// False if one of the sets has no shape, or its size is out of the range of squares.
+  bool bind(const Posed& first, const Posed& second, const Kernels& kernels);
+
+  /// From now on the first body is scaled about the origin of the world, not about its centre. False unless
+  /// that is known to be inside the body: only then a ball inside the other one is inside the difference,
+  /// too.
+  bool scale_first_about_origin(const Posed& first);
+
+  /// s_D(u): of the cores. A vertex that is highest among its neighbours will do until `proven` is asked for.
+  SpatialPoint support(const Vector3& u, bool proven);
+
+  /// The difference of two vertices by their indices; false if there are no such vertices.
+  bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const;
+
+  /// Whether a support point that was not asked to be proven may have to be asked for again.
+  bool climbs() const noexcept { return climbs_; }
+
+  /// Whether neither core has an edge: ellipsoids and points.
+  bool is_smooth() const noexcept { return is_smooth(shape_[0].kind) && is_smooth(shape_[1].kind); }
+
+  /// Whether the cores have vertices, so that a support point is known by two indices.
+  bool has_vertices() const noexcept { return vertices_; }
+
+  /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
+  bool hessian(const Vector3& u, Matrix3& H) const;
+
+  double error() const noexcept { return error_; }
+  double radius() const noexcept { return shape_[0].radius + shape_[1].radius; }
+  const SpatialShape& shape(int i) const noexcept { return shape_[i]; }
+  const Matrix3& rotation() const noexcept { return R_; }
+
+  /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
+  /// but for rounding; 0 where none is known.
+  double inner_radius() const noexcept { return anchor_radius_ + shape_[1].inner_radius; }
+
+  /// c_2 - c_1 in the frame of the first body, from the centre of the first to that of the second.
+  Vector3 between_centers() const noexcept;
+
+  /// A vector, or a point, of the first body's frame in the world's; n numbers.
+  void to_world(const Vector3& vector, double* out) const noexcept;
+  void point_to_world(const Vector3& point, double* out) const noexcept;
+
+  /// A vector of the world in the first body's frame.
+  Vector3 to_body(const double* vector) const noexcept;
+
+  std::int64_t queries() const noexcept { return queries_; }
+  int dimension() const noexcept { return dimension_; }
+
+ private:
+  static bool is_smooth(SpatialShape::Kind kind) noexcept {
+    return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::point;
+  }
+  static constexpr double kRounding = 256 * 0x1p-53;
+
+  Vector3 support_of(int i, const Vector3& v, bool proven, std::int32_t& index);
+  std::int32_t highest(int i, const Vector3& v, bool proven);
+
+  SpatialShape shape_[2];
+  Matrix3 R_;  // second frame to first
+  Vector3 t_;
+  Vector3 anchor_;            // what the first body is scaled about ...
+  double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
+  Matrix3 W_;                 // first frame to world
+  Vector3 w_;
+  const Kernels* kernels_ = nullptr;
+  std::int32_t last_[2] = {-1, -1};  // where the last climb ended
+  double error_ = 0;
+  double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
+  int dimension_ = 3;
+  bool vertices_ = false;
+  bool climbs_ = false;
+  std::int64_t queries_ = 0;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/prepared_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "engine/exceptions.h"
+#include "engine/sets/hull_climb.h"
+
+namespace raygauge::test_prepared_set {
+namespace {
+
+using Random = std::mt19937_64;
+
+Eigen::MatrixXd gaussian(int n, int N, Random& random) {
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd points(n, N);
+  for (double& x : points.reshaped()) x = normal(random);
+  return points;
+}
+
+struct Cloud {
+  std::string name;
+  Eigen::MatrixXd points;
+};
+
+Eigen::MatrixXd lattice(int side) {
+  Eigen::MatrixXd points(3, side * side * side);
+  for (int i = 0; i < points.cols(); ++i) points.col(i) << i % side, i / side % side, i / side / side;
+  return points;
+}
+
+// Ties, duplicates, interior points, flat and needle-like sets, and few points.
+std::vector<Cloud> clouds(Random& random) {
+  std::vector<Cloud> out;
+  for (const int N : {1, 3, 4, 8, 17, 60, 400}) {
+    Eigen::MatrixXd sphere = gaussian(3, N, random);
+    sphere.colwise().normalize();
+    out.push_back({"sphere", sphere});
+    out.push_back({"interior points", gaussian(3, N, random)});
+    Eigen::MatrixXd twice(3, 2 * N);
+    twice << sphere, sphere;
+    out.push_back({"duplicates", twice});
+    out.push_back({"flat", Eigen::Vector3d(1, 1, 0).asDiagonal() * sphere});
+    out.push_back({"nearly flat", Eigen::Vector3d(1, 1, 1e-12).asDiagonal() * sphere});
+    out.push_back({"needle", Eigen::Vector3d(1, 1e-6, 1e-6).asDiagonal() * sphere});
+    out.push_back({"far away", sphere.colwise() + Eigen::Vector3d(1e6, -3e6, 2e6)});
+    out.push_back({"large", 1e60 * sphere});
+  }
+  out.push_back({"lattice", lattice(6)});
+  return out;
+}
+
+std::vector<Eigen::Vector3d> directions(Random& random) {
+  std::vector<Eigen::Vector3d> out{Eigen::Vector3d::Zero(),   Eigen::Vector3d::UnitX(),
+                                   -Eigen::Vector3d::UnitZ(), Eigen::Vector3d(1, 1, 0),
+                                   Eigen::Vector3d(1, 1, 1),  Eigen::Vector3d(1e-9, 1, 0)};
+  for (int i = 0; i < 200; ++i) out.emplace_back(gaussian(3, 1, random).col(0));
+  return out;
+}
+
+TEST(PreparedSet, HasTheMaximumOverAllPoints) {
+  Random random(11);
+  for (const Cloud& cloud : clouds(random)) {
+    const PreparedSet prepared(cloud.points);
+    const Eigen::Vector3d magnitude = cloud.points.cwiseAbs().rowwise().maxCoeff();
+    for (const Eigen::Vector3d& u : directions(random)) {
+      const double highest = (u.transpose() * cloud.points).maxCoeff();
+      const double rounding = 2 * ConvexSet::rounding_error(3) * u.cwiseAbs().dot(magnitude);
+      EXPECT_NEAR(prepared.support_function(u), highest, rounding) << cloud.name;
+      EXPECT_NEAR(u.dot(prepared.support_mapping(u)), highest, rounding) << cloud.name;
+    }
+  }
+}
+
+// From the table, from the last vertex and from any vertex. Without Qhull there is no graph to climb.
+TEST(PreparedSet, ClimbsToTheHighestVertexFromAnywhere) {
+  Random random(12);
+  for (const int N : {20, 200, 1500}) {
+    Eigen::MatrixXd points = gaussian(3, N, random);
+    if (N == 200) points.colwise().normalize();
+    const PreparedSet prepared(points);
+    ASSERT_EQ(prepared.vertex_count() > 0, PreparedSet::has_hulls());
+    SpatialShape shape;
+    ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+    if (shape.graph == nullptr) continue;
+    std::int32_t last = -1;
+    for (const Eigen::Vector3d& u : directions(random)) {
+      const Vector3 v{u.x(), u.y(), u.z()};
+      const double highest = (u.transpose() * points).maxCoeff();
+      last = climb(*shape.graph, v, last);
+      for (const std::int32_t end : {last, climb(*shape.graph, v, -1), climb(*shape.graph, v, 3)}) {
+        EXPECT_NEAR(u.dot(prepared.points().point(end)), highest, 1e-14 * (1 + highest));
+      }
+    }
+  }
+}
+
+TEST(PreparedSet, DropsPointsDeepInsideAndKeepsTheCentre) {
+  Random random(13);
+  Eigen::MatrixXd points(3, 300);
+  points << gaussian(3, 100, random).colwise().normalized(),
+      0.3 * gaussian(3, 200, random).colwise().normalized();
+  const PreparedSet prepared(points);
+  EXPECT_EQ(prepared.points().size(), PreparedSet::has_hulls() ? 100 : 300);
+  EXPECT_LT((prepared.center() - PointSet(points).center()).norm(), 1e-15);
+  EXPECT_GT(prepared.memory(), 0);
+}
+
+// The cube {|x_k| <= 1}: its inner radius is 1, and no ball about its centre that is claimed may be larger.
+TEST(PreparedSet, KnowsABallInsideThatIsInside) {
+  const Eigen::MatrixXd cube = lattice(3).array() - 1;
+  const PreparedSet prepared(cube);
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const double radius = prepared.inner_radius_unchecked(zero.data());
+  EXPECT_LE(radius, 1);
+  EXPECT_GE(radius, PreparedSet::has_hulls() ? 1 - 1e-7 : 0.0);
+}
+
+TEST(PreparedSet, OfOtherDimensionsIsThePointsThemselves) {
+  Random random(14);
+  for (const int n : {1, 2, 5}) {
+    const Eigen::MatrixXd points = gaussian(n, 50, random);
+    const PreparedSet prepared(points);
+    const Vector u = gaussian(n, 1, random).col(0);
+    EXPECT_EQ(prepared.support_function(u), PointSet(points).support_function(u));
+    EXPECT_EQ(prepared.vertex_count(), 0);
+  }
+}
+
+TEST(PreparedSet, RefusesWhatAPointSetRefuses) {
+  EXPECT_THROW(PreparedSet(Eigen::MatrixXd(3, 0)), EmptySetError);
+  EXPECT_THROW(PreparedSet(Eigen::MatrixXd::Constant(3, 4, std::nan(""))), NonFiniteError);
+}
+
+}  // namespace
+}  // namespace raygauge::test_prepared_set
