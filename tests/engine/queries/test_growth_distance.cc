@@ -85,7 +85,8 @@ TEST(SeparationTest, ProvesItselfByAPlane) {
   EXPECT_GT(separated, 10);
 }
 
-// The difference of such a Q has no ball about the origin, however large those of A are: residuals have no price.
+// The difference of such a Q has no ball about the origin, however large those of A are: residuals have no
+// price.
 TEST(GrowthDistance, HasNoBallAboutAnOriginOutsideQ) {
   const Ball A(Eigen::Vector3d(3, 0, 0), 1), Q(Eigen::Vector3d(5, 0, 0), 1);
   const Vector c_A = A.center(), zero = Vector::Zero(3), c_Q = Q.center();
