@@ -18,26 +18,46 @@ if TYPE_CHECKING:
 
     from .results import Results
 
-# As in analysis/render/figures/style.cc: one list for the engine's methods, one for the others.
-_ENGINE_LOOKS = (("#D55E00", "o"), ("#0072B2", "s"), ("#009E73", "^"), ("#CC79A7", "D"))
-_OTHER_LOOKS = (("#000000", "o", "--"), ("#8C8C8C", "s", ":"), ("#56B4E9", "^", "--"), ("#E69F00", "D", ":"))
+# Colour, marker and dash of each method, as in analysis/render/method_look.cc.
+_LOOKS = {
+    "direct": ("#D55E00", "o", "-"),
+    "zheng_yamane": ("#0072B2", "s", "-"),
+    "newton": ("#009E73", "^", "-"),
+    "glpk_primal": ("#000000", "o", "--"),
+    "glpk_dual": ("#8C8C8C", "s", ":"),
+    "clp_primal": ("#56B4E9", "^", "--"),
+    "clp_dual": ("#E69F00", "D", ":"),
+    "exact": ("#CC79A7", "v", "-."),
+    "nlopt_slsqp": ("#6A3D9A", "D", "--"),
+    "nlopt_mma": ("#7A5C00", "v", ":"),
+}
+_OTHER_COLORS = ("#B15928", "#1B7837", "#5E3C99", "#C51B7D", "#35978F", "#4D4D4D")
 _ENGINE_METHODS = ("direct", "newton", "zheng_yamane")
 _SOLVED = ("optimal", "contains_origin", "unreachable")
 _AXIS_LABELS = {"N": "points in each set, N", "n": "dimension n", "tolerance": "tolerance"}
 
 
+def _letters_of(text: str) -> int:
+    """FNV-1a, as in method_look.cc."""
+    value = 2166136261
+    for byte in text.encode():
+        value = ((value ^ byte) * 16777619) & 0xFFFFFFFF
+    return value
+
+
+def _look(method: str) -> dict[str, Any]:
+    """How the curve of a method looks; one that the program does not know has a look drawn from its letters."""
+    known = _LOOKS.get(method)
+    if known is None:
+        letters = _letters_of(method)
+        known = (_OTHER_COLORS[letters % 6], "os^Dv"[letters // 7 % 5], ("--", ":", "-.")[letters // 37 % 3])
+    filled = method.startswith(_ENGINE_METHODS)
+    look = {"color": known[0], "marker": known[1], "linestyle": known[2]}
+    return look if filled else {**look, "markerfacecolor": "none"}
+
+
 def _looks(methods: list[str]) -> dict[str, dict[str, Any]]:
-    """How the curve of each method looks, given all methods of the figure, sorted."""
-    looks: dict[str, dict[str, Any]] = {}
-    engine = [method for method in methods if method.startswith(_ENGINE_METHODS)]
-    for rank, method in enumerate(engine):
-        color, marker = _ENGINE_LOOKS[rank % len(_ENGINE_LOOKS)]
-        looks[method] = {"color": color, "marker": marker, "linestyle": "-"}
-    others = [method for method in methods if method not in looks]
-    for rank, method in enumerate(others):
-        color, marker, dash = _OTHER_LOOKS[rank % len(_OTHER_LOOKS)]
-        looks[method] = {"color": color, "marker": marker, "linestyle": dash, "markerfacecolor": "none"}
-    return looks
+    return {method: _look(method) for method in methods}
 
 
 def _current(axes: Axes | None) -> Axes:

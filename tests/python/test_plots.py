@@ -61,10 +61,15 @@ class Plots(unittest.TestCase):
             self.assertEqual(line.get_ydata()[-1], 1.0)
 
     def test_colours_are_those_of_the_programs_figures(self):
-        style = (SOURCE / "analysis/render/figures/style.cc").read_text(encoding="utf-8")
-        theirs = re.findall(r'\{"(#[0-9A-F]{6})", "', style)[:8]
-        ours = [look[0] for look in plot._ENGINE_LOOKS + plot._OTHER_LOOKS]
-        self.assertEqual(ours, theirs)
+        source = (SOURCE / "analysis/render/method_look.cc").read_text(encoding="utf-8")
+        theirs = re.findall(r'\{"(\w+)", "(#[0-9A-F]{6})", "#[0-9A-F]{6}", Marker::(\w+), Dash::(\w+)', source)
+        self.assertGreaterEqual(len(theirs), 10)
+        markers = {"circle": "o", "square": "s", "triangle": "^", "diamond": "D", "triangle_down": "v"}
+        dashes = {"solid": "-", "dashed": "--", "dotted": ":", "dash_dotted": "-."}
+        looks = {name: (color, markers[marker], dashes[dash]) for name, color, marker, dash in theirs}
+        self.assertEqual(plot._LOOKS, looks)
+        others = re.search(r"kOtherColors = \{(.*?)\}", source, re.DOTALL).group(1)
+        self.assertEqual(list(plot._OTHER_COLORS), re.findall(r"#[0-9A-F]{6}", others))
 
     def test_the_example_draws_a_figure(self):
         picture = pathlib.Path(self.scratch.name, "time.svg")
