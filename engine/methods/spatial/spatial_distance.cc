@@ -37,7 +37,7 @@ void add(SpatialCombination& simplex, const SpatialPoint& w) {
   simplex.weight[simplex.count++] = 1;
 }
 
-Vector3 begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& simplex) {
+Vector3 begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& simplex, double& depth) {
   for (int i = 0; i < start.count; ++i) {
     SpatialPoint point;
     if (pair.vertex(start.index_1[i], start.index_2[i], point) && !holds(simplex, point)) add(simplex, point);
@@ -46,7 +46,6 @@ Vector3 begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& 
     const Vector3 u = start.has_normal ? start.normal : pair.between_centers();
     add(simplex, pair.support(dot(u, u) > 0 ? u : Vector3{1, 0, 0}, false));
   }
-  double depth = 0;
   return nearest_on_simplex(simplex, depth);
 }
 
@@ -116,8 +115,8 @@ bool Descent::step(double depth) {
 
 SpatialAnswer Descent::run(const SpatialStart& start) {
   answer_.upper = 1e300;
-  begin(pair_, start, simplex_);
   double depth = 0;
+  begin(pair_, start, simplex_, depth);
   while (answer_.iterations++ < kMostIterations && step(depth)) nearest_on_simplex(simplex_, depth);
   return answer_;
 }
