@@ -26,7 +26,9 @@ TEST_P(EverySet, ContainsItsPointsAndNothingElse) {
     const Vector x = tested.sample(random);
     EXPECT_NE(contains(*tested.set, x), Membership::outside);
     const Vector away = center + 3 * (x - center) + Vector::Constant(x.size(), 0.1);
-    if (tested.excess(away) > 1e-6) EXPECT_NE(contains(*tested.set, away), Membership::inside);
+    if (tested.excess(away) > 1e-6) {
+      EXPECT_NE(contains(*tested.set, away), Membership::inside);
+    }
   }
 }
 
