@@ -42,7 +42,7 @@ TEST_F(Sweep, RunsEveryMethodOnEveryInstanceOfEveryCellOnce) {
       EXPECT_EQ(records[i].tolerance, cell.tolerance);
       EXPECT_EQ(records[i].generator, "ray");
       EXPECT_EQ(records[i].generator_parameters, "shift=0.5");
-      EXPECT_EQ(records[i].method_parameters, "busy_seconds=0 error=0 throw_at=0");
+      EXPECT_EQ(records[i].method_parameters, "busy_seconds=0 busy_seconds_of_cost=0 error=0 throw_at=0");
       EXPECT_EQ(records[i].counters.pivots, cell.n);
       EXPECT_TRUE(records[i].agrees);
     }
