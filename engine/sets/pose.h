@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "engine/sets/convex_set.h"
@@ -28,15 +29,16 @@ class Pose {
   Pose(const Eigen::Quaterniond& q, const Eigen::Vector3d& t);
 
   /// The same checks as for a matrix; implicit, as these are poses already.
-  Pose(const Eigen::Isometry3d& pose);
-  Pose(const Eigen::Isometry2d& pose);
+  Pose(const Eigen::Isometry3d& pose);  // NOLINT(google-explicit-constructor)
+  Pose(const Eigen::Isometry2d& pose);  // NOLINT(google-explicit-constructor)
 
   int dimension() const noexcept { return dimension_; }
 
   /// R, n × n, by columns; t, n doubles.
   const double* rotation_data() const noexcept { return dimension_ <= 3 ? small_.data() : large_.data(); }
   const double* translation_data() const noexcept {
-    return dimension_ <= 3 ? small_.data() + 9 : large_.data() + dimension_ * dimension_;
+    return dimension_ <= 3 ? small_.data() + 9
+                           : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
   }
   Eigen::MatrixXd rotation() const { return Eigen::MatrixXd::Map(rotation_data(), dimension_, dimension_); }
   Vector translation() const { return Vector::Map(translation_data(), dimension_); }
@@ -59,7 +61,8 @@ class Pose {
  private:
   double* rotation_data() noexcept { return dimension_ <= 3 ? small_.data() : large_.data(); }
   double* translation_data() noexcept {
-    return dimension_ <= 3 ? small_.data() + 9 : large_.data() + dimension_ * dimension_;
+    return dimension_ <= 3 ? small_.data() + 9
+                           : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
   }
   void assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
   void measure();
@@ -74,7 +77,7 @@ class Pose {
 /// A set in a pose, for the time of a query: solve({A, pose_A}, {Q, pose_Q}). Nothing is copied; both must
 /// outlive the call. A set alone stands where it is.
 struct Posed {
-  Posed(const ConvexSet& S) : set(S) {}
+  Posed(const ConvexSet& S) : set(S) {}  // NOLINT(google-explicit-constructor): a set is a posed set
   Posed(const ConvexSet& S, const Pose& where) : set(S), pose(&where) {}
 
   const ConvexSet& set;

@@ -137,12 +137,13 @@ bool Growth::newton(Vector3 u) {
     SpatialPoint at_next;
     // Where a step does not rise, a body with edges has one there, which no shorter step gets past.
     const int trials = pair_.is_smooth() ? 4 : 1;
-    for (int trial = 0; trial < trials; ++trial, share *= 0.35) {
+    for (int trial = 0; trial < trials; ++trial) {
       next = u + step * share;
       next = next * (1 / length(next));
       at_next = support(next, true);
       higher = dot(next, p_) / dot(next, at_next.s);
       if (higher >= ratio * (1 - 1e-14)) break;
+      share *= 0.35;
     }
     if (!(higher >= ratio * (1 - 1e-9))) return false;
     u = next;

@@ -83,7 +83,7 @@ bool vertex_of(const SpatialShape& shape, std::int32_t index, Vector3& x) {
       if (index < 0 || index >= shape.size) return false;
       const int n = shape.coordinates;
       const double* p = shape.blocks + std::ptrdiff_t{index / kLanes} * n * kLanes + index % kLanes;
-      x = {p[0], p[kLanes], n == 3 ? p[2 * kLanes] : 0.0};
+      x = {p[0], p[kLanes], n == 3 ? p[std::ptrdiff_t{2} * kLanes] : 0.0};
       return true;
     }
     default:

@@ -15,10 +15,10 @@
 namespace raygauge::test_membership {
 namespace {
 
-class EverySet : public ::testing::TestWithParam<SetCase> {};
+class MembershipOfEverySet : public ::testing::TestWithParam<SetCase> {};
 
 // Points of the set are never outside, and points that are provably farther away than rounding never inside.
-TEST_P(EverySet, ContainsItsPointsAndNothingElse) {
+TEST_P(MembershipOfEverySet, ContainsItsPointsAndNothingElse) {
   const SetCase& tested = GetParam();
   Random random(3);
   const Vector center = tested.set->center();
@@ -32,7 +32,7 @@ TEST_P(EverySet, ContainsItsPointsAndNothingElse) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, EverySet, ::testing::ValuesIn(set_cases()),
+INSTANTIATE_TEST_SUITE_P(Sets, MembershipOfEverySet, ::testing::ValuesIn(set_cases()),
                          [](const auto& tested) { return tested.param.name + std::to_string(tested.index); });
 
 TEST(Membership, IsDecidedAwayFromTheBoundary) {
