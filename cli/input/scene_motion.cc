@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/input/number_table.h"
+#include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
 #include "engine/exceptions.h"
 
@@ -15,20 +16,6 @@ namespace raygauge::cli {
 namespace {
 
 const std::vector<std::string> kPoseKeys = {"translation", "angle", "quaternion", "rpy", "rotation"};
-
-[[noreturn]] void refuse(const toml::node& node, const std::string& what) {
-  throw InvalidParameterError(place_of(node) + ": " + what);
-}
-
-/// Runs `call`; what the engine complains of gets a place.
-template <class Call>
-auto placed(const toml::node& node, const Call& call) {
-  try {
-    return call();
-  } catch (const Error& error) {
-    throw InvalidParameterError(place_of(node) + ": " + error.what());
-  }
-}
 
 Eigen::VectorXd vector_of(const toml::node& node, const std::string& key, int n) {
   const Eigen::VectorXd v = read_vector(node, key);

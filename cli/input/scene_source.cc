@@ -11,6 +11,7 @@
 #include "cli/input/scene_motion.h"
 #include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
+#include "cli/input/toml_refusal.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
 #include "cli/input/urdf_file.h"
@@ -32,19 +33,6 @@ const std::vector<std::pair<std::string, SceneEffects>>& effect_names() {
       {"time_of_impact", SceneEffects::time_of_impact},
       {"clearance", SceneEffects::clearance}};
   return kNames;
-}
-
-[[noreturn]] void refuse(const toml::node& node, const std::string& what) {
-  throw InvalidParameterError(place_of(node) + ": " + what);
-}
-
-template <class Call>
-auto placed(const toml::node& node, const Call& call) {
-  try {
-    return call();
-  } catch (const Error& error) {
-    throw InvalidParameterError(place_of(node) + ": " + error.what());
-  }
 }
 
 const toml::table& table_of(const toml::node& node, const std::string& what) {

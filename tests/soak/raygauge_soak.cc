@@ -11,6 +11,7 @@
 #include <string>
 
 #include "results/provenance/provenance.h"
+#include "tests/soak/posed_bodies.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 
@@ -107,9 +108,10 @@ void declare(CLI::App& app, CommandLine& asked) {
   app.add_option("--log", asked.log, "append what is printed to this file");
 }
 
+template <class Soak>
 int soak_pairs(const PairsCommandLine& asked) {
-  SetPairs soak(asked.seed);
-  for (std::int64_t i = asked.first; i < asked.first + asked.pairs; ++i) {
+  Soak soak(asked.seed);
+  for (std::int64_t i = asked.first; i < asked.first + asked.pairs && interrupted == 0; ++i) {
     if (const auto violation = soak.check(i)) {
       std::printf("%sviolation: %s\n", to_string(soak.tally()).c_str(), violation->c_str());
       return 1;
@@ -119,14 +121,14 @@ int soak_pairs(const PairsCommandLine& asked) {
   return 0;
 }
 
-CLI::App* declare(CLI::App& app, PairsCommandLine& asked) {
-  CLI::App* sets = app.add_subcommand(
-      "sets", "Random pairs of convex sets by every method; stops where two proofs contradict each other.");
-  sets->option_defaults()->always_capture_default();
-  sets->add_option("--pairs", asked.pairs, "how many")->check(CLI::PositiveNumber);
-  sets->add_option("--first", asked.first, "number of the first pair")->check(CLI::NonNegativeNumber);
-  sets->add_option("--seed", asked.seed, "seed of all random numbers");
-  return sets;
+CLI::App* declare(CLI::App& app, const std::string& name, const std::string& description,
+                  PairsCommandLine& asked) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->option_defaults()->always_capture_default();
+  command->add_option("--pairs", asked.pairs, "how many")->check(CLI::PositiveNumber);
+  command->add_option("--first", asked.first, "number of the first pair")->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", asked.seed, "seed of all random numbers");
+  return command;
 }
 
 }  // namespace
@@ -137,12 +139,20 @@ int main(int count, char** arguments) {
   raygauge::soak::CommandLine asked;
   raygauge::soak::declare(app, asked);
   raygauge::soak::PairsCommandLine asked_pairs;
-  const CLI::App* sets = raygauge::soak::declare(app, asked_pairs);
+  const CLI::App* sets = raygauge::soak::declare(
+      app, "sets",
+      "Random pairs of convex sets by every method; stops where two proofs contradict each other.",
+      asked_pairs);
+  const CLI::App* bodies = raygauge::soak::declare(
+      app, "bodies", "Random posed bodies of R^2 and R^3, warm and cold, against the general methods.",
+      asked_pairs);
   CLI11_PARSE(app, count, arguments);
   std::signal(SIGINT, raygauge::soak::note_interrupt);
   std::signal(SIGTERM, raygauge::soak::note_interrupt);
   try {
-    return *sets ? raygauge::soak::soak_pairs(asked_pairs) : raygauge::soak::soak(asked);
+    if (*sets) return raygauge::soak::soak_pairs<raygauge::soak::SetPairs>(asked_pairs);
+    if (*bodies) return raygauge::soak::soak_pairs<raygauge::soak::PosedBodies>(asked_pairs);
+    return raygauge::soak::soak(asked);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raygauge_soak: %s\n", error.what());
     return 2;

@@ -12,6 +12,7 @@
 #include "engine/queries/solver.h"
 #include "generators/registry.h"
 #include "tests/soak/certificate_check.h"
+#include "tests/soak/posed_bodies.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 #include "tests/soak/variant.h"
@@ -183,6 +184,15 @@ TEST(Soak, FindsNoContradictionInTenThousandPairsOfSets) {
     ASSERT_FALSE(violation) << *violation;
   }
   EXPECT_EQ(pairs.tally().pairs, 10000);
+}
+
+TEST(Soak, PosedBodiesHaveBoundsThatTheGeneralMethodsDoNotContradict) {
+  soak::PosedBodies bodies(1);
+  for (int i = 0; i < 1000; ++i) {
+    const auto violation = bodies.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_GT(bodies.tally().certified, bodies.tally().frames);
 }
 
 }  // namespace

@@ -6,22 +6,10 @@
 
 #include <cstdint>
 
+#include "analysis/render/markup.h"
+
 namespace raygauge {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 /// Replaces what stands between the first <tag> and </tag>.
 void replace_element(std::string& svg, const std::string& tag, const std::string& text) {
@@ -29,7 +17,7 @@ void replace_element(std::string& svg, const std::string& tag, const std::string
   const std::size_t end = svg.find("</" + tag + ">", begin);
   if (begin == std::string::npos || end == std::string::npos) return;
   const std::size_t inside = begin + tag.size() + 2;
-  svg.replace(inside, end - inside, escaped(text));
+  svg.replace(inside, end - inside, escaped_markup(text));
 }
 
 std::string big_endian(std::uint32_t number) {

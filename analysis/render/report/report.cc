@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "analysis/render/markup.h"
 #include "analysis/render/method_look.h"
 #include "analysis/render/report/page_assets.h"
 #include "analysis/render/words.h"
@@ -70,20 +71,6 @@ std::string page_title(const std::vector<MergedFile>& files) {
   return title;
 }
 
-std::string escaped_html(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 /// JSON that may stand inside a script element: no "<" begins a tag there.
 std::string script_json(const Json& value) {
   std::string result;
@@ -137,7 +124,7 @@ std::string make_page(const MergedResults& merged, const Filter& filter,
     data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", section->blocks}});
   }
   std::string page = page_template();
-  replace_mark(page, "<!--TITLE-->", escaped_html(data["title"]));
+  replace_mark(page, "<!--TITLE-->", escaped_markup(data["title"]));
   replace_mark(page, "/*STYLE*/", page_style());
   replace_mark(page, "/*DATA*/", script_json(data));
   replace_mark(page, "/*CHARTJS*/", chart_library());
