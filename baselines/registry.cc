@@ -14,6 +14,10 @@
 #ifdef RAYGAUGE_HAS_NLOPT
 #include "baselines/nlopt_method.h"
 #endif
+#ifdef RAYGAUGE_HAS_FCL
+#include "baselines/fcl_bodies.h"
+#include "baselines/fcl_method.h"
+#endif
 
 namespace raygauge {
 
@@ -30,6 +34,9 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
 #ifdef RAYGAUGE_HAS_NLOPT
   register_nlopt_methods(registry);
 #endif
+#ifdef RAYGAUGE_HAS_FCL
+  register_fcl_methods(registry);
+#endif
 }
 
 std::vector<std::pair<std::string, std::string>> solver_versions() {
@@ -45,6 +52,9 @@ std::vector<std::pair<std::string, std::string>> solver_versions() {
 #endif
 #ifdef RAYGAUGE_HAS_NLOPT
   versions.emplace_back("NLopt", nlopt_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_FCL
+  versions.emplace_back("FCL", fcl_library_version());
 #endif
   return versions;
 }

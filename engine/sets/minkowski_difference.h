@@ -17,6 +17,9 @@ class MinkowskiDifference final : public ConvexSet {
   /// Throws InvalidParameterError (null pointer) or DimensionMismatchError.
   MinkowskiDifference(std::shared_ptr<const ConvexSet> A2, std::shared_ptr<const ConvexSet> A1);
 
+  const std::shared_ptr<const ConvexSet>& A2() const noexcept { return A2_; }
+  const std::shared_ptr<const ConvexSet>& A1() const noexcept { return A1_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Pairs of bodies of R^3: Euclidean and growth distance, first time and after a small motion, separation;
+// beside FCL.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/pair_times.h"
+
+namespace raygauge::bench {
+namespace {
+
+using Row = std::pair<std::string, std::string>;
+
+struct Ratio {
+  const char* name;
+  PairQuery ours, theirs;
+};
+
+constexpr Ratio kRatios[] = {{"points/ccd", PairQuery::points, PairQuery::fcl_libccd},
+                             {"warm/ccd", PairQuery::warm, PairQuery::fcl_libccd},
+                             {"growth/ccd", PairQuery::growth, PairQuery::fcl_libccd},
+                             {"g warm/ccd", PairQuery::growth_warm, PairQuery::fcl_libccd},
+                             {"apart/col", PairQuery::apart, PairQuery::fcl_collide},
+                             {"dist/gen", PairQuery::distance, PairQuery::general},
+                             {"grow/gen", PairQuery::growth, PairQuery::growth_general}};
+
+void print_head() {
+  std::printf("%-10s %-10s %-10s", "A1", "A2", "place");
+  for (std::size_t q = 0; q < kPairQueries; ++q) std::printf(" %9s", name_of(static_cast<PairQuery>(q)));
+  for (const Ratio& ratio : kRatios) std::printf(" %10s", ratio.name);
+  std::printf(" %8s %8s %11s %18s %18s\n", "d/friend", "g/friend", "certified", "libccd wrong",
+              "indep wrong");
+}
+
+void print_row(const Row& kinds, const std::string& place, const PairTally& tally,
+               const PairTally* friendly) {
+  std::printf("%-10s %-10s %-10s", kinds.first.c_str(), kinds.second.c_str(), place.c_str());
+  for (std::size_t q = 0; q < kPairQueries; ++q)
+    std::printf(" %9.3f", tally.median(static_cast<PairQuery>(q)));
+  for (const Ratio& ratio : kRatios)
+    std::printf(" %10.3f", tally.median(ratio.ours) / tally.median(ratio.theirs));
+  for (const PairQuery query : {PairQuery::points, PairQuery::growth}) {
+    std::printf(" %8.2f", friendly == nullptr ? std::nan("") : tally.median(query) / friendly->median(query));
+  }
+  std::printf(" %5d/%-5d", tally.certified, tally.pairs);
+  for (int i = 0; i < 2; ++i) {
+    std::printf(" %4d/%-4d %8.1e", tally.wrong[i], tally.fcl_pairs, tally.worst[i]);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+struct Settings {
+  std::vector<std::string> kinds = body_kinds();
+  std::vector<std::string> places = {"apart"};
+  int pairs = 20;
+  bool diagonal = false;
+};
+
+void run(const Settings& settings) {
+  std::map<Row, PairTally> friendly;
+  print_head();
+  for (const std::string& place : settings.places) {
+    for (std::size_t a = 0; a < settings.kinds.size(); ++a) {
+      for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b) {
+        const Row kinds{settings.kinds[a], settings.kinds[b]};
+        const double tolerance = is_polytope(kinds.first) && is_polytope(kinds.second) ? 1e-6 : 1.5e-8;
+        PairTally tally;
+        for (int i = 0; i < settings.pairs; ++i)
+          measure_pair(make_pair(kinds.first, kinds.second, place, i), tolerance, tally);
+        const auto twin = friendly.find(kinds);
+        print_row(kinds, place, tally, twin == friendly.end() ? nullptr : &twin->second);
+        if (place == "apart") friendly.emplace(kinds, tally);
+      }
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  CLI::App app{"Pairs of bodies of R^3 in poses: microseconds of each query, ours and FCL's, on one thread."};
+  app.option_defaults()->always_capture_default();
+  app.add_option("--kinds", settings.kinds, "bodies, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(body_kinds()));
+  app.add_option("--places", settings.places,
+                 "how pairs stand; unfriendly ones are compared with 'apart', "
+                 "where that is measured before them")
+      ->delimiter(',')
+      ->check(CLI::IsMember(pair_places()));
+  app.add_option("--pairs", settings.pairs, "random pairs of each kind")->check(CLI::Range(1, 10000));
+  app.add_flag("--diagonal", settings.diagonal, "only pairs of two bodies of a kind");
+  CLI11_PARSE(app, argc, argv);
+  run(settings);
+  return 0;
+}
+
+}  // namespace
+}  // namespace raygauge::bench
+
+int main(int argc, char** argv) {
+  try {
+    return raygauge::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "raygauge_pairs: %s\n", error.what());
+    return 2;
+  }
+}
