@@ -27,5 +27,7 @@ void add_export_command(CLI::App& app, int& status);
 void add_compare_command(CLI::App& app, int& status);
 void add_report_command(CLI::App& app, int& status);
 void add_info_command(CLI::App& app, int& status);
+void add_merge_command(CLI::App& app, int& status);
+void add_submit_command(CLI::App& app, int& status);
 
 }  // namespace raygauge::cli

@@ -42,6 +42,8 @@ int run_command(int argc, char** argv) {
   add_compare_command(app, status);
   add_report_command(app, status);
   add_info_command(app, status);
+  add_merge_command(app, status);
+  add_submit_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

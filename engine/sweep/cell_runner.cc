@@ -56,6 +56,13 @@ std::optional<CellResult> CellRunner::run(const Cell& cell) {
   return result;
 }
 
+std::optional<CellResult> CellRunner::run(const CellPiece& piece) {
+  if (piece.first == 0 && piece.last == plan_.experiment().repetitions) return run(piece.cell);
+  CellResult result{piece.cell.index, {}};
+  if (!run_block(piece.cell, piece.first, piece.last, result.records)) return std::nullopt;
+  return result;
+}
+
 std::optional<CellResult> CellRunner::run_first(const Cell& cell, int repetitions) {
   CellResult result{cell.index, {}};
   if (!run_block(cell, 0, repetitions, result.records)) return std::nullopt;
@@ -109,7 +116,7 @@ bool CellRunner::run_batch(const Cell& cell, int first, int last, std::vector<Re
     instances.push_back(plan_.instance(cell, repetition));
     for (std::size_t m = 0; m < method_count; ++m) records.push_back(blank_record(cell, repetition, m));
   }
-  if (first == 0) warm_up(cell, instances.front());
+  if (first_record == 0) warm_up(cell, instances.front());
   for (const std::size_t slot :
        seeded_order(instances.size() * method_count, plan_.experiment().seed, order_stream(cell, first))) {
     if (hooks_.stop_asked()) return false;

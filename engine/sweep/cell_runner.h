@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/sweep/pieces.h"
 #include "engine/sweep/record.h"
 #include "engine/sweep/sweep.h"
 #include "engine/sweep/sweep_plan.h"
@@ -36,13 +37,17 @@ class CellRunner {
   /// cell short. Throws what the generator or a method throws.
   std::optional<CellResult> run(const Cell& cell);
 
+  /// The same of a piece of a cell; of a whole cell as run().
+  std::optional<CellResult> run(const CellPiece& piece);
+
   /// The same of so many first repetitions.
   std::optional<CellResult> run_first(const Cell& cell, int repetitions);
 
  private:
   Record blank_record(const Cell& cell, int repetition, std::size_t method) const;
   void warm_up(const Cell& cell, const Instance& instance);
-  /// These append the records of repetitions first, …, last - 1; false if the sweep was asked to stop.
+  /// These append the records of repetitions first, …, last - 1; false if the sweep was asked to stop. The
+  /// methods are warmed up where `records` are empty.
   bool run_block(const Cell& cell, int first, int last, std::vector<Record>& records);
   bool run_batch(const Cell& cell, int first, int last, std::vector<Record>& records);
   void measure(const Cell& cell, const Instance& instance, std::size_t method, Record& record);

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "results/exceptions.h"
 #include "results/journal/csv.h"
@@ -113,12 +114,13 @@ std::vector<Record> read_cell_journal(const fs::path& path) {
   std::string_view rest(bytes);
   rest.remove_prefix(journal_head().size());
   std::vector<Record> records;
-  std::set<std::uint64_t> known;
+  std::set<std::pair<std::uint64_t, int>> known;
   while (!rest.empty()) {
     if (const auto cell = whole_cell(rest)) {
       rest.remove_prefix(cell->size);
-      if (!known.insert(cell->cell).second) continue;  // stored again, after the disk had reported an error
       std::vector<Record> part = records_of(*cell, path.string());
+      const int first_repetition = part.empty() ? 0 : part.front().repetition;
+      if (!known.emplace(cell->cell, first_repetition).second) continue;  // again, after an error of the disk
       records.insert(records.end(), std::make_move_iterator(part.begin()),
                      std::make_move_iterator(part.end()));
     } else {

@@ -26,7 +26,8 @@ class CellJournal {
   /// Creates the journal without cells. Throws ResultsError.
   explicit CellJournal(const std::filesystem::path& path);
 
-  /// Durably appends the records of a cell. Thread safe. Throws ResultsError; cells stored before stay.
+  /// Durably appends the records of a cell, or of some repetitions of it. Thread safe. Throws ResultsError;
+  /// cells stored before stay.
   void append(std::uint64_t cell, const std::vector<Record>& records);
 
  private:

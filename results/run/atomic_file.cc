@@ -3,6 +3,7 @@
 #include "results/run/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -84,9 +85,24 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
   write_atomically(path, bytes, path.string() + "." + std::to_string(::getpid()) + ".tmp");
 }
 
+void move_durably(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+  Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.value() < 0 || ::fsync(file.value()) != 0 || !file.close() ||
+      ::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    ::unlink(temporary.c_str());
+    throw ResultsError(path.string() + ": cannot write: " + system_reason(reason));
+  }
+  synchronise_folder(path.parent_path());
+}
+
 AppendedFile::AppendedFile(std::filesystem::path path)
     : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
   if (descriptor_ < 0) throw ResultsError(path_.string() + ": cannot open: " + system_reason(errno));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  const int reason = errno;
+  ::close(descriptor_);
+  throw ResultsError(path_.string() + ": cannot lock: " + system_reason(reason));
 }
 
 AppendedFile::~AppendedFile() { ::close(descriptor_); }

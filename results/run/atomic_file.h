@@ -18,10 +18,14 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes,
 /// The same with a temporary file beside `path` that no other process uses.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Brings the file `temporary` to the disk and renames it to `path`. Throws ResultsError; `temporary` is then
+/// gone and `path` untouched.
+void move_durably(const std::filesystem::path& temporary, const std::filesystem::path& path);
+
 /// A file that grows block by block.
 class AppendedFile {
  public:
-  /// Opens the file at `path`, which must exist. Throws ResultsError.
+  /// Opens the file at `path`, which must exist, and locks it (see is_locked()). Throws ResultsError.
   explicit AppendedFile(std::filesystem::path path);
   ~AppendedFile();
   AppendedFile(const AppendedFile&) = delete;

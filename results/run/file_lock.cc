@@ -50,8 +50,15 @@ FileLock::FileLock(std::filesystem::path path) : path_(std::move(path)) {
   write_holder(descriptor_);
 }
 
+void FileLock::require_held() const {
+  if (is_current()) return;
+  throw RunLockedError(path_.parent_path().string() +
+                       ": the lock of this run was lost, another process may be writing it; what is stored "
+                       "stays there, --resume goes on with it");
+}
+
 FileLock::~FileLock() {
-  ::unlink(path_.c_str());
+  if (is_current()) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 
@@ -62,6 +69,14 @@ bool FileLock::is_current() const {
   struct stat locked {};
   return ::stat(path_.c_str(), &named) == 0 && ::fstat(descriptor_, &locked) == 0 &&
          named.st_ino == locked.st_ino && named.st_dev == locked.st_dev;
+}
+
+bool is_locked(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
 }
 
 }  // namespace raygauge

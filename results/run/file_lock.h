@@ -14,7 +14,11 @@ class FileLock {
   /// or ResultsError.
   explicit FileLock(std::filesystem::path path);
 
-  /// Removes the file and unlocks.
+  /// Throws RunLockedError if the lock is no longer ours: on a shared file system the file may have been
+  /// removed or replaced, and another process may hold its successor.
+  void require_held() const;
+
+  /// Removes the file, if it is still ours, and unlocks.
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -25,5 +29,8 @@ class FileLock {
   std::filesystem::path path_;
   int descriptor_ = -1;
 };
+
+/// Whether a process holds a lock on the file at `path`; false where it does not exist.
+bool is_locked(const std::filesystem::path& path);
 
 }  // namespace raygauge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/identity.h"
 
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -98,6 +99,15 @@ std::string identity_difference(const std::string& there, const std::string& her
   if (differences.empty()) return "";
   const std::size_t more = differences.size() - 1;
   return differences.front() + (more == 0 ? "" : " (and " + std::to_string(more) + " more)");
+}
+
+int repetitions_of_whole_cells(const std::string& identity) {
+  int repetitions = 1;
+  for (const auto& [key, value] : lines_of(identity)) {
+    if (key == "stop_when_within") return 1;  // such a cell is stored in one piece
+    if (key == "repetitions") std::from_chars(value.data(), value.data() + value.size(), repetitions);
+  }
+  return repetitions;
 }
 
 }  // namespace raygauge

@@ -18,4 +18,8 @@ std::string experiment_identity(const Experiment& experiment);
 /// further ones; "" if they are equal.
 std::string identity_difference(const std::string& there, const std::string& here);
 
+/// The repetitions that a cell of such an experiment has when it is whole; 1 where that depends on the cell,
+/// so that what is stored of a cell is all of it.
+int repetitions_of_whole_cells(const std::string& identity);
+
 }  // namespace raygauge

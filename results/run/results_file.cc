@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "results/exceptions.h"
 #include "results/journal/cell_journal.h"
 #include "results/run/atomic_file.h"
 #include "results/run/output_place.h"
 #include "results/run/run_directory.h"
+#include "results/run/stored_cells.h"
 #include "results/schema/encoding.h"
 
 namespace raygauge {
@@ -24,28 +26,30 @@ void add_sessions(Provenance& provenance, const PartList& parts) {
     Provenance part = decode_provenance(path);
     if (number == 0) {
       provenance = std::move(part);
-    } else if (number != provenance.sessions.size() || part.sessions.size() != 1) {
+    } else if (number != provenance.sessions.size()) {
       throw ResultsError(path.string() + ": the session before it is missing");
     } else if (part.identity != provenance.identity) {
       throw ResultsError(path.string() + ": belongs to another experiment than the sessions before it");
     } else {
-      provenance.sessions.push_back(part.sessions.front());
+      provenance.sessions.insert(provenance.sessions.end(), part.sessions.begin(), part.sessions.end());
     }
   }
 }
 
-/// Adds the cells of `parts` that `results` does not have yet.
+/// Adds the cells of `parts`; those that `results` has too are dropped when it is sorted.
 void add_cells(ResultsFile& results, const PartList& parts) {
   for (const auto& [session, path] : parts.journals) {
     if (session >= results.provenance.sessions.size()) {
       throw ResultsError(path.string() + ": the session of these cells is missing");
     }
-    const std::set<std::uint64_t> known = results.cells();
     std::vector<Record> part = read_cell_journal(path);
-    std::erase_if(part, [&known](const Record& record) { return known.count(record.cell) != 0; });
     results.records.insert(results.records.end(), std::make_move_iterator(part.begin()),
                            std::make_move_iterator(part.end()));
   }
+}
+
+bool same_repetition(const Record& a, const Record& b) {
+  return a.cell == b.cell && a.repetition == b.repetition;
 }
 
 ResultsFile read_once(const fs::path& path) {
@@ -61,14 +65,24 @@ ResultsFile read_once(const fs::path& path) {
 }  // namespace
 
 void sort_by_cell(std::vector<Record>& records) {
-  std::stable_sort(records.begin(), records.end(),
-                   [](const Record& a, const Record& b) { return a.cell < b.cell; });
+  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
+    return std::pair(a.cell, a.repetition) < std::pair(b.cell, b.repetition);
+  });
+  auto group = records.begin();  // of what stays, the first record of its repetition
+  auto end = records.begin();
+  for (auto it = records.begin(); it != records.end(); ++it) {
+    if (end == records.begin() || !same_repetition(*group, *it)) group = end;
+    const bool repeated =
+        std::any_of(group, end, [&it](const Record& kept) { return kept.method == it->method; });
+    if (repeated) continue;
+    if (end != it) *end = std::move(*it);
+    ++end;
+  }
+  records.erase(end, records.end());
 }
 
 std::set<std::uint64_t> ResultsFile::cells() const {
-  std::set<std::uint64_t> result;
-  for (const Record& record : records) result.insert(result.end(), record.cell);
-  return result;
+  return done_repetitions({&records}, provenance.identity).whole();
 }
 
 ResultsFile read_results(const std::string& path) {

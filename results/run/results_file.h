@@ -17,14 +17,14 @@ struct ResultsFile {
   std::vector<Record> records;  ///< by cell, then repetition, then method in the order of the experiment
   Provenance provenance;
 
-  /// The cells that have records.
+  /// The cells that are stored whole.
   std::set<std::uint64_t> cells() const;
 
   /// Whether every cell of the grid has been done.
   bool finished() const { return cells().size() == provenance.cell_count; }
 };
 
-/// Puts records that are in order within each cell into the order of a results file.
+/// Into the order of a results file, of one order within repetitions; of the same solves the first one stays.
 void sort_by_cell(std::vector<Record>& records);
 
 /// The results at `path` or what it is a link to: the file, the parts of a run that is unfinished or still

@@ -22,6 +22,7 @@ struct PartKind {
   std::string_view suffix;
 };
 
+constexpr std::string_view kLockName = "lock";
 constexpr PartKind kJournal = {"cells-", ".csv"};
 constexpr PartKind kSession = {"session-", ".h5"};
 
@@ -80,9 +81,18 @@ PartList list_parts(const fs::path& target) {
   return result;
 }
 
+fs::path journal_path(const fs::path& target, std::uint64_t session) {
+  return parts_folder(target) / part_name(kJournal, session);
+}
+
+bool is_being_written(const fs::path& target) { return is_locked(parts_folder(target) / kLockName); }
+
 RunDirectory::RunDirectory(fs::path target) : target_(std::move(target)), folder_(parts_folder(target_)) {
   create_folder(folder_);
-  lock_.emplace(folder_ / "lock");
+  lock_.emplace(folder_ / kLockName);
+  for (const auto& [session, path] : parts().journals) {  // of a rank that outlives the one with the lock
+    if (is_locked(path)) throw RunLockedError(path.string() + ": another process is writing this run");
+  }
   remove_temporary_files(folder_);
 }
 
@@ -93,7 +103,7 @@ RunDirectory::~RunDirectory() {
 }
 
 fs::path RunDirectory::journal_path(std::uint64_t session) const {
-  return folder_ / part_name(kJournal, session);
+  return raygauge::journal_path(target_, session);
 }
 
 void RunDirectory::store_session(std::uint64_t session, const std::string& bytes) const {

@@ -38,7 +38,13 @@ std::filesystem::path parts_folder(const std::filesystem::path& target);
 /// The parts of `target` that are there; none where there is no folder.
 PartList list_parts(const std::filesystem::path& target);
 
-/// The folder of parts, held by the one process that writes it.
+/// Where the cells of a session of `target` are written.
+std::filesystem::path journal_path(const std::filesystem::path& target, std::uint64_t session);
+
+/// Whether a process is writing the run of `target` now.
+bool is_being_written(const std::filesystem::path& target);
+
+/// The folder of parts, held by the one process that writes it, or that lets others write journals there.
 class RunDirectory {
  public:
   /// Creates the folder (and the folders above it) where needed, locks it, and removes temporary files that a
@@ -52,6 +58,9 @@ class RunDirectory {
 
   const std::filesystem::path& folder() const noexcept { return folder_; }
   PartList parts() const { return list_parts(target_); }
+
+  /// Throws RunLockedError if another process may have taken the folder.
+  void require_held() const { lock_->require_held(); }
 
   /// Where the cells of a session are to be written.
   std::filesystem::path journal_path(std::uint64_t session) const;

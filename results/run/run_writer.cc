@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/run_writer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <tuple>
 #include <utility>
 
 #include "results/exceptions.h"
@@ -15,19 +11,10 @@
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
 #include "results/schema/encoding.h"
-#include "results/schema/schema.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
 namespace {
-
-std::map<std::string, int> method_ranks(const Experiment& experiment) {
-  std::map<std::string, int> ranks;
-  for (const ComponentSpec& method : experiment.methods) {
-    ranks.emplace(label_of(method), static_cast<int>(ranks.size()));
-  }
-  return ranks;
-}
 
 /// "3 cells", or "cells" where they cannot be read.
 std::string cells_of(const PartList& parts) {
@@ -44,23 +31,18 @@ std::string cells_of(const PartList& parts) {
   return std::to_string(count) + (count == 1 ? " cell" : " cells");
 }
 
-/// NaN has many bit patterns, but one spelling in a journal: so that a run that was resumed is, bit for bit,
-/// one that was not.
-void make_nan_plain(Record& record) {
-  for (const Column<Record>& column : record_columns()) {
-    if (column.type != ValueType::float64 || !std::isnan(std::get<double>(column.get(record)))) continue;
-    column.set(record, std::numeric_limits<double>::quiet_NaN());
-  }
-}
-
 }  // namespace
 
 RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session)
+    : RunWriter(path, experiment, mode, std::vector<Session>{std::move(session)}) {}
+
+RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunMode mode,
+                     std::vector<Session> sessions)
     : path_(behind_links(path)),
       mode_(mode),
-      provenance_{
-          experiment.text, experiment_identity(experiment), grid_of(experiment).size(), {std::move(session)}},
-      method_rank_(method_ranks(experiment)),
+      provenance_{experiment.text, experiment_identity(experiment), grid_of(experiment).size(),
+                  std::move(sessions)},
+      arranger_(experiment),
       directory_(path_) {
   if (mode == RunMode::create) refuse_existing();
   if (mode == RunMode::resume) resume_existing();
@@ -85,11 +67,8 @@ void RunWriter::resume_existing() {
                        ": holds cells, but no session that tells their experiment");
   }
   results_ = read_results(path_.string());
-  const std::string difference = identity_difference(results_.provenance.identity, provenance_.identity);
-  if (!difference.empty()) {
-    throw OtherExperimentError(path_.string() + ": holds another experiment: " + difference);
-  }
-  done_ = results_.cells();
+  require_same_experiment(results_.provenance, path_.string());
+  done_ = done_repetitions({&results_.records}, provenance_.identity);
   session_ = static_cast<int>(results_.provenance.sessions.size());
 }
 
@@ -106,45 +85,37 @@ void RunWriter::refuse_foreign_file() const {
   }
 }
 
-std::vector<Record> RunWriter::arranged(const CellResult& cell) const {
-  const std::string place = "cell " + std::to_string(cell.cell);
-  if (cell.records.empty()) throw InvalidParameterError(place + " has no records");
-  std::vector<Record> records = cell.records;
-  for (Record& record : records) {
-    if (record.cell != cell.cell) {
-      throw InvalidParameterError(place + " has a record of cell " + std::to_string(record.cell));
-    }
-    if (method_rank_.count(record.method) == 0) {
-      throw InvalidParameterError(place + " has a record of method '" + record.method +
-                                  "', which is not in the experiment");
-    }
-    record.session = session_;
-    make_nan_plain(record);
-  }
-  const auto key = [this](const Record& record) {
-    return std::make_tuple(record.repetition, method_rank_.at(record.method));
-  };
-  std::stable_sort(records.begin(), records.end(),
-                   [&key](const Record& a, const Record& b) { return key(a) < key(b); });
-  return records;
-}
-
 void RunWriter::store_session() const {
   directory_.store_session(static_cast<std::uint64_t>(session_), encode_provenance(provenance_));
 }
 
-/// Takes the cell for this call, and has the session on the disk before its first cell.
+void RunWriter::require_same_experiment(const Provenance& other, const std::string& place) const {
+  const std::string difference = identity_difference(other.identity, provenance_.identity);
+  if (!difference.empty()) throw OtherExperimentError(place + ": holds another experiment: " + difference);
+}
+
+/// Takes the piece of a cell for this call, and has the session on the disk before its first one.
 void RunWriter::claim(std::uint64_t cell, const std::vector<Record>& records) {
+  const int first_repetition = records.front().repetition;
   const std::scoped_lock lock(mutex_);
-  if (done_.count(cell) != 0 || stored_.count(cell) != 0) {
+  const auto partial = done_.partial().find(cell);
+  const bool done = done_.whole().count(cell) != 0 ||
+                    (partial != done_.partial().end() && partial->second.count(first_repetition) != 0);
+  if (done || stored_.count({cell, first_repetition}) != 0) {
     throw InvalidParameterError("cell " + std::to_string(cell) + " is stored already");
   }
   if (!journal_) begin_session(records);
-  stored_.insert(cell);
+  stored_.emplace(cell, first_repetition);
+}
+
+void RunWriter::begin() {
+  const std::scoped_lock lock(mutex_);
+  if (!journal_) begin_session({});
 }
 
 /// Under force the earlier run goes only once the disk has taken what is to stand in its place.
 void RunWriter::begin_session(const std::vector<Record>& first) {
+  directory_.require_held();
   if (mode_ == RunMode::force) {
     directory_.require_room(encode_provenance(provenance_) + csv_text(first));
     directory_.clear();
@@ -152,21 +123,21 @@ void RunWriter::begin_session(const std::vector<Record>& first) {
   }
   store_session();
   journal_.emplace(directory_.journal_path(static_cast<std::uint64_t>(session_)));
-  if (session_ == 0) {
-    results_.provenance = provenance_;
-  } else {
-    results_.provenance.sessions.push_back(provenance_.sessions.front());
-  }
+  if (session_ == 0)
+    results_.provenance = {provenance_.experiment_text, provenance_.identity, provenance_.cell_count, {}};
+  std::vector<Session>& sessions = results_.provenance.sessions;
+  sessions.insert(sessions.end(), provenance_.sessions.begin(), provenance_.sessions.end());
 }
 
 void RunWriter::store(const CellResult& cell) {
-  std::vector<Record> records = arranged(cell);
+  std::vector<Record> records = arranger_.arranged(cell, session_);
+  const int first_repetition = records.front().repetition;
   claim(cell.cell, records);
   try {
     journal_->append(cell.cell, records);
   } catch (...) {
     const std::scoped_lock lock(mutex_);
-    stored_.erase(cell.cell);
+    stored_.erase({cell.cell, first_repetition});
     throw;
   }
   const std::scoped_lock lock(mutex_);
@@ -187,15 +158,24 @@ void RunWriter::merge() const {
   }
 }
 
-void RunWriter::finish(const Calibration& calibration) {
+void RunWriter::finish(const Calibration& calibration) { finish(std::vector<Calibration>{calibration}); }
+
+void RunWriter::finish(const std::vector<Calibration>& calibrations) {
   const std::scoped_lock lock(mutex_);
-  if (journal_) {
-    provenance_.sessions.front().finished_at = utc_now();
-    provenance_.sessions.front().calibration = calibration;
-    results_.provenance.sessions.back() = provenance_.sessions.front();
-  }
   if (mode_ == RunMode::force && !journal_) return;
-  if (directory_.parts().empty()) return;
+  const bool anything_taken_in = !taken_in_.records.empty();
+  if (directory_.parts().empty() && !anything_taken_in) return;
+  directory_.require_held();
+  if (journal_ && provenance_.sessions.size() > 1) results_ = read_results(path_.string());
+  if (journal_) {
+    for (std::size_t i = 0; i < provenance_.sessions.size(); ++i) {
+      Session& session = provenance_.sessions[i];
+      session.finished_at = utc_now();
+      if (i < calibrations.size()) session.calibration = calibrations[i];
+      results_.provenance.sessions[static_cast<std::size_t>(session_) + i] = session;
+    }
+  }
+  if (anything_taken_in) append_results(results_, taken_in_);
   sort_by_cell(results_.records);
   merge();
   directory_.clear();

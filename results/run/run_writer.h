@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/sweep/experiment.h"
@@ -17,6 +17,8 @@
 #include "results/provenance/provenance.h"
 #include "results/run/results_file.h"
 #include "results/run/run_directory.h"
+#include "results/run/stored_cells.h"
+#include "results/run/stored_records.h"
 
 namespace raygauge {
 
@@ -49,18 +51,39 @@ class RunWriter final : public RecordSink {
   ///   ResultsError          the folder cannot be written.
   RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session);
 
-  /// Cells that earlier sessions have stored.
-  const std::set<std::uint64_t>& done() const noexcept { return done_; }
+  /// The same for a run of several processes: this one's session, then one for each that stores its cells by
+  /// a RankJournal.
+  RunWriter(const std::string& path, const Experiment& experiment, RunMode mode,
+            std::vector<Session> sessions);
 
-  /// Stores a cell durably; thread safe. Throws InvalidParameterError for a cell that is stored already, is
-  /// empty, or holds records of another cell or of an unknown method; ResultsError where it cannot be written
-  /// (cells stored before stay).
+  /// Throws OtherExperimentError, with `place` in its message, unless the provenance is of this experiment.
+  void require_same_experiment(const Provenance& other, const std::string& place) const;
+
+  /// Adds what another file of the same experiment has stored, such as a shard: finish() writes it too, each
+  /// repetition of a cell once.
+  void take_in(const ResultsFile& results) { append_results(taken_in_, results); }
+
+  /// Cells that earlier sessions have stored whole.
+  const std::set<std::uint64_t>& done() const noexcept { return done_.whole(); }
+
+  /// The number of this process's session in the run; the others' follow it.
+  int session() const noexcept { return session_; }
+
+  /// Has the sessions on the disk before any cell is stored. Throws like store().
+  void begin();
+
+  /// Stores a cell, or some repetitions of it, durably; thread safe. Throws InvalidParameterError for what is
+  /// stored already, is empty, or holds records of another cell or of an unknown method; RunLockedError if
+  /// the lock of the run was lost; ResultsError where it cannot be written (cells stored before stay).
   void store(const CellResult& cell) override;
 
   /// Merges everything stored into `path` and removes the parts. Where nothing is to be merged, as on
   /// resuming a finished run, the file stays as it is. A run that was stopped with cells left to do may be
   /// finished as well; it can still be resumed. Throws ResultsError; the parts then stay.
   void finish(const Calibration& calibration = {});
+
+  /// The same with what each process has measured; none of them stores any more.
+  void finish(const std::vector<Calibration>& calibrations);
 
   /// What the run holds, earlier sessions included. Not while cells are being stored.
   const ResultsFile& results() const noexcept { return results_; }
@@ -73,18 +96,18 @@ class RunWriter final : public RecordSink {
   void begin_session(const std::vector<Record>& first);
   void store_session() const;
   void merge() const;
-  std::vector<Record> arranged(const CellResult& cell) const;
 
   std::filesystem::path path_;
   RunMode mode_;
-  Provenance provenance_;                   ///< of this session alone
-  std::map<std::string, int> method_rank_;  ///< label → position in the experiment
+  Provenance provenance_;  ///< of this session, and those of other processes, alone
+  RecordArranger arranger_;
   RunDirectory directory_;
-  std::set<std::uint64_t> done_;
+  DoneCells done_;
+  ResultsFile taken_in_;
   int session_ = 0;  ///< number of this session in the run
 
-  std::mutex mutex_;                    ///< guards what follows
-  std::set<std::uint64_t> stored_;      ///< by this session
+  std::mutex mutex_;                                ///< guards what follows
+  std::set<std::pair<std::uint64_t, int>> stored_;  ///< by this session: cell and first repetition
   ResultsFile results_;                 ///< what the disk holds, so that finish() need not read it again
   std::optional<CellJournal> journal_;  ///< once the session has begun: with its first cell
 };

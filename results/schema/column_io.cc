@@ -145,14 +145,32 @@ H5::Attribute open_attribute(const H5::H5Object& object, const std::string& name
 
 }  // namespace
 
+std::size_t entry_bytes(ValueType type, std::size_t text_length) {
+  return entry_type(type, text_length).getSize();
+}
+
+H5::DataType entry_type(ValueType type, std::size_t text_length) {
+  return file_type(type, text_length);  // little-endian, as are the machines this runs on
+}
+
+H5::DataSet create_column(H5::Group& group, const ColumnInfo& info, hsize_t rows, std::size_t text_length,
+                          Layout layout) {
+  H5::DataSet dataset = group.createDataSet(info.name, file_type(info.type, text_length),
+                                            H5::DataSpace(1, &rows), creation_properties(rows, layout));
+  write_attribute(dataset, "unit", info.unit);
+  write_attribute(dataset, "description", info.description);
+  return dataset;
+}
+
+H5::DataSet open_column(const H5::Group& group, const ColumnInfo& info, const std::string& place) {
+  return open_dataset(group, info, 1, place);
+}
+
 void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Value>& values, Layout layout) {
   const std::size_t text_length = info.type == ValueType::text ? longest(values) : 0;
   const H5::DataType type = file_type(info.type, text_length);
   const hsize_t rows = values.size();
-  H5::DataSet dataset =
-      group.createDataSet(info.name, type, H5::DataSpace(1, &rows), creation_properties(rows, layout));
-  write_attribute(dataset, "unit", info.unit);
-  write_attribute(dataset, "description", info.description);
+  const H5::DataSet dataset = create_column(group, info, rows, text_length, layout);
   if (rows == 0) return;
   switch (info.type) {
     case ValueType::boolean:

@@ -17,6 +17,18 @@ namespace raygauge::hdf5 {
 /// a few rows, where a chunk's index would outweigh its data).
 enum class Layout : std::uint8_t { plain, packed };
 
+/// The bytes of an entry in memory, of a text as it is padded to `text_length`; and their HDF5 type.
+std::size_t entry_bytes(ValueType type, std::size_t text_length);
+H5::DataType entry_type(ValueType type, std::size_t text_length);
+
+/// A one-dimensional dataset of `rows` entries that are still to be written, with the attributes `unit` and
+/// `description`.
+H5::DataSet create_column(H5::Group& group, const ColumnInfo& info, hsize_t rows, std::size_t text_length,
+                          Layout layout);
+
+/// A column of create_column. Throws like read_column.
+H5::DataSet open_column(const H5::Group& group, const ColumnInfo& info, const std::string& place);
+
 /// Writes a one-dimensional dataset with the attributes `unit` and `description`.
 void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Value>& values, Layout layout);
 

@@ -84,6 +84,11 @@ Provenance read_provenance(const H5::Group& root, const std::string& file) {
 
 }  // namespace
 
+void write_description(H5::Group& root, const Provenance& provenance) {
+  write_head(root);
+  write_provenance(root, provenance, Layout::plain);
+}
+
 std::string encode_results(const ResultsFile& results) {
   return hdf5::file_image([&](H5::Group& root) {
     write_head(root);

@@ -10,7 +10,14 @@
 #include "results/provenance/provenance.h"
 #include "results/run/results_file.h"
 
+namespace H5 {
+class Group;
+}
+
 namespace raygauge {
+
+/// Writes all of a results file but /records into its root.
+void write_description(H5::Group& root, const Provenance& provenance);
 
 /// The bytes of the HDF5 files of a run: the merged file, and the parts that describe its sessions. All carry
 /// the root attributes `format` and `schema_version`.

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/sweep/experiment.h"
+#include "engine/sweep/record.h"
+
+namespace raygauge {
+
+/// Brings the records of an experiment's cells into the form in which they are stored.
+class RecordArranger {
+ public:
+  explicit RecordArranger(const Experiment& experiment);
+
+  /// The records by (repetition, method of the experiment), with the number of their session, NaN in one
+  /// pattern. Throws InvalidParameterError for a cell that is empty, or holds records of another cell or of
+  /// an unknown method.
+  std::vector<Record> arranged(const CellResult& cell, int session) const;
+
+ private:
+  std::map<std::string, int> method_rank_;  ///< label → position in the experiment
+};
+
+}  // namespace raygauge
