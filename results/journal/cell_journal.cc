@@ -115,10 +115,18 @@ std::vector<Record> read_cell_journal(const fs::path& path) {
   rest.remove_prefix(journal_head().size());
   std::vector<Record> records;
   std::set<std::pair<std::uint64_t, int>> known;
+  std::set<std::uint64_t> headed;  // cells of which a piece was read
   while (!rest.empty()) {
     if (const auto cell = whole_cell(rest)) {
       rest.remove_prefix(cell->size);
-      std::vector<Record> part = records_of(*cell, path.string());
+      std::vector<Record> part;
+      try {
+        part = records_of(*cell, path.string());
+      } catch (const ResultsError&) {
+        if (headed.count(cell->cell) == 0) throw;
+        continue;  // a damaged heading, which now tells of a cell that was there before
+      }
+      headed.insert(cell->cell);
       const int first_repetition = part.empty() ? 0 : part.front().repetition;
       if (!known.emplace(cell->cell, first_repetition).second) continue;  // again, after an error of the disk
       records.insert(records.end(), std::make_move_iterator(part.begin()),
