@@ -16,8 +16,8 @@ usage: ./run.sh [run] [OPTION...]     install, build, run experiments/example2.t
        ./run.sh test [OPTION...]      install, build everything, run the whole test suite
        ./run.sh python               install, build the Python package, install it into build/python-env
        ./run.sh docs                 install, build the documentation site: build/site/html/index.html
-       ./run.sh install [check]       install what is missing; with other groups of
-                                     cmake/debian-packages.txt (check, python, docs, packages) theirs too
+       ./run.sh install [check]       install what is missing; with other groups of cmake/debian-packages.txt
+                                     (check, cluster, python, docs, packages) theirs too
        ./run.sh help                  this text
 
 Options are passed on: run's to `raygauge run` (--force measures anew, --threads K, --set sweep.n=3,4, -o FILE.h5, …),

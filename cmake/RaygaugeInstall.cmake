@@ -43,6 +43,6 @@ install(FILES ${PROJECT_BINARY_DIR}/raygaugeConfig.cmake ${PROJECT_BINARY_DIR}/r
 if(RAYGAUGE_BUILD_PROGRAM)
   install(TARGETS raygauge RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   if(TARGET raygauge_mpi)
-    install(TARGETS raygauge_mpi LIBRARY DESTINATION lib/raygauge COMPONENT program)
+    install(TARGETS raygauge_mpi LIBRARY DESTINATION lib/raygauge COMPONENT mpi)
   endif()
 endif()

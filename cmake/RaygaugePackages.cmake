@@ -1,4 +1,5 @@
-# The shared library, the manual, and what `cpack -G DEB` makes: libraygauge0.1, libraygauge-dev, raygauge, python3-raygauge.
+# The shared library, the manual, and what `cpack -G DEB` makes: libraygauge0.1, libraygauge-dev, raygauge,
+# raygauge-mpi, python3-raygauge.
 
 # The shared library is the static one behind a list of what it shows: the names of namespace raygauge. Its binary
 # interface is promised within a minor version (docs/promises.md), which is why its SONAME carries one.
@@ -49,6 +50,12 @@ if(RAYGAUGE_BUILD_PROGRAM)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME raygauge)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "the program, its manual and completion")
+endif()
+if(TARGET raygauge_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME raygauge-mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "raygauge (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
 endif()
 if(RAYGAUGE_BUILD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)

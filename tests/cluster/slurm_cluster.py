@@ -53,8 +53,8 @@ class SlurmCluster:
         self.environment = dict(os.environ, SLURM_CONF=str(self.folder / "slurm.conf"))
 
     def start(self, *command):
-        log = open(self.folder / (Path(command[0]).name + ".out"), "w")
-        self.daemons.append(subprocess.Popen(command, env=self.environment, stdout=log, stderr=log))
+        with open(self.folder / (Path(command[0]).name + ".out"), "w") as log:
+            self.daemons.append(subprocess.Popen(command, env=self.environment, stdout=log, stderr=log))
 
     def run(self, *command, check=True, **options):
         done = subprocess.run(command, env=self.environment, text=True, capture_output=True, timeout=60, **options)

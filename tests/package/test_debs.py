@@ -53,6 +53,9 @@ class Packages(unittest.TestCase):
         self.assertLessEqual({"libraygauge0.1", "libraygauge-dev", "raygauge"}, set(self.packages))
         self.assertRegex(field(self.packages["raygauge"], "Depends"), r"libhdf5.*libstdc\+\+6")
         self.assertIn("libgomp1", field(self.packages["libraygauge0.1"], "Depends"))
+        self.assertNotIn("mpi", field(self.packages["raygauge"], "Depends"))
+        if "raygauge-mpi" in self.packages:
+            self.assertRegex(field(self.packages["raygauge-mpi"], "Depends"), r"raygauge \(= .*libopenmpi")
         for path in self.packages.values():
             self.assertIn("copyright", run("dpkg-deb", "--contents", path))
 
