@@ -97,7 +97,8 @@ class MpiRanks final : public Ranks {
         const std::scoped_lock lock(mutex_);
         MPI_Test(&request, &done, MPI_STATUS_IGNORE);
       }
-      if (::getppid() != parent_) MPI_Abort(MPI_COMM_WORLD, 1);  // who started us has died: nobody to wait for
+      // Who started us has died: nobody is left to wait for.
+      if (::getppid() != parent_) MPI_Abort(MPI_COMM_WORLD, 1);
       if (done == 0) std::this_thread::sleep_for(kPause);
     }
   }
