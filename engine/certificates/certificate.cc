@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/exact_sum.h"
@@ -17,12 +18,17 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::ptrdiff_t kDoubtful = 512;  // points that are worth a second, longer evaluation
 
-DoubleDouble exact_dot(const PointSet& S, std::ptrdiff_t i, const double* u) {
+// u·p_i, or (u + u_low)·p_i.
+DoubleDouble exact_dot(const PointSet& S, std::ptrdiff_t i, const double* u, const double* u_low = nullptr) {
   const double* p =
       S.data() + (i / PointSet::kLanes) * S.dimension() * PointSet::kLanes + i % PointSet::kLanes;
   DoubleDouble sum;
-  for (int k = 0; k < S.dimension(); ++k)
-    sum = sum + two_product(u[k], p[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes]);
+  for (int k = 0; k < S.dimension(); ++k) {
+    const double coordinate = p[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes];
+    DoubleDouble product = two_product(u[k], coordinate);
+    if (u_low != nullptr) product.low += u_low[k] * coordinate;
+    sum = sum + product;
+  }
   return sum;
 }
 
@@ -41,6 +47,28 @@ double dot_magnitude(const PointSet& S, const double* u) {
   for (int k = 0; k < S.dimension(); ++k) sum += std::fabs(u[k]) * S.coordinate_magnitude()[k];
   return sum * (1 + 2 * (S.dimension() + 1) * kUnitRoundoff);
 }
+
+// The points of S that may attain h_S(u), given that to within an error.
+class Doubtful {
+ public:
+  Doubtful(const Kernels& kernels, const PointSet& S, const double* u, const SupportValue& h) {
+    const double threshold = std::nextafter(h.value - 2 * h.error, -kInfinity);
+    Collection collection{index_.data(), value_.data(), kDoubtful, 0, threshold};
+    kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
+    complete_ = collection.threshold == threshold;
+    count_ = static_cast<std::size_t>(collection.count);
+    for (std::size_t c = 0; c < count_; ++c) index_[c] = std::min<std::int64_t>(index_[c], S.size() - 1);
+  }
+  bool complete() const noexcept { return complete_; }  // whether there was room for all of them
+  std::span<const std::int64_t> points() const noexcept { return {index_.data(), count_}; }
+
+ private:
+  // Filled by the collection as far as it counts; clearing 8 kB at every doubtful query would be waste.
+  std::array<std::int64_t, kDoubtful> index_;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<double, kDoubtful> value_;        // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::size_t count_ = 0;
+  bool complete_ = false;
+};
 
 }  // namespace
 
@@ -73,31 +101,46 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
   if (index != nullptr) *index = best_index;
   if (well_resolved(result.value, result.error, resolution)) return result;
 
-  // Filled by the collection as far as it counts; clearing 8 kB at every doubtful query would be waste.
-  std::array<std::int64_t, kDoubtful> doubtful;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  std::array<double, kDoubtful> value;           // NOLINT(cppcoreguidelines-pro-type-member-init)
-  const double threshold = std::nextafter(result.value - 2 * result.error, -kInfinity);
-  Collection collection{doubtful.data(), value.data(), kDoubtful, 0, threshold};
-  kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
-  if (collection.threshold != threshold) return result;  // more of them than fit: the plain bound stands
+  const Doubtful doubtful(kernels, S, u, result);
+  if (!doubtful.complete()) return result;  // more of them than fit: the plain bound stands
   double best = -kInfinity;
-  for (std::ptrdiff_t c = 0; c < collection.count; ++c) {
-    best = std::max(
-        best, exact_dot(S, std::min<std::ptrdiff_t>(doubtful[static_cast<std::size_t>(c)], S.size() - 1), u)
-                  .rounded());
-  }
+  for (const std::int64_t i : doubtful.points()) best = std::max(best, exact_dot(S, i, u).rounded());
   const double lost = S.dimension() * 0x1p-100 * dot_magnitude(S, u) + kUnderflow;
   result.value = best;
   result.error = std::fabs(best) * 2 * kUnitRoundoff + lost;
   if (std::fabs(best) > lost) return result;
   // Zero within what double-double tells: is it exactly zero, at every point that may attain the maximum?
-  for (std::ptrdiff_t c = 0; c < collection.count; ++c) {
-    const std::ptrdiff_t i = std::min<std::ptrdiff_t>(doubtful[static_cast<std::size_t>(c)], S.size() - 1);
+  for (const std::int64_t i : doubtful.points()) {
     const double value_i = exact_dot(S, i, u).rounded();
     if (value_i < -lost) continue;
     if (!dot_is_zero(S, i, u)) return result;
   }
   result = {0, 0};
+  return result;
+}
+
+SupportValue support_value_twofold(const Kernels& kernels, const PointSet& S, const double* u,
+                                   const double* u_low, std::ptrdiff_t* index) {
+  std::ptrdiff_t best_index = 0;
+  SupportValue result;
+  result.value = kernels.price(S.data(), S.block_count(), S.dimension(), u, &best_index);
+  // |u_low| <= 2⁻⁵² |u|, or it is no low part.
+  double low_error = 0;
+  for (int k = 0; k < S.dimension(); ++k) low_error += std::fabs(u_low[k]) * S.coordinate_magnitude()[k];
+  result.error = dot_error(S, u) + 1.01 * low_error + kUnderflow;
+  best_index = std::min(best_index, S.size() - 1);
+  const Doubtful doubtful(kernels, S, u, result);
+  if (doubtful.complete()) {
+    double best = -kInfinity;
+    for (const std::int64_t i : doubtful.points()) {
+      const double value = exact_dot(S, i, u, u_low).rounded();
+      if (value > best) best_index = i;
+      best = std::max(best, value);
+    }
+    const double lost = (S.dimension() + 1) * 0x1p-99 * (dot_magnitude(S, u) + low_error) + kUnderflow;
+    result = {best, std::fabs(best) * 2 * kUnitRoundoff + lost};
+  }
+  if (index != nullptr) *index = best_index;
   return result;
 }
 

@@ -54,6 +54,10 @@ double dot_error(const PointSet& S, const double* u);
 SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u,
                            std::ptrdiff_t* index = nullptr, double resolution = kResolution);
 
+/// The same at u + u_low, a direction in twice the precision, by double-double arithmetic from the start.
+SupportValue support_value_twofold(const Kernels& kernels, const PointSet& S, const double* u,
+                                   const double* u_low, std::ptrdiff_t* index = nullptr);
+
 /// Weak duality, equation (10): d_Q(A) >= -h_A(u) / h_Q(-u) wherever h_A(u) < 0, rounded down. 0 where h_A(u)
 /// < 0 is not certain; +infinity where moreover h_Q(-u) <= 0 is certain (u is a Farkas direction).
 double lower_bound(const SupportValue& h_A, const SupportValue& h_Q) noexcept;

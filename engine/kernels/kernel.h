@@ -141,6 +141,15 @@ struct Kernels {
   /// rounding included.
   double (*refine)(BasisView* basis, const double* b, bool correct);
 
+  /// The same in twice the precision, for x + x_low (padded): residuals b - B (x + x_low) as if in 106 bits.
+  double (*refine_twofold)(BasisView* basis, const double* b, double* x_low, bool correct);
+
+  /// |b - B (x + x_low)|∞, rounded up; NaN or infinite after an overflow.
+  double (*residual_twofold)(const BasisView* basis, const double* b, const double* x_low);
+
+  /// One step of iterative refinement of the duals y + y_low (padded), by c_B - Bᵀ (y + y_low) in 106 bits.
+  void (*duals_twofold)(BasisView* basis, double* y_low);
+
   /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y.
   void (*duals)(BasisView* basis);
 

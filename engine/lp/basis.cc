@@ -65,6 +65,7 @@ void Basis::reset(int m, const Kernels& kernels) {
   std::memset(memory_.data(), 0, total * sizeof(double));
   std::memset(b_.data(), 0, static_cast<std::size_t>(P) * sizeof(double));
   view_ = {};
+  share_pivots_ = -1;
   view_.m = m;
   view_.P = P;
   double* next = memory_.data();
@@ -86,6 +87,7 @@ void Basis::set_column(int i, const double* column, double cost, std::int64_t id
 }
 
 bool Basis::refactor() {
+  share_pivots_ = -1;
   if (view_.m >= kBlocked ? !invert_in_blocks() : !invert_by_rows()) return false;
   const int m = view_.m;
   double* x = view_.x();
@@ -151,11 +153,17 @@ double Basis::drift() const {
   return largest;
 }
 
-Enclosure Basis::enclose(bool refine) {
-  // ‖E‖ as computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these
-  // bounds.
+double Basis::residual_share() {
+  if (share_pivots_ == view_.pivots) return share_;
+  // As computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these bounds.
   const MatrixNorms norms = kernels_->norms(&view_);
-  const double E = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
+  share_ = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
+  share_pivots_ = view_.pivots;
+  return share_;
+}
+
+Enclosure Basis::enclose(bool refine) {
+  const double E = residual_share();
   if (!(E < 0.5)) return {};
   if (refine) kernels_->refine(&view_, b_.data(), true);
   const double error = kernels_->refine(&view_, b_.data(), false);

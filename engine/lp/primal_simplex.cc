@@ -114,18 +114,35 @@ void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double
   set_artificial_costs(guess_.data(), guess_error, frame);
 }
 
+// Into column_.
+void PrimalSimplex::form_column(const ColumnPool& pool, std::int64_t id) {
+  double* column = column_.data();
+  std::fill_n(column, basis_.view().P, 0.0);
+  pool.copy_point(id / 2, column);
+  column[n_] = is_from_Q(id) ? 0.0 : 1.0;
+  for (int k = 0; k < n_ && is_from_Q(id); ++k) column[k] = -column[k];
+}
+
+bool PrimalSimplex::enter(const ColumnPool& pool, std::int64_t id, double reduced_cost) {
+  form_column(pool, id);
+  std::int64_t left = 0;
+  const double cost = is_from_Q(id) ? loop_.cost_of_Q : 0.0;
+  if (kernels_->pivot(&basis_.view(), column_.data(), cost, reduced_cost, id, false, &left) !=
+      PivotResult::ok) {
+    return false;
+  }
+  if (is_artificial(left)) --loop_.artificials;
+  return true;
+}
+
 bool PrimalSimplex::start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids) {
   if (std::ssize(ids) != n_ + 1) return false;
   basis_.reset(n_ + 1, *kernels_);
   basis_.right_hand_side()[n_] = 1.0;
-  double* column = column_.data();
-  std::fill_n(column, basis_.view().P, 0.0);
   for (int i = 0; i <= n_; ++i) {
     const std::int64_t id = ids[static_cast<std::size_t>(i)];
-    (is_from_Q(id) ? Q : A).copy_point(id / 2, column);
-    column[n_] = is_from_Q(id) ? 0.0 : 1.0;
-    for (int k = 0; k < n_ && is_from_Q(id); ++k) column[k] = -column[k];
-    basis_.set_column(i, column, is_from_Q(id) ? 1.0 : 0.0, id);
+    form_column(is_from_Q(id) ? Q : A, id);
+    basis_.set_column(i, column_.data(), is_from_Q(id) ? 1.0 : 0.0, id);
   }
   ++refactorisations_;
   loop_.artificials = 0;

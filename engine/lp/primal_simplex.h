@@ -92,6 +92,13 @@ class PrimalSimplex {
   /// gauge_Q(r) <= gauge_bound |r|∞ (GaugeBound),  d <= (Σβ + gauge_bound |r|∞) / Σα,  rounded up.
   double upper_with_residual(double gauge_bound) const;
 
+  /// Brings a point of a pool (identity as in id_of_A, id_of_Q) into the basis, whose reduced cost the caller
+  /// knows. False if rounding leaves no pivot.
+  bool enter(const ColumnPool& pool, std::int64_t id, double reduced_cost);
+
+  /// For RefinedBasis.
+  Basis& basis() noexcept { return basis_; }
+
   /// s such that for every |r|∞ <= s the point a + r, a the only basic point of A, lies in the cone of the
   /// basic points of Q, with weights of at most twice those of a. 0 where the basis is not of that form.
   double cone_radius();
@@ -127,6 +134,7 @@ class PrimalSimplex {
   double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
   void place_artificials(const double* a, const Frame* frame);
   void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);
+  void form_column(const ColumnPool& pool, std::int64_t id);
   bool look_after_basis();
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates

@@ -12,6 +12,7 @@
 #include "engine/lp/exact_simplex.h"
 #include "engine/lp/interior_point.h"
 #include "engine/lp/primal_simplex.h"
+#include "engine/lp/refined_basis.h"
 #include "engine/lp/scaling.h"
 #include "engine/methods/options.h"
 #include "engine/methods/result.h"
@@ -48,6 +49,9 @@ class Sifting {
   void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);
   bool certify_as_priced(Effects effects, DistanceResult& result);
+  bool certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result);
+  double refine_lower(std::int64_t* best_A, std::int64_t* best_Q);
+  bool enter_refined(std::int64_t best_A, std::int64_t best_Q);
   bool bounds_mislead() const noexcept;
   void price_everything();
   double upper_despite_residual();
@@ -79,6 +83,7 @@ class Sifting {
   ColumnPool working_A_;
   ColumnPool working_Q_;
   PrimalSimplex program_;
+  RefinedBasis refined_;
   InteriorPoint interior_;
   bool separated_ = false;  // by interior_, the working sets
   GaugeBound gauge_bound_;
@@ -98,8 +103,9 @@ class Sifting {
   Violators violators_A_;
   Violators violators_Q_;
 
-  AlignedBuffer<double> direction_;  // u for A, then -u for Q, in the sets' own units: 2n
-  AlignedBuffer<double> frame_;      // n x n, and its inverse: see PrimalSimplex::Frame
+  AlignedBuffer<double> direction_;      // u for A, then -u for Q, in the sets' own units: 2n
+  AlignedBuffer<double> direction_low_;  // what these are short of, in twice the precision
+  AlignedBuffer<double> frame_;          // n x n, and its inverse: see PrimalSimplex::Frame
   AlignedBuffer<double> inverse_frame_;
   AlignedBuffer<std::int64_t> collected_;
   AlignedBuffer<double> collected_value_;
