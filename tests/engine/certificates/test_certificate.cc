@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/certificates/certificate.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +47,29 @@ TEST_P(SupportValueOnEveryKernel, HoldsOnRandomSetsAtEveryScale) {
         check(scale * gaussian_points(n, N, random), gaussian_points(n, 1, random) / scale);
       }
     }
+  }
+}
+
+TEST_P(SupportValueOnEveryKernel, HoldsInTwiceThePrecisionOfADirection) {
+  Random random(43);
+  for (const int n : {2, 5, 17, 60}) {
+    const Eigen::MatrixXd points = gaussian_points(n, 90, random);
+    // A direction in which n points are level up to rounding, as at the end of a solve.
+    const Eigen::MatrixXd level = points.leftCols(n).transpose();
+    const Vector u = level.fullPivLu().solve(-Vector::Ones(n));
+    const Vector u_low = 0x1p-54 * u.cwiseProduct(gaussian_points(n, 1, random));
+    std::ptrdiff_t index = -1;
+    const PointSet S(points);
+    const SupportValue h = support_value_twofold(kernels_for(GetParam()), S, u.data(), u_low.data(), &index);
+    Rational best = exact_dot(points.col(0), u) + exact_dot(points.col(0), u_low);
+    for (Eigen::Index i = 1; i < points.cols(); ++i) {
+      const Rational value = exact_dot(points.col(i), u) + exact_dot(points.col(i), u_low);
+      if (value > best) best = value;
+    }
+    EXPECT_LE(abs(best - Rational(h.value)), Rational(h.error)) << "n = " << n;
+    EXPECT_LE(h.error, 1e-15 * std::fabs(h.value)) << "n = " << n;
+    const Rational attained = exact_dot(points.col(index), u) + exact_dot(points.col(index), u_low);
+    EXPECT_LE(abs(best - attained).convert_to<double>(), 1e-15 * std::fabs(h.value)) << "n = " << n;
   }
 }
 
