@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/certificates/certificate.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
