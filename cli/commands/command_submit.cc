@@ -106,7 +106,14 @@ int submit(const SubmitArguments& arguments) {
   std::string options = "--dependency=afterany:" + array_id;
   if (!arguments.partition.empty()) options += " --partition=" + quoted(arguments.partition);
   if (!arguments.account.empty()) options += " --account=" + quoted(arguments.account);
-  const std::string merge_id = submitted(options, merge);
+  std::string merge_id;
+  try {
+    merge_id = submitted(options, merge);
+  } catch (const Error& error) {  // an array without its merge would surprise
+    const bool cancelled = std::system(("scancel " + array_id).c_str()) == 0;
+    throw Error(error.what() + std::string("; the array ") + array_id +
+                (cancelled ? " is cancelled" : " could not be cancelled"));
+  }
   std::printf("array      %s, %d tasks\nmerge      %s, after the array\nresults    %s\n", array_id.c_str(),
               job.shards, merge_id.c_str(), job.output.c_str());
   return kAnswered;

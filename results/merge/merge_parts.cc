@@ -34,7 +34,7 @@ std::string build_of(const Session& session) {
 class Merge {
  public:
   Merge(const std::vector<fs::path>& parts, const fs::path& target, const MergeOptions& options)
-      : parts_(parts), target_(target), options_(options), spool_(target) {}
+      : parts_(parts), target_(target), options_(options), spool_(target), reader_(spool_) {}
 
   MergeSummary run() {
     for (std::size_t i = 0; i < parts_.size(); ++i) add(static_cast<std::uint32_t>(i));
@@ -61,11 +61,11 @@ class Merge {
     const auto first_session = static_cast<int>(summary_.provenance.sessions.size());
     if (list_parts(path).empty()) {
       add_provenance(path, decode_provenance(path));
-      spool_file(path, part, first_session, spool_);
+      reader_.add_file(path, part, first_session);
     } else {
       ResultsFile unfinished = read_results(path.string());
       add_provenance(path, std::move(unfinished.provenance));
-      spool_records(unfinished.records, part, first_session, spool_);
+      reader_.add_records(unfinished.records, part, first_session);
     }
   }
 
@@ -197,6 +197,7 @@ class Merge {
   const fs::path& target_;
   const MergeOptions& options_;
   RowSpool spool_;
+  RowReader reader_;
   MergeSummary summary_;
   std::string build_;
 };

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""Shards and MPI ranks give the file of one process, whatever is killed on the way."""
+"""Shards and MPI ranks give the file of one process, whatever is killed on the way (--kills 20: more often)."""
 import argparse
 import os
 import random
@@ -15,7 +15,7 @@ from pathlib import Path
 from support import Tool, answers, write_experiment
 
 PROGRAM = None
-KILLS = 20
+KILLS = 4
 
 
 def is_alive(process):
@@ -176,6 +176,8 @@ class ManyProcesses(unittest.TestCase):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--raygauge", required=True)
+    parser.add_argument("--kills", type=int, default=KILLS)
     arguments, rest = parser.parse_known_args()
     PROGRAM = str(Path(arguments.raygauge).resolve())
+    KILLS = arguments.kills
     unittest.main(argv=["many_processes", *rest], verbosity=2)

@@ -1,8 +1,14 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""A job array and its merge under a real Slurm: requeued, stopped at its time limit, killed."""
+"""Job arrays and their merges under a real Slurm: requeued, warned before the time limit, stopped at it, killed.
+
+All arrays run at the same time, each in a folder of its own. --thorough adds what takes Slurm more than a minute.
+"""
 import argparse
+import os
 import shutil
+import signal
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -11,77 +17,118 @@ from slurm_cluster import SlurmCluster
 from support import Tool, answers, write_experiment
 
 PROGRAM = None
+THOROUGH = False
+
+
+class Array:
+    """A submitted array of two tasks."""
+
+    def __init__(self, slurm, base, name, min_seconds, words):
+        self.slurm = slurm
+        self.folder = base / name
+        self.folder.mkdir()
+        self.tool = Tool(PROGRAM, self.folder)
+        self.tool.environment = dict(slurm.environment)
+        write_experiment(self.folder, min_seconds=min_seconds)
+        self.submit(*words)
+
+    def submit(self, *words):
+        text = self.tool.run("submit", "e.toml", "--slurm", "--array", 2, "-o", "s.h5", *words)
+        self.array, self.merge = (line.split()[1].rstrip(",") for line in text.splitlines()[:2])
+
+    def show(self, job):
+        return self.slurm.run("scontrol", "show", "job", job)
+
+    def wait_for_cells(self):
+        self.slurm.wait_for(lambda: list(self.folder.glob("s.shard-1-of-2.h5.parts/cells-*")), "the first task")
+
+    def kill_the_first_task(self):
+        words = f"{PROGRAM} run .* {self.folder / 's.h5'} --shard 1/2"
+        (process,) = subprocess.run(["pgrep", "-f", words], text=True, capture_output=True).stdout.split()
+        os.kill(int(process), signal.SIGKILL)
+
+    def wait_for_end(self, seconds=150):
+        self.slurm.wait_for(lambda: not self.slurm.run("squeue", "-h", "-j", self.merge, check=False).strip(),
+                            "the merge", seconds)
+
+    def sessions(self):
+        return self.tool.run("info", "s.shard-1-of-2.h5").count("\nsession")
+
+    def logs(self):
+        return "".join(log.read_text() for log in self.folder.glob("*.log"))
 
 
 class Slurm(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.base = Path(tempfile.mkdtemp(prefix="raygauge-slurm-"))
-        cls.addClassCleanup(shutil.rmtree, cls.base, ignore_errors=True)
-        (cls.base / "slurm").mkdir()
-        cls.slurm = SlurmCluster(cls.base / "slurm")
-        cls.slurm.__enter__()
-        cls.addClassCleanup(cls.slurm.__exit__)
+        base = Path(tempfile.mkdtemp(prefix="raygauge-slurm-"))
+        cls.addClassCleanup(shutil.rmtree, base, ignore_errors=True)
+        (base / "slurm").mkdir()
+        slurm = SlurmCluster(base / "slurm")
+        slurm.__enter__()
+        cls.addClassCleanup(slurm.__exit__)
+        cls.whole_folder = base / "one"
+        cls.whole_folder.mkdir()
+        write_experiment(cls.whole_folder)
+        Tool(PROGRAM, cls.whole_folder).run("run", "e.toml", "-o", "one.h5", "-q")
+        # 288 records of so many seconds at least, for two tasks.
+        cls.warned = Array(slurm, base, "warned", 0.1, ("--time", "0:01:00", "--", "--signal=B:USR1@58"))
+        if THOROUGH:
+            cls.stopped = Array(slurm, base, "stopped", 0.6, ("--time", "0:01:00", "--", "--signal=B:CONT@1"))
+        cls.requeued = Array(slurm, base, "requeued", 0.02, ())
+        cls.killed = Array(slurm, base, "killed", 0.02, ())
+        cls.plain = Array(slurm, base, "plain", 1e-4, ())
+        cls.requeued.wait_for_cells()
+        slurm.run("scontrol", "requeue", f"{cls.requeued.array}_1")
+        cls.killed.wait_for_cells()
+        cls.killed.kill_the_first_task()
 
-    def setUp(self):
-        self.folder = self.base / self.id().split(".")[-1]
-        self.folder.mkdir()
-        self.tool = Tool(PROGRAM, self.folder)
-        self.tool.environment = dict(self.slurm.environment)
+    def expect_the_file_of_one_process(self, array):
+        self.assertTrue((array.folder / "s.h5").exists(), array.logs())
+        self.assertEqual(answers(array.folder / "s.h5"), answers(self.whole_folder / "one.h5"))
 
-    def submit(self, *words):
-        text = self.tool.run("submit", "e.toml", "--slurm", "-o", "s.h5", *words)
-        return text.split()[1].rstrip(","), text.split("merge")[1].split()[0].rstrip(",")
+    def test_1_a_requeued_task_goes_on(self):
+        self.assertIn(f"Dependency=afterany:{self.requeued.array}", self.requeued.show(self.requeued.merge))
+        self.requeued.wait_for_end()
+        self.assertGreaterEqual(self.requeued.sessions(), 2)
+        self.expect_the_file_of_one_process(self.requeued)
 
-    def states(self, job):
-        return self.slurm.run("squeue", "-h", "-r", "-j", job, "-o", "%T", check=False).split()
+    def test_2_an_array_and_the_merge_after_it(self):
+        self.plain.wait_for_end()
+        self.expect_the_file_of_one_process(self.plain)
 
-    def wait_for_end(self, seconds=240):
-        self.slurm.wait_for(lambda: self.slurm.run("squeue", "-h").strip() == "", "the jobs", seconds)
+    def test_3_after_a_kill_the_merge_refuses_and_a_second_array_goes_on(self):
+        self.killed.wait_for_end()
+        self.assertFalse((self.killed.folder / "s.h5").exists())
+        self.assertIn("--partial merges them all the same", self.killed.logs())
+        self.killed.submit()
+        self.killed.wait_for_end()
+        self.assertGreaterEqual(self.killed.sessions(), 2)
+        self.expect_the_file_of_one_process(self.killed)
 
-    def expect_the_file_of_one_process(self):
-        logs = "".join(log.read_text() for log in self.folder.glob("*.log"))
-        self.assertTrue((self.folder / "s.h5").exists(), logs)
-        self.tool.run("run", "e.toml", "-o", "one.h5", "-q")
-        self.assertEqual(answers(self.folder / "s.h5"), answers(self.folder / "one.h5"))
+    def test_4_a_task_warned_before_its_time_limit_is_queued_again_and_goes_on(self):
+        self.warned.wait_for_end()
+        self.assertIn("interrupted", self.warned.logs())
+        self.assertGreaterEqual(self.warned.sessions(), 2)
+        self.expect_the_file_of_one_process(self.warned)
 
-    def test_an_array_and_the_merge_after_it(self):
-        write_experiment(self.folder)
-        array, merge = self.submit("--array", 4)
-        self.assertIn(f"Dependency=afterany:{array}", self.slurm.run("scontrol", "show", "job", merge))
-        self.wait_for_end()
-        self.expect_the_file_of_one_process()
-
-    def test_a_requeued_task_and_a_killed_one_go_on(self):
-        write_experiment(self.folder, min_seconds=5e-3)
-        array, _ = self.submit("--array", 2)
-        cells = lambda: list(self.folder.glob("s.shard-1-of-2.h5.parts/cells-*"))
-        self.slurm.wait_for(cells, "the first task")
-        self.slurm.run("scontrol", "requeue", f"{array}_1")
-        self.wait_for_end()
-        parts = self.folder / "s.shard-1-of-2.h5"
-        sessions = self.tool.run("info", parts).count("\nsession")
-        self.assertGreaterEqual(sessions, 2)
-        self.expect_the_file_of_one_process()
-
-    def test_a_task_at_its_time_limit_is_queued_again_and_goes_on(self):
-        write_experiment(self.folder, min_seconds=0.2)  # 96 s of work for each of two tasks, in a minute's limit
-        self.submit("--array", 2, "--time", "0:01:00", "--", "--signal=B:USR1@20")
-        self.wait_for_end(560)
-        logs = "".join(log.read_text() for log in self.folder.glob("*.log"))
-        self.assertIn("interrupted", logs)
-        write_experiment(self.folder, min_seconds=0.2)
-        info = self.tool.run("info", "s.shard-1-of-2.h5")
-        self.assertGreaterEqual(info.count("\nsession"), 2)
-        self.assertTrue((self.folder / "s.h5").exists(), logs)
-        rows = answers(self.folder / "s.h5")
-        self.assertEqual(len(rows), len(set(rows)))
-        self.assertEqual(len(rows), 24 * 6 * 2)
+    def test_5_a_task_stopped_at_its_time_limit_keeps_its_cells(self):
+        self.stopped.wait_for_end(300)
+        self.assertIn("DUE TO TIME LIMIT", self.stopped.logs())
+        self.assertFalse((self.stopped.folder / "s.h5").exists())
+        self.stopped.submit("--time", "0:02:00")
+        self.stopped.wait_for_end(300)
+        self.assertGreaterEqual(self.stopped.sessions(), 2)
+        self.expect_the_file_of_one_process(self.stopped)
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--raygauge", required=True)
+    parser.add_argument("--thorough", action="store_true")
     arguments, rest = parser.parse_known_args()
     PROGRAM = str(Path(arguments.raygauge).resolve())
+    THOROUGH = arguments.thorough
+    if not THOROUGH:
+        del Slurm.test_5_a_task_stopped_at_its_time_limit_keeps_its_cells
     unittest.main(argv=["slurm", *rest], verbosity=2)
