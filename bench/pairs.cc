@@ -70,7 +70,8 @@ void run(const Settings& settings) {
     for (std::size_t a = 0; a < settings.kinds.size(); ++a) {
       for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b) {
         const Row kinds{settings.kinds[a], settings.kinds[b]};
-        const double tolerance = is_polytope(kinds.first) && is_polytope(kinds.second) ? 1e-6 : 1.5e-8;
+        const bool smooth = !is_polytope(kinds.first) || !is_polytope(kinds.second);
+        const double tolerance = place == "apart" && smooth ? 1.5e-8 : 1e-6;
         PairTally tally;
         for (int i = 0; i < settings.pairs; ++i)
           measure_pair(make_pair(kinds.first, kinds.second, place, i), tolerance, tally);

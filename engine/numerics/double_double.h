@@ -45,4 +45,34 @@ inline DoubleDouble operator*(const DoubleDouble& a, double b) noexcept {
   return two_sum(p.high, p.low + a.low * b);
 }
 
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
+  const DoubleDouble p = two_product(a.high, b.high);
+  return two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+/// Two Newton steps on the quotient of the high parts.
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noexcept {
+  const double first = a.high / b.high;
+  const DoubleDouble rest = a - b * first;
+  const double second = rest.high / b.high;
+  const DoubleDouble last = rest - b * second;
+  return two_sum(first, second) + last.high / b.high;
+}
+
+/// √a for a >= 0; 0 for a < 0.
+inline DoubleDouble sqrt(const DoubleDouble& a) noexcept {
+  if (!(a.high > 0)) return {};
+  const double root = std::sqrt(a.high);
+  const DoubleDouble rest = a - two_product(root, root);
+  return two_sum(root, rest.high / (2 * root));
+}
+
+inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) noexcept {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+inline bool operator>(const DoubleDouble& a, const DoubleDouble& b) noexcept { return b < a; }
+inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) noexcept {
+  return a.high > b.high || (a.high == b.high && a.low >= b.low);
+}
+
 }  // namespace raygauge

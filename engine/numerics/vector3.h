@@ -7,19 +7,28 @@
 namespace raygauge {
 
 /// A vector of R^3 in three registers.
-struct Vector3 {
-  double x = 0, y = 0, z = 0;
+template <class Real>
+struct BasicVector3 {
+  Real x{}, y{}, z{};
 
-  Vector3 operator+(const Vector3& v) const noexcept { return {x + v.x, y + v.y, z + v.z}; }
-  Vector3 operator-(const Vector3& v) const noexcept { return {x - v.x, y - v.y, z - v.z}; }
-  Vector3 operator-() const noexcept { return {-x, -y, -z}; }
-  Vector3 operator*(double s) const noexcept { return {s * x, s * y, s * z}; }
+  BasicVector3 operator+(const BasicVector3& v) const noexcept { return {x + v.x, y + v.y, z + v.z}; }
+  BasicVector3 operator-(const BasicVector3& v) const noexcept { return {x - v.x, y - v.y, z - v.z}; }
+  BasicVector3 operator-() const noexcept { return {-x, -y, -z}; }
+  BasicVector3 operator*(const Real& s) const noexcept { return {x * s, y * s, z * s}; }
 };
 
-inline double dot(const Vector3& u, const Vector3& v) noexcept { return u.x * v.x + u.y * v.y + u.z * v.z; }
-inline Vector3 cross(const Vector3& u, const Vector3& v) noexcept {
+using Vector3 = BasicVector3<double>;
+
+template <class Real>
+Real dot(const BasicVector3<Real>& u, const BasicVector3<Real>& v) noexcept {
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+template <class Real>
+BasicVector3<Real> cross(const BasicVector3<Real>& u, const BasicVector3<Real>& v) noexcept {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
+
 inline double length(const Vector3& v) noexcept { return std::sqrt(dot(v, v)); }
 
 /// A unit vector orthogonal to v != 0.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/spatial_growth.h"
 
 namespace raygauge {
@@ -98,7 +99,10 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   const double radius = radius_of_metric(metric);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
   begin(warm);
-  const SpatialAnswer answer = spatial_distance(pair_, options.tolerance, start_);
+  SpatialAnswer answer = spatial_distance(pair_, options.tolerance, start_);
+  if (answer.end == SpatialEnd::open) {
+    precise_distance(pair_, A1, A2, kernels_for(options.instruction_set), options.tolerance, answer);
+  }
   if (answer.end != SpatialEnd::closed && answer.end != SpatialEnd::intersecting) return false;
   DistanceResult& distance = result.distance;
   result.closest_point_evaluations = result.gradient_evaluations = 0;

@@ -52,6 +52,8 @@ bool Box::do_spatial_shape(SpatialShape& shape) const {
   const Vector3 half = spatial(upper_, dimension()) - shape.center;
   shape.kind = SpatialShape::Kind::box;
   shape.axis.column[0] = half;
+  shape.base = spatial(lower_, dimension());
+  shape.top = spatial(upper_, dimension());
   shape.inner_radius = std::min({half.x, half.y, dimension() == 3 ? half.z : half.x});
   shape.extent = length(shape.center) + length(half);
   return true;

@@ -53,6 +53,8 @@ bool Capsule::do_spatial_shape(SpatialShape& shape) const {
   if (!place(shape, 0.5 * p_ + 0.5 * q_, dimension())) return false;
   shape.kind = SpatialShape::Kind::segment;
   shape.axis.column[0] = spatial(q_, dimension()) - shape.center;
+  shape.base = spatial(p_, dimension());
+  shape.top = spatial(q_, dimension());
   shape.radius = shape.inner_radius = radius_;
   shape.extent = length(shape.center) + length(shape.axis.column[0]);
   return true;

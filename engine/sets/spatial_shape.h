@@ -36,7 +36,8 @@ struct SpatialShape {
   double extent = 0;        ///< at least |x| for every point of the core, and for what they are computed from
   double inner_radius = 0;  ///< of a ball about the centre inside the set, proven; 0 where none is known
   Matrix3 axis;
-  Vector3 base, top;  ///< centres of the discs
+  Vector3 base,
+      top;  ///< centres of the discs; ends of the segment, corners of the box, both without rounding
   double base_radius = 0, top_radius = 0;
   const double* blocks = nullptr;  ///< PointSet::data() ...
   int coordinates = 3;             ///< ... and its dimension

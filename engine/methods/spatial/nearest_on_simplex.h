@@ -2,13 +2,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/methods/spatial/spatial_distance.h"
+#include "engine/numerics/double_double.h"
+#include "engine/numerics/vector3.h"
 
 namespace raygauge {
 
-/// Reduces the combination to the face of its simplex that is nearest to the origin, with the weights of the
-/// nearest point v, which is returned. A simplex that contains the origin stays whole: then `depth` is the
-/// distance of the origin to its nearest face, otherwise zero.
-Vector3 nearest_on_simplex(SpatialCombination& simplex, double& depth);
+/// The smallest face of a simplex that holds its point nearest to the origin.
+template <class Real>
+struct SimplexFace {
+  int count = 0;
+  int corner[4] = {0, 0, 0, 0};
+  Real weight[4] = {};  ///< barycentric coordinates of that point
+  BasicVector3<Real> v;
+  Real square{};
+  Real depth{};  ///< the origin is inside, so far from the nearest facet; 0: it is not inside
+};
+
+/// Of `count` <= 4 points. Where the origin is inside four points, all of them with its coordinates and
+/// depth. Rounding may choose another face: what is concluded from one must not rely on its being the
+/// nearest.
+template <class Real>
+SimplexFace<Real> nearest_face(const BasicVector3<Real>* const* points, int count);
+
+/// A normal of the triangle, from the two shorter of its edges, where cancellation is least.
+template <class Real>
+BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVector3<Real>& b,
+                                   const BasicVector3<Real>& c);
+
+extern template SimplexFace<double> nearest_face(const Vector3* const* points, int count);
+extern template SimplexFace<DoubleDouble> nearest_face(const BasicVector3<DoubleDouble>* const* points,
+                                                       int count);
 
 }  // namespace raygauge

@@ -10,10 +10,11 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostIterations = 64;
+constexpr double kNoise = 4;  // a gap of so many error(), two of which are the bounds' own, is rounding
 constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
 // Σ c_l s_l of the weights as they are, which are not negative and add up to one: its length is an upper
-// bound, and what nearest_on_simplex says of v is not used.
+// bound, and what nearest_face says of v is not used.
 Vector3 combine(const SpatialCombination& simplex) {
   double sum = 0;
   Vector3 v;
@@ -37,7 +38,7 @@ void add(SpatialCombination& simplex, const SpatialPoint& w) {
   simplex.weight[simplex.count++] = 1;
 }
 
-Vector3 begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& simplex, double& depth) {
+void begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& simplex) {
   for (int i = 0; i < start.count; ++i) {
     SpatialPoint point;
     if (pair.vertex(start.index_1[i], start.index_2[i], point) && !holds(simplex, point)) add(simplex, point);
@@ -46,7 +47,21 @@ Vector3 begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& 
     const Vector3 u = start.has_normal ? start.normal : pair.between_centers();
     add(simplex, pair.support(dot(u, u) > 0 ? u : Vector3{1, 0, 0}, false));
   }
-  return nearest_on_simplex(simplex, depth);
+}
+
+// Leaves of the simplex what its nearest point needs; the depth of the origin in it.
+double reduce(SpatialCombination& simplex) {
+  const Vector3* points[4];
+  for (int i = 0; i < simplex.count; ++i) points[i] = &simplex.point[i].s;
+  const SimplexFace<double> face = nearest_face(points, simplex.count);
+  SpatialPoint kept[4];
+  for (int i = 0; i < face.count; ++i) kept[i] = simplex.point[face.corner[i]];
+  for (int i = 0; i < face.count; ++i) {
+    simplex.point[i] = kept[i];
+    simplex.weight[i] = face.weight[i];
+  }
+  simplex.count = face.count;
+  return face.depth;
 }
 
 class Descent {
@@ -100,14 +115,15 @@ bool Descent::step(double depth) {
   const double along = dot(v, w.s);
   // Only what may end the solve is worth a proof.
   const double hopeful = along / size - pair_.error() - pair_.radius();
-  if (answer_.upper - hopeful <= tolerance_ * answer_.upper || holds(simplex_, w)) {
+  const bool drowned = answer_.upper - hopeful <= kNoise * pair_.error();
+  if (answer_.upper - hopeful <= tolerance_ * answer_.upper || drowned || holds(simplex_, w)) {
     if (pair_.climbs()) w = pair_.support(-v, true);
     bound_from_below(v, dot(v, w.s), size);
     if (is_closed()) {
       answer_.end = SpatialEnd::closed;
       return false;
     }
-    if (holds(simplex_, w)) return false;
+    if (drowned || holds(simplex_, w)) return false;
   }
   add(simplex_, w);
   return true;
@@ -115,9 +131,9 @@ bool Descent::step(double depth) {
 
 SpatialAnswer Descent::run(const SpatialStart& start) {
   answer_.upper = 1e300;
-  double depth = 0;
-  begin(pair_, start, simplex_, depth);
-  while (answer_.iterations++ < kMostIterations && step(depth)) nearest_on_simplex(simplex_, depth);
+  begin(pair_, start, simplex_);
+  while (answer_.iterations++ < kMostIterations && step(reduce(simplex_))) {
+  }
   return answer_;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/methods/spatial/nearest_on_simplex.h"
+
 namespace raygauge {
 namespace {
 
@@ -39,6 +41,7 @@ class Growth {
   bool discover(Vector3 u);
   bool recall(const SpatialStart& start);
   void refine();
+  void find_inner_radius();
   bool weigh(double* weight, double* uncertainty) const;
 
   SpatialPair& pair_;
@@ -214,6 +217,25 @@ bool Growth::recall(const SpatialStart& start) {
          dot(p_, cross(portal_[2].s, portal_[0].s)) >= 0;
 }
 
+// Where the bodies know of no ball: the origin is deep inside some four support points, which are found as
+// the nearest point of B to the origin is looked for.
+void Growth::find_inner_radius() {
+  Vector3 corner[4] = {portal_[0].s, portal_[1].s, portal_[2].s, support(-p_, false).s};
+  for (int i = 0; i < kMostDiscoveries; ++i) {
+    const Vector3* corners[4] = {&corner[0], &corner[1], &corner[2], &corner[3]};
+    const SimplexFace<double> face = nearest_face(corners, 4);
+    if (face.count == 4) {
+      inner_radius_ = kDown * face.depth - 4 * pair_.error();
+      return;
+    }
+    Vector3 kept[4];
+    for (int k = 0; k < face.count; ++k) kept[k] = corner[face.corner[k]];
+    const Vector3 u = face.square > 0 ? -face.v : -p_;
+    for (int k = face.count; k < 4; ++k) kept[k] = support(u, false).s;
+    std::copy_n(kept, 4, corner);
+  }
+}
+
 void Growth::refine() {
   for (int i = 0; i < kMostExchanges; ++i) {
     Vector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
@@ -236,6 +258,10 @@ void Growth::refine() {
             weight[0] >= uncertainty[0] && weight[1] >= uncertainty[1] && weight[2] >= uncertainty[2];
         const double sum = (weight[0] + weight[1] + weight[2] + uncertainty[0] * 3) * kUp;
         if (positive && sum < answer_.upper) answer_.upper = sum;
+        if (may_end && !positive && !(inner_radius_ > 0)) {
+          find_inner_radius();
+          bound_from_above(portal_, 3, weight);
+        }
       }
       if (is_done()) return;
       if (hopeful >= 1 - 1e-15) return;

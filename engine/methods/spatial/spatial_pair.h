@@ -69,6 +69,9 @@ class SpatialPair {
   void to_world(const Vector3& vector, double* out) const noexcept;
   void point_to_world(const Vector3& point, double* out) const noexcept;
 
+  /// A point of the second body's frame in the first one's.
+  Vector3 from_second(const Vector3& point) const noexcept { return R_ * point + t_; }
+
   /// A vector of the world in the first body's frame.
   Vector3 to_body(const double* vector) const noexcept;
 

@@ -26,11 +26,13 @@ TEST(Registries, AMethodTakesPointSetsIfItSaysSo) {
   }
 }
 
-TEST(Registries, PointSetsAreTakenByEveryMethodButNlopts) {
+TEST(Registries, PointSetsAreTakenByEveryMethodButNloptsAndFcls) {
   const MethodRegistry methods = all_methods();
   for (const char* name : {"direct", "newton", "zheng_yamane"}) EXPECT_TRUE(methods.find(name).point_sets);
-  for (const std::string& name : methods.names())
-    EXPECT_EQ(methods.find(name).point_sets, !name.starts_with("nlopt")) << name;
+  for (const std::string& name : methods.names()) {
+    const bool general = name.starts_with("nlopt") || name.starts_with("fcl");
+    EXPECT_EQ(methods.find(name).point_sets, !general) << name;
+  }
 }
 
 }  // namespace

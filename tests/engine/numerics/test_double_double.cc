@@ -57,5 +57,24 @@ TEST(DoubleDouble, KeepsWhatCancellationLeaves) {
   EXPECT_EQ(sum.rounded(), 0x1p-80 + 0x1p-90);
 }
 
+TEST(DoubleDouble, MultipliesDividesAndTakesRootsToAHundredBits) {
+  Random random(34);
+  const Rational share = Rational(0x1p-100);
+  const auto magnitude = [](const Rational& x) { return x < 0 ? Rational(-x) : x; };
+  for (int trial = 0; trial < 2000; ++trial) {
+    const DoubleDouble a = two_sum(wild(random, 40), wild(random, 40) * 0x1p-60);
+    const DoubleDouble b = two_sum(wild(random, 40), wild(random, 40) * 0x1p-60);
+    const Rational product = exact(a) * exact(b);
+    EXPECT_LE(magnitude(exact(a * b) - product), share * magnitude(product));
+    const Rational quotient = exact(a) / exact(b);
+    EXPECT_LE(magnitude(exact(a / b) - quotient), share * magnitude(quotient));
+    const DoubleDouble positive = a.high < 0 ? -a : a;
+    const Rational root = exact(sqrt(positive));
+    EXPECT_LE(magnitude(root * root - exact(positive)), share * 4 * exact(positive));
+    EXPECT_EQ(a < b, exact(a) < exact(b));
+    EXPECT_EQ(a >= b, exact(a) >= exact(b));
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_double_double

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/precise_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raygauge {
+namespace {
+
+using Kind = SpatialShape::Kind;
+
+constexpr int kLanes = 8;                             // of PointSet's blocks
+constexpr double kSmallest = 1e-30, kLargest = 1e30;  // of sizes whose products can be split in two
+constexpr double kError = 0x1p-88;
+constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
+
+PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
+Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
+PreciseVector3 unit(const PreciseVector3& v, const DoubleDouble& length) {
+  return v * (DoubleDouble{1} / length);
+}
+
+// Of the core, where it stands in its own frame.
+Vector3 vertex_of(const SpatialShape& shape, std::int32_t index) {
+  switch (shape.kind) {
+    case Kind::segment:
+      return index == 0 ? shape.top : shape.base;
+    case Kind::box:
+      return {(index & 1) != 0 ? shape.base.x : shape.top.x, (index & 2) != 0 ? shape.base.y : shape.top.y,
+              (index & 4) != 0 ? shape.base.z : shape.top.z};
+    case Kind::points: {
+      const double* p =
+          shape.blocks + std::ptrdiff_t{index / kLanes} * shape.coordinates * kLanes + index % kLanes;
+      return {p[0], p[kLanes], shape.coordinates == 3 ? p[std::ptrdiff_t{2} * kLanes] : 0.0};
+    }
+    default:
+      return shape.center;
+  }
+}
+
+bool has_vertex(const SpatialShape& shape, std::int32_t index) {
+  const auto size = static_cast<std::ptrdiff_t>(index);
+  switch (shape.kind) {
+    case Kind::segment:
+      return size >= 0 && size < 2;
+    case Kind::box:
+      return size >= 0 && size < 8;
+    case Kind::points:
+      return size >= 0 && size < shape.size;
+    default:
+      return shape.kind == Kind::point && size == 0;
+  }
+}
+
+bool is_curved(const SpatialShape& shape) {
+  return shape.kind == Kind::ellipsoid || shape.kind == Kind::frustum;
+}
+
+PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3& v) {
+  const PreciseVector3 column[3] = {precise(shape.axis.column[0]), precise(shape.axis.column[1]),
+                                    precise(shape.axis.column[2])};
+  const PreciseVector3 z{dot(column[0], v), dot(column[1], v), dot(column[2], v)};
+  const DoubleDouble size = sqrt(dot(z, z));
+  if (!(size.high > 0)) return precise(shape.center);
+  const PreciseVector3 on_ball = unit(z, size);
+  return precise(shape.center) + column[0] * on_ball.x + column[1] * on_ball.y + column[2] * on_ball.z;
+}
+
+PreciseVector3 frustum_support(const SpatialShape& shape, const PreciseVector3& v) {
+  const PreciseVector3 base = precise(shape.base), top = precise(shape.top);
+  const PreciseVector3 axis = top - base;
+  PreciseVector3 w = v - axis * (dot(v, axis) / dot(axis, axis));
+  w = w - axis * (dot(w, axis) / dot(axis, axis));
+  const DoubleDouble across = sqrt(dot(w, w));
+  constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
+  const bool turned = across.high > kAlongAxis * std::sqrt(dot(v, v).high);
+  w = turned ? unit(w, across) : PreciseVector3{};
+  const PreciseVector3 at_base = base + w * DoubleDouble{shape.base_radius};
+  const PreciseVector3 at_top = top + w * DoubleDouble{shape.top_radius};
+  return dot(v, at_top) > dot(v, at_base) ? at_top : at_base;
+}
+
+}  // namespace
+
+bool PrecisePair::bind(const SpatialPair& pair, const Posed& first, const Posed& second,
+                       const Kernels& kernels) {
+  const Pose* poses[2] = {first.pose, second.pose};
+  const int n = first.dimension();
+  double size = 0;
+  double t[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  for (int i = 0; i < 2; ++i) {
+    Body& body = body_[i];
+    body.shape = &pair.shape(i);
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        const bool given = poses[i] != nullptr && j < n && k < n;
+        body.R[j][k] = given ? poses[i]->rotation_data()[k * n + j] : (j == k ? 1.0 : 0.0);
+      }
+      if (poses[i] != nullptr && j < n) t[i][j] = poses[i]->translation_data()[j];
+    }
+    const double defect = poses[i] == nullptr ? 0.0 : poses[i]->defect();
+    body.ball = body.shape->radius * (1 - defect) * (1 - 0x1p-50);
+    size += body.shape->extent + body.shape->radius;
+  }
+  apart_ = {two_sum(t[0][0], -t[1][0]), two_sum(t[0][1], -t[1][1]), two_sum(t[0][2], -t[1][2])};
+  size += length(rounded(apart_));
+  if (!(size > kSmallest && size < kLargest)) return false;
+  error_ = kError * size;
+  kernels_ = &kernels;
+  vertices_ = !is_curved(*body_[0].shape) && !is_curved(*body_[1].shape);
+  queries_ = 0;
+  return true;
+}
+
+PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) {
+  PreciseVector3 y;
+  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
+  for (int j = 0; j < 3; ++j) *out[j] = x.x * body.R[j][0] + x.y * body.R[j][1] + x.z * body.R[j][2];
+  return y;
+}
+
+PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) {
+  PreciseVector3 y;
+  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
+  for (int j = 0; j < 3; ++j) {
+    *out[j] =
+        two_product(body.R[j][0], x.x) + two_product(body.R[j][1], x.y) + two_product(body.R[j][2], x.z);
+  }
+  return y;
+}
+
+PreciseVector3 PrecisePair::turn_back(const Body& body, const PreciseVector3& u) {
+  PreciseVector3 v;
+  DoubleDouble* out[3] = {&v.x, &v.y, &v.z};
+  for (int k = 0; k < 3; ++k) *out[k] = u.x * body.R[0][k] + u.y * body.R[1][k] + u.z * body.R[2][k];
+  return v;
+}
+
+// Every point that may be the highest, but for rounding in doubles, is compared precisely.
+std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector3& v) const {
+  const Vector3 w = rounded(v);
+  const double u[3] = {w.x, w.y, w.z};
+  const int n = shape.coordinates;
+  std::ptrdiff_t index = 0;
+  const double top = kernels_->price(shape.blocks, shape.block_count, n, u, &index);
+  const double size = (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
+  const double floor = top - 4 * kHeightError * size;
+  auto best = static_cast<std::int32_t>(std::min(index, shape.size - 1));
+  DoubleDouble height = dot(v, precise(vertex_of(shape, best)));
+  const double third = n == 3 ? w.z : 0.0;
+  for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
+    const double* p = shape.blocks + block * n * kLanes;
+    const double* z = n == 3 ? p + std::ptrdiff_t{2} * kLanes : p;
+    double value[kLanes];
+    int above = 0;
+    for (int lane = 0; lane < kLanes; ++lane)
+      value[lane] = w.x * p[lane] + w.y * p[kLanes + lane] + third * z[lane];
+    for (const double each : value) above += each >= floor ? 1 : 0;
+    for (int lane = 0; above > 0 && lane < kLanes; ++lane) {
+      const std::ptrdiff_t candidate = block * kLanes + lane;
+      if (!(value[lane] >= floor) || candidate == best || candidate >= shape.size) continue;
+      const DoubleDouble other = dot(v, precise(vertex_of(shape, static_cast<std::int32_t>(candidate))));
+      if (!(other > height)) continue;
+      height = other;
+      best = static_cast<std::int32_t>(candidate);
+    }
+  }
+  return best;
+}
+
+// h(v) of the body in its own frame.
+DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index) {
+  const SpatialShape& shape = *body_[i].shape;
+  ++queries_;
+  switch (shape.kind) {
+    case Kind::ellipsoid:
+      x = ellipsoid_support(shape, v);
+      break;
+    case Kind::frustum:
+      x = frustum_support(shape, v);
+      break;
+    case Kind::segment:
+      index = dot(v, precise(shape.top)) >= dot(v, precise(shape.base)) ? 0 : 1;
+      break;
+    case Kind::box:
+      index = (v.x.high < 0 ? 1 : 0) | (v.y.high < 0 ? 2 : 0) | (v.z.high < 0 ? 4 : 0);
+      break;
+    case Kind::points:
+      index = highest(shape, v);
+      break;
+    case Kind::point:
+      index = 0;
+      break;
+  }
+  if (index >= 0) x = precise(vertex_of(shape, index));
+  DoubleDouble height = dot(v, x);
+  if (shape.radius > 0) height = height + sqrt(dot(v, v)) * shape.radius;
+  return height;
+}
+
+PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
+  PrecisePoint point;
+  PreciseVector3 x1, x2;
+  height = support_of(0, turn_back(body_[0], u), x1, point.index_1) +
+           support_of(1, turn_back(body_[1], -u), x2, point.index_2) + dot(u, apart_);
+  point.x1 = rounded(x1);
+  point.x2 = rounded(x2);
+  const bool sharp_1 = point.index_1 >= 0, sharp_2 = point.index_2 >= 0;
+  point.s = (sharp_1 ? turn(body_[0], point.x1) : turn(body_[0], x1)) -
+            (sharp_2 ? turn(body_[1], point.x2) : turn(body_[1], x2)) + apart_;
+  return point;
+}
+
+bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const {
+  if (!vertices_ || !has_vertex(*body_[0].shape, index_1) || !has_vertex(*body_[1].shape, index_2))
+    return false;
+  point.x1 = vertex_of(*body_[0].shape, index_1);
+  point.x2 = vertex_of(*body_[1].shape, index_2);
+  point.s = turn(body_[0], point.x1) - turn(body_[1], point.x2) + apart_;
+  point.index_1 = index_1;
+  point.index_2 = index_2;
+  return true;
+}
+
+PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const {
+  PreciseVector3 point = v;
+  for (const Body& body : body_) {
+    if (!(body.shape->radius > 0)) continue;
+    const PreciseVector3 inner = turn_back(body, v);
+    const DoubleDouble size = sqrt(dot(inner, inner));
+    if (!(size.high > 0)) continue;
+    point = point - turn(body, inner * (DoubleDouble{body.shape->radius} / size));
+  }
+  return point;
+}
+
+bool PrecisePair::balls_meet(double v) const { return v + error_ < body_[0].ball + body_[1].ball; }
+
+}  // namespace raygauge

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/methods/spatial/spatial_distance.h"
+#include "engine/numerics/double_double.h"
+#include "engine/sets/pose.h"
+
+namespace raygauge {
+
+using PreciseVector3 = BasicVector3<DoubleDouble>;
+
+/// A point of the difference of two cores, in the frame of the world.
+struct PrecisePoint {
+  PreciseVector3 s;
+  Vector3 x1, x2;  ///< the points of the cores, each in its own frame, rounded
+  std::int32_t index_1 = -1, index_2 = -1;
+};
+
+/// The pair of a SpatialPair once more,  D = (R1 S1 + t1) - (R2 S2 + t2)  for the very numbers of the poses,
+/// in double-double arithmetic: what is computed here of points and heights is within error() of the truth,
+/// 2⁻⁸⁸ times the size of the bodies and of the way between them.
+class PrecisePair {
+ public:
+  /// False where the numbers are too large or too small to be split in two.
+  bool bind(const SpatialPair& pair, const Posed& first, const Posed& second, const Kernels& kernels);
+
+  /// The support point of the cores for u, and h(u) of the bodies, their balls included.
+  PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
+
+  /// The difference of two vertices; false where there are none.
+  bool vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const;
+
+  /// The point of D that is reached from v, a point of the cores, by going back along it through both balls.
+  PreciseVector3 through_balls(const PreciseVector3& v) const;
+
+  /// Whether the balls of both bodies about a pair of points of the cores, v apart, are sure to meet.
+  bool balls_meet(double v) const;
+
+  double error() const noexcept { return error_; }
+  std::int64_t queries() const noexcept { return queries_; }
+
+ private:
+  struct Body {
+    const SpatialShape* shape = nullptr;
+    double R[3][3];
+    double ball = 0;  // the radius of a ball inside the image of the shape's ball
+  };
+
+  static PreciseVector3 turn(const Body& body, const PreciseVector3& x);
+  static PreciseVector3 turn(const Body& body, const Vector3& x);
+  static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
+  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
+  std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;
+
+  Body body_[2];
+  PreciseVector3 apart_;  // t1 - t2
+  const Kernels* kernels_ = nullptr;
+  double error_ = 0;
+  bool vertices_ = false;
+  std::int64_t queries_ = 0;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/precise_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "engine/queries/growth_distance.h"
+#include "engine/queries/object_distance.h"
+#include "engine/sets/ball.h"
+#include "engine/sets/box.h"
+#include "engine/sets/capsule.h"
+#include "engine/sets/prepared_set.h"
+#include "tests/engine/rational.h"
+
+namespace raygauge::test_precise_distance {
+namespace {
+
+using Eigen::Vector3d;
+using Random = std::mt19937_64;
+using SetPointer = std::shared_ptr<const ConvexSet>;
+
+const Ball kMetric(Vector3d::Zero(), 1.0);
+
+Vector3d gaussian(Random& random) {
+  std::normal_distribution<double> normal;
+  const double x = normal(random), y = normal(random), z = normal(random);
+  return {x, y, z};
+}
+
+Eigen::Matrix3d random_rotation(Random& random) {
+  const Vector3d v = gaussian(random);
+  return Eigen::Quaterniond(gaussian(random).x(), v.x(), v.y(), v.z()).normalized().toRotationMatrix();
+}
+
+ObjectDistanceSolver make_solver(double tolerance) {
+  DistanceOptions options;
+  options.method = DistanceMethod::newton;
+  options.tolerance = tolerance;
+  return ObjectDistanceSolver(options);
+}
+
+using Exact3 = std::array<Rational, 3>;
+
+Exact3 cross_of(const Exact3& a, const Exact3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Rational dot_of(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The squared distance of the point p from the plane of the face x_3 = top of a box in the pose (R, t), with
+// the very numbers of R.
+Rational squared_distance_from_face(const Vector3d& p, const Eigen::Matrix3d& R, const Vector3d& t,
+                                    double top) {
+  Exact3 edge_1, edge_2, way;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    edge_1[i] = Rational(R(k, 0));
+    edge_2[i] = Rational(R(k, 1));
+    way[i] = Rational(p[k]) - Rational(t[k]) - Rational(R(k, 2)) * Rational(top);
+  }
+  const Exact3 normal = cross_of(edge_1, edge_2);
+  const Rational along = dot_of(normal, way);
+  return along * along / dot_of(normal, normal);
+}
+
+TEST(PreciseDistance, HoldsTheExactDistanceFromAFaceHoweverNear) {
+  Random random(1);
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Box box(Vector3d(-1, -1, -0.3), Vector3d(1, 1, 0.7));
+  for (const double gap : {1e-6, 1e-9, 1e-12, 1e-14}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const Eigen::Matrix3d R = random_rotation(random);
+      const Vector3d t = 2 * gaussian(random);
+      const Vector3d p = R * Vector3d(0.3, -0.2, 0.7 + gap) + t;
+      const Rational exact = squared_distance_from_face(p, R, t, 0.7);
+      const DistanceResult& r = solver.solve(Posed(Ball(p, 0.0)), {box, Pose(R, t)}, kMetric).distance;
+      if (r.status == DistanceStatus::contains_origin) continue;  // rounding of p may put it inside
+      ASSERT_EQ(to_string(r.status), "optimal") << gap;
+      EXPECT_LE(Rational(r.lower) * Rational(r.lower), exact) << gap;
+      EXPECT_GE(Rational(r.upper) * Rational(r.upper), exact) << gap;
+      EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << gap;
+    }
+  }
+}
+
+TEST(PreciseDistance, TellsTouchingFromOverlapBelowTheRoundingOfDoubles) {
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Box box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
+  for (const double gap : {0x1p-50, 0x1p-52}) {
+    const Box apart(Vector3d(1 + gap, -0.4, -0.3), Vector3d(2, 0.7, 0.6));
+    const DistanceResult r = solver.solve(box, apart, kMetric).distance;
+    EXPECT_EQ(to_string(r.status), "optimal");
+    EXPECT_LE(r.lower, gap);
+    EXPECT_GE(r.upper, gap);
+    EXPECT_LE(r.upper - r.lower, 1e-6 * gap);
+    const Box within(Vector3d(1 - gap, -0.4, -0.3), Vector3d(2, 0.7, 0.6));
+    EXPECT_EQ(to_string(solver.solve(box, within, kMetric).distance.status), "contains_origin");
+  }
+}
+
+// Capsules in poses: spheres around ends that are exactly known.
+TEST(PreciseDistance, SubtractsBallsWithoutRounding) {
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Capsule one(Vector3d(0, 0, 0), Vector3d(0, 0, 2), 0.5);
+  const Capsule other(Vector3d(0, 0, -3), Vector3d(0, 0, 0), 0.25);
+  const Vector3d t(0, 0, 2.75 + 0x1p-40);
+  const Pose pose(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), t + Vector3d(0, 0, 3));
+  const DistanceResult& r = solver.solve(Posed(one), {other, pose}, kMetric).distance;
+  EXPECT_EQ(to_string(r.status), "optimal");
+  EXPECT_LE(r.lower, 0x1p-40);
+  EXPECT_GE(r.upper, 0x1p-40);
+  EXPECT_LE(r.upper - r.lower, 1e-6 * 0x1p-40);
+}
+
+std::vector<SetPointer> polytopes(Random& random) {
+  std::vector<SetPointer> sets = {std::make_shared<Box>(Vector3d(-0.6, -0.5, -0.4), Vector3d(0.6, 0.5, 0.4)),
+                                  std::make_shared<Capsule>(Vector3d(0, 0, -0.6), Vector3d(0, 0, 0.6), 0.4)};
+  for (const int N : {4, 8, 100}) {
+    Eigen::MatrixXd points(3, N);
+    for (int i = 0; i < N; ++i) points.col(i) = gaussian(random).normalized();
+    sets.push_back(std::make_shared<PointSet>(points));
+    sets.push_back(std::make_shared<PreparedSet>(points));
+  }
+  return sets;
+}
+
+// Moves `pose` along the normal until the bodies are about `gap` apart.
+void bring_near(const Posed& still, const ConvexSet& moving, Pose& pose, double gap) {
+  ObjectDistanceSolver solver = make_solver(1e-12);
+  const DistanceResult& r = solver.solve(still, {moving, pose}, kMetric).distance;
+  ASSERT_EQ(r.normal.size(), 3);
+  pose = Pose(pose.rotation(), Vector3d(pose.translation() + (r.upper - gap) * r.normal));
+}
+
+TEST(PreciseDistance, CertifiesPairsThatNearlyTouch) {
+  Random random(2);
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  GrowthDistanceSolver growth = [] {
+    DistanceOptions options;
+    options.method = DistanceMethod::newton;
+    return GrowthDistanceSolver(options);
+  }();
+  for (const SetPointer& one : polytopes(random)) {
+    for (const SetPointer& other : polytopes(random)) {
+      for (const double gap : {0.0, 1e-9}) {
+        const Pose pose_1(random_rotation(random), gaussian(random));
+        Pose pose_2(random_rotation(random),
+                    Vector3d(pose_1.translation() + 4 * gaussian(random).normalized()));
+        bring_near({*one, pose_1}, *other, pose_2, gap);
+        const ObjectDistance& r =
+            solver.solve({*one, pose_1}, {*other, pose_2}, kMetric, ObjectEffects::closest_points);
+        if (r.distance.status != DistanceStatus::contains_origin) {
+          EXPECT_EQ(to_string(r.distance.status), "optimal");
+          EXPECT_LE(r.distance.upper - r.distance.lower, 1e-6 * r.distance.upper);
+          EXPECT_NEAR((r.closest_point_1 - r.closest_point_2).norm(), r.distance.upper, 1e-14);
+        }
+        EXPECT_NEAR(r.distance.distance, gap, 2e-11);
+        const DistanceResult& g = growth.solve_about_centers({*one, pose_1}, {*other, pose_2});
+        EXPECT_EQ(to_string(g.status), "optimal");
+        EXPECT_NEAR(g.distance, 1, 1e-5);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_precise_distance
