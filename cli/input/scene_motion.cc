@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> kPoseKeys = {"translation", "angle", "quaternion", "rpy", "rotation"};
 
 Eigen::VectorXd vector_of(const toml::node& node, const std::string& key, int n) {
-  const Eigen::VectorXd v = read_vector(node, key);
+  Eigen::VectorXd v = read_vector(node, key);
   if (v.size() != n) refuse(node, key + " must have " + std::to_string(n) + " numbers");
   return v;
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "cli/input/input_file.h"
 #include "cli/input/mesh_file.h"
@@ -46,8 +47,8 @@ Placement placement_of(const urdf::Pose& pose) {
 
 class UrdfReader {
  public:
-  UrdfReader(const std::string& path, const std::map<std::string, std::string>& packages)
-      : path_(path), packages_(packages) {}
+  UrdfReader(std::string path, const std::map<std::string, std::string>& packages)
+      : path_(std::move(path)), packages_(packages) {}
 
   Robot read() {
     const std::string text = read_input(path_);

@@ -77,6 +77,7 @@ void InteriorPoint::bind(Side& side, const ColumnPool& pool, double sign) {
 }
 
 // u·p for every point.
+// NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
 void InteriorPoint::price(Side& side, const double* u, double* products) {
   double* direction = direction_.data();
   std::copy_n(u, n_, direction);

@@ -96,7 +96,9 @@ void PreparedSet::fill_start_table() {
   graph_.cells = std::clamp(static_cast<int>(spread), 2, kMostCells);
   const int cells = graph_.cells;
   std::int32_t vertex = neighbours_.front();
-  start_.resize(static_cast<std::size_t>(6 * cells * cells));
+  const auto cells_of_a_face = static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells);
+  start_.resize(6 * cells_of_a_face);
+  auto entry = start_.begin();
   for (int face = 0; face < 6; ++face) {
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < cells; ++j) {
@@ -106,7 +108,7 @@ void PreparedSet::fill_start_table() {
                           : face < 4 ? Vector3{first, sign, second}
                                      : Vector3{first, second, sign};
         vertex = climb(graph_, v, vertex);
-        start_[static_cast<std::size_t>((face * cells + i) * cells + j)] = vertex;
+        *entry++ = vertex;
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <cmath>
 #include <cstdint>
 
 #include "analysis/render/markup.h"
@@ -29,7 +30,7 @@ std::string big_endian(std::uint32_t number) {
 /// The chunk pHYs (PNG specification, 11.3.4.3) for so many pixels an inch.
 std::string physical_size_chunk(double pixels_an_inch) {
   constexpr double kInch = 0.0254;  // metres
-  const auto per_metre = static_cast<std::uint32_t>(pixels_an_inch / kInch + 0.5);
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(pixels_an_inch / kInch));
   const std::string data = "pHYs" + big_endian(per_metre) + big_endian(per_metre) + std::string(1, 1);
   const auto check = static_cast<std::uint32_t>(
       crc32(0, reinterpret_cast<const Bytef*>(data.data()), static_cast<uInt>(data.size())));
