@@ -8,26 +8,26 @@
 
 namespace raygauge::cli {
 
-void add_analysis_options(CLI::App& command, AnalysisArguments& arguments) {
+void add_analysis_options(Command& command, AnalysisArguments& arguments) {
   command.add_option("files", arguments.files, "Results files; several are joined")
-      ->required()
-      ->type_name("FILE.h5")
-      ->default_str("");
+      .required()
+      .type_name("FILE.h5")
+      .default_str("");
   command
       .add_option("--where", arguments.where,
                   "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
-      ->type_name("CONDITION");
+      .type_name("CONDITION");
 }
 
-void add_baseline_option(CLI::App& command, std::vector<std::string>& baselines) {
+void add_baseline_option(Command& command, std::vector<std::string>& baselines) {
   command
       .add_option(
           "--baseline", baselines,
           "Methods that ratios refer to, the best of them in each cell; default: those whose label begins "
           "with glpk")
-      ->delimiter(',')
-      ->type_name("METHOD,...")
-      ->default_str("");
+      .delimiter(',')
+      .type_name("METHOD,...")
+      .default_str("");
 }
 
 MergedResults read_files(const AnalysisArguments& arguments) { return read_merged(arguments.files); }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
+#include "cli/commands/command_line.h"
 #include "results/run/output_place.h"
 
 namespace raygauge::cli {
@@ -18,10 +18,10 @@ struct AnalysisArguments {
   std::string where;
 };
 
-void add_analysis_options(CLI::App& command, AnalysisArguments& arguments);
+void add_analysis_options(Command& command, AnalysisArguments& arguments);
 
 /// --baseline, for commands that show ratios.
-void add_baseline_option(CLI::App& command, std::vector<std::string>& baselines);
+void add_baseline_option(Command& command, std::vector<std::string>& baselines);
 
 /// The records of the files, all of them: ratios need more than what passes the filter.
 MergedResults read_files(const AnalysisArguments& arguments);

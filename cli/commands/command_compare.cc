@@ -192,63 +192,62 @@ int compare(CompareArguments& arguments) {
   return comparison.regressed() ? kRegression : kAnswered;
 }
 
-void add_sides(CLI::App& command, CompareArguments& arguments) {
+void add_sides(Command& command, CompareArguments& arguments) {
   command.add_option("files", arguments.files, "Results file to compare with, and the one to judge")
-      ->expected(0, 2)
-      ->type_name("BASE.h5 NEW.h5")
-      ->default_str("");
+      .expected(0, 2)
+      .type_name("BASE.h5 NEW.h5")
+      .default_str("");
   command.add_option("--base", arguments.base, "Results files to compare with, one a run")
-      ->type_name("FILE.h5 ...")
-      ->default_str("");
+      .type_name("FILE.h5 ...")
+      .default_str("");
   command.add_option("--new", arguments.fresh, "Results files to judge, one a run")
-      ->type_name("FILE.h5 ...")
-      ->default_str("");
+      .type_name("FILE.h5 ...")
+      .default_str("");
   command
       .add_option("--rerun", arguments.rerun.experiment_path,
                   "Run this experiment with two builds in turn, and judge the pairs")
-      ->type_name("EXPERIMENT.toml");
+      .type_name("EXPERIMENT.toml");
   command.add_option("--base-program", arguments.rerun.base_program, "The build to compare with")
-      ->type_name("PROGRAM");
-  command.add_option("--new-program", arguments.rerun.new_program, "The build to judge")
-      ->type_name("PROGRAM");
+      .type_name("PROGRAM");
+  command.add_option("--new-program", arguments.rerun.new_program, "The build to judge").type_name("PROGRAM");
   constexpr int kMostPairs = 1000;
   command
       .add_option("--pairs", arguments.rerun.pairs,
                   "Pairs of runs; 5 are the fewest that can prove a change of one cell")
-      ->check(CLI::Range(1, kMostPairs))
-      ->type_name("K");
+      .range(1, kMostPairs)
+      .type_name("K");
   command
       .add_option("--set", arguments.rerun.overrides,
                   "Replace a value of the experiment, as in --set sweep.n=3,4; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->default_str("")
-      ->expected(1)
-      ->take_all();
+      .type_name("KEY=VALUE")
+      .default_str("")
+      .expected(1)
+      .take_all();
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& status) {
+void add_compare_command(Command& app, int& status) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_subcommand(
       "compare", "Compare runs of one experiment; exit status 1 if the new ones have become worse");
-  add_sides(*command, *arguments);
+  add_sides(command, *arguments);
   command
-      ->add_option("--where", arguments->where,
-                   "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
-      ->type_name("CONDITION");
-  command->add_option("--threshold", arguments->threshold, "Changes of no more than this fraction are none")
-      ->type_name("FRACTION");
+      .add_option("--where", arguments->where,
+                  "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
+      .type_name("CONDITION");
+  command.add_option("--threshold", arguments->threshold, "Changes of no more than this fraction are none")
+      .type_name("FRACTION");
   command
-      ->add_option("--significance", arguments->significance,
-                   "Probability of one false alarm or more, over all cells and methods ")
-      ->type_name("ALPHA");
-  command->add_flag("--all", arguments->all, "Show every changed cell, not the 20 most changed");
-  command->add_option("--format", arguments->format, "text, markdown, latex, or csv with every cell")
-      ->type_name("FORMAT");
-  command->add_flag("-q,--quiet", arguments->quiet, "Do not tell the progress of --rerun");
-  command->add_flag("--json", arguments->json, "Print one JSON object with every cell");
-  command->footer(
+      .add_option("--significance", arguments->significance,
+                  "Probability of one false alarm or more, over all cells and methods ")
+      .type_name("ALPHA");
+  command.add_flag("--all", arguments->all, "Show every changed cell, not the 20 most changed");
+  command.add_option("--format", arguments->format, "text, markdown, latex, or csv with every cell")
+      .type_name("FORMAT");
+  command.add_flag("-q,--quiet", arguments->quiet, "Do not tell the progress of --rerun");
+  command.add_flag("--json", arguments->json, "Print one JSON object with every cell");
+  command.footer(
       "Examples:\n"
       "  raygauge compare out/before.h5 out/after.h5   # exit status 0, or 1 after a regression\n"
       "  raygauge compare --base out/a1.h5 out/a2.h5 --new out/b1.h5 out/b2.h5   # exit status 0, or 1 after "
@@ -256,7 +255,7 @@ void add_compare_command(CLI::App& app, int& status) {
       "regression\n"
       "  raygauge compare --rerun experiments/smoke.toml --base-program raygauge --new-program raygauge "
       "--pairs 5   # exit status 0, or 1 after a regression");
-  command->callback([arguments, &status] { status = compare(*arguments); });
+  command.callback([arguments, &status] { status = compare(*arguments); });
 }
 
 }  // namespace raygauge::cli

@@ -153,52 +153,51 @@ int run(DistanceArguments arguments) {
 
 }  // namespace
 
-void add_distance_command(CLI::App& app, int& status) {
+void add_distance_command(Command& app, int& status) {
   const auto arguments = std::make_shared<DistanceArguments>();
-  CLI::App* command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
-  command->add_option("A", arguments->A, "Set A, the object: a file of points or a set file")
-      ->required()
-      ->type_name("FILE");
-  command->add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: likewise")
-      ->required()
-      ->type_name("FILE");
+  Command command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
+  command.add_option("A", arguments->A, "Set A, the object: a file of points or a set file")
+      .required()
+      .type_name("FILE");
+  command.add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: likewise")
+      .required()
+      .type_name("FILE");
   DistanceOptions& options = arguments->query.options;
   command
-      ->add_option("--tolerance", options.tolerance,
-                   "Stop when upper - lower <= tolerance * upper; in (0, 1)")
-      ->type_name("EPS");
+      .add_option("--tolerance", options.tolerance, "Stop when upper - lower <= tolerance * upper; in (0, 1)")
+      .type_name("EPS");
   command
-      ->add_option("--method", arguments->query.method,
-                   "One of " + joined(all_methods().names()) +
-                       "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
-      ->type_name("NAME");
-  command->add_flag("--skip-header", arguments->format.skip_header,
-                    "The first line of a text file of points is a heading, unless it begins with a number");
-  command->add_flag("--witness", arguments->query.witness, "Compute the contact point too");
-  command->add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
-  CLI::Option* iterations = command
-                                ->add_option("--max-iterations", options.max_iterations,
-                                             "Largest number of basis changes; 0: chosen from n")
-                                ->type_name("K");
-  command->add_option("--time-limit", options.time_limit, "Seconds for the solve")->type_name("SECONDS");
-  CLI::Option* stop_rule =
+      .add_option("--method", arguments->query.method,
+                  "One of " + joined(all_methods().names()) +
+                      "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
+      .type_name("NAME");
+  command.add_flag("--skip-header", arguments->format.skip_header,
+                   "The first line of a text file of points is a heading, unless it begins with a number");
+  command.add_flag("--witness", arguments->query.witness, "Compute the contact point too");
+  command.add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
+  const Option iterations = command
+                                .add_option("--max-iterations", options.max_iterations,
+                                            "Largest number of basis changes; 0: chosen from n")
+                                .type_name("K");
+  command.add_option("--time-limit", options.time_limit, "Seconds for the solve").type_name("SECONDS");
+  const Option stop_rule =
       command
-          ->add_option("--stop-rule", arguments->stop_rule,
-                       "certified_gap, or published_sigma (zheng_yamane only: |σ_k - 1| < EPS)")
-          ->type_name("RULE");
-  CLI::Option* instruction_set = command
-                                     ->add_option("--instruction-set", arguments->instruction_set,
-                                                  "Vector kernels: " + joined(names_of(kInstructionSets)))
-                                     ->type_name("NAME");
-  CLI::Option* threads =
+          .add_option("--stop-rule", arguments->stop_rule,
+                      "certified_gap, or published_sigma (zheng_yamane only: |σ_k - 1| < EPS)")
+          .type_name("RULE");
+  const Option instruction_set = command
+                                     .add_option("--instruction-set", arguments->instruction_set,
+                                                 "Vector kernels: " + joined(names_of(kInstructionSets)))
+                                     .type_name("NAME");
+  const Option threads =
       command
-          ->add_option("--threads", options.threads,
-                       "Threads of the solve; direct shares its passes over large point sets")
-          ->type_name("K");
-  command->footer(distance_footer());
-  command->callback([=, &status] {
+          .add_option("--threads", options.threads,
+                      "Threads of the solve; direct shares its passes over large point sets")
+          .type_name("K");
+  command.footer(distance_footer());
+  command.callback([=, &status] {
     arguments->query.engine_options_set =
-        iterations->count() + stop_rule->count() + instruction_set->count() + threads->count() > 0;
+        iterations.count() + stop_rule.count() + instruction_set.count() + threads.count() > 0;
     status = run(*arguments);
   });
 }

@@ -42,22 +42,22 @@ int export_records(const ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app, int& status) {
+void add_export_command(Command& app, int& status) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand("export", "Write the records of results files as CSV");
-  add_analysis_options(*command, arguments->analysis);
+  Command command = app.add_subcommand("export", "Write the records of results files as CSV");
+  add_analysis_options(command, arguments->analysis);
   command
-      ->add_option(
+      .add_option(
           "--csv", arguments->csv,
           "File to write, - for standard output: one line a record, the columns of docs/file-format.md")
-      ->required()
-      ->type_name("OUT.csv");
-  add_force_option(*command, arguments->force);
-  command->footer(
+      .required()
+      .type_name("OUT.csv");
+  add_force_option(command, arguments->force);
+  command.footer(
       "Examples:\n"
       "  raygauge export out/example2.h5 --csv out/example2.csv\n"
       "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'");
-  command->callback([arguments, &status] { status = export_records(*arguments); });
+  command.callback([arguments, &status] { status = export_records(*arguments); });
 }
 
 }  // namespace raygauge::cli

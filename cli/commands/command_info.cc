@@ -40,19 +40,19 @@ std::string report(const InfoArguments& arguments) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, int& status) {
+void add_info_command(Command& app, int& status) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command =
+  Command command =
       app.add_subcommand("info", "This build, machine and its solvers; or what a results file holds");
   command
-      ->add_option(
+      .add_option(
           "file", arguments->path,
           "Results file, of a finished run or an unfinished one; without it: build, machine, methods, "
           "generators, shapes of set files")
-      ->type_name("FILE.h5");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->footer(kInfoFooter);
-  command->callback([arguments, &status] {
+      .type_name("FILE.h5");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.footer(kInfoFooter);
+  command.callback([arguments, &status] {
     std::fputs(report(*arguments).c_str(), stdout);
     status = kAnswered;
   });

@@ -44,22 +44,22 @@ int merge(const MergeArguments& arguments) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& app, int& status) {
+void add_merge_command(Command& app, int& status) {
   const auto arguments = std::make_shared<MergeArguments>();
-  CLI::App* command =
+  Command command =
       app.add_subcommand("merge", "Join the parts of one experiment, such as shards, into one file");
-  command->add_option("parts", arguments->parts, "Results files, finished or not")
-      ->required()
-      ->type_name("PART.h5...");
-  command->add_option("-o,--output", arguments->output, "Results file; must not exist yet")
-      ->required()
-      ->type_name("FILE.h5");
-  command->add_flag("--partial", arguments->options.partial, "Merge even if cells are missing");
-  command->add_flag("--mixed-builds", arguments->options.mixed_builds,
-                    "Merge parts of different builds of raygauge or its solvers");
-  command->add_flag("-q,--quiet", arguments->quiet, "Print errors only");
-  command->footer(kMergeFooter);
-  command->callback([arguments, &status] { status = merge(*arguments); });
+  command.add_option("parts", arguments->parts, "Results files, finished or not")
+      .required()
+      .type_name("PART.h5...");
+  command.add_option("-o,--output", arguments->output, "Results file; must not exist yet")
+      .required()
+      .type_name("FILE.h5");
+  command.add_flag("--partial", arguments->options.partial, "Merge even if cells are missing");
+  command.add_flag("--mixed-builds", arguments->options.mixed_builds,
+                   "Merge parts of different builds of raygauge or its solvers");
+  command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
+  command.footer(kMergeFooter);
+  command.callback([arguments, &status] { status = merge(*arguments); });
 }
 
 }  // namespace raygauge::cli

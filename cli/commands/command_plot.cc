@@ -114,28 +114,28 @@ std::string figure_help() {
 
 }  // namespace
 
-void add_plot_command(CLI::App& app, int& status) {
+void add_plot_command(Command& app, int& status) {
   const auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command = app.add_subcommand("plot", "Draw a figure of the records, through gnuplot");
-  add_analysis_options(*command, arguments->analysis);
-  command->add_option("--figure", arguments->figure, figure_help())->type_name("NAME");
+  Command command = app.add_subcommand("plot", "Draw a figure of the records, through gnuplot");
+  add_analysis_options(command, arguments->analysis);
+  command.add_option("--figure", arguments->figure, figure_help()).type_name("NAME");
   command
-      ->add_option(
+      .add_option(
           "-o,--output", arguments->output,
           "File to write, .svg, .png or .pdf; without --figure the folder for all figures, as SVG and PNG")
-      ->required()
-      ->type_name("FILE");
+      .required()
+      .type_name("FILE");
   command
-      ->add_option("--size", arguments->size,
-                   "Column of the page it is for: single (3.5 in) or double (7.16 in)")
-      ->type_name("SIZE");
-  add_baseline_option(*command, arguments->baselines);
-  add_force_option(*command, arguments->force);
-  command->footer(
+      .add_option("--size", arguments->size,
+                  "Column of the page it is for: single (3.5 in) or double (7.16 in)")
+      .type_name("SIZE");
+  add_baseline_option(command, arguments->baselines);
+  add_force_option(command, arguments->force);
+  command.footer(
       "Examples:\n"
       "  raygauge plot out/example2.h5 -o out\n"
       "  raygauge plot out/example2.h5 --figure ratio_heatmap --size single -o out/ratios.pdf");
-  command->callback([arguments, &status] { status = plot(*arguments); });
+  command.callback([arguments, &status] { status = plot(*arguments); });
 }
 
 }  // namespace raygauge::cli

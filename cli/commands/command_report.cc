@@ -37,21 +37,21 @@ int write_report(const ReportArguments& arguments) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& status) {
+void add_report_command(Command& app, int& status) {
   const auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_subcommand(
       "report", "Write one HTML page with everything the records show; it needs no network");
-  add_analysis_options(*command, arguments->analysis);
-  command->add_option("-o,--output", arguments->output, "File to write, - for standard output")
-      ->required()
-      ->type_name("FILE.html");
-  add_baseline_option(*command, arguments->baselines);
-  add_force_option(*command, arguments->force);
-  command->footer(
+  add_analysis_options(command, arguments->analysis);
+  command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
+      .required()
+      .type_name("FILE.html");
+  add_baseline_option(command, arguments->baselines);
+  add_force_option(command, arguments->force);
+  command.footer(
       "Examples:\n"
       "  raygauge report out/example2.h5 -o out/report.html\n"
       "  raygauge report out/example2.h5 -o out/small.html --where 'n<=5'");
-  command->callback([arguments, &status] { status = write_report(*arguments); });
+  command.callback([arguments, &status] { status = write_report(*arguments); });
 }
 
 }  // namespace raygauge::cli

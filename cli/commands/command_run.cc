@@ -86,47 +86,46 @@ Shard shard_from(const std::string& text) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& status) {
+void add_run_command(Command& app, int& status) {
   const auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Run the sweep that an experiment file describes");
+  Command command = app.add_subcommand("run", "Run the sweep that an experiment file describes");
   command
-      ->add_option("experiment", arguments->experiment_path,
-                   "Experiment file (TOML; see docs/experiments.md)")
-      ->required()
-      ->type_name("EXPERIMENT.toml");
+      .add_option("experiment", arguments->experiment_path, "Experiment file (TOML; see docs/experiments.md)")
+      .required()
+      .type_name("EXPERIMENT.toml");
   command
-      ->add_option("-o,--output", arguments->output,
-                   "Results file; default: out/NAME.h5, NAME being the experiment's")
-      ->type_name("FILE.h5");
+      .add_option("-o,--output", arguments->output,
+                  "Results file; default: out/NAME.h5, NAME being the experiment's")
+      .type_name("FILE.h5");
   command
-      ->add_option("--set", arguments->overrides,
-                   "Replace a value of the experiment, as in --set sweep.n=3,4; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->default_str("")
-      ->expected(1)
-      ->take_all();
+      .add_option("--set", arguments->overrides,
+                  "Replace a value of the experiment, as in --set sweep.n=3,4; may be repeated")
+      .type_name("KEY=VALUE")
+      .default_str("")
+      .expected(1)
+      .take_all();
   command
-      ->add_option("--threads", arguments->threads,
-                   "Threads; 0: one for each core; default: the experiment's run.threads")
-      ->check(CLI::Range(0, 65536))
-      ->type_name("K");
+      .add_option("--threads", arguments->threads,
+                  "Threads; 0: one for each core; default: the experiment's run.threads")
+      .range(0, 65536)
+      .type_name("K");
   command
-      ->add_option("--stop-when-within", arguments->stop_when_within,
-                   "End a cell once the 95 % interval of each method's median time is no wider than this "
-                   "fraction of the median, as in 0.05; short for --set sweep.stop_when_within=FRACTION")
-      ->type_name("FRACTION");
+      .add_option("--stop-when-within", arguments->stop_when_within,
+                  "End a cell once the 95 % interval of each method's median time is no wider than this "
+                  "fraction of the median, as in 0.05; short for --set sweep.stop_when_within=FRACTION")
+      .type_name("FRACTION");
   command
-      ->add_option_function<std::string>(
+      .add_option_function(
           "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
           "Do part I of K parts of the cells, into FILE.shard-I-of-K.h5; `raygauge merge` joins them")
-      ->type_name("I/K");
-  CLI::Option* resume = command->add_flag("--resume", arguments->resume,
-                                          "Continue a run that was killed, interrupted or has failed");
-  command->add_flag("--force", arguments->force, "Replace an existing results file")->excludes(resume);
-  command->add_flag("--dry-run", arguments->dry_run,
-                    "Print the grid and an estimate of the time; store nothing");
-  command->add_flag("-q,--quiet", arguments->quiet, "Print errors only");
-  command->callback([arguments, &status] {
+      .type_name("I/K");
+  const Option resume = command.add_flag("--resume", arguments->resume,
+                                         "Continue a run that was killed, interrupted or has failed");
+  command.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
+  command.add_flag("--dry-run", arguments->dry_run,
+                   "Print the grid and an estimate of the time; store nothing");
+  command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
+  command.callback([arguments, &status] {
     if (arguments->stop_when_within) {
       const ParameterValue fraction = *arguments->stop_when_within;
       arguments->overrides.push_back("sweep.stop_when_within=" + to_string(fraction));

@@ -104,7 +104,7 @@ int run_scene_file(const SceneArguments& arguments) {
   RunMode mode = arguments.force ? RunMode::force : RunMode::create;
   if (arguments.resume) mode = RunMode::resume;
   SceneWriter writer(path, head_of(source, plan, threads), mode);
-  const std::uint64_t done_before = writer.done().size();
+  const std::size_t done_before = writer.done().size();
   const InterruptGuard guard(arguments.quiet ? nullptr : "\ninterrupted: finishing the cells in flight\n");
   ProgressDisplay display(stderr, done_before);
   SceneHooks hooks;
@@ -118,8 +118,8 @@ int run_scene_file(const SceneArguments& arguments) {
   const SceneSummary summary = run_scene(source.scene, plan, threads, writer.done(), writer, hooks);
   display.clear();
   if (summary.stopped) {
-    std::fprintf(stderr, "interrupted: %llu of %zu cells are safe; continue with\n  %s\n",
-                 static_cast<unsigned long long>(done_before + summary.cells_done), plan.cells.size(),
+    std::fprintf(stderr, "interrupted: %zu of %zu cells are safe; continue with\n  %s\n",
+                 done_before + summary.cells_done, plan.cells.size(),
                  resume_command(arguments, path).c_str());
     return kInterrupted + InterruptGuard::signal() - SIGINT;
   }
@@ -155,51 +155,50 @@ int explain(const SceneArguments& arguments) {
   return kAnswered;
 }
 
-void add_source_options(CLI::App& command, SceneArguments& arguments) {
+void add_source_options(Command& command, SceneArguments& arguments) {
   command.add_option("scene", arguments.path, "Scene file (TOML; see docs/scenes.md)")
-      ->required()
-      ->type_name("SCENE.toml");
+      .required()
+      .type_name("SCENE.toml");
   command
       .add_option("--set", arguments.overrides,
                   "Replace a value of the scene, as in --set time.instants=11; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->default_str("")
-      ->expected(1)
-      ->take_all();
+      .type_name("KEY=VALUE")
+      .default_str("")
+      .expected(1)
+      .take_all();
   command
       .add_option("--package", arguments.packages,
                   "Folder that package://NAME/ in URDF files stands for; may be repeated")
-      ->type_name("NAME=FOLDER")
-      ->default_str("")
-      ->expected(1)
-      ->take_all();
+      .type_name("NAME=FOLDER")
+      .default_str("")
+      .expected(1)
+      .take_all();
 }
 
 }  // namespace
 
-void add_scene_command(CLI::App& app, int& status) {
+void add_scene_command(Command& app, int& status) {
   const auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* scene =
-      app.add_subcommand("scene", "Bodies that move: answer what a scene file asks, with proof");
-  scene->require_subcommand(1);
-  CLI::App* run = scene->add_subcommand("run", "Answer every query of a scene and store the answers");
-  add_source_options(*run, *arguments);
-  run->add_option("-o,--output", arguments->output,
-                  "Results file; default: out/NAME.h5, NAME being the scene's")
-      ->type_name("FILE.h5");
-  run->add_option("--threads", arguments->threads, "Threads; 0: one for each core")
-      ->check(CLI::Range(0, 65536))
-      ->type_name("K");
-  CLI::Option* resume =
-      run->add_flag("--resume", arguments->resume, "Continue a run that was killed or interrupted");
-  run->add_flag("--force", arguments->force, "Replace an existing results file")->excludes(resume);
-  run->add_flag("-q,--quiet", arguments->quiet, "Print errors only");
-  run->callback([arguments, &status] { status = run_scene_file(*arguments); });
-  CLI::App* plan =
-      scene->add_subcommand("explain", "Print what will be computed for which pairs, what never, and why");
-  add_source_options(*plan, *arguments);
-  plan->add_flag("--json", arguments->json, "Print one JSON object");
-  plan->callback([arguments, &status] { status = explain(*arguments); });
+  Command scene = app.add_subcommand("scene", "Bodies that move: answer what a scene file asks, with proof");
+  scene.require_subcommand();
+  Command run = scene.add_subcommand("run", "Answer every query of a scene and store the answers");
+  add_source_options(run, *arguments);
+  run.add_option("-o,--output", arguments->output,
+                 "Results file; default: out/NAME.h5, NAME being the scene's")
+      .type_name("FILE.h5");
+  run.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
+      .range(0, 65536)
+      .type_name("K");
+  const Option resume =
+      run.add_flag("--resume", arguments->resume, "Continue a run that was killed or interrupted");
+  run.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
+  run.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
+  run.callback([arguments, &status] { status = run_scene_file(*arguments); });
+  Command plan =
+      scene.add_subcommand("explain", "Print what will be computed for which pairs, what never, and why");
+  add_source_options(plan, *arguments);
+  plan.add_flag("--json", arguments->json, "Print one JSON object");
+  plan.callback([arguments, &status] { status = explain(*arguments); });
 }
 
 }  // namespace raygauge::cli

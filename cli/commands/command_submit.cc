@@ -121,37 +121,36 @@ int submit(const SubmitArguments& arguments) {
 
 }  // namespace
 
-void add_submit_command(CLI::App& app, int& status) {
+void add_submit_command(Command& app, int& status) {
   const auto arguments = std::make_shared<SubmitArguments>();
-  CLI::App* command =
+  Command command =
       app.add_subcommand("submit", "Submit a sweep to Slurm: a job array of shards, and the merge after it");
-  command->add_option("experiment", arguments->experiment_path, "Experiment file")
-      ->required()
-      ->type_name("EXPERIMENT.toml");
-  command->add_option("-o,--output", arguments->output, "Results file; default: out/NAME.h5")
-      ->type_name("FILE.h5");
-  command->add_flag("--slurm", arguments->slurm, "The batch system; there is no other yet")->required();
-  command->add_option("--array", arguments->shards, "Tasks, each a shard of the cells")
-      ->required()
-      ->check(CLI::Range(1, 100000))
-      ->type_name("K");
-  command->add_option("--time", arguments->time, "Time limit of a task, as sbatch takes it")
-      ->type_name("TIME");
-  command->add_option("--partition", arguments->partition, "Partition")->type_name("NAME");
-  command->add_option("--account", arguments->account, "Account")->type_name("NAME");
-  command->add_option("--cpus-per-task", arguments->cpus_per_task, "CPUs, and threads, of a task")
-      ->check(CLI::Range(1, 65536))
-      ->type_name("C");
-  command->add_option("--set", arguments->overrides, "Replace a value of the experiment; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->default_str("")
-      ->expected(1)
-      ->take_all();
-  command->add_flag("--print", arguments->print, "Print the two scripts; submit nothing");
-  command->add_option("sbatch", arguments->sbatch_options, "Further options of sbatch, after --")
-      ->type_name("OPTION...");
-  command->footer(kSubmitFooter);
-  command->callback([arguments, &status] { status = submit(*arguments); });
+  command.add_option("experiment", arguments->experiment_path, "Experiment file")
+      .required()
+      .type_name("EXPERIMENT.toml");
+  command.add_option("-o,--output", arguments->output, "Results file; default: out/NAME.h5")
+      .type_name("FILE.h5");
+  command.add_flag("--slurm", arguments->slurm, "The batch system; there is no other yet").required();
+  command.add_option("--array", arguments->shards, "Tasks, each a shard of the cells")
+      .required()
+      .range(1, 100000)
+      .type_name("K");
+  command.add_option("--time", arguments->time, "Time limit of a task, as sbatch takes it").type_name("TIME");
+  command.add_option("--partition", arguments->partition, "Partition").type_name("NAME");
+  command.add_option("--account", arguments->account, "Account").type_name("NAME");
+  command.add_option("--cpus-per-task", arguments->cpus_per_task, "CPUs, and threads, of a task")
+      .range(1, 65536)
+      .type_name("C");
+  command.add_option("--set", arguments->overrides, "Replace a value of the experiment; may be repeated")
+      .type_name("KEY=VALUE")
+      .default_str("")
+      .expected(1)
+      .take_all();
+  command.add_flag("--print", arguments->print, "Print the two scripts; submit nothing");
+  command.add_option("sbatch", arguments->sbatch_options, "Further options of sbatch, after --")
+      .type_name("OPTION...");
+  command.footer(kSubmitFooter);
+  command.callback([arguments, &status] { status = submit(*arguments); });
 }
 
 }  // namespace raygauge::cli

@@ -158,17 +158,17 @@ int print_table(const TableArguments& arguments) {
   return kAnswered;
 }
 
-void add_pivot_options(CLI::App& command, TableArguments& arguments) {
+void add_pivot_options(Command& command, TableArguments& arguments) {
   command.add_option("--rows", arguments.rows, "Columns of the records whose values make the rows, as in n")
-      ->delimiter(',')
-      ->type_name("COLUMN,...")
-      ->default_str("");
+      .delimiter(',')
+      .type_name("COLUMN,...")
+      .default_str("");
   command
       .add_option("--cols", arguments.columns,
                   "Columns of the records whose values make the columns, as in N")
-      ->delimiter(',')
-      ->type_name("COLUMN,...")
-      ->default_str("");
+      .delimiter(',')
+      .type_name("COLUMN,...")
+      .default_str("");
   command
       .add_option(
           "--value", arguments.value,
@@ -177,34 +177,34 @@ void add_pivot_options(CLI::App& command, TableArguments& arguments) {
           "\"ratio\" "
           "(time over the best baseline's), as in \"median ratio\"; or count, failures, disagreements; "
           "default: median milliseconds")
-      ->type_name("AGGREGATE COLUMN");
+      .type_name("AGGREGATE COLUMN");
   command.add_flag("--intervals", arguments.intervals, "Show 95 % intervals beside medians and ratios");
 }
 
 }  // namespace
 
-void add_table_command(CLI::App& app, int& status) {
+void add_table_command(Command& app, int& status) {
   const auto arguments = std::make_shared<TableArguments>();
-  CLI::App* command = app.add_subcommand("table", "Print a table of the paper, or any pivot of the records");
-  add_analysis_options(*command, arguments->analysis);
+  Command command = app.add_subcommand("table", "Print a table of the paper, or any pivot of the records");
+  add_analysis_options(command, arguments->analysis);
   command
-      ->add_option("--paper", arguments->paper,
-                   "The paper's table, measured, with the paper's own numbers: table1, table2 or table3")
-      ->type_name("NAME");
-  command->add_flag("--stability", arguments->stability,
-                    "For each family and method: certified share, worst width and true error, wrong answers, "
-                    "failures, median time");
-  command->add_flag(
+      .add_option("--paper", arguments->paper,
+                  "The paper's table, measured, with the paper's own numbers: table1, table2 or table3")
+      .type_name("NAME");
+  command.add_flag("--stability", arguments->stability,
+                   "For each family and method: certified share, worst width and true error, wrong answers, "
+                   "failures, median time");
+  command.add_flag(
       "--accuracy", arguments->accuracy,
       "For each method and tolerance: error, certified gap, time and what the next digit costs; then where "
       "each method stops getting better");
-  add_pivot_options(*command, *arguments);
-  add_baseline_option(*command, arguments->baselines);
-  command->add_option("--format", arguments->format, "text, markdown, latex or csv")->type_name("FORMAT");
-  command->add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
-      ->type_name("FILE");
-  add_force_option(*command, arguments->force);
-  command->footer(
+  add_pivot_options(command, *arguments);
+  add_baseline_option(command, arguments->baselines);
+  command.add_option("--format", arguments->format, "text, markdown, latex or csv").type_name("FORMAT");
+  command.add_option("-o,--output", arguments->output, "Write to this file instead of standard output")
+      .type_name("FILE");
+  add_force_option(command, arguments->force);
+  command.footer(
       "Examples:\n"
       "  raygauge table out/example2.h5 --paper table3\n"
       "  raygauge table out/example1.h5 --paper table1\n"
@@ -213,7 +213,7 @@ void add_table_command(CLI::App& app, int& status) {
       "  raygauge table out/example2.h5 --rows method --cols status --value count\n"
       "\n"
       "docs/analysis.md names every column, value and statistic.");
-  command->callback([arguments, &status] { status = print_table(*arguments); });
+  command.callback([arguments, &status] { status = print_table(*arguments); });
 }
 
 }  // namespace raygauge::cli

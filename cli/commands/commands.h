@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/commands/command_line.h"
 
 namespace raygauge::cli {
 
@@ -18,16 +18,16 @@ enum ExitStatus : int {
 /// Each subcommand is one file, command_NAME.cc, that adds itself to the program and, when chosen, leaves its
 /// exit status in `status`. Errors are thrown as raygauge::Error; program.cc prints them as one line and
 /// exits with kBadInput.
-void add_run_command(CLI::App& app, int& status);
-void add_scene_command(CLI::App& app, int& status);
-void add_distance_command(CLI::App& app, int& status);
-void add_table_command(CLI::App& app, int& status);
-void add_plot_command(CLI::App& app, int& status);
-void add_export_command(CLI::App& app, int& status);
-void add_compare_command(CLI::App& app, int& status);
-void add_report_command(CLI::App& app, int& status);
-void add_info_command(CLI::App& app, int& status);
-void add_merge_command(CLI::App& app, int& status);
-void add_submit_command(CLI::App& app, int& status);
+void add_run_command(Command& app, int& status);
+void add_scene_command(Command& app, int& status);
+void add_distance_command(Command& app, int& status);
+void add_table_command(Command& app, int& status);
+void add_plot_command(Command& app, int& status);
+void add_export_command(Command& app, int& status);
+void add_compare_command(Command& app, int& status);
+void add_report_command(Command& app, int& status);
+void add_info_command(Command& app, int& status);
+void add_merge_command(Command& app, int& status);
+void add_submit_command(Command& app, int& status);
 
 }  // namespace raygauge::cli

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/program.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
+#include "cli/commands/command_line.h"
 #include "cli/commands/commands.h"
-#include "cli/usage_error.h"
 #include "results/provenance/provenance.h"
 
 namespace raygauge::cli {
@@ -20,36 +21,32 @@ std::string version_text() {
          (build.git_dirty ? ", modified" : "") + ", " + build.build_type + ")";
 }
 
-int fail(const std::string& message) {
-  std::fprintf(stderr, "%s\n", on_one_line(message).c_str());
+/// The message without line breaks, as an error message must be.
+int fail(std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::fprintf(stderr, "%s\n", message.c_str());
   return kBadInput;
 }
 
 int run_command(int argc, char** argv) {
-  CLI::App app{"raygauge: by how much must the convex set Q be scaled until it touches the convex set A?",
-               "raygauge"};
-  app.set_version_flag("--version", version_text(), "Print version, commit and build type, and exit");
-  app.require_subcommand(1);
-  app.option_defaults()->always_capture_default();
-  app.footer("raygauge COMMAND --help tells a command's options, with their defaults.");
+  CommandLine command_line(
+      "raygauge", "raygauge: by how much must the convex set Q be scaled until it touches the convex set A?",
+      version_text(), "raygauge COMMAND --help tells a command's options, with their defaults.");
+  Command program = command_line.program();
   int status = kAnswered;
-  add_run_command(app, status);
-  add_scene_command(app, status);
-  add_distance_command(app, status);
-  add_table_command(app, status);
-  add_plot_command(app, status);
-  add_export_command(app, status);
-  add_compare_command(app, status);
-  add_report_command(app, status);
-  add_info_command(app, status);
-  add_merge_command(app, status);
-  add_submit_command(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return fail(usage_message(app, error));
-    app.exit(error);
-  }
+  add_run_command(program, status);
+  add_scene_command(program, status);
+  add_distance_command(program, status);
+  add_table_command(program, status);
+  add_plot_command(program, status);
+  add_export_command(program, status);
+  add_compare_command(program, status);
+  add_report_command(program, status);
+  add_info_command(program, status);
+  add_merge_command(program, status);
+  add_submit_command(program, status);
+  command_line.parse(argc, argv);
   return status;
 }
 
@@ -64,6 +61,8 @@ int flushed(int status) {
 int run_program(int argc, char** argv) {
   try {
     return flushed(run_command(argc, argv));
+  } catch (const UsageError& error) {
+    return fail(error.what());
   } catch (const std::bad_alloc&) {
     return fail("raygauge: out of memory");
   } catch (const std::exception& error) {

@@ -6,7 +6,7 @@
 
 namespace raygauge::cli {
 
-void add_force_option(CLI::App& command, bool& force) {
+void add_force_option(Command& command, bool& force) {
   command.add_flag("--force", force,
                    "Replace an existing file of another kind; never measurements, never an input");
 }

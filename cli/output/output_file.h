@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/commands/command_line.h"
 #include "results/run/output_place.h"
 
 namespace raygauge::cli {
 
 /// --force of a command whose output can be made again.
-void add_force_option(CLI::App& command, bool& force);
+void add_force_option(Command& command, bool& force);
 
 /// Writes where output_place() allows: to standard output, a stream or a file. Throws OutputRefusedError and
 /// ResultsError.
