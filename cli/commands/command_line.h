@@ -55,8 +55,8 @@ class Command {
   Command add_subcommand(const std::string& name, const std::string& description);
 
   /// `names` is as in "-o,--output", or without dashes for a positional argument. What is parsed goes to
-  /// `value`, which holds the default and must outlive the parsing. T: std::string, int, std::int64_t, double, optional
-  /// ones, or a vector of strings.
+  /// `value`, which holds the default and must outlive the parsing. T: std::string, int, std::int64_t,
+  /// double, optional ones, or a vector of strings.
   template <class T>
   Option add_option(const std::string& names, T& value, const std::string& description);
 
