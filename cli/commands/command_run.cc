@@ -58,7 +58,27 @@ int run_experiment(const RunArguments& arguments, const Experiment& experiment,
   return report_end(arguments, experiment, run, sweep);
 }
 
+void print_dry_run(const RunArguments& arguments, const Experiment& experiment,
+                   const SweepEstimate& estimate) {
+  std::string text = dry_run_text(experiment, estimate);
+  if (arguments.ranks && arguments.times.empty()) {
+    text += ranks_text(experiment, estimate.cell_seconds, *arguments.ranks, "the estimate");
+  } else if (arguments.ranks) {
+    const std::vector<double> seconds = measured_cell_seconds(experiment, arguments.times);
+    text += ranks_text(experiment, seconds, *arguments.ranks, "the times in " + arguments.times);
+  }
+  std::fputs(text.c_str(), stdout);
+}
+
+void refuse_idle_options(const RunArguments& arguments) {
+  if (arguments.ranks && !arguments.dry_run) {
+    throw InvalidParameterError("--ranks is for --dry-run; ranks are started by mpirun -n K raygauge run …");
+  }
+  if (!arguments.times.empty() && !arguments.ranks) throw InvalidParameterError("--times needs --ranks");
+}
+
 int run(const RunArguments& arguments) {
+  refuse_idle_options(arguments);
   if (const std::unique_ptr<Ranks> ranks = ranks_of_this_job()) return run_on_ranks(*ranks, arguments);
   const GeneratorRegistry generators = all_generators();
   const MethodRegistry methods = sweep_methods();
@@ -66,8 +86,7 @@ int run(const RunArguments& arguments) {
       read_experiment(arguments.experiment_path, arguments.overrides, generators, methods);
   if (arguments.threads) experiment.threads = *arguments.threads;
   if (arguments.dry_run) {
-    const SweepEstimate estimate = estimate_sweep(experiment, generators, methods);
-    std::fputs(dry_run_text(experiment, estimate).c_str(), stdout);
+    print_dry_run(arguments, experiment, estimate_sweep(experiment, generators, methods));
     return kAnswered;
   }
   return run_experiment(arguments, experiment, generators, methods);
@@ -124,6 +143,15 @@ void add_run_command(Command& app, int& status) {
   command.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
   command.add_flag("--dry-run", arguments->dry_run,
                    "Print the grid and an estimate of the time; store nothing");
+  command
+      .add_option("--ranks", arguments->ranks,
+                  "With --dry-run: predict the time and efficiency of so many MPI ranks or shards")
+      .range(1, 10000000)
+      .type_name("K");
+  command
+      .add_option("--times", arguments->times,
+                  "With --ranks: the times of the cells from a finished run, not from an estimate")
+      .type_name("FILE.h5");
   command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
   command.callback([arguments, &status] {
     if (arguments->stop_when_within) {

@@ -2,16 +2,29 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/dry_run.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "cli/output/terminal.h"
+#include "engine/sweep/makespan.h"
+#include "results/exceptions.h"
+#include "results/run/identity.h"
+#include "results/run/results_file.h"
 
 namespace raygauge::cli {
 namespace {
+
+/// What dealing out a piece takes: a one-sided operation over a network (docs/scaling.md).
+constexpr double kCounterSeconds = 1e-5;
+
+/// What `raygauge merge` writes (docs/scaling.md).
+constexpr double kMergedRecordsPerSecond = 5e5;
 
 const std::string& value_text(const std::string& value) { return value; }
 std::string value_text(double value) { return to_string(ParameterValue(value)); }
@@ -161,6 +174,23 @@ std::string repetitions_text(const Experiment& experiment) {
          ", until the medians are known within " + value_text(100 * experiment.stop_when_within) + " %";
 }
 
+std::string two_digits(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", value);
+  return text.data();
+}
+
+/// What keeps so many workers from being busy all the time.
+std::string limit_text(const Experiment& experiment, const Makespan& makespan, std::uint64_t workers) {
+  constexpr double kGood = 0.9;
+  const std::string pieces = std::to_string(makespan.pieces) + " pieces";
+  if (makespan.efficiency >= kGood) return "none yet: " + pieces + " keep all ranks busy";
+  if (makespan.counter_seconds > makespan.seconds / 2) return "the counter that deals out " + pieces;
+  if (makespan.pieces < workers) return pieces + " are fewer than the ranks";
+  return "the longest of " + pieces + " takes " + duration_text(makespan.longest) +
+         (experiment.stop_when_within > 0 ? " (adaptive cells are not split)" : "");
+}
+
 }  // namespace
 
 std::string dry_run_text(const Experiment& experiment, const SweepEstimate& estimate) {
@@ -188,6 +218,37 @@ std::string dry_run_text(const Experiment& experiment, const SweepEstimate& esti
                                     std::to_string(estimate.probed_cells) + " of the cells for " +
                                     duration_text(estimate.probing_seconds));
   return text;
+}
+
+std::string ranks_text(const Experiment& experiment, const std::vector<double>& cell_seconds, int ranks,
+                       const std::string& source) {
+  const auto workers = static_cast<std::uint64_t>(ranks);
+  const Makespan together = simulate_ranks(experiment, cell_seconds, workers, kCounterSeconds);
+  const Makespan shards = simulate_shards(experiment, cell_seconds, ranks);
+  const double records = static_cast<double>(cell_seconds.size()) * experiment.repetitions *
+                         static_cast<double>(experiment.methods.size());
+  const auto line = [](const std::string& heading, const Makespan& makespan) {
+    return grid_line(heading, "about " + duration_text(makespan.seconds) + ", efficiency " +
+                                  two_digits(makespan.efficiency));
+  };
+  return line("ranks", together).insert(15, std::to_string(ranks) + " of one thread, by " + source + ": ") +
+         line("shards", shards).insert(15, std::to_string(ranks) + ": ") +
+         grid_line("limit", limit_text(experiment, together, workers)) +
+         grid_line("merge", "about " + duration_text(records / kMergedRecordsPerSecond));
+}
+
+std::vector<double> measured_cell_seconds(const Experiment& experiment, const std::string& path) {
+  const ResultsFile results = read_results(path);
+  const std::vector<Cell> grid = grid_of(experiment);
+  const std::string difference =
+      identity_difference(results.provenance.identity, experiment_identity(experiment));
+  if (!difference.empty()) throw OtherExperimentError(path + ": holds another experiment: " + difference);
+  if (!results.finished()) throw ResultsError(path + ": is not finished, so that times of cells are missing");
+  std::vector<double> seconds(grid.size(), 0.0);
+  for (const Record& record : results.records) {
+    seconds.at(record.cell) += record.load_seconds + record.seconds * record.inner_repetitions;
+  }
+  return seconds;
 }
 
 }  // namespace raygauge::cli

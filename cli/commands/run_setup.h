@@ -24,6 +24,8 @@ struct RunArguments {
   std::optional<int> threads;
   std::optional<double> stop_when_within;
   std::optional<Shard> shard;
+  std::optional<int> ranks;  ///< of a dry run
+  std::string times;         ///< file whose times a dry run takes; "" for an estimate
   bool resume = false;
   bool force = false;
   bool dry_run = false;

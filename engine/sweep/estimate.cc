@@ -138,9 +138,12 @@ SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegist
   estimate.records = estimate.instances * experiment.methods.size();
   estimate.threads = sweep_threads(experiment, estimate.cells);
   const double longest = static_cast<double>(experiment.methods.size()) * experiment.time_limit;
+  estimate.cell_seconds.resize(estimate.cells);
   for (const Cell& cell : by_cost) {
-    estimate.seconds += (experiment.repetitions + experiment.warmup) *
-                        std::min(longest, seconds_at(expected_cost(cell), probes));
+    double& seconds = estimate.cell_seconds[cell.index];
+    seconds = (experiment.repetitions + experiment.warmup) *
+              std::min(longest, seconds_at(expected_cost(cell), probes));
+    estimate.seconds += seconds;
   }
   estimate.seconds /= estimate.threads;
   estimate.probed_cells = probes.size();

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "engine/sweep/experiment.h"
 #include "engine/sweep/instance.h"
@@ -18,7 +19,9 @@ struct SweepEstimate {
   std::uint64_t records = 0;    ///< instances × methods
   int threads = 1;
 
-  double seconds = 0;          ///< whole sweep, as if the threads did not slow each other down
+  double seconds = 0;                ///< whole sweep, as if the threads did not slow each other down
+  std::vector<double> cell_seconds;  ///< of each cell of the grid, on one thread
+
   double probing_seconds = 0;  ///< spent on finding out
   std::size_t probed_cells =
       0;  ///< cells that were probed; the others lie between or beyond them (smaller ones count too)
