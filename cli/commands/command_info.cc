@@ -1,14 +1,18 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/commands/commands.h"
 #include "cli/output/build_report.h"
 #include "cli/output/file_report.h"
 #include "cli/output/scene_text.h"
+#include "cli/output/shard_report.h"
 #include "results/run/results_file.h"
+#include "results/run/run_directory.h"
 
 namespace raygauge::cli {
 namespace {
@@ -26,6 +30,18 @@ struct InfoArguments {
   bool json = false;
 };
 
+/// Of a run whose shards are not merged yet.
+std::string unmerged_report(const InfoArguments& arguments, const ShardReport& shards) {
+  if (!arguments.json) {
+    return labelled("file", arguments.path + " (not merged yet)") +
+           labelled("experiment", shards.experiment) + shards_text(shards);
+  }
+  Json json = shards_json(shards);
+  json["file"] = arguments.path;
+  json["experiment"] = shards.experiment;
+  return json_text(json) + "\n";
+}
+
 std::string report(const InfoArguments& arguments) {
   if (arguments.path.empty()) return arguments.json ? json_text(build_json()) + "\n" : build_text();
   if (is_scene_file(arguments.path)) {
@@ -33,6 +49,9 @@ std::string report(const InfoArguments& arguments) {
     return arguments.json ? json_text(scene_info_json(arguments.path, scene)) + "\n"
                           : scene_info_text(arguments.path, scene);
   }
+  const bool there = std::filesystem::exists(arguments.path) || !list_parts(arguments.path).sessions.empty();
+  const std::optional<ShardReport> shards = there ? std::nullopt : shard_report(arguments.path);
+  if (shards) return unmerged_report(arguments, *shards);
   const ResultsFile results = read_results(arguments.path);
   return arguments.json ? json_text(results_json(arguments.path, results)) + "\n"
                         : results_text(arguments.path, results);
@@ -47,7 +66,8 @@ void add_info_command(Command& app, int& status) {
   command
       .add_option(
           "file", arguments->path,
-          "Results file, of a finished run or an unfinished one; without it: build, machine, methods, "
+          "Results file, of a finished run or an unfinished one, or of one whose shards are not merged; "
+          "without it: build, machine, methods, "
           "generators, shapes of set files")
       .type_name("FILE.h5");
   command.add_flag("--json", arguments->json, "Print one JSON object");

@@ -148,9 +148,10 @@ void check_whole(const TomlSource& source, const Experiment& experiment) {
 
 }  // namespace
 
-Experiment read_experiment(const std::string& path, const std::vector<std::string>& overrides,
-                           const GeneratorRegistry& generators, const MethodRegistry& methods) {
-  const TomlSource source = read_toml(path, overrides);
+namespace {
+
+Experiment experiment_of(const TomlSource& source, const GeneratorRegistry& generators,
+                         const MethodRegistry& methods) {
   Experiment experiment;
   experiment.text = source.text;
   read_root(source, experiment);
@@ -160,6 +161,18 @@ Experiment read_experiment(const std::string& path, const std::vector<std::strin
   experiment.methods = read_methods(source, methods);
   check_whole(source, experiment);
   return experiment;
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::string& path, const std::vector<std::string>& overrides,
+                           const GeneratorRegistry& generators, const MethodRegistry& methods) {
+  return experiment_of(read_toml(path, overrides), generators, methods);
+}
+
+Experiment experiment_from_text(const std::string& text, const std::string& place,
+                                const GeneratorRegistry& generators, const MethodRegistry& methods) {
+  return experiment_of(toml_from_text(text, place), generators, methods);
 }
 
 }  // namespace raygauge::cli

@@ -21,4 +21,8 @@ namespace raygauge::cli {
 Experiment read_experiment(const std::string& path, const std::vector<std::string>& overrides,
                            const GeneratorRegistry& generators, const MethodRegistry& methods);
 
+/// The same of the text that a results file keeps, which came from `place`.
+Experiment experiment_from_text(const std::string& text, const std::string& place,
+                                const GeneratorRegistry& generators, const MethodRegistry& methods);
+
 }  // namespace raygauge::cli

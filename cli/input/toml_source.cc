@@ -176,6 +176,10 @@ std::string place_of(const toml::key& key, const toml::node& value) {
   return region_text(key.source().begin.line > 0 ? key.source() : value.source());
 }
 
+TomlSource toml_from_text(const std::string& text, const std::string& place) {
+  return {place, parse(text, place), text};
+}
+
 TomlSource read_toml(const std::string& path, const std::vector<std::string>& overrides) {
   TomlSource source;
   source.path = input_name(path);

@@ -25,6 +25,9 @@ struct TomlSource {
 /// Throws InvalidParameterError, with file and line: unreadable file, TOML syntax, malformed override.
 TomlSource read_toml(const std::string& path, const std::vector<std::string>& overrides);
 
+/// The document of `text`, which came from `place`.
+TomlSource toml_from_text(const std::string& text, const std::string& place);
+
 /// Where a node stands: "x.toml:7" or "--set sweep.n=3".
 std::string place_of(const toml::node& node);
 std::string place_of(const toml::key& key, const toml::node& value);

@@ -108,6 +108,75 @@ std::string session_text(const Session& session) {
                      session.machine.hostname);
 }
 
+/// A machine and what ran on it.
+struct MachineUse {
+  MachineInfo machine;
+  int sessions = 0;
+  std::size_t records = 0;
+  std::map<std::string, std::vector<double>> slowdown;  ///< by method
+};
+
+/// One entry for each host.
+std::map<std::string, MachineUse> machines_of(const ResultsFile& results) {
+  const std::vector<Session>& sessions = results.provenance.sessions;
+  std::map<std::string, MachineUse> machines;
+  for (const Session& session : sessions) {
+    MachineUse& use = machines[session.machine.hostname];
+    use.machine = session.machine;
+    ++use.sessions;
+    for (const Calibration::Entry& entry : session.calibration.entries) {
+      use.slowdown[entry.method].push_back(entry.inflation);
+    }
+  }
+  for (const Record& record : results.records) {
+    const auto session = static_cast<std::size_t>(record.session);
+    if (session < sessions.size()) ++machines[sessions[session].machine.hostname].records;
+  }
+  return machines;
+}
+
+double middle(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return (values[values.size() / 2] + values[(values.size() - 1) / 2]) / 2;
+}
+
+std::string machine_text(const MachineUse& use) {
+  std::string slowdown;
+  for (const auto& [method, ratios] : use.slowdown) {
+    slowdown += fmt::format("{}{} {:.2f}", slowdown.empty() ? "; slowdown " : ", ", method, middle(ratios));
+  }
+  return fmt::format("{}: {}, {} cores, {:.1f} GiB; {} {}, {} records{}", use.machine.hostname,
+                     use.machine.cpu_model, use.machine.cores,
+                     static_cast<double>(use.machine.memory_bytes) / (1 << 30), use.sessions,
+                     use.sessions == 1 ? "session" : "sessions", use.records, slowdown);
+}
+
+Json machines_json(const ResultsFile& results) {
+  Json list = Json::array();
+  for (const auto& [host, use] : machines_of(results)) {
+    Json slowdown = Json::object();
+    for (const auto& [method, ratios] : use.slowdown) slowdown[method] = middle(ratios);
+    Json machine = machine_json(use.machine);
+    machine["sessions"] = use.sessions;
+    machine["records"] = use.records;
+    machine["slowdown"] = slowdown;
+    list.push_back(machine);
+  }
+  return list;
+}
+
+/// All sessions, or the first and the last of many.
+std::string sessions_text(const std::vector<Session>& sessions) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    const bool shown = sessions.size() <= kMost || i + 2 < kMost || i + 1 == sessions.size();
+    if (shown) text += labelled("session", session_text(sessions[i]));
+    if (!shown && i + 2 == kMost) text += labelled("", fmt::format("… {} more", sessions.size() - kMost + 1));
+  }
+  return text;
+}
+
 std::string statuses_text(const std::map<std::string, std::size_t>& statuses) {
   std::string text;
   for (const auto& [status, number] : statuses)
@@ -137,6 +206,7 @@ Json results_json(const std::string& path, const ResultsFile& results) {
           {"repetitions", contents.repetition.size()},
           {"statuses", contents.statuses},
           {"disagreements", contents.disagreements},
+          {"machines", machines_json(results)},
           {"sessions", sessions}};
 }
 
@@ -159,9 +229,8 @@ std::string results_text(const std::string& path, const ResultsFile& results) {
       labelled("statuses", statuses_text(contents.statuses)) +
       labelled("disagreements",
                fmt::format("{} of {} records", contents.disagreements, results.records.size()));
-  for (const Session& session : results.provenance.sessions)
-    text += labelled("session", session_text(session));
-  return text;
+  for (const auto& [host, use] : machines_of(results)) text += labelled("machine", machine_text(use));
+  return text + sessions_text(results.provenance.sessions);
 }
 
 }  // namespace raygauge::cli

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Shards and MPI ranks give the file of one process, whatever is killed on the way (--kills 20: more often)."""
 import argparse
+import json
 import os
 import random
 import shutil
@@ -101,6 +102,21 @@ class ManyProcesses(unittest.TestCase):
         self.tool.run("merge", *parts[:2], "-o", "s.h5", "--partial")
         self.tool.run("run", "e.toml", "-o", "s.h5", "--resume", "-q")
         self.assertEqual(answers(self.folder / "s.h5"), self.run_whole())
+
+    def test_info_tells_how_far_shards_are_and_the_command_that_completes_them(self):
+        self.tool.run("run", "e.toml", "-o", "s.h5", "--shard", "2/4", "-q")
+        text = self.tool.run("info", "s.h5")
+        self.assertRegex(text, r"shards +4: 3 missing, 1 done")
+        self.assertRegex(text, r"\n +3/4 +missing, 0 of \d+ instances")
+        report = json.loads(self.tool.run("info", "s.h5", "--json"))
+        self.assertEqual([shard["state"] for shard in report["shards"]], ["missing", "done", "missing", "missing"])
+        self.assertEqual(sum(shard["instances"] for shard in report["shards"]), 24 * 6)
+        command = report["complete"].replace("EXPERIMENT.toml", "e.toml")
+        subprocess.run(["bash", "-ec", command], cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(answers(self.folder / "s.h5"), self.run_whole())
+        (machine,) = json.loads(self.tool.run("info", "s.h5", "--json"))["machines"]
+        self.assertEqual(machine["sessions"], 4)
+        self.assertEqual(machine["records"], 24 * 6 * 2)
 
     def test_parts_of_another_experiment_are_refused(self):
         self.shards(2)

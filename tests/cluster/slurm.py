@@ -5,6 +5,7 @@
 All arrays run at the same time, each in a folder of its own. --thorough adds what takes Slurm more than a minute.
 """
 import argparse
+import json
 import os
 import shutil
 import signal
@@ -35,6 +36,12 @@ class Array:
     def submit(self, *words):
         text = self.tool.run("submit", "e.toml", "--slurm", "--array", 2, "-o", "s.h5", *words)
         self.array, self.merge = (line.split()[1].rstrip(",") for line in text.splitlines()[:2])
+
+    def complete(self):
+        """What `info` says: only what is missing, and the merge after it."""
+        command = json.loads(self.tool.run("info", "s.h5", "--json"))["complete"]
+        text = self.slurm.run("bash", "-ec", command, cwd=self.folder)
+        self.merge = text.split()[-1]
 
     def show(self, job):
         return self.slurm.run("scontrol", "show", "job", job)
@@ -72,7 +79,7 @@ class Slurm(unittest.TestCase):
         write_experiment(cls.whole_folder)
         Tool(PROGRAM, cls.whole_folder).run("run", "e.toml", "-o", "one.h5", "-q")
         # 288 records of so many seconds at least, for two tasks.
-        cls.warned = Array(slurm, base, "warned", 0.1, ("--time", "0:01:00", "--", "--signal=B:USR1@58"))
+        cls.warned = Array(slurm, base, "warned", 0.15, ("--time", "0:01:00", "--", "--signal=B:USR1@58"))
         if THOROUGH:
             cls.stopped = Array(slurm, base, "stopped", 0.6, ("--time", "0:01:00", "--", "--signal=B:CONT@1"))
         cls.requeued = Array(slurm, base, "requeued", 0.02, ())
@@ -101,7 +108,7 @@ class Slurm(unittest.TestCase):
         self.killed.wait_for_end()
         self.assertFalse((self.killed.folder / "s.h5").exists())
         self.assertIn("--partial merges them all the same", self.killed.logs())
-        self.killed.submit()
+        self.killed.complete()
         self.killed.wait_for_end()
         self.assertGreaterEqual(self.killed.sessions(), 2)
         self.expect_the_file_of_one_process(self.killed)
