@@ -25,6 +25,8 @@ if(RAYGAUGE_BUILD_PROGRAM AND RAYGAUGE_HELP2MAN)
   add_custom_target(raygauge_manual ALL DEPENDS ${_manual}/raygauge.bash)
   install(DIRECTORY ${_manual}/ DESTINATION share/man/man1 COMPONENT program FILES_MATCHING PATTERN "*.1")
   install(FILES ${_manual}/raygauge.bash DESTINATION share/bash-completion/completions RENAME raygauge COMPONENT program)
+  install(FILES ${_manual}/_raygauge DESTINATION share/zsh/vendor-completions COMPONENT program)
+  install(FILES ${_manual}/raygauge.fish DESTINATION share/fish/vendor_completions.d COMPONENT program)
 endif()
 
 set(CPACK_PACKAGE_VENDOR "The raygauge authors")

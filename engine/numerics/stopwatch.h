@@ -3,19 +3,24 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <limits>
 
 namespace raygauge {
 
-/// Watches a time limit; never looks at the clock where there is none.
+/// Watches a time limit, and whether somebody asks for an end; never looks at the clock where there is no
+/// limit.
 class Stopwatch {
  public:
-  void start(double limit_seconds) {
+  /// `stop`, where it is given and not empty, is asked as often as the limit is looked at; it outlives the
+  /// watch.
+  void start(double limit_seconds, const std::function<bool()>* stop = nullptr) {
+    stop_ = stop != nullptr && *stop ? stop : nullptr;
     limit_ = limit_seconds;
     if (limited()) begin_ = std::chrono::steady_clock::now();
   }
   bool limited() const noexcept { return limit_ < std::numeric_limits<double>::infinity(); }
-  bool expired() const { return limited() && seconds() >= limit_; }
+  bool expired() const { return (stop_ != nullptr && (*stop_)()) || (limited() && seconds() >= limit_); }
 
   /// Seconds left of the limit, negative when it is over; +infinity where no limit was set.
   double remaining() const { return limited() ? limit_ - seconds() : limit_; }
@@ -27,6 +32,7 @@ class Stopwatch {
   }
 
  private:
+  const std::function<bool()>* stop_ = nullptr;
   double limit_ = std::numeric_limits<double>::infinity();
   std::chrono::steady_clock::time_point begin_;
 };

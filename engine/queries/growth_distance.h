@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/queries/solver.h"
@@ -47,6 +49,9 @@ class GrowthDistanceSolver {
   /// `newton` is the default method here: B has second-order information wherever A and Q do. Throws
   /// InvalidParameterError for an option outside its range.
   explicit GrowthDistanceSolver(const DistanceOptions& options = newton_options());
+
+  /// See DistanceSolver::set_stop.
+  void set_stop(std::function<bool()> stop) { solver_.set_stop(std::move(stop)); }
 
   /// σ with bounds; 0 and contains_origin where a_c = 0. The result belongs to the solver and lives until its
   /// next solve or test. Throws DimensionMismatchError.

@@ -3,6 +3,7 @@
 #include "engine/queries/object_distance.h"
 
 #include <cmath>
+#include <utility>
 
 #include "engine/certificates/weighted_points.h"
 #include "engine/queries/object_pair.h"
@@ -61,6 +62,10 @@ ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
 ObjectDistanceSolver::~ObjectDistanceSolver() = default;
 ObjectDistanceSolver::ObjectDistanceSolver(ObjectDistanceSolver&&) noexcept = default;
 ObjectDistanceSolver& ObjectDistanceSolver::operator=(ObjectDistanceSolver&&) noexcept = default;
+
+void ObjectDistanceSolver::set_stop(std::function<bool()> stop) {
+  workspace_->solver.set_stop(std::move(stop));
+}
 
 const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const ConvexSet& A2,
                                                   const ConvexSet& Q, ObjectEffects effects) {

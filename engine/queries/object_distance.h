@@ -58,6 +58,9 @@ class ObjectDistanceSolver {
   ObjectDistanceSolver(ObjectDistanceSolver&&) noexcept;
   ObjectDistanceSolver& operator=(ObjectDistanceSolver&&) noexcept;
 
+  /// See DistanceSolver::set_stop.
+  void set_stop(std::function<bool()> stop);
+
   /// The result belongs to the solver and lives until its next solve. Throws DimensionMismatchError.
   const ObjectDistance& solve(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
                               ObjectEffects effects = ObjectEffects::none);

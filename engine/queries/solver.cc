@@ -53,6 +53,7 @@ struct DistanceSolver::Workspace {
   };
 
   DistanceOptions options;
+  std::function<bool()> stop;
   DistanceResult result;
   Sifting sifting;
   SupportColumnGeneration support_column_generation;
@@ -87,7 +88,7 @@ struct DistanceSolver::Workspace {
 // `first`: a direction u to begin with, n doubles, where the method can use one.
 void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects,
                                       const double* first) {
-  stopwatch.start(options.time_limit);
+  stopwatch.start(options.time_limit, &stop);
   result.sigma = DistanceResult::kUnset;
   result.origin_weights.clear();
   counters = {};
@@ -252,6 +253,8 @@ void DistanceSolver::set_options(const DistanceOptions& options) {
   check_options(options);
   workspace_->options = options;
 }
+
+void DistanceSolver::set_stop(std::function<bool()> stop) { workspace_->stop = std::move(stop); }
 
 const DistanceResult& DistanceSolver::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   if (A.dimension() != Q.dimension()) {

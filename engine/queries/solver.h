@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "engine/methods/options.h"
@@ -31,6 +32,11 @@ class DistanceSolver {
 
   const DistanceOptions& options() const noexcept;
   void set_options(const DistanceOptions& options);
+
+  /// From now on `stop`, unless it is empty, is asked from the solving thread whenever the time limit would
+  /// be looked at, every few milliseconds of a long solve: true ends the solve with time_limit and the bounds
+  /// known by then.
+  void set_stop(std::function<bool()> stop);
 
   /// The distance of A in the gauge of Q. The result belongs to the solver and lives until its next solve;
   /// copy it to keep it. Throws DimensionMismatchError.

@@ -247,9 +247,46 @@ std::ptrdiff_t problem_count(const BatchSide& A, const BatchSide& Q) {
   return *count;
 }
 
+/// What all threads of a batch read.
+struct BatchTask {
+  const BatchSide& A;
+  const BatchSide& Q;
+  const DistanceOptions& options;
+  const BatchOutput& output;
+  const std::atomic<bool>& stop;
+  Effects effects = Effects::none;
+  bool along_path = false;
+};
+
+/// Problem k, without the interpreter's lock. `warm` is what the problem before it left, or nullptr.
+void solve_problem(const BatchTask& task, std::ptrdiff_t k, DistanceSolver& solver, WarmStart* warm) {
+  const SetPointer object = task.A.operand.set(k);
+  const SetPointer gauge = task.Q.operand.set(k);
+  if (!task.A.poses.given() && !task.Q.poses.given() && warm == nullptr) {
+    task.output.store(k, solver.solve(*object, *gauge, task.effects));
+    return;
+  }
+  const std::optional<Pose> object_pose = task.A.poses.pose(k);
+  const std::optional<Pose> gauge_pose = task.Q.poses.pose(k);
+  task.output.store(k,
+                    solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), task.effects, warm));
+}
+
+/// The work of one thread. Along a path the first of each row of items starts cold: which thread has it does
+/// not change an answer.
+void work_on(const BatchTask& task, const std::function<std::ptrdiff_t()>& next) {
+  DistanceSolver solver(task.options);
+  solver.set_stop([&task] { return task.stop.load(std::memory_order_relaxed); });
+  WarmStart warm;
+  for (std::ptrdiff_t k = next(); k >= 0; k = next()) {
+    if (k % kItemsAtOnce == 0) warm.clear();
+    naming_problem(k, [&] { solve_problem(task, k, solver, task.along_path ? &warm : nullptr); });
+  }
+}
+
 DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std::string& method,
-                        py::handle poses_A, py::handle poses_Q, bool witness, double time_limit,
-                        int threads) {
+                        py::handle poses_A, py::handle poses_Q, bool witness, bool along_path,
+                        double time_limit, int threads) {
   const BatchSide a(A, "A", poses_A, "poses_A");
   const BatchSide q(Q, "Q", poses_Q, "poses_Q");
   const DistanceOptions options = options_of(method, tolerance, time_limit);
@@ -262,26 +299,10 @@ DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std:
   }
   DistanceBatch batch(count, n, witness);
   const BatchOutput output(batch, n);
-  const Effects effects = witness ? Effects::witness : Effects::none;
-  const bool moving = a.poses.given() || q.poses.given();
   std::atomic<bool> stop = false;
-  const BatchWorker worker = [&](const std::function<std::ptrdiff_t()>& next) {
-    DistanceSolver solver(options);
-    for (std::ptrdiff_t k = next(); k >= 0; k = next()) {
-      naming_problem(k, [&] {
-        const SetPointer object = a.operand.set(k);
-        const SetPointer gauge = q.operand.set(k);
-        if (moving) {
-          const std::optional<Pose> object_pose = a.poses.pose(k);
-          const std::optional<Pose> gauge_pose = q.poses.pose(k);
-          output.store(k, solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), effects));
-        } else {
-          output.store(k, solver.solve(*object, *gauge, effects));
-        }
-      });
-    }
-  };
-  run_interruptibly(stop, [&] { share_items(count, team, stop, worker); });
+  const BatchTask task{a, q, options, output, stop, witness ? Effects::witness : Effects::none, along_path};
+  run_interruptibly(
+      stop, [&] { share_items(count, team, stop, [&task](const auto& next) { work_on(task, next); }); });
   return batch;
 }
 
@@ -308,7 +329,8 @@ void bind_batches(py::module_& module) {
       });
   module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a, "tolerance"_a = 1e-9,
              "method"_a = "direct", py::kw_only(), "poses_A"_a = py::none(), "poses_Q"_a = py::none(),
-             "witness"_a = false, "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
+             "witness"_a = false, "along_path"_a = false,
+             "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
 }
 
 }  // namespace raygauge::python

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The docstrings of batches. Their examples are run by tests/python/test_doctests.py.
+// The docstrings of batches. Their examples are run by tests/python/test_docstrings.py.
 
 namespace raygauge::python {
 
@@ -19,6 +19,8 @@ inline constexpr const char* kDistancesDoc =
 A, Q: an array of shape (K, N, n), a problem a row; a list of K sets or arrays of points; or, one of them, a set or an
 array of shape (N, n) that all problems share. Arrays are not to be written to meanwhile.
 poses_A, poses_Q: homogeneous matrices of shape (K, n+1, n+1), rigid motions of the sets, one for each problem.
+along_path: problems follow each other as frames of a motion do: each starts from what the one before it left, but
+for every 16th. Faster where steps are small; answers are certified as without.
 tolerance, method, witness, time_limit (of each problem): as in distance. threads: 0 for one on each CPU.
 
 Returns Distances. Raises as distance does, naming the problem, counted from 0; Ctrl-C raises KeyboardInterrupt after

@@ -50,6 +50,16 @@ void perform(const std::function<void()>& work, Outcome& outcome) {
 
 }  // namespace
 
+bool SignalWatch::look() {
+  if (raised_) return true;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_look_ < kBetweenLooks) return false;
+  last_look_ = now;
+  const py::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() != 0) raised_.emplace();
+  return raised_.has_value();
+}
+
 void run_interruptibly(std::atomic<bool>& stop, const std::function<void()>& work) {
   Outcome outcome;
   bool interrupted = false;

@@ -11,4 +11,5 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_results(module);
   raygauge::python::bind_queries(module);
   raygauge::python::bind_batches(module);
+  raygauge::python::bind_scenes(module);
 }

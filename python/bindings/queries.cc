@@ -11,6 +11,7 @@
 #include "engine/queries/origin_in_interior.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/interrupt.h"
 #include "python/bindings/poses.h"
 #include "python/bindings/query_docs.h"
 #include "python/bindings/solving.h"
@@ -35,10 +36,12 @@ DistanceResult distance(py::handle A, py::handle Q, double tolerance, const std:
   options.max_iterations = max_iterations;
   options.threads = threads;
   const Lease<DistanceSolver> solver;
+  SignalWatch signals;
   solver->set_options(options);
-  const py::gil_scoped_release release;
+  solver->set_stop(signals.function());
   const Effects effects = witness ? Effects::witness : Effects::none;
-  return solver->solve(posed(*a, a_pose), posed(*q, q_pose), effects, kept);
+  return signals.run(
+      [&] { return DistanceResult(solver->solve(posed(*a, a_pose), posed(*q, q_pose), effects, kept)); });
 }
 
 ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, double tolerance,
@@ -53,9 +56,13 @@ ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, doubl
   ObjectEffects effects = ObjectEffects::none;
   if (closest_points) effects = effects | ObjectEffects::closest_points;
   if (gradient) effects = effects | ObjectEffects::gradient;
+  SignalWatch signals;
   ObjectDistanceSolver solver(options_of(method, tolerance, time_limit));
-  const py::gil_scoped_release release;
-  return solver.solve(posed(*first, first_pose), posed(*second, second_pose), *metric, effects, kept);
+  solver.set_stop(signals.function());
+  return signals.run([&] {
+    return ObjectDistance(
+        solver.solve(posed(*first, first_pose), posed(*second, second_pose), *metric, effects, kept));
+  });
 }
 
 DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
@@ -65,9 +72,11 @@ DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, con
   const auto a_pose = as_pose(pose_A, a->dimension(), "pose_A");
   const auto q_pose = as_pose(pose_Q, q->dimension(), "pose_Q");
   WarmStart* const kept = as_warm_start(warm);
+  SignalWatch signals;
   GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
-  const py::gil_scoped_release release;
-  return solver.solve(posed(*a, a_pose), posed(*q, q_pose), kept);
+  solver.set_stop(signals.function());
+  return signals.run(
+      [&] { return DistanceResult(solver.solve(posed(*a, a_pose), posed(*q, q_pose), kept)); });
 }
 
 SeparationResult separation(py::handle A1, py::handle A2, double tolerance, const std::string& method,
@@ -77,9 +86,12 @@ SeparationResult separation(py::handle A1, py::handle A2, double tolerance, cons
   const auto first_pose = as_pose(pose_1, first->dimension(), "pose_1");
   const auto second_pose = as_pose(pose_2, second->dimension(), "pose_2");
   WarmStart* const kept = as_warm_start(warm);
+  SignalWatch signals;
   GrowthDistanceSolver solver(options_of(method, tolerance, time_limit));
-  const py::gil_scoped_release release;
-  return solver.separation(posed(*first, first_pose), posed(*second, second_pose), kept);
+  solver.set_stop(signals.function());
+  return signals.run([&] {
+    return SeparationResult(solver.separation(posed(*first, first_pose), posed(*second, second_pose), kept));
+  });
 }
 
 py::object contains_origin_inside(py::handle Q, double time_limit) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The docstrings of queries. Their examples are run by tests/python/test_doctests.py.
+// The docstrings of queries. Their examples are run by tests/python/test_docstrings.py.
 
 namespace raygauge::python {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The docstrings of the sets. Their examples are run by tests/python/test_doctests.py.
+// The docstrings of the sets. Their examples are run by tests/python/test_docstrings.py.
 
 namespace raygauge::python {
 
@@ -24,6 +24,33 @@ Raises EmptySetError, NonFiniteError (naming point and coordinate, counted from 
 (3, 2)
 >>> triangle.support_function([1, 0])
 4.0
+)";
+
+inline constexpr const char* kPreparedSetDoc = R"(conv{p_1, ..., p_N}, prepared once for many queries.
+
+points: array of shape (N, n) or a PointSet. In R^3, where has_hulls(), points inside the hull are dropped and its
+vertices know their neighbours: solves climb from vertex to vertex, above all with a WarmStart. Elsewhere this is a PointSet.
+
+Raises as PointSet does.
+
+>>> import numpy as np
+>>> cloud = rg.PreparedSet(np.random.default_rng(0).normal(size=(500, 3)))
+>>> len(cloud) < 500, cloud.vertex_count > 10
+(True, True)
+>>> warm, pose = rg.WarmStart(), np.eye(4)
+>>> pose[0, 3] = 9.0
+>>> rg.object_distance(cloud, cloud, rg.Ball([0, 0, 0]), pose_2=pose, warm=warm).status
+<Status.optimal: 'optimal'>
+)";
+
+inline constexpr const char* kContactWrenchesDoc =
+    R"(The wrenches (f, p x f) in R^6 of a contact with Coulomb friction, its normal force at most 1.
+
+point, normal: shape (3,); the normal points into the object that is held. friction: mu, not negative. facets: 0 for the
+exact cone, or m >= 3 for a pyramid inside it. UnionHull of several contacts bounds the sum of their normal forces by 1.
+
+>>> rg.ContactWrenches([0, 0, 1], [0, 0, -1], 0.5).support_function([1, 0, 0, 0, 0, 0])
+0.5
 )";
 
 inline constexpr const char* kBallDoc =

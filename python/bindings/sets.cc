@@ -9,12 +9,14 @@
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
 #include "engine/sets/capsule.h"
+#include "engine/sets/contact_wrenches.h"
 #include "engine/sets/cylinder.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/minkowski_difference.h"
 #include "engine/sets/minkowski_sum.h"
 #include "engine/sets/p_norm_ball.h"
 #include "engine/sets/point_set.h"
+#include "engine/sets/prepared_set.h"
 #include "engine/sets/simplex.h"
 #include "engine/sets/support_mapping_set.h"
 #include "engine/sets/truncated_cone.h"
@@ -119,6 +121,28 @@ void bind_points(py::module_& module) {
                       }));
 }
 
+void bind_prepared(py::module_& module) {
+  set_class<PreparedSet>(module, "PreparedSet", kPreparedSetDoc)
+      .def(py::init([](py::handle points) {
+             const SetPointer set = as_set(points, "points");
+             const PointSet* const given = as_point_set(*set);
+             if (given == nullptr) {
+               throw InvalidParameterError("points: an array of shape (N, n) or a PointSet is needed, got " +
+                                           described(points));
+             }
+             return std::make_shared<PreparedSet>(*given);
+           }),
+           "points"_a)
+      .def_static("has_hulls", &PreparedSet::has_hulls, "Whether this build prepares hulls (Qhull).")
+      .def_property_readonly("vertex_count", &PreparedSet::vertex_count,
+                             "Vertices with neighbours; 0 where there is no graph.")
+      .def_property_readonly("memory", &PreparedSet::memory, "Bytes that the set holds.")
+      .def_property_readonly(
+          "points", [](const PreparedSet& set) { return points_of(set.points()); },
+          "The points that are left, a new array of shape (N, n); indices in results count these.")
+      .def("__len__", [](const PreparedSet& set) { return set.points().size(); });
+}
+
 void bind_round_sets(py::module_& module) {
   set_class<Ball>(module, "Ball", kBallDoc)
       .def(py::init([](py::handle center, double radius) {
@@ -174,6 +198,15 @@ void bind_polytopes(py::module_& module) {
            "corner"_a, "legs"_a = 1.0);
 }
 
+void bind_wrenches(py::module_& module) {
+  set_class<ContactWrenches>(module, "ContactWrenches", kContactWrenchesDoc)
+      .def(py::init([](py::handle point, py::handle normal, double friction, int facets) {
+             return std::make_shared<ContactWrenches>(as_vector(point, "point"), as_vector(normal, "normal"),
+                                                      friction, facets);
+           }),
+           "point"_a, "normal"_a, "friction"_a, "facets"_a = 0);
+}
+
 std::shared_ptr<UnionHull> union_hull(const py::iterable& sets) {
   std::vector<SetPointer> members;
   for (const py::handle member : sets) {
@@ -210,8 +243,10 @@ void bind_combinators(py::module_& module) {
 void bind_sets(py::module_& module) {
   bind_interface(module);
   bind_points(module);
+  bind_prepared(module);
   bind_round_sets(module);
   bind_polytopes(module);
+  bind_wrenches(module);
   bind_combinators(module);
 }
 

@@ -17,7 +17,8 @@ namespace raygauge::python {
 /// The method of that name. Throws UnknownNameError.
 DistanceMethod method_of(const std::string& name);
 
-/// Options of every query. Throws UnknownNameError; ranges are the solver's to check.
+/// Options of every query. Throws UnknownNameError; ranges are the solver's to
+/// check.
 DistanceOptions options_of(const std::string& method, double tolerance, double time_limit);
 
 /// A solver of this thread, for the time of one call: a set of the user's own may call back into raygauge

@@ -18,10 +18,6 @@ namespace {
 
 constexpr int kMostBatchThreads = 4096;
 
-/// Items that a thread takes at once: few enough that all threads end together, many enough that the counter
-/// which they share costs nothing beside the smallest solve, which takes a microsecond.
-constexpr std::ptrdiff_t kItemsAtOnce = 16;
-
 int usable_cpus() {
   cpu_set_t cpus;
   if (sched_getaffinity(0, sizeof cpus, &cpus) == 0) return std::max(1, CPU_COUNT(&cpus));

@@ -12,6 +12,7 @@ from ._raygauge import (
     Ball,
     Box,
     Capsule,
+    ContactWrenches,
     ConvexSet,
     Counters,
     Cylinder,
@@ -28,6 +29,7 @@ from ._raygauge import (
     ObjectDistance,
     PNormBall,
     PointSet,
+    PreparedSet,
     Separation,
     SeparationResult,
     Simplex,
@@ -49,6 +51,7 @@ from ._raygauge import (
 )
 from . import plot
 from .files import ResultsError, open
+from .scenes import Scene, SceneAnswers
 from .sweeps import ProgramError, run
 
 __all__ = [
@@ -56,6 +59,7 @@ __all__ = [
     "Ball",
     "Box",
     "Capsule",
+    "ContactWrenches",
     "ConvexSet",
     "Counters",
     "Cylinder",
@@ -72,8 +76,11 @@ __all__ = [
     "ObjectDistance",
     "PNormBall",
     "PointSet",
+    "PreparedSet",
     "ProgramError",
     "ResultsError",
+    "Scene",
+    "SceneAnswers",
     "Separation",
     "SeparationResult",
     "Simplex",

@@ -80,6 +80,21 @@ class Packages(unittest.TestCase):
             self.assertIn(command, run("bash", "-c", words + 'echo "${COMPREPLY[@]}"').split())
         words = f"source {completion}; COMP_WORDS=(raygauge run --resu); COMP_CWORD=2; _raygauge; "
         self.assertEqual(run("bash", "-c", words + 'echo "${COMPREPLY[@]}"').strip(), "--resume")
+        self.check_zsh_and_fish(commands)
+
+    def check_zsh_and_fish(self, commands):
+        zsh = self.root / "usr/share/zsh/vendor-completions/_raygauge"
+        # What the completion system would be handed: the entries of _describe and of compadd.
+        stubs = f"compdef() {{ }}; _describe() {{ print -l -- $commands }}; compadd() {{ print -l -- $options }}; source {zsh}; "
+        offered = run("zsh", "-fc", stubs + "words=(raygauge r) CURRENT=2 PREFIX=r; _raygauge").splitlines()
+        self.assertEqual([line.split(":")[0] for line in offered], commands)
+        offered = run("zsh", "-fc", stubs + "words=(raygauge run --re) CURRENT=3 PREFIX=--re; _raygauge").splitlines()
+        self.assertIn("--resume", offered)
+        fish = self.root / "usr/share/fish/vendor_completions.d/raygauge.fish"
+        offered = run("fish", "--no-config", "-c", f"source {fish}; complete -C 'raygauge '").splitlines()
+        self.assertLessEqual(set(commands), {line.split("\t")[0] for line in offered})
+        offered = run("fish", "--no-config", "-c", f"source {fish}; complete -C 'raygauge run --resu'")
+        self.assertTrue(offered.startswith("--resume\tContinue a run"), msg=offered)
 
     def test_4_the_shared_library_shows_its_own_names_alone(self):
         library = self.root / "usr/lib/libraygauge.so.0.1"

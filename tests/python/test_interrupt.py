@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""Ctrl-C ends a batch within 0.2 s."""
+"""Ctrl-C ends a batch, and a single call, within 0.2 s."""
 import os
 import signal
 import threading
@@ -13,11 +13,8 @@ import raygauge as rg
 
 
 class Interrupt(unittest.TestCase):
-    def test_a_batch_ends_within_a_fifth_of_a_second(self):
-        generator = np.random.default_rng(1)
-        A = generator.normal(size=(200, 10)) + 4
-        poses = np.tile(np.eye(11), (50000, 1, 1))
-        Q = generator.normal(size=(200, 10))
+    def seconds_until_interrupted(self, call):
+        """From the signal, which comes 0.3 s after `call` has begun, to the exception."""
         sent = []
 
         def interrupt():
@@ -28,12 +25,38 @@ class Interrupt(unittest.TestCase):
         thread = threading.Thread(target=interrupt)
         thread.start()
         with self.assertRaises(KeyboardInterrupt):
-            rg.distances(A, Q, poses_A=poses, threads=1)
+            call()
             thread.join()
         waited = time.monotonic() - sent[0]
         thread.join()
         print(f"KeyboardInterrupt came {waited * 1e3:.0f} ms after the signal")
+        return waited
+
+    def test_a_batch_ends_within_a_fifth_of_a_second(self):
+        generator = np.random.default_rng(1)
+        A = generator.normal(size=(200, 10)) + 4
+        poses = np.tile(np.eye(11), (50000, 1, 1))
+        Q = generator.normal(size=(200, 10))
+        waited = self.seconds_until_interrupted(lambda: rg.distances(A, Q, poses_A=poses, threads=1))
         self.assertLess(waited, 0.2)
+
+    def test_a_single_long_call_ends_within_a_fifth_of_a_second(self):
+        generator = np.random.default_rng(1)
+        A, Q = generator.normal(size=(2, 4000, 400))
+        waited = self.seconds_until_interrupted(lambda: rg.distance(A + 0.2, Q, 1e-9))
+        self.assertLess(waited, 0.2)
+
+    def test_a_handler_that_does_not_raise_leaves_the_answer(self):
+        generator = np.random.default_rng(1)
+        A, Q = generator.normal(size=(2, 1000, 100))
+        alone = rg.distance(A + 0.2, Q).distance
+        heard = []
+        before = signal.signal(signal.SIGALRM, lambda *_: heard.append(True))
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+        self.addCleanup(signal.setitimer, signal.ITIMER_REAL, 0)
+        self.assertEqual(rg.distance(A + 0.2, Q).distance, alone)
+        self.assertTrue(heard)
 
 
 if __name__ == "__main__":
