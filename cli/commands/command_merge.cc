@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
+#include "cli/output/counted.h"
 #include "results/merge/merge_parts.h"
 #include "results/run/output_place.h"
+#include "results/scene/scene_writer.h"
 
 namespace raygauge::cli {
 namespace {
@@ -27,6 +29,14 @@ struct MergeArguments {
 int merge(const MergeArguments& arguments) {
   output_place({arguments.output, OutputKind::results, {".h5", ".hdf5"}, arguments.parts, false});
   const std::vector<std::filesystem::path> parts(arguments.parts.begin(), arguments.parts.end());
+  if (is_scene_file(parts.front())) {
+    const SceneFile scene = merge_scenes(parts, arguments.output, arguments.options);
+    if (arguments.quiet) return kAnswered;
+    std::printf("%s: %zu of %llu cells, %zu records from %s\n", arguments.output.c_str(), scene.cells.size(),
+                static_cast<unsigned long long>(scene.cell_count), scene.records.size(),
+                counted(static_cast<std::int64_t>(parts.size()), "part").c_str());
+    return kAnswered;
+  }
   const MergeSummary summary = merge_parts(parts, arguments.output, arguments.options);
   if (arguments.quiet) return kAnswered;
   std::printf("%s: %llu of %llu cells, %llu records from %zu %s", arguments.output.c_str(),

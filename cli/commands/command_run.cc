@@ -92,17 +92,6 @@ int run(const RunArguments& arguments) {
   return run_experiment(arguments, experiment, generators, methods);
 }
 
-/// "3/7".
-Shard shard_from(const std::string& text) {
-  Shard shard{0, 0};
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 || shard.index < 1 ||
-      shard.index > shard.count) {
-    throw InvalidParameterError("--shard takes I/K with 1 <= I <= K, as in 3/7; got '" + text + "'");
-  }
-  return shard;
-}
-
 }  // namespace
 
 void add_run_command(Command& app, int& status) {

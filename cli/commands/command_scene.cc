@@ -1,15 +1,24 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <omp.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/commands.h"
+#include "cli/commands/rank_job.h"
+#include "cli/commands/run_setup.h"
 #include "cli/input/scene_source.h"
 #include "cli/interrupt.h"
 #include "cli/output/json_text.h"
@@ -20,6 +29,7 @@
 #include "engine/exceptions.h"
 #include "engine/scene/scene_run.h"
 #include "results/run/output_place.h"
+#include "results/run/shards.h"
 #include "results/scene/scene_writer.h"
 
 namespace raygauge::cli {
@@ -31,6 +41,7 @@ struct SceneArguments {
   std::vector<std::string> overrides;
   std::vector<std::string> packages;
   int threads = 0;
+  std::optional<Shard> shard;
   bool resume = false;
   bool force = false;
   bool quiet = false;
@@ -54,7 +65,7 @@ SceneSource source_of(const SceneArguments& arguments) {
 }
 
 /// What the results say of the scene before any of it is computed.
-SceneFile head_of(const SceneSource& source, const ScenePlan& plan, int threads) {
+SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
   const Scene& scene = source.scene;
   SceneFile head;
   head.name = scene.name;
@@ -62,8 +73,6 @@ SceneFile head_of(const SceneSource& source, const ScenePlan& plan, int threads)
   head.identity = scene_identity(source);
   head.drawing = drawing_of(scene);
   head.cell_count = plan.cells.size();
-  Experiment experiment;
-  head.sessions = {describe_session(experiment, threads, {})};
   for (const Body& body : scene.bodies) {
     head.bodies.push_back({body.name, static_cast<std::int32_t>(body.parts.size())});
   }
@@ -80,6 +89,10 @@ std::string resume_command(const SceneArguments& arguments, const std::string& o
                         " -o " + shell_word(output);
   for (const std::string& text : arguments.overrides) command += " --set " + shell_word(text);
   for (const std::string& text : arguments.packages) command += " --package " + shell_word(text);
+  if (arguments.shard) {
+    command +=
+        " --shard " + std::to_string(arguments.shard->index) + "/" + std::to_string(arguments.shard->count);
+  }
   return command + " --resume";
 }
 
@@ -95,37 +108,153 @@ void print_end(const SceneFile& file, const SceneSummary& summary, const std::st
               shell_word(path.substr(0, path.rfind(".h5"))).c_str());
 }
 
-int run_scene_file(const SceneArguments& arguments) {
-  const SceneSource source = source_of(arguments);
-  const ScenePlan plan = plan_scene(source.scene);
-  const std::string path = arguments.output.empty() ? "out/" + source.scene.name + ".h5" : arguments.output;
-  output_place({path, OutputKind::results, {".h5", ".hdf5"}, {arguments.path}, arguments.force});
-  const int threads = arguments.threads > 0 ? arguments.threads : omp_get_num_procs();
-  RunMode mode = arguments.force ? RunMode::force : RunMode::create;
-  if (arguments.resume) mode = RunMode::resume;
-  SceneWriter writer(path, head_of(source, plan, threads), mode);
-  const std::size_t done_before = writer.done().size();
-  const InterruptGuard guard(arguments.quiet ? nullptr : "\ninterrupted: finishing the cells in flight\n");
-  ProgressDisplay display(stderr, done_before);
-  SceneHooks hooks;
-  hooks.stop = [] { return InterruptGuard::signal() != 0; };
-  hooks.progress = [&](const SceneProgress& progress) {
-    if (arguments.quiet) return;
-    const double left = static_cast<double>(progress.cells_total - progress.cells_done);
-    display.show({progress.cells_done, progress.cells_total, progress.seconds,
-                  progress.seconds * left / static_cast<double>(progress.cells_done)});
-  };
-  const SceneSummary summary = run_scene(source.scene, plan, threads, writer.done(), writer, hooks);
-  display.clear();
-  if (summary.stopped) {
-    std::fprintf(stderr, "interrupted: %zu of %zu cells are safe; continue with\n  %s\n",
-                 done_before + summary.cells_done, plan.cells.size(),
-                 resume_command(arguments, path).c_str());
-    return kInterrupted + InterruptGuard::signal() - SIGINT;
+/// The processes that work on a scene: this one alone, or the ranks of a job.
+class SceneJob {
+ public:
+  SceneJob(const SceneArguments& arguments, std::unique_ptr<Ranks> ranks)
+      : arguments_(arguments), ranks_(std::move(ranks)) {}
+
+  int run() {
+    together([this] {
+      source_ = source_of(arguments_);
+      plan_ = plan_scene(source_.scene);
+    });
+    open();
+    const InterruptGuard guard(
+        arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: finishing the cells in flight\n");
+    ProgressDisplay display(stderr, done_.size());
+    SceneSummary summary;
+    together([&] { summary = work(display); });
+    display.clear();
+    return writer_ ? finish(summary) : kAnswered;
   }
-  writer.finish();
-  if (!arguments.quiet) print_end(writer.results(), summary, path);
-  return kAnswered;
+
+ private:
+  void together(const std::function<void()>& work) {
+    if (ranks_) return all_or_none(*ranks_, work);
+    work();
+  }
+
+  /// The process with the lock opens the run; the others learn what is done and which sessions are theirs.
+  void open() {
+    const int asked = arguments_.threads;
+    std::vector<MachineInfo> machines = {machine_info()};
+    duties_ = {RankDuty{asked > 0 ? asked : omp_get_num_procs(), 1, {}, false}};
+    if (ranks_) {
+      RankMachines all = gather_machines(*ranks_);
+      duties_ = rank_duties(all.places, asked, false);
+      machines = std::move(all.machines);
+    }
+    std::string orders;
+    together([&] {
+      head_ = head_of(source_, plan_);
+      path_ = arguments_.output.empty() ? "out/" + source_.scene.name + ".h5" : arguments_.output;
+      target_ = path_;
+      if (arguments_.shard) path_ = shard_path(path_, *arguments_.shard).string();
+      if (!ranks_ || ranks_->rank() == 0) orders = open_writer(machines);
+    });
+    if (ranks_) {
+      orders = ranks_->broadcast(orders);
+      duties_ = duties_from_text(ranks_->broadcast(to_text(duties_)));
+    }
+    std::istringstream in(orders);
+    in >> session_;
+    for (std::uint64_t cell = 0; in >> cell;) done_.insert(cell);
+    if (ranks_ && !writer_) sink_.emplace(path_, head_, session_ + ranks_->rank());
+  }
+
+  std::string open_writer(const std::vector<MachineInfo>& machines) {
+    output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments_.path}, arguments_.force});
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+      head_.sessions.push_back(describe_session(Experiment(), duties_[i].threads, {}));
+      head_.sessions.back().machine = machines[i];
+    }
+    RunMode mode = arguments_.force ? RunMode::force : RunMode::create;
+    if (arguments_.resume) mode = RunMode::resume;
+    writer_.emplace(path_, head_, mode);
+    if (ranks_) writer_->begin();
+    std::string orders = std::to_string(writer_->session());
+    for (const std::uint64_t cell : writer_->done()) orders += " " + std::to_string(cell);
+    return orders;
+  }
+
+  SceneSummary work(ProgressDisplay& display) {
+    SceneHooks hooks;
+    const pid_t parent = ::getppid();  // another one, once mpirun or the daemon that started us has died
+    const auto orphaned = [this, parent] { return ranks_ && ::getppid() != parent; };
+    hooks.stop = [orphaned] { return InterruptGuard::signal() != 0 || orphaned(); };
+    hooks.progress = [&](const SceneProgress& progress) {
+      if (arguments_.quiet || !writer_) return;
+      const double left = static_cast<double>(progress.cells_total - progress.cells_done);
+      display.show({progress.cells_done, progress.cells_total, progress.seconds,
+                    progress.seconds * left / static_cast<double>(progress.cells_done)});
+    };
+    std::optional<RankCounter> counter;
+    if (ranks_) {
+      counter.emplace(*ranks_);
+      hooks.next = [&counter] { return counter->next(); };
+    }
+    std::set<std::uint64_t> skipped = done_;
+    if (arguments_.shard) {
+      const auto count = static_cast<std::uint64_t>(arguments_.shard->count);
+      for (std::uint64_t cell = 0; cell < plan_.cells.size(); ++cell) {
+        if (cell % count != static_cast<std::uint64_t>(arguments_.shard->index) - 1) skipped.insert(cell);
+      }
+    }
+    SceneSink& sink = writer_ ? static_cast<SceneSink&>(*writer_) : *sink_;
+    const int threads = duties_.at(ranks_ ? static_cast<std::size_t>(ranks_->rank()) : 0).threads;
+    SceneSummary summary;
+    try {
+      summary = run_scene(source_.scene, plan_, threads, skipped, sink, hooks);
+    } catch (...) {
+      if (counter) counter->abandon();
+      throw;
+    }
+    if (orphaned()) ::_exit(kInterrupted);  // nobody is left to meet
+    left_ = plan_.cells.size() - skipped.size();
+    return summary;
+  }
+
+  int finish(SceneSummary summary) {
+    if (ranks_) {  // it counts its own cells alone
+      const std::uint64_t stored = read_scene_file(path_).cells.size();
+      summary.cells_done = stored - std::min<std::uint64_t>(stored, done_.size());
+      summary.stopped = summary.cells_done < left_;
+      summary.threads = 0;
+      for (const RankDuty& duty : duties_) summary.threads += duty.threads;
+    }
+    if (summary.stopped) {
+      std::fprintf(stderr, "interrupted: %llu of %zu cells are safe; continue with\n  %s\n",
+                   static_cast<unsigned long long>(done_.size() + summary.cells_done), plan_.cells.size(),
+                   resume_command(arguments_, target_).c_str());
+      return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
+    }
+    writer_->finish();
+    if (!arguments_.quiet) print_end(writer_->results(), summary, path_);
+    return kAnswered;
+  }
+
+  const SceneArguments& arguments_;
+  std::unique_ptr<Ranks> ranks_;  ///< null: one process
+  SceneSource source_;
+  ScenePlan plan_;
+  SceneFile head_;
+  std::string target_;  ///< of the whole scene
+  std::string path_;
+  std::vector<RankDuty> duties_;
+  std::int32_t session_ = 0;
+  std::set<std::uint64_t> done_;
+  std::uint64_t left_ = 0;
+  std::optional<SceneWriter> writer_;  ///< of the process with the lock
+  std::optional<SceneRankSink> sink_;  ///< of the others
+};
+
+int run_scene_file(const SceneArguments& arguments) {
+  try {
+    return SceneJob(arguments, ranks_of_this_job()).run();
+  } catch (const JobFailed&) {
+    return kBadInput;
+  }
 }
 
 int explain(const SceneArguments& arguments) {
@@ -189,6 +318,10 @@ void add_scene_command(Command& app, int& status) {
   run.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
       .range(0, 65536)
       .type_name("K");
+  run.add_option_function(
+         "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
+         "Do part I of K parts of the cells, into FILE.shard-I-of-K.h5; `raygauge merge` joins them")
+      .type_name("I/K");
   const Option resume =
       run.add_flag("--resume", arguments->resume, "Continue a run that was killed or interrupted");
   run.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cli/commands/commands.h"
+#include "cli/commands/rank_job.h"
 #include "cli/commands/run_setup.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
@@ -20,27 +21,6 @@
 
 namespace raygauge::cli {
 namespace {
-
-/// Thrown at all ranks but 0 when the job has failed: rank 0 tells why.
-struct JobFailed {};
-
-/// Runs `work` at every rank; if it fails at any, all of them leave: rank 0 by the first error.
-void all_or_none(Ranks& ranks, const std::function<void()>& work) {
-  std::string failure;
-  try {
-    work();
-  } catch (const std::exception& error) {
-    failure = error.what();
-    if (failure.empty()) failure = "an unknown error";
-  }
-  const std::vector<std::string> failures = ranks.gather(failure);
-  for (std::size_t i = 0; i < failures.size(); ++i) {
-    if (failures[i].empty()) continue;
-    ranks.broadcast("failed");
-    throw Error(i == 0 ? failures[i] : "rank " + std::to_string(i) + ": " + failures[i]);
-  }
-  if (!ranks.broadcast("").empty()) throw JobFailed();
-}
 
 /// What rank 0 tells the others before the sweep.
 struct Orders {
@@ -83,20 +63,15 @@ class RankRun {
 
   /// Rank 0 opens the run and tells every rank its part.
   void distribute() {
-    const MachineInfo machine = machine_info();
-    const std::vector<std::string> machines = ranks_.gather(to_text(machine));
-    std::vector<RankPlace> places;
-    for (const std::string& text : ranks_.gather(to_text(RankPlace{machine.hostname, allowed_cpus()}))) {
-      places.push_back(place_from_text(text));
-    }
+    const RankMachines all = gather_machines(ranks_);
     std::string orders;
     std::vector<RankDuty> duties;
     all_or_none(ranks_, [&] {
       if (ranks_.rank() != 0) return;
       const int threads = experiment_.timing == TimingMode::serial ? 1 : experiment_.threads;
-      duties = rank_duties(places, threads, experiment_.pin_threads);
+      duties = rank_duties(all.places, threads, experiment_.pin_threads);
       require_serial_alone(duties);
-      orders = open(machines, duties);
+      orders = open(all.machines, duties);
     });
     read_orders(ranks_.broadcast(orders));
     orders_.duty = duties_from_text(ranks_.broadcast(to_text(duties))).at(ranks_.rank());
@@ -112,12 +87,12 @@ class RankRun {
     }
   }
 
-  std::string open(const std::vector<std::string>& machines, const std::vector<RankDuty>& duties) {
+  std::string open(const std::vector<MachineInfo>& machines, const std::vector<RankDuty>& duties) {
     std::vector<Session> sessions;
     int workers = 0;
     for (std::size_t i = 0; i < duties.size(); ++i) {
       sessions.push_back(session_of(experiment_, duties[i].threads));
-      sessions.back().machine = machine_from_text(machines[i]);
+      sessions.back().machine = machines[i];
       workers += duties[i].threads;
     }
     run_ = open_run(arguments_, experiment_, std::move(sessions));

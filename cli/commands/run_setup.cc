@@ -13,6 +13,7 @@
 #include "cli/output/counted.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
+#include "engine/exceptions.h"
 #include "results/exceptions.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
@@ -99,6 +100,16 @@ void refuse_related(const std::filesystem::path& file, bool resume) {
 }
 
 }  // namespace
+
+Shard shard_from(const std::string& text) {
+  Shard shard{0, 0};
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 || shard.index < 1 ||
+      shard.index > shard.count) {
+    throw InvalidParameterError("--shard takes I/K with 1 <= I <= K, as in 3/7; got '" + text + "'");
+  }
+  return shard;
+}
 
 std::string output_path(const RunArguments& arguments, const Experiment& experiment) {
   const std::string target = target_path(arguments, experiment);

@@ -148,7 +148,7 @@ SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
           summary.stopped = true;
           return;
         }
-        const std::size_t i = next.fetch_add(1);
+        const std::uint64_t i = hooks.next ? hooks.next() : next.fetch_add(1);
         if (i >= cells.size()) return;
         const SceneCellResult result = run_scene_cell(scene, plan, timeline, cells[i]);
         sink.store(result);

@@ -26,7 +26,10 @@ struct SceneProgress {
 };
 
 struct SceneHooks {
-  std::function<bool()> stop;                          ///< true: take no further cell
+  std::function<bool()> stop;  ///< true: take no further cell
+  /// Deals out the numbers 0, 1, … of the cells that are left to the threads of several processes, which all
+  /// have the same `done`; empty: this process does them all. Thread safe.
+  std::function<std::uint64_t()> next;
   std::function<void(const SceneProgress&)> progress;  ///< after each cell; never by two threads at once
 };
 

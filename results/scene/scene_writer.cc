@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kPart = "scene-";
+constexpr const char* kHeadName = "scene-head.h5";  ///< read after the cells: it adds sessions alone
 
 std::string part_name(std::uint64_t cell) {
   std::string number = std::to_string(cell);
@@ -73,28 +74,41 @@ void SceneWriter::resume_existing() {
     throw OtherExperimentError(path_.string() + ": holds another scene: " + difference);
   }
   for (const SceneCellRow& row : before.cells) done_.insert(row.cell);
-  before.sessions.push_back(head_.sessions.front());
+  session_ = static_cast<std::int32_t>(before.sessions.size());
+  before.sessions.insert(before.sessions.end(), head_.sessions.begin(), head_.sessions.end());
   head_.sessions = before.sessions;
   all_ = std::move(before);
   all_.drawing = head_.drawing;
 }
 
+/// Under force the earlier run goes only once the disk has taken what is to stand in its place.
+void SceneWriter::discard_earlier(const std::string& bytes) {
+  directory_.require_room(bytes);
+  for (const fs::path& old : list_scene_parts(path_)) fs::remove(old);
+  fs::remove(path_);
+}
+
+void SceneWriter::begin() {
+  const std::scoped_lock lock(mutex_);
+  const std::string bytes = encode_scene(head_);
+  if (mode_ == RunMode::force) discard_earlier(bytes);
+  stored_any_ = true;
+  begun_ = true;
+  const fs::path path = directory_.folder() / kHeadName;
+  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
+
 void SceneWriter::store(const SceneCellResult& cell) {
-  const auto session = static_cast<std::int32_t>(head_.sessions.size() - 1);
   const std::scoped_lock lock(mutex_);  // HDF5 is not for several threads at once
   SceneFile part = head_;
   if (stored_any_) part.drawing.clear();  // the first part of a session has it for all
-  append_cell(part, cell, session);
+  append_cell(part, cell, session_);
   const std::string bytes = encode_scene(part);
-  if (mode_ == RunMode::force && !stored_any_) {
-    directory_.require_room(bytes);
-    for (const fs::path& old : list_scene_parts(path_)) fs::remove(old);
-    fs::remove(path_);
-  }
+  if (mode_ == RunMode::force && !stored_any_) discard_earlier(bytes);
   stored_any_ = true;
   const fs::path path = directory_.folder() / part_name(cell.cell);
   write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
-  append_cell(all_, cell, session);
+  append_cell(all_, cell, session_);
 }
 
 void SceneWriter::finish() {
@@ -102,10 +116,28 @@ void SceneWriter::finish() {
   const std::vector<fs::path> parts = list_scene_parts(path_);
   if (parts.empty() && fs::exists(path_)) return;
   if (mode_ == RunMode::force && !stored_any_) return;
-  all_.sessions.back().finished_at = utc_now();
+  if (begun_) all_ = read_scene_file(path_);
+  if (all_.drawing.empty()) all_.drawing = head_.drawing;
+  for (auto i = static_cast<std::size_t>(session_); i < all_.sessions.size(); ++i) {
+    all_.sessions[i].finished_at = utc_now();
+  }
   sort_scene(all_);
   directory_.store_target(encode_scene(all_));
   for (const fs::path& part : parts) fs::remove(part);
+}
+
+SceneRankSink::SceneRankSink(const fs::path& path, SceneFile head, std::int32_t session)
+    : folder_(parts_folder(behind_links(path))), head_(std::move(head)), session_(session) {
+  head_.sessions.clear();  // the process that began the run has stored them
+  head_.drawing.clear();
+}
+
+void SceneRankSink::store(const SceneCellResult& cell) {
+  const std::scoped_lock lock(mutex_);
+  SceneFile part = head_;
+  append_cell(part, cell, session_);
+  const fs::path path = folder_ / part_name(cell.cell);
+  write_atomically(path, encode_scene(part), path.string() + std::string(kTemporarySuffix));
 }
 
 }  // namespace raygauge

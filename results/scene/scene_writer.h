@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "results/merge/merge_parts.h"
 #include "results/run/run_directory.h"
 #include "results/run/run_writer.h"
 #include "results/scene/scene_file.h"
@@ -22,12 +23,18 @@ std::vector<std::filesystem::path> list_scene_parts(const std::filesystem::path&
 /// merges them into `path`. A run that is killed keeps every cell that has landed.
 class SceneWriter final : public SceneSink {
  public:
-  /// `head` holds what describes the scene, with one session, and no cells. Throws ResultsExistError,
+  /// `head` holds what describes the scene, with one session for each process that works on it, this one's
+  /// first, and no cells. Throws ResultsExistError,
   /// OtherExperimentError, RunLockedError or ResultsError, as RunWriter does.
   SceneWriter(const std::string& path, SceneFile head, RunMode mode);
 
   /// Cells that earlier sessions have stored.
   const std::set<std::uint64_t>& done() const noexcept { return done_; }
+
+  /// Has what describes the scene on the disk before other processes store cells by a SceneRankSink; they
+  /// have the sessions after this one.
+  void begin();
+  std::int32_t session() const noexcept { return session_; }
 
   void store(const SceneCellResult& cell) override;
 
@@ -40,6 +47,7 @@ class SceneWriter final : public SceneSink {
  private:
   void refuse_existing() const;
   void resume_existing();
+  void discard_earlier(const std::string& bytes);
 
   std::filesystem::path path_;
   RunMode mode_;
@@ -48,7 +56,28 @@ class SceneWriter final : public SceneSink {
   RunDirectory directory_;
   std::set<std::uint64_t> done_;
   std::mutex mutex_;
+  std::int32_t session_ = 0;
+  bool begun_ = false;  ///< for several processes
   bool stored_any_ = false;
 };
+
+/// Cells of a process that works on a run which another one has begun.
+class SceneRankSink final : public SceneSink {
+ public:
+  SceneRankSink(const std::filesystem::path& path, SceneFile head, std::int32_t session);
+
+  void store(const SceneCellResult& cell) override;
+
+ private:
+  std::filesystem::path folder_;
+  SceneFile head_;
+  std::int32_t session_;
+  std::mutex mutex_;
+};
+
+/// Joins parts of one scene, such as shards, into `target`, each cell once; `partial`: even if cells are
+/// missing. Returns what was written. Throws as merge_parts() does.
+SceneFile merge_scenes(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& target,
+                       const MergeOptions& options);
 
 }  // namespace raygauge

@@ -17,6 +17,7 @@ from support import Tool, answers, write_experiment
 
 PROGRAM = None
 KILLS = 4
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
 
 def is_alive(process):
@@ -117,6 +118,24 @@ class ManyProcesses(unittest.TestCase):
         (machine,) = json.loads(self.tool.run("info", "s.h5", "--json"))["machines"]
         self.assertEqual(machine["sessions"], 4)
         self.assertEqual(machine["records"], 24 * 6 * 2)
+
+    def run_scene(self, name, *words, ranks=0):
+        self.tool.run("scene", "run", SCENES / "arm.toml", "-o", name, "-q", "--threads", 1, *words, ranks=ranks)
+        return self.folder / name
+
+    def test_a_scene_by_shards_and_by_ranks_gives_the_file_of_one_process(self):
+        whole = answers(self.run_scene("one.h5"))
+        for i in (1, 2, 3):
+            self.run_scene("s.h5", "--shard", f"{i}/3")
+        parts = [f"s.shard-{i}-of-3.h5" for i in (1, 2, 3)]
+        text = self.tool.run("merge", *parts[:2], "-o", "s.h5", status=2)
+        self.assertIn("--partial", text)
+        self.tool.run("merge", *parts[:2], "-o", "some.h5", "--partial")
+        self.tool.run("merge", *parts, "-o", "s.h5")
+        self.assertEqual(answers(self.folder / "s.h5"), whole)
+        self.assertEqual(answers(self.run_scene("mpi.h5", ranks=3)), whole)
+        self.assertFalse((self.folder / "mpi.h5.parts").exists())
+        self.assertEqual(answers(self.run_scene("some.h5", "--resume", ranks=2)), whole)
 
     def test_parts_of_another_experiment_are_refused(self):
         self.shards(2)
