@@ -150,6 +150,11 @@ void print_exponent(const char* what, const std::vector<int>& sizes, const std::
               kStudent[sizes.size() - 3] * error, sizes.size());
 }
 
+bool is_answer(DistanceStatus status) {
+  return status == DistanceStatus::optimal || status == DistanceStatus::contains_origin ||
+         status == DistanceStatus::unreachable;
+}
+
 double heap_in_use() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -230,6 +235,36 @@ void print_high(const Variant& variant, const Effort& effort) {
   };
   print_part("direct, many points", [](int n) { return std::vector<int>{3 * n, 10 * n}; });
   print_part("direct, few points", [](int n) { return std::vector<int>{n + 2, 3 * n / 2, 2 * n}; });
+}
+
+void print_certified(const Variant& variant, const Effort& effort) {
+  std::vector<int> dimensions = {20, 50, 100};
+  if (!effort.quick) dimensions.insert(dimensions.end(), {150, 200});
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    DistanceOptions options;
+    options.tolerance = tolerance;
+    options.time_limit = 10;
+    DistanceSolver solver(options);
+    int solves = 0;
+    int certified = 0;
+    int exact = 0;
+    double worst = 0;
+    for (const int n : dimensions) {
+      for (const int N : {n + 2, 3 * n / 2, 2 * n, 3 * n, 10 * n}) {
+        for (int repetition = 0; repetition < effort.instances; ++repetition) {
+          const Instance instance = make_instance(variant, n, N, repetition);
+          worst = std::max(worst, seconds_of([&] { solver.solve(*instance.A, *instance.Q); }));
+          const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+          ++solves;
+          certified += is_answer(result.status) ? 1 : 0;
+          exact += result.counters.exact_pivots > 0 ? 1 : 0;
+        }
+      }
+    }
+    std::printf("tolerance %g: %d of %d solves certified, %d by exact arithmetic, slowest %.3g ms\n",
+                tolerance, certified, solves, exact, 1e3 * worst);
+    std::fflush(stdout);
+  }
 }
 
 void print_n100(const Variant& variant, const Effort& effort) {

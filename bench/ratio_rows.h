@@ -20,6 +20,8 @@ void print_n50(const Variant& variant, const Effort& effort);    ///< direct / p
 /// direct / LP and zheng_yamane / LP at n = 20 … 500, N = 3 n, 10 n, and N = n + 2, 1.5 n, 2 n. `quick`: to
 /// n = 100.
 void print_high(const Variant& variant, const Effort& effort);
+/// Share of solves proven to 1e-6, 1e-9 and 1e-12 at n = 20 … 200, N = n + 2 … 10 n.
+void print_certified(const Variant& variant, const Effort& effort);
 void print_n100(const Variant& variant, const Effort& effort);  ///< direct / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10

@@ -14,6 +14,11 @@ constexpr double kPivotTolerance = 1e-10;
 // Harris: how far a basic variable may be pushed below zero for a better pivot.
 constexpr double kHarrisTolerance = 1e-11;
 
+template <int kValue>
+struct Constant {
+  static constexpr int value = kValue;
+};
+
 // Number of packs in a padded row vector: known at compile time for V > 0.
 template <int V>
 inline int packs(const BasisView& basis) {
@@ -24,6 +29,103 @@ inline int packs(const BasisView& basis) {
 template <int N>
 inline int rows(const BasisView& basis) {
   return N > 0 ? N + 1 : basis.m;
+}
+
+// w = (R - G ρᵀ) column, rows of R in registers.
+inline void ftran_pending(BasisView* basis, const double* column) {
+  constexpr int kChunk = 8;
+  const int m = basis->m;
+  double factor[kMostPending];
+  for (int j = 0; j < basis->pending; ++j) {
+    const double* row = basis->change_rows + static_cast<std::ptrdiff_t>(j) * basis->P;
+    Pack sum = load(row) * load(column);
+    for (int p = kWidth; p < basis->P; p += kWidth) sum += load(row + p) * load(column + p);
+    factor[j] = reduce_lanes(sum, [](Pack a, Pack c) { return a + c; })[0];
+  }
+  const int total = basis->P / kWidth;
+  const auto rows_from = [&](int first, auto count_as_constant) {
+    constexpr int kCount = decltype(count_as_constant)::value;
+    Pack sum[kCount] = {};
+    const double* R = basis->R + first * kWidth;
+    for (int k = 0; k < m; ++k, R += basis->P) {
+      const Pack a = broadcast(column[k]);
+      for (int p = 0; p < kCount; ++p) sum[p] += a * load(R + p * kWidth);
+    }
+    for (int j = 0; j < basis->pending; ++j) {
+      const Pack a = broadcast(factor[j]);
+      const double* G = basis->changes + static_cast<std::ptrdiff_t>(j) * basis->P + first * kWidth;
+      for (int p = 0; p < kCount; ++p) sum[p] -= a * load(G + p * kWidth);
+    }
+    for (int p = 0; p < kCount; ++p) store(basis->w + (first + p) * kWidth, sum[p]);
+  };
+  int first = 0;
+  for (; first + kChunk <= total; first += kChunk) rows_from(first, Constant<kChunk>{});
+  for (; first + 2 <= total; first += 2) rows_from(first, Constant<2>{});
+  for (; first < total; ++first) rows_from(first, Constant<1>{});
+}
+
+// R -= G ρᵀ over kPacks packs of rows from `first` and kColumns columns from k.
+template <int kPacks, int kColumns>
+inline void subtract_tile(BasisView* basis, int first, int k) {
+  double* R = basis->R + static_cast<std::ptrdiff_t>(k) * basis->P + first * kWidth;
+  Pack sum[kColumns][kPacks];
+  for (int c = 0; c < kColumns; ++c) {
+    for (int p = 0; p < kPacks; ++p)
+      sum[c][p] = load(R + static_cast<std::ptrdiff_t>(c) * basis->P + p * kWidth);
+  }
+  for (int j = 0; j < basis->pending; ++j) {
+    const double* G = basis->changes + static_cast<std::ptrdiff_t>(j) * basis->P + first * kWidth;
+    const double* row = basis->change_rows + static_cast<std::ptrdiff_t>(j) * basis->P + k;
+    Pack g[kPacks];
+    for (int p = 0; p < kPacks; ++p) g[p] = load(G + p * kWidth);
+    for (int c = 0; c < kColumns; ++c) {
+      const Pack a = broadcast(row[c]);
+      for (int p = 0; p < kPacks; ++p) sum[c][p] -= a * g[p];
+    }
+  }
+  for (int c = 0; c < kColumns; ++c) {
+    for (int p = 0; p < kPacks; ++p)
+      store(R + static_cast<std::ptrdiff_t>(c) * basis->P + p * kWidth, sum[c][p]);
+  }
+}
+
+// Brings R up to date.
+inline void subtract_changes(BasisView* basis) {
+  if (basis->pending == 0) return;
+  const int total = basis->P / kWidth;
+  int k = 0;
+  for (; k + 4 <= basis->m; k += 4) {
+    int first = 0;
+    for (; first + 2 <= total; first += 2) subtract_tile<2, 4>(basis, first, k);
+    for (; first < total; ++first) subtract_tile<1, 4>(basis, first, k);
+  }
+  for (; k < basis->m; ++k) {
+    for (int first = 0; first < total; ++first) subtract_tile<1, 1>(basis, first, k);
+  }
+  basis->pending = 0;
+}
+
+// Records the change of basic column r for one whose w is in place; y follows. Returns 1 / w_r.
+inline double collect_change(BasisView* basis, int r, double reduced_cost) {
+  if (basis->pending == kMostPending) subtract_changes(basis);
+  const int P = basis->P;
+  const double inverse_pivot = 1.0 / basis->w[r];
+  basis->w[r] -= 1.0;
+  double* row = basis->change_rows + static_cast<std::ptrdiff_t>(basis->pending) * P;
+  for (int k = 0; k < basis->m; ++k) row[k] = basis->R[static_cast<std::ptrdiff_t>(k) * P + r];
+  for (int k = basis->m; k < P; ++k) row[k] = 0;
+  for (int j = 0; j < basis->pending; ++j) {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(j) * P;
+    const Pack a = broadcast(basis->changes[at + r]);
+    for (int p = 0; p < P; p += kWidth) store(row + p, load(row + p) - a * load(basis->change_rows + at + p));
+  }
+  double* G = basis->changes + static_cast<std::ptrdiff_t>(basis->pending) * P;
+  for (int p = 0; p < P; p += kWidth) {
+    store(G + p, load(basis->w + p) * inverse_pivot);
+    store(basis->y + p, load(basis->y + p) + reduced_cost * inverse_pivot * load(row + p));
+  }
+  ++basis->pending;
+  return inverse_pivot;
 }
 
 template <int V, int N>
@@ -49,15 +151,7 @@ inline void ftran(BasisView* basis, const double* column) {
     }
     for (int p = 0; p < kPacks; ++p) store(basis->w + p * kWidth, even[p] + odd[p]);
   } else {
-    const int count = packs<V>(*basis);
-    for (int p = 0; p < count; ++p) store(basis->w + p * kWidth, Pack{});
-    for (int k = 0; k < basis->m; ++k) {
-      const Pack a = broadcast(column[k]);
-      const double* Rk = basis->R + static_cast<std::ptrdiff_t>(k) * P;
-      for (int p = 0; p < count; ++p) {
-        store(basis->w + p * kWidth, load(basis->w + p * kWidth) + a * load(Rk + p * kWidth));
-      }
-    }
+    ftran_pending(basis, column);
   }
 }
 
@@ -115,7 +209,7 @@ inline double replace(BasisView* basis, int r, const double* column, double cost
                       std::int64_t id) {
   const int P = V > 0 ? V * kRowPadding : basis->P;
   const int count = packs<V>(*basis);
-  const double inverse_pivot = 1.0 / basis->w[r];
+  const double inverse_pivot = V > 0 ? 1.0 / basis->w[r] : collect_change(basis, r, reduced_cost);
   // Less 1 in row r, so that one formula updates it too: R_rk - (R_rk/w_r)(w_r - 1) = R_rk/w_r.
   Pack fixed[V > 0 ? V * kRowPadding / kWidth : 1];
   if constexpr (V > 0) {
@@ -125,8 +219,6 @@ inline double replace(BasisView* basis, int r, const double* column, double cost
       const Pack w = load(basis->w + p * kWidth);
       fixed[p] = lanes == broadcast_index(r) ? w - 1.0 : w;
     }
-  } else {
-    basis->w[r] -= 1.0;
   }
   const auto update = [&](int k) {
     double* Rk = basis->R + static_cast<std::ptrdiff_t>(k) * P;
@@ -139,7 +231,9 @@ inline double replace(BasisView* basis, int r, const double* column, double cost
     return scaled;
   };
   const int m = rows<N>(*basis);
-  for (int k = 0; k < m; ++k) basis->y[k] += reduced_cost * update(k);
+  if constexpr (V > 0) {
+    for (int k = 0; k < m; ++k) basis->y[k] += reduced_cost * update(k);
+  }
   const double theta = update(m);
   double* Br = basis->B + static_cast<std::ptrdiff_t>(r) * P;
   for (int p = 0; p < count; ++p) store(Br + p * kWidth, load(column + p * kWidth));
@@ -176,6 +270,8 @@ PivotResult pivot(BasisView* basis, const double* column, double cost, double re
       return pivot_v<1>(basis, column, cost, reduced_cost, id, bland, left);
     case 2:
       return pivot_v<2>(basis, column, cost, reduced_cost, id, bland, left);
+    case 3:
+      return pivot_v<3>(basis, column, cost, reduced_cost, id, bland, left);
     default:
       return pivot_v<0>(basis, column, cost, reduced_cost, id, bland, left);
   }

@@ -4,7 +4,7 @@
 // Products with the basis and its inverse that the certificate needs. Part of kernel_impl.h.
 #pragma once
 
-#include "engine/kernels/pack.h"
+#include "engine/kernels/basis_kernels.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
@@ -51,7 +51,7 @@ inline double largest_entry(const double* v, int P) {
 }
 
 template <int V>
-MatrixNorms norms_v(const BasisView* basis) {
+MatrixNorms norms_v(BasisView* basis) {
   const int P = basis->P;
   const int m = basis->m;
   double* sum_E = basis->scratch;
@@ -118,6 +118,7 @@ inline void plain_duals(BasisView* basis) {
 }
 
 void duals(BasisView* basis) {
+  subtract_changes(basis);
   const int P = basis->P;
   double* y = basis->y;
   double* residual = basis->w;
@@ -128,7 +129,8 @@ void duals(BasisView* basis) {
   transposed_multiply(basis->R, P, basis->m, residual, y);
 }
 
-MatrixNorms norms(const BasisView* basis) {
+MatrixNorms norms(BasisView* basis) {
+  subtract_changes(basis);
   switch (basis->P / kRowPadding) {
     case 1:
       return norms_v<1>(basis);
@@ -140,6 +142,7 @@ MatrixNorms norms(const BasisView* basis) {
 }
 
 double refine(BasisView* basis, const double* b, bool correct) {
+  subtract_changes(basis);
   switch (basis->P / kRowPadding) {
     case 1:
       return refine_v<1>(basis, b, correct);

@@ -13,23 +13,34 @@ namespace raygauge {
 constexpr int kRowPadding = 8;
 constexpr int padded_rows(int m) { return (m + kRowPadding - 1) / kRowPadding * kRowPadding; }
 
+/// Bases of more rows collect their changes (BasisView).
+constexpr bool many_rows(int m) { return padded_rows(m) > 3 * kRowPadding; }
+constexpr int kMostPending = 16;
+
 /// A basis of m columns for  min c·x, Σ_i x_i col_i = b, x >= 0, with its explicit inverse R = B⁻¹. Plain
 /// views into a workspace, so that the vector kernels (compiled once per instruction set) share no code with
 /// the rest of the library.
 ///
 /// All matrices are column-major with leading dimension P = padded_rows(m); padding rows are zero.
+///
+/// Of many rows the inverse is R - G ρᵀ: basis changes are collected, kMostPending of them, and then
+/// subtracted from R by one product of matrices, which is a pass over R where each change would be one. Every
+/// kernel that reads R subtracts them first.
 struct BasisView {
   int m = 0;
   int P = 0;
-  double* R = nullptr;         ///< (m + 1) columns: R and then x = R b, updated together
-  double* B = nullptr;         ///< m columns: the basic columns themselves
-  double* y = nullptr;         ///< m duals, yᵀ = c_Bᵀ R, padded
-  double* cost = nullptr;      ///< m costs c_B, padded
-  std::int64_t* id = nullptr;  ///< m identities, meaning chosen by the caller
-  double* w = nullptr;         ///< scratch, P
-  double* columns = nullptr;   ///< scratch, 19 P: three columns and two blocks of points
-  double* scratch = nullptr;   ///< 3 P, for the certificate
-  double objective = 0;        ///< c_B·x
+  double* R = nullptr;            ///< (m + 1) columns: R and then x = R b, updated together
+  double* B = nullptr;            ///< m columns: the basic columns themselves
+  double* y = nullptr;            ///< m duals, yᵀ = c_Bᵀ R, padded
+  double* cost = nullptr;         ///< m costs c_B, padded
+  std::int64_t* id = nullptr;     ///< m identities, meaning chosen by the caller
+  double* w = nullptr;            ///< scratch, P
+  double* columns = nullptr;      ///< scratch, 19 P: three columns and two blocks of points
+  double* scratch = nullptr;      ///< 3 P, for the certificate
+  double* changes = nullptr;      ///< G, kMostPending columns; with many_rows(m) only
+  double* change_rows = nullptr;  ///< ρ, as many
+  int pending = 0;                ///< basis changes that R lacks
+  double objective = 0;           ///< c_B·x
   std::int64_t pivots = 0;
 
   double* x() const { return R + static_cast<std::ptrdiff_t>(m) * P; }
@@ -120,6 +131,10 @@ struct Kernels {
   float (*price_single)(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
                         std::ptrdiff_t* index);
 
+  /// Copies the best point of every lane to `block`, which is a block of points then: a shortlist of a pass,
+  /// for directions near u. In single precision where the points have a copy in it (n numbers of scratch).
+  void (*best_of_lanes)(const PricedPoints* points, int n, const double* u, float* single, double* block);
+
   /// As price, and collects the points above a threshold in the same pass.
   double (*collect)(const double* blocks, std::ptrdiff_t first_block, std::ptrdiff_t last_block, int n,
                     const double* u, Collection* collection);
@@ -134,7 +149,7 @@ struct Kernels {
   LoopEnd (*simplex_loop)(BasisView* basis, SimplexLoop* loop);
 
   /// ‖I - R B‖∞ (computed, rounding not included), and with it ‖R‖∞ and ‖B‖∞.
-  MatrixNorms (*norms)(const BasisView* basis);
+  MatrixNorms (*norms)(BasisView* basis);
 
   /// One step of iterative refinement of x = R b by r = b - B x. With `correct`, x += R r. Without it,
   /// returns max_i (|R r|_i + (|R| (γ (|b| + |B||x|) + γ |r|))_i): a bound on what is left of R (b - B x),

@@ -15,7 +15,7 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,  price_single,   collect,          pivot,         simplex_loop, norms,
-                          refine, refine_twofold, residual_twofold, duals_twofold, duals,        add_gram};
+const Kernels kKernels = {price,  price_single,   best_of_lanes,    collect,       pivot, simplex_loop, norms,
+                          refine, refine_twofold, residual_twofold, duals_twofold, duals, add_gram};
 
 }  // namespace raygauge::RAYGAUGE_ISA

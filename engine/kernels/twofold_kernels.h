@@ -124,6 +124,7 @@ inline void correct(double* v, double* v_low, const double* correction, int P) {
 }
 
 double refine_twofold(BasisView* basis, const double* b, double* x_low, bool correcting) {
+  subtract_changes(basis);
   const int P = basis->P;
   double* r = basis->w;
   double* bound = basis->scratch;
@@ -159,6 +160,7 @@ double residual_twofold(const BasisView* basis, const double* b, const double* x
 }
 
 void duals_twofold(BasisView* basis, double* y_low) {
+  subtract_changes(basis);
   double* residual = basis->w;
   double* change = basis->scratch;
   for (int i = 0; i < basis->P; ++i) residual[i] = change[i] = 0;

@@ -58,7 +58,8 @@ void Basis::reset(int m, const Kernels& kernels) {
   const int P = padded_rows(m);
   const std::size_t matrix = static_cast<std::size_t>(P) * static_cast<std::size_t>(m + 1);
   const std::size_t scratch = 19 * static_cast<std::size_t>(P);
-  const std::size_t total = 2 * matrix + 6 * static_cast<std::size_t>(P) + scratch;
+  const std::size_t changes = many_rows(m) ? kMostPending * static_cast<std::size_t>(P) : 0;
+  const std::size_t total = 2 * matrix + 2 * changes + 6 * static_cast<std::size_t>(P) + scratch;
   memory_.reserve(total);
   ids_.reserve(static_cast<std::size_t>(P));
   b_.reserve(static_cast<std::size_t>(P));
@@ -77,6 +78,8 @@ void Basis::reset(int m, const Kernels& kernels) {
   view_.w = take(static_cast<std::size_t>(P));
   view_.scratch = take(3 * static_cast<std::size_t>(P));
   view_.columns = take(scratch);
+  view_.changes = take(changes);
+  view_.change_rows = take(changes);
   view_.id = ids_.data();
 }
 
@@ -88,6 +91,7 @@ void Basis::set_column(int i, const double* column, double cost, std::int64_t id
 
 bool Basis::refactor() {
   share_pivots_ = -1;
+  view_.pending = 0;
   if (view_.m >= kBlocked ? !invert_in_blocks() : !invert_by_rows()) return false;
   const int m = view_.m;
   double* x = view_.x();

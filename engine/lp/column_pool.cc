@@ -39,9 +39,9 @@ void ColumnPool::choose(const PointSet& S, const double* factor, bool trivial, b
     magnitude_ = std::max(magnitude_, factor[k] * S.coordinate_magnitude()[k]);
   }
   // Sets small enough to carry a single-precision copy are priced from the first-level cache.
-  if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial);
+  if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial, in_single);
   const std::ptrdiff_t sample = sample_blocks(S);
-  if (sample >= S.block_count()) return take_all(S, factor, trivial);
+  if (sample >= S.block_count()) return take_all(S, factor, trivial, in_single);
   in_single_ = in_single && sample * kLanes * S.dimension() >= kWorthRounding;
   take_sample(S, factor, sample);
 }
@@ -96,13 +96,14 @@ bool ColumnPool::holds(std::int64_t index) const noexcept {
   return ((marks_[static_cast<std::size_t>(index) / 64] >> (index % 64)) & 1U) != 0;
 }
 
-void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial) {
+void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial, bool in_single) {
   n_ = S.dimension();
   size_ = S.size();
   complete_ = true;
   if (trivial) {
     blocks_ = S.data();
     single_blocks_ = S.single_data();
+    if (in_single && single_blocks_ == nullptr && n_ >= kManyDimensions) round_all();
     return;
   }
   grow_to(size_);
@@ -113,6 +114,24 @@ void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial)
       for (int lane = 0; lane < kLanes; ++lane) copy[offset + lane] = factor[k] * S.data()[offset + lane];
     }
   }
+  if (in_single && n_ >= kManyDimensions) round_all();
+}
+
+// blocks_ in single precision: many pricings read them.
+void ColumnPool::round_all() {
+  constexpr std::ptrdiff_t kWide = PointSet::kSingleLanes;
+  const std::ptrdiff_t blocks = (size_ + kLanes - 1) / kLanes;
+  const std::ptrdiff_t pairs = (size_ + kWide - 1) / kWide;
+  single_copy_.reserve(static_cast<std::size_t>(pairs * n_ * kWide));
+  for (std::ptrdiff_t half = 0; half < 2 * pairs; ++half) {
+    const std::ptrdiff_t from = std::min(half, blocks - 1);  // an odd number of blocks: the last one twice
+    for (int k = 0; k < n_; ++k) {
+      const double* source = blocks_ + (from * n_ + k) * kLanes;
+      float* to = single_copy_.data() + ((half / 2) * n_ + k) * kWide + (half % 2) * kLanes;
+      for (std::ptrdiff_t lane = 0; lane < kLanes; ++lane) to[lane] = static_cast<float>(source[lane]);
+    }
+  }
+  single_blocks_ = single_copy_.data();
 }
 
 void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks) {

@@ -50,7 +50,8 @@ class ColumnPool {
   void copy_point(std::ptrdiff_t i, double* out) const noexcept;
 
  private:
-  void take_all(const PointSet& S, const double* factor, bool trivial);
+  void take_all(const PointSet& S, const double* factor, bool trivial, bool in_single);
+  void round_all();
   void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
   void grow_to(std::ptrdiff_t size);
   void forget_marks(std::ptrdiff_t size);

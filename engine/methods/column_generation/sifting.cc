@@ -16,9 +16,9 @@ namespace {
 // and the working set hardly grows (measured over 0 … 1).
 constexpr double kReach = 0.2;
 
-// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex: at
-// N = 2 n … 10 n it takes 1.4 of its time at n = 150, 0.7 at 200 and 0.47 at 400 (AVX-512).
-constexpr int kInterior = 180;
+// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex: at n =
+// 200, N = 1.01 n … 10 n it takes 1.1 to 2.6 of its time, at n = 400 0.7 to 2.0 (AVX-512).
+constexpr int kInterior = 450;
 
 // Of the normal that it ends with, where its columns make no basis.
 constexpr double kErrorInside = 1e-3;

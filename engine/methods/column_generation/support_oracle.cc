@@ -10,6 +10,12 @@
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
+namespace {
+
+// Below, a pass over the working set takes little longer than one over a shortlist.
+constexpr int kShortlistDimension = 16;
+
+}  // namespace
 
 void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels) {
   set_ = &S;
@@ -41,7 +47,7 @@ void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels
   for (std::size_t k = 0; k < n; ++k) {
     largest_magnitude_ = std::max(largest_magnitude_, points_->coordinate_magnitude()[k] * factor_[k]);
   }
-  working_.choose(*points_, factor_, factor == nullptr, false);
+  working_.choose(*points_, factor_, factor == nullptr, keeps_shortlist());
   if (working_.is_complete()) return;
   const auto growth = static_cast<std::size_t>(ColumnPool::growth(*points_));
   better_.reserve(growth);
@@ -62,6 +68,30 @@ double SupportOracle::query(const double* u, double sign, double* point) {
   for (int k = 0; k < n; ++k) direction[k] = sign * Scaling::direction_component(factor_[k], u[k]);
   const double value = set_->support_unchecked(direction, point);
   for (int k = 0; k < n; ++k) point[k] *= factor_[k];
+  return value;
+}
+
+bool SupportOracle::keeps_shortlist() const noexcept {
+  return points_ != nullptr && points_->dimension() >= kShortlistDimension;
+}
+
+void SupportOracle::pass(const double* u, double sign) {
+  const int n = set_->dimension();
+  shortlist_.reserve(static_cast<std::size_t>(n) * PointSet::kLanes);
+  single_.reserve(static_cast<std::size_t>(n));
+  double* direction = direction_.data();
+  for (int k = 0; k < n; ++k) direction[k] = sign * u[k];
+  const PricedPoints view = working_.view();
+  kernels_->best_of_lanes(&view, n, direction, single_.data(), shortlist_.data());
+}
+
+double SupportOracle::query_shortlist(const double* u, double sign, double* point) {
+  const int n = set_->dimension();
+  double* direction = direction_.data();
+  for (int k = 0; k < n; ++k) direction[k] = sign * u[k];
+  std::ptrdiff_t lane = 0;
+  const double value = kernels_->price(shortlist_.data(), 1, n, direction, &lane);
+  for (int k = 0; k < n; ++k) point[k] = shortlist_[static_cast<std::size_t>(k * PointSet::kLanes + lane)];
   return value;
 }
 

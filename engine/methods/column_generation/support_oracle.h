@@ -24,6 +24,15 @@ class SupportOracle {
   /// otherwise. The maximiser is written to `point`. At most h_S'(sign · u).
   double query(const double* u, double sign, double* point);
 
+  /// Whether pass() and query_shortlist() save passes here: over point sets of many dimensions.
+  bool keeps_shortlist() const noexcept;
+
+  /// A pass over the points that query() asks, which keeps the best of every lane: eight good points.
+  void pass(const double* u, double sign);
+
+  /// As query(), over those alone.
+  double query_shortlist(const double* u, double sign, double* point);
+
   /// h_S'(sign · u) over the whole set with a bound on its error, the maximiser in `point`. Points of a large
   /// set that beat `known` join the working set (pass what `query` returned). For a point set the error is
   /// proven; any other set answers for ConvexSet::magnitude_unchecked: rounding_error(n) Σ|u_k| m_k.
@@ -62,6 +71,8 @@ class SupportOracle {
   double largest_magnitude_ = 0;
   AlignedBuffer<double> unit_;  // n ones, where no scaling is asked for
   AlignedBuffer<double> direction_;
+  AlignedBuffer<double> shortlist_;  // a block
+  AlignedBuffer<float> single_;
   AlignedBuffer<double> magnitude_;  // of a set that is no point set, scaled
   AlignedBuffer<std::int64_t> better_;
   AlignedBuffer<double> better_value_;

@@ -14,6 +14,9 @@ constexpr double kFeasible = 1e-11;  // how negative a weight may be after the v
 constexpr int kRayCostRaises = 14;
 constexpr int kRayRepairs = 2;
 constexpr int kIterationsBetweenLooks = 64;  // at the clock
+constexpr int kShortlistQueries = 8;         // after a pass
+// Of the pass's own reduced cost: a column of a shortlist that promises less waits for a better one.
+constexpr double kWorthEntering = 0.4;
 
 }  // namespace
 
@@ -23,7 +26,8 @@ void RayShooter::begin(SupportOracle& A, SupportOracle& Q, int n, const double* 
   n_ = n;
   kernels_ = &kernels;
   warm_ = false;
-  iterations_ = pivots_ = refactorisations_ = 0;
+  iterations_ = passes_ = pivots_ = refactorisations_ = 0;
+  keeps_shortlists_ = A.keeps_shortlist() && Q.keeps_shortlist();
   const auto size = static_cast<std::size_t>(n);
   basis_ = &bases_[0];
   spare_ = &bases_[1];
@@ -41,11 +45,36 @@ double* RayShooter::slot_A(std::int64_t slot) const noexcept {
 
 double* RayShooter::slot_Q(std::int64_t slot) const noexcept { return slot_A(slot) + n_; }
 
+// A column with u·s > enough, of the shortlists if they have one; otherwise the best of the points at hand.
+// Returns its u·s.
+double RayShooter::best_column(const double* u, double eta, double enough) {
+  if (!keeps_shortlists_) return query(u, eta);
+  if (shortlisted_-- > 0) {
+    const double value = query_shortlists(u, eta);
+    if (value > enough + kWorthEntering * shortlist_excess_) return value;
+  }
+  A_->pass(u, 1.0);
+  Q_->pass(u, -1.0);
+  ++passes_;
+  shortlisted_ = kShortlistQueries;
+  const double value = query_shortlists(u, eta);
+  shortlist_excess_ = value - enough;
+  return value > enough ? value : query(u, eta);
+}
+
+double RayShooter::query_shortlists(const double* u, double eta) {
+  best_A_ = A_->query_shortlist(u, 1.0, slot_A(free_slot_));
+  best_Q_ = Q_->query_shortlist(u, -1.0, slot_Q(free_slot_));
+  ++iterations_;
+  return support_of_column(u, eta);
+}
+
 // h_S(u) over the points at hand; the maximiser becomes the candidate column.
 double RayShooter::query(const double* u, double eta) {
   best_A_ = A_->query(u, 1.0, slot_A(free_slot_));
   best_Q_ = Q_->query(u, -1.0, slot_Q(free_slot_));
   ++iterations_;
+  ++passes_;
   return support_of_column(u, eta);
 }
 
@@ -135,6 +164,7 @@ double RayShooter::artificial_weight() const {
 
 RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max_iterations,
                                   const Stopwatch& stopwatch) {
+  shortlisted_ = 0;
   const bool kept = warm_ && (move_vertices(eta) || eta >= eta_shot_);
   if (!kept) start_cold(eta);
   warm_ = true;
@@ -144,7 +174,7 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
   double least = basis_->view().objective;
   for (;;) {
     BasisView& view = basis_->view();
-    double h_S = query(view.y, eta);
+    double h_S = best_column(view.y, eta, 1 + tolerance);
     sigma_ = view.objective;
     const bool out_of_iterations = iterations_ >= max_iterations;
     const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();

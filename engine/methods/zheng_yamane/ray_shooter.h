@@ -39,6 +39,7 @@ class RayShooter {
   const SupportValue& h_Q() const noexcept { return h_Q_; }  ///< h_Q(-normal)
 
   std::int64_t iterations() const noexcept { return iterations_; }  ///< N_rs, all calls together
+  std::int64_t passes() const noexcept { return passes_; }          ///< of those the ones over sets
   std::int64_t pivots() const noexcept { return pivots_ + basis_->view().pivots; }
   std::int64_t refactorisations() const noexcept { return refactorisations_; }
 
@@ -50,6 +51,8 @@ class RayShooter {
  private:
   void start_cold(double eta);
   bool move_vertices(double eta);
+  double best_column(const double* u, double eta, double enough);
+  double query_shortlists(const double* u, double eta);
   double query(const double* u, double eta);
   double verify(const double* u, double eta);
   double support_of_column(const double* u, double eta);
@@ -71,6 +74,10 @@ class RayShooter {
   SupportValue h_A_;  // of the last verification
   SupportValue h_Q_;
   std::int64_t iterations_ = 0;
+  std::int64_t passes_ = 0;
+  bool keeps_shortlists_ = false;
+  double shortlist_excess_ = 0;  // of the best column after the last pass
+  int shortlisted_ = 0;          // queries of the shortlists before the next pass
   std::int64_t pivots_ = 0;
   std::int64_t refactorisations_ = 0;
   std::int64_t free_slot_ = 0;

@@ -142,7 +142,7 @@ DistanceCounters ZhengYamane::counters() const {
   DistanceCounters counters;
   counters.outer_iterations = outer_iterations_;
   counters.ray_iterations = shooter_.iterations();
-  counters.support_queries = 2 * shooter_.iterations();
+  counters.support_queries = 2 * shooter_.passes();
   counters.pivots = shooter_.pivots();
   counters.refactorisations = shooter_.refactorisations();
   counters.witness_evaluations = witness_evaluations_;

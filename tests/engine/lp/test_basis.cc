@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -135,6 +136,43 @@ TEST(Basis, ForgetsWhatItHeldBeforeAReset) {
   ASSERT_TRUE(basis.refactor());
   EXPECT_EQ(inverse_of(basis), 0.5 * Matrix::Identity(3, 3));
   EXPECT_EQ(basis.view().objective, 1.5);
+}
+
+// From 25 rows on changes are collected, sixteen at a time, before the inverse takes them.
+TEST_P(BasisOnEveryKernel, KeepsItsInverseThroughManyChanges) {
+  const Kernels& kernels = kernels_for(GetParam());
+  Random random(27);
+  AlignedBuffer<double> column;
+  for (const int m : {5, 12, 20, 25, 40, 101}) {
+    fill(basis_, Matrix::Identity(m, m), Vector::Ones(m), gaussian_points(m, 1, random), kernels);
+    ASSERT_TRUE(basis_.refactor());
+    BasisView& view = basis_.view();
+    column.reserve(static_cast<std::size_t>(view.P));
+    std::fill_n(column.data(), view.P, 0.0);
+    for (std::int64_t change = 0; change < 53; ++change) {
+      Eigen::Map<Vector> entering(column.data(), m);
+      entering = gaussian_points(m, 1, random) / std::sqrt(m) + Vector::Unit(m, change % m);
+      const double cost = 0.01 * static_cast<double>(change);
+      const auto enter = [&] {
+        const double reduced_cost = cost - entering.dot(Eigen::Map<const Vector>(view.y, m));
+        std::int64_t left = -1;
+        return kernels.pivot(&view, column.data(), cost, reduced_cost, m + change, false, &left);
+      };
+      if (enter() == PivotResult::ok) continue;
+      entering = -entering;  // no weight falls along a column, so some do along its opposite
+      ASSERT_EQ(enter(), PivotResult::ok);
+    }
+    EXPECT_EQ(view.pivots, 53);
+    EXPECT_LE(basis_.drift(), 1e-8) << "m = " << m;
+    const Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> B(view.B, m, m, Eigen::OuterStride<>(view.P));
+    const Eigen::Map<const Vector> costs(view.cost, m);
+    const Eigen::Map<const Vector> x(view.x(), m);
+    const double size = Eigen::Map<const Vector>(view.y, m).norm() + 1;
+    EXPECT_LE((B.transpose() * Eigen::Map<const Vector>(view.y, m) - costs).norm(), 1e-8 * size)
+        << "m = " << m;
+    EXPECT_NEAR(view.objective, costs.dot(x), 1e-8 * (1 + costs.norm() * x.norm())) << "m = " << m;
+    EXPECT_LE(basis_.residual_share(), 1e-6) << "m = " << m;
+  }
 }
 
 TEST_P(BasisOnEveryKernel, EnclosesTheSolutionOfRandomSystemsTightly) {

@@ -78,7 +78,7 @@ TEST(InteriorPoint, SeparatesWhatNoMultipleReaches) {
 }
 
 TEST(InteriorPoint, StartsTheSimplexInManyDimensions) {
-  Problem problem(200, 700, 7);
+  Problem problem(450, 1400, 7);
   DistanceSolver solver;
   const DistanceResult& result = solver.solve(problem.A, problem.Q);
   EXPECT_EQ(result.status, DistanceStatus::optimal);
@@ -86,7 +86,7 @@ TEST(InteriorPoint, StartsTheSimplexInManyDimensions) {
 }
 
 TEST(InteriorPoint, ProvesUnreachableInManyDimensions) {
-  Problem problem(200, 260, 8);
+  Problem problem(450, 500, 8);
   DistanceSolver solver;
   const DistanceResult& result = solver.solve(problem.A, problem.Q);
   EXPECT_EQ(result.status, DistanceStatus::unreachable);
