@@ -32,10 +32,11 @@ class BuildByCMake(build_ext):
             options += [f"-DRAYGAUGE_{part}=OFF" for part in ("BUILD_PROGRAM", "BUILD_TESTS", "BUILD_BENCH", "INSTALL")]
             subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder), *options], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--parallel", str(os.cpu_count() or 1), "--target", "raygauge_python"], check=True)
-        built = next((pathlib.Path(folder) / "python" / "raygauge").glob("_raygauge*.so"))
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(built, target)
+        # _sweeps is there where the program has been built in that folder.
+        for built in (pathlib.Path(folder) / "python" / "raygauge").glob("_*.so"):
+            shutil.copy(built, target.parent / built.name)
 
 
 setup(version=version(), ext_modules=[Extension("raygauge._raygauge", [])], cmdclass={"build_ext": BuildByCMake})

@@ -50,12 +50,14 @@ from ._raygauge import (
     separation,
 )
 from . import plot
+from .components import Answer, generator, method
 from .files import ResultsError, open
 from .scenes import Scene, SceneAnswers
 from .sweeps import ProgramError, run
 
 __all__ = [
     "AffineImage",
+    "Answer",
     "Ball",
     "Box",
     "Capsule",
@@ -93,9 +95,11 @@ __all__ = [
     "__version__",
     "distance",
     "distances",
+    "generator",
     "gradient_moving_A",
     "gradient_moving_Q",
     "growth_distance",
+    "method",
     "object_distance",
     "open",
     "origin_in_interior",

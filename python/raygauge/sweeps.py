@@ -10,10 +10,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ._raygauge import Error, InvalidParameterError
+from .components import GENERATORS, METHODS, Component
 from .files import open as open_results
 
 if TYPE_CHECKING:
@@ -90,6 +94,54 @@ def _call(arguments: list[str], progress: bool) -> None:
         raise ProgramError(text.splitlines()[-1])
 
 
+def _own_components(source: pathlib.Path) -> tuple[list[Component], list[Component]]:
+    """The methods and generators in Python that an experiment names; the program tells what is wrong with its text."""
+    try:
+        experiment = tomllib.loads(source.read_text(encoding="utf-8"))
+        found = []
+        for kind, known in (("method", METHODS), ("generator", GENERATORS)):
+            names = {str(entry.get("name")) for entry in experiment.get(kind, [])}
+            found.append([known[name] for name in sorted(names & known.keys())])
+        return found[0], found[1]
+    except (OSError, ValueError, AttributeError, TypeError):
+        return [], []
+
+
+def _versions(components: list[Component]) -> list[tuple[str, str]]:
+    """What the provenance of a run in this process names besides the solvers."""
+    versions = [("Python", sys.version.split()[0]), ("NumPy", np.__version__)]
+    for name in ("scipy", "cvxpy"):
+        if name in sys.modules:
+            versions.append((name, str(getattr(sys.modules[name], "__version__", "unknown"))))
+    return versions + [(f"{component.kind} {component.name}", component.place()) for component in components]
+
+
+def _run_here(
+    source: pathlib.Path,
+    output: str,
+    own: tuple[list[Component], list[Component]],
+    threads: int | None,
+    progress: bool,
+    resume: bool,
+    force: bool,
+) -> None:
+    """Runs the sweep in this process, where its functions are."""
+    try:
+        from . import _sweeps
+    except ImportError as error:
+        raise ProgramError(
+            "methods and generators in Python need the package built beside the program: ./run.sh build, then ./run.sh python"
+        ) from error
+    failures: list[BaseException] = []
+    try:
+        _sweeps.run(
+            source=os.fspath(source), output=output, threads=threads, resume=resume, force=force, progress=progress,
+            methods=own[0], generators=own[1], versions=_versions(own[0] + own[1]), failures=failures,
+        )  # fmt: skip
+    except Error as error:
+        raise ProgramError(" ".join(str(error).split())) from (failures[0] if failures else None)
+
+
 def run(
     experiment: str | os.PathLike[str] | Mapping[str, Any],
     output: str | os.PathLike[str],
@@ -105,8 +157,9 @@ def run(
     resume=True (finishes an interrupted run) or force=True (replaces it). threads: 0 for one on each core; default:
     the experiment's. progress: shows the program's bar on standard error.
 
-    The program raygauge does the work, as `raygauge run` does: the measurements are the same. Ctrl-C interrupts it;
-    what is done is kept for resume=True. Raises ProgramError with the program's own message.
+    The program raygauge does the work, as `raygauge run` does: the measurements are the same. An experiment that names
+    what raygauge.method or raygauge.generator has registered is run in this process by the same code. Ctrl-C interrupts
+    it; what is done is kept for resume=True. Raises ProgramError with the program's own message.
 
     >>> results = rg.run({"sweep": {"n": [2, 3], "N": [50], "repetitions": 3}, "generator": [{"name": "example2"}],
     ...                   "method": [{"name": "direct"}]}, "mine.h5")
@@ -119,6 +172,11 @@ def run(
             source.write_text(toml_text(experiment) + "\n", encoding="utf-8")
         else:
             source = pathlib.Path(experiment)
+        own = _own_components(source)
+        if own[0] or own[1]:
+            sys.stdout.flush()
+            _run_here(source, os.fspath(output), own, threads, progress, resume, force)
+            return open_results(output)
         arguments = [program(), "run", str(source), "-o", os.fspath(output)]
         arguments += [] if progress else ["--quiet"]
         arguments += [] if threads is None else ["--threads", str(threads)]

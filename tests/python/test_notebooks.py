@@ -17,7 +17,7 @@ class Notebooks(unittest.TestCase):
     def test_each_runs_from_top_to_bottom(self):
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
         pages = sorted(NOTEBOOKS.glob("*.ipynb"))
-        self.assertGreaterEqual(len(pages), 4)
+        self.assertGreaterEqual(len(pages), 5)
         for page in pages:
             notebook = nbformat.read(page, as_version=4)
             for cell in notebook.cells:  # they are kept without outputs
