@@ -11,6 +11,7 @@
 
 #include "analysis/data/columns.h"
 #include "analysis/data/filter_tokens.h"
+#include "analysis/data/parameter_columns.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
@@ -56,6 +57,22 @@ bool compare(const std::string& symbol, const Value& a, const Value& b) {
   if (symbol == "<=") return a <= b;
   if (symbol == ">") return a > b;
   return a >= b;
+}
+
+bool is_comparison(const Token& token) {
+  return token.kind == TokenKind::symbol &&
+         (token.text == "==" || token.text == "!=" || token.text[0] == '<' || token.text[0] == '>');
+}
+
+/// Throws UnknownNameError for a name in front of a comparison that is neither a column nor a parameter of
+/// any of the records.
+void check_names(const std::string& expression, const std::vector<Record>& records) {
+  const std::vector<Token> tokens = filter_tokens(expression);
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].kind == TokenKind::word && is_comparison(tokens[i + 1]) &&
+        find_analysis_column(tokens[i].text) == nullptr)
+      column_among(records, tokens[i].text, filter_place(expression, tokens[i].position));
+  }
 }
 
 class Parser {
@@ -131,25 +148,41 @@ class Parser {
     return column != nullptr ? *column : analysis_column(name.text, filter_place(expression_, name.position));
   }
 
+  /// Whether records have such a parameter is for filtered() to say.
+  Predicate parameter_comparison(const Token& name) {
+    const std::string symbol = take().text;
+    const Token value = take_value(symbol);
+    const auto number = value.kind == TokenKind::word ? parse_number(value.text) : std::nullopt;
+    return [name = name.text, symbol, text = value.text, number](const Record& record) {
+      const std::string own = parameter_text(record, name);
+      if (own.empty()) return symbol == "!=";
+      const auto own_number = parse_number(own);
+      if (number && own_number) return compare(symbol, *own_number, *number);
+      return compare(symbol, own, text);
+    };
+  }
+
+  Token take_value(const std::string& symbol) {
+    const Token value = take();
+    if (value.kind == TokenKind::symbol || value.kind == TokenKind::end)
+      fail(value, "expected a value after " + symbol);
+    return value;
+  }
+
   Predicate comparison() {
     const Token name = take();
     if (name.kind != TokenKind::word)
       fail(name, "expected a column, found " + (name.text.empty() ? "the end" : "'" + name.text + "'"));
+    if (at_comparison() && find_analysis_column(name.text) == nullptr) return parameter_comparison(name);
     const AnalysisColumn& column = known_column(name);
     if (!at_comparison()) return truth(column, name);
     const std::string symbol = take().text;
-    const Token value = take();
-    if (value.kind == TokenKind::symbol || value.kind == TokenKind::end)
-      fail(value, "expected a value after " + symbol);
+    const Token value = take_value(symbol);
     if (column.type == ValueType::text) return text_comparison(column, symbol, value.text);
     return number_comparison(column, symbol, value);
   }
 
-  bool at_comparison() const {
-    const std::string& text = peek().text;
-    return peek().kind == TokenKind::symbol &&
-           (text == "==" || text == "!=" || text[0] == '<' || text[0] == '>');
-  }
+  bool at_comparison() const { return is_comparison(peek()); }
 
   Predicate truth(const AnalysisColumn& column, const Token& name) const {
     if (column.type != ValueType::boolean)
@@ -196,6 +229,7 @@ Filter::Filter(const std::string& expression)
     : expression_(expression), passes_(Parser(expression).parse()) {}
 
 std::vector<Record> filtered(const std::vector<Record>& records, const Filter& filter) {
+  if (!records.empty()) check_names(filter.expression(), records);
   std::vector<Record> passing;
   std::copy_if(records.begin(), records.end(), std::back_inserter(passing), filter);
   return passing;

@@ -4,19 +4,23 @@
 
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/commands/commands.h"
 #include "cli/commands/distance_query.h"
 #include "cli/input/input_file.h"
 #include "cli/input/registries.h"
+#include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
 #include "cli/input/shapes.h"
 #include "cli/output/distance_report.h"
 #include "engine/exceptions.h"
+#include "results/schema/dataset.h"
 
 namespace raygauge::cli {
 namespace {
@@ -112,9 +116,18 @@ void check_options(const DistanceOptions& options) {
   }
 }
 
+/// Whether the source may be read beside another one: HDF5 has one reader at a time.
+bool is_read_beside_others(const std::string& source) {
+  return source != kStandardInput && !is_set_file(source) && !parse_dataset_reference(source);
+}
+
+/// Two files of points are read side by side.
 Instance read_instance(const DistanceArguments& arguments) {
-  Instance instance{read_set_source(arguments.A, arguments.format),
-                    read_set_source(arguments.Q, arguments.format), std::nullopt};
+  const bool together = is_read_beside_others(arguments.A) && is_read_beside_others(arguments.Q);
+  std::future<SetPointer> Q = std::async(together ? std::launch::async : std::launch::deferred,
+                                         [&] { return read_set_source(arguments.Q, arguments.format); });
+  SetPointer A = read_set_source(arguments.A, arguments.format);
+  Instance instance{std::move(A), Q.get(), std::nullopt};
   if (instance.A->dimension() == instance.Q->dimension()) return instance;
   const auto described = [](const std::string& source, const ConvexSet& set) {
     return input_name(source) + " has n = " + std::to_string(set.dimension());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "analysis/data/parameter_columns.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
@@ -15,6 +16,7 @@ namespace {
 struct ExportArguments {
   AnalysisArguments analysis;
   std::string csv;
+  bool tidy = false;
   bool force = false;
 };
 
@@ -36,7 +38,7 @@ int export_records(const ExportArguments& arguments) {
   const std::vector<Record> records = filtered(read_files(arguments.analysis).records, filter);
   if (records.empty() && !filter.expression().empty())
     throw EmptySetError("no record passes the filter '" + filter.expression() + "'; nothing was written");
-  write_to(output, csv_text(records));
+  write_to(output, arguments.tidy ? tidy_csv(records) : csv_text(records));
   return kAnswered;
 }
 
@@ -52,10 +54,12 @@ void add_export_command(Command& app, int& status) {
           "File to write, - for standard output: one line a record, the columns of docs/file-format.md")
       .required()
       .type_name("OUT.csv");
+  command.add_flag("--tidy", arguments->tidy,
+                   "Add a column for each parameter of a generator or method, as separation");
   add_force_option(command, arguments->force);
   command.footer(
       "Examples:\n"
-      "  raygauge export out/example2.h5 --csv out/example2.csv\n"
+      "  raygauge export out/example2.h5 --csv out/example2.csv --tidy\n"
       "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'");
   command.callback([arguments, &status] { status = export_records(*arguments); });
 }

@@ -80,7 +80,7 @@ void refuse_idle_options(const RunArguments& arguments) {
 int run(const RunArguments& arguments) {
   refuse_idle_options(arguments);
   if (const std::unique_ptr<Ranks> ranks = ranks_of_this_job()) return run_on_ranks(*ranks, arguments);
-  const GeneratorRegistry generators = all_generators();
+  const GeneratorRegistry generators = sweep_generators(arguments.experiment_path);
   const MethodRegistry methods = sweep_methods();
   Experiment experiment =
       read_experiment(arguments.experiment_path, arguments.overrides, generators, methods);

@@ -41,8 +41,8 @@ struct SubmitArguments {
 };
 
 SlurmJob job_of(const SubmitArguments& arguments) {
-  const Experiment experiment =
-      read_experiment(arguments.experiment_path, arguments.overrides, all_generators(), sweep_methods());
+  const Experiment experiment = read_experiment(arguments.experiment_path, arguments.overrides,
+                                                sweep_generators(arguments.experiment_path), sweep_methods());
   SlurmJob job;
   job.program = fs::read_symlink("/proc/self/exe").string();
   job.experiment = fs::absolute(arguments.experiment_path).string();

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/render/number_text.h"
 #include "cli/output/terminal.h"
 #include "engine/sweep/makespan.h"
 #include "results/exceptions.h"
@@ -27,7 +28,10 @@ constexpr double kCounterSeconds = 1e-5;
 constexpr double kMergedRecordsPerSecond = 5e5;
 
 const std::string& value_text(const std::string& value) { return value; }
-std::string value_text(double value) { return to_string(ParameterValue(value)); }
+std::string value_text(double value) {
+  constexpr int kDigits = 6;
+  return significant(value, kDigits);
+}
 
 std::string value_text(const ComponentSpec& component) {
   std::string text = label_of(component);

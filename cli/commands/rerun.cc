@@ -119,8 +119,8 @@ void append(std::vector<Record>& records, std::vector<Record>&& more) {
 }  // namespace
 
 RerunResult run_pairs(const RerunPlan& plan, bool quiet) {
-  const Experiment experiment =
-      read_experiment(plan.experiment_path, plan.overrides, all_generators(), sweep_methods());
+  const Experiment experiment = read_experiment(plan.experiment_path, plan.overrides,
+                                                sweep_generators(plan.experiment_path), sweep_methods());
   const std::vector<std::string> blocks = blocks_of(experiment);
   const TemporaryFolder folder;
   const InterruptGuard guard(nullptr);

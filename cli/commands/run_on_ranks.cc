@@ -165,7 +165,7 @@ class RankRun {
 
   Ranks& ranks_;
   const RunArguments& arguments_;
-  const GeneratorRegistry generators_ = all_generators();
+  const GeneratorRegistry generators_ = sweep_generators(arguments_.experiment_path);
   const MethodRegistry methods_ = sweep_methods();
   Experiment experiment_;
   Orders orders_;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "cli/input/file_pairs.h"
 #include "cli/input/toml_values.h"
 #include "engine/exceptions.h"
 
@@ -114,10 +116,15 @@ std::vector<Parameters> swept_parameters(const toml::table& entry, const Compone
 }  // namespace
 
 std::vector<GeneratorSpec> read_generators(const TomlSource& source, const GeneratorRegistry& registry) {
+  const std::filesystem::path folder = std::filesystem::path(source.path).parent_path();
   std::vector<GeneratorSpec> specs;
   std::set<std::pair<std::string, std::string>> seen;
   for (const toml::table* entry : entries_of(source, "generator")) {
     const Component<Generator>& component = named_component(*entry, "generator", registry);
+    if (component.name == kFilesGenerator) {
+      for (GeneratorSpec& pair : read_file_pairs(*entry, folder, registry)) specs.push_back(std::move(pair));
+      continue;
+    }
     check_keys(*entry, "generator", component, keys_of_sweep());
     for (const Parameters& parameters : swept_parameters(*entry, component)) {
       const std::string completed = to_string(complete(component.name, component.parameters, parameters));

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "engine/sweep/instance.h"
 #include "engine/sweep/method.h"
 
 namespace raygauge::cli {
 
-/// Every generator of this build.
+/// Every generator of this build that needs a seed only.
 GeneratorRegistry all_generators();
+
+/// What a sweep may name: these and `files`, whose relative names start at the folder of the experiment.
+GeneratorRegistry sweep_generators(const std::string& experiment_path);
 
 /// Every method of this build: the engine's and the baselines'.
 MethodRegistry all_methods();

@@ -39,7 +39,7 @@ Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& 
   for (const char* name : {"angle", "quaternion", "rpy", "rotation"}) given += table.contains(name) ? 1 : 0;
   if (given > 1) refuse(table, key + ": give one of angle, quaternion, rpy and rotation");
   if (const toml::node* angle = table.get("angle")) {
-    if (n != 2) refuse(*angle, key + ".angle belongs to scenes of 2 dimensions");
+    if (n != 2) refuse(*angle, key + ".angle belongs to 2 dimensions");
     return plane_rotation(read_number(*angle, key + ".angle"));
   }
   if (const toml::node* matrix = table.get("rotation")) return read_matrix(*matrix, key + ".rotation");
@@ -47,7 +47,7 @@ Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& 
   const toml::node* rpy = table.get("rpy");
   const toml::node* turned = quaternion != nullptr ? quaternion : rpy;
   if (turned == nullptr) return Eigen::MatrixXd::Identity(n, n);
-  if (n != 3) refuse(*turned, key + ": quaternion and rpy belong to scenes of 3 dimensions");
+  if (n != 3) refuse(*turned, key + ": quaternion and rpy belong to 3 dimensions");
   if (quaternion != nullptr) {
     return from_quaternion(vector_of(*quaternion, key + ".quaternion", 4), place_of(*quaternion));
   }
@@ -58,9 +58,13 @@ Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& 
       .toRotationMatrix();
 }
 
+Eigen::VectorXd translation_of(const toml::table& table, int n, const std::string& key) {
+  const toml::node* node = table.get("translation");
+  return node == nullptr ? Eigen::VectorXd::Zero(n) : vector_of(*node, key + ".translation", n);
+}
+
 Placement pose_of(const toml::table& table, int n, const std::string& key) {
-  Eigen::VectorXd t = Eigen::VectorXd::Zero(n);
-  if (const toml::node* node = table.get("translation")) t = vector_of(*node, key + ".translation", n);
+  const Eigen::VectorXd t = translation_of(table, n, key);
   const Eigen::MatrixXd R = rotation_of(table, n, key);
   return placed(table, [&] { return make_placement(R, t); });
 }
@@ -143,6 +147,13 @@ MotionPointer read_rates(const toml::table& table, Placement first, int n, doubl
 Placement read_pose(const toml::table& table, int dimension, const std::string& key) {
   reject_unknown_keys(table, "key of a pose", kPoseKeys);
   return pose_of(table, dimension, key);
+}
+
+Pose read_exact_pose(const toml::table& table, int dimension, const std::string& key) {
+  reject_unknown_keys(table, "key of a pose", kPoseKeys);
+  const Eigen::VectorXd t = translation_of(table, dimension, key);
+  const Eigen::MatrixXd R = rotation_of(table, dimension, key);
+  return placed(table, [&] { return Pose(R, t); });
 }
 
 MotionPointer read_motion(const toml::table& body, int dimension, const std::filesystem::path& folder,

@@ -8,6 +8,7 @@
 
 #include "cli/input/toml_source.h"
 #include "engine/scene/joint_motion.h"
+#include "engine/sets/pose.h"
 
 namespace raygauge::cli {
 
@@ -15,6 +16,9 @@ namespace raygauge::cli {
 /// (roll, pitch, yaw as in URDF) or rotation (a matrix). Angles are in radians. What is left out is zero.
 /// Throws Error, with file and line.
 Placement read_pose(const toml::table& table, int dimension, const std::string& key);
+
+/// The same of any dimension, R as it is given. Throws Error also unless RᵀR = 1 to 1e-12.
+Pose read_exact_pose(const toml::table& table, int dimension, const std::string& key);
 
 /// The motion that the tables `pose` and `motion` of a body describe: none, keyframes, a CSV file of poses,
 /// or constant rates. Throws Error, with file and line.

@@ -4,35 +4,69 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "cli/input/input_file.h"
 #include "cli/input/point_source.h"
 #include "cli/input/set_file.h"
 #include "engine/exceptions.h"
 #include "engine/sets/point_set.h"
+#include "generators/random.h"
 
 namespace raygauge::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// `open` are the set files that are being read: each names the next one.
-SetPointer read_inside(const std::string& source, const PointFormat& format,
-                       const std::vector<fs::path>& open) {
-  if (!is_set_file(source)) return std::make_shared<PointSet>(read_point_source(source, format));
-  std::error_code ignored;
-  std::vector<fs::path> now_open = open;
-  now_open.push_back(fs::weakly_canonical(source, ignored));
-  if (std::find(open.begin(), open.end(), now_open.back()) != open.end())
-    throw InvalidParameterError(source + ": this set file names itself");
-  return read_set_file(source,
-                       [&](const std::string& named) { return read_inside(named, format, now_open); });
+std::uint64_t digest_of(const Eigen::MatrixXd& points) {
+  const std::string_view bytes(reinterpret_cast<const char*>(points.data()),
+                               static_cast<std::size_t>(points.size()) * sizeof(double));
+  return stable_hash(std::to_string(points.rows()) + " " + std::to_string(stable_hash(bytes)));
 }
+
+/// Reads a set and those that it names, with a digest if that is wanted: it takes half as long as reading.
+class SetReader {
+ public:
+  SetReader(const PointFormat& format, bool digests) : format_(format), digests_(digests) {}
+
+  /// `open` are the set files that are being read: each names the next one.
+  DigestedSet read(const std::string& source, const std::vector<fs::path>& open) const {
+    if (is_set_file(source)) return read_described(source, open);
+    const Eigen::MatrixXd points = read_point_source(source, format_);
+    return {std::make_shared<PointSet>(points), digests_ ? digest_of(points) : 0};
+  }
+
+ private:
+  DigestedSet read_described(const std::string& source, const std::vector<fs::path>& open) const {
+    std::error_code ignored;
+    std::vector<fs::path> now_open = open;
+    now_open.push_back(fs::weakly_canonical(source, ignored));
+    if (std::find(open.begin(), open.end(), now_open.back()) != open.end())
+      throw InvalidParameterError(source + ": this set file names itself");
+    std::string contents = digests_ ? read_input(source) : "";
+    SetPointer set = read_set_file(source, [&](const std::string& named) {
+      const DigestedSet inner = read(named, now_open);
+      contents += " " + std::to_string(inner.digest);
+      return inner.set;
+    });
+    return {std::move(set), stable_hash(contents)};
+  }
+
+  const PointFormat& format_;
+  bool digests_;
+};
 
 }  // namespace
 
 SetPointer read_set_source(const std::string& source, const PointFormat& format) {
-  return read_inside(source, format, {});
+  return SetReader(format, false).read(source, {}).set;
+}
+
+DigestedSet read_digested_set(const std::string& source, const PointFormat& format) {
+  return SetReader(format, true).read(source, {});
 }
 
 }  // namespace raygauge::cli

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "cli/input/point_file.h"
@@ -12,5 +13,13 @@ namespace raygauge::cli {
 /// The set that `source` names: a set file (.toml, see read_set_file), or else the convex hull of points (see
 /// read_point_source). Throws Error, also for a set file that names itself, be it over others.
 SetPointer read_set_source(const std::string& source, const PointFormat& format = {});
+
+/// The set, and a digest of what it was made from: the coordinates of points (of whatever format), the text
+/// of a set file and what the files hold that it names.
+struct DigestedSet {
+  SetPointer set;
+  std::uint64_t digest = 0;
+};
+DigestedSet read_digested_set(const std::string& source, const PointFormat& format = {});
 
 }  // namespace raygauge::cli

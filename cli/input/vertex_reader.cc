@@ -41,14 +41,29 @@ OffHeader off_header(const std::vector<std::string_view>& words, const ByteReade
   return header;
 }
 
+/// The byte order of the counts: big endian, as the format is defined, unless they cannot be true and those
+/// of the other order can. (Some programs write the order of their machine.)
+bool is_little_endian(ByteReader reader, std::uint64_t bytes_of_vertex) {
+  const auto may_follow = [&](bool swap) {
+    ByteReader counts = reader;
+    const auto vertices = counts.number<std::uint32_t>(swap);
+    const auto faces = counts.number<std::uint32_t>(swap);
+    counts.number<std::uint32_t>(swap);  // edges
+    return vertices * bytes_of_vertex + faces * std::uint64_t{sizeof(std::uint32_t)} <= counts.size();
+  };
+  return !may_follow(!kBigEndian) && may_follow(kBigEndian);
+}
+
 std::vector<Vertex> binary_off_vertices(ByteReader& reader, std::size_t extra) {
-  const auto count = reader.number<std::uint32_t>(!kBigEndian);
-  reader.bytes(2 * sizeof(std::uint32_t));  // faces and edges
   const std::size_t skipped = extra * sizeof(float);
-  reader.require_room(count, 3 * sizeof(float) + skipped, "vertices");
+  const std::size_t size = 3 * sizeof(float) + skipped;
+  const bool swap = is_little_endian(reader, size) ? kBigEndian : !kBigEndian;
+  const auto count = reader.number<std::uint32_t>(swap);
+  reader.bytes(2 * sizeof(std::uint32_t));  // faces and edges
+  reader.require_room(count, size, "vertices");
   std::vector<Vertex> vertices(count);
   for (Vertex& vertex : vertices) {
-    for (double& value : vertex) value = reader.number<float>(!kBigEndian);
+    for (double& value : vertex) value = reader.number<float>(swap);
     reader.bytes(skipped);
   }
   return vertices;

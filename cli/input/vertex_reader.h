@@ -16,7 +16,8 @@ using Vertex = std::array<double, 3>;
 /// believed, not the header: nothing is reserved for what is not there. Each throws InvalidParameterError,
 /// which names the file, for what is not of its format or ends too early.
 
-/// OFF, text or binary (big endian), also with normals, colours or texture coordinates (NOFF, COFF, STOFF).
+/// OFF, text or binary of either byte order, also with normals, colours or texture coordinates (NOFF, COFF,
+/// STOFF).
 std::vector<Vertex> off_vertices(std::string_view bytes, const std::string& name);
 
 /// PLY, text or binary of either byte order.

@@ -139,7 +139,7 @@ Json build_json() {
           {"libraries", libraries},
           {"solvers", solvers},
           {"methods", components_json(sweep_methods())},
-          {"generators", components_json(all_generators())},
+          {"generators", components_json(sweep_generators(""))},
           {"shapes", shapes_json()}};
 }
 
@@ -159,7 +159,7 @@ std::string build_text() {
                   fmt::format("{:.1f} GiB", static_cast<double>(machine.memory_bytes) / (1 << 30))) +
          labelled("  instruction sets", fmt::format("{}", fmt::join(instruction_sets(), " "))) +
          labelled("  system", machine.operating_system + ", " + machine.kernel) +
-         components_text("methods", sweep_methods()) + components_text("generators", all_generators()) +
+         components_text("methods", sweep_methods()) + components_text("generators", sweep_generators("")) +
          shapes_text();
 }
 

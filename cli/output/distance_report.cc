@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <vector>
+
+#include "analysis/render/number_text.h"
 #include "cli/output/counted.h"
 
 namespace raygauge::cli {
@@ -62,8 +64,8 @@ std::string bounds_text(const DistanceReport& report) {
   }
   if (!std::isfinite(r.upper) || r.upper == 0) return fmt::format("[{:.17g}, {:.17g}]", r.lower, r.upper);
   const double gap = r.upper - r.lower;
-  return fmt::format("[{:.17g}, {:.17g}], gap {:.2g} ({:.2g} of the distance; tolerance {:g})", r.lower,
-                     r.upper, gap, gap / r.upper, report.tolerance);
+  return fmt::format("[{:.17g}, {:.17g}], gap {} ({} of the distance; tolerance {})", r.lower, r.upper,
+                     significant(gap, 2), significant(gap / r.upper, 2), significant(report.tolerance, 6));
 }
 
 std::string line(const char* label, const std::string& text) {
@@ -178,6 +180,9 @@ Json distance_json(const DistanceReport& report) {
                {"violated_preconditions", violated_preconditions(report)},
                {"unchecked_preconditions", unchecked_preconditions(report)},
                {"method", report.method},
+               {"tolerance", report.tolerance},
+               {"seconds", report.seconds + report.check_seconds},
+               {"check_seconds", report.check_seconds},
                {"n", report.n},
                {"n_points_A", json_points(report.A)},
                {"n_points_Q", json_points(report.Q)},

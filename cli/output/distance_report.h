@@ -22,7 +22,7 @@ struct DistanceReport {
   DistanceResult result;
   std::string method;
   double tolerance = 0;
-  double seconds = 0;  ///< the solve alone, without reading the sets
+  double seconds = 0;  ///< building the method's model and the solve
   int n = 0;
   ReportedSet A;
   ReportedSet Q;

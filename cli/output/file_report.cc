@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "analysis/render/number_text.h"
 #include "cli/output/build_report.h"
 
 namespace raygauge::cli {
@@ -56,6 +57,29 @@ struct Contents {
   std::map<std::string, std::size_t> statuses;
   std::size_t disagreements = 0;
 };
+
+/// Each with its parameters, or names and numbers where that would be long.
+std::string generators_text(const std::vector<Record>& records, const Contents& contents) {
+  constexpr std::size_t kMost = 6;
+  if (contents.generators.size() <= kMost) return fmt::format("{}", fmt::join(contents.generators, ", "));
+  std::map<std::string, std::set<std::string>> parameters;
+  for (const Record& record : records) parameters[record.generator].insert(record.generator_parameters);
+  std::string text;
+  for (const auto& [name, all] : parameters) {
+    text += (text.empty() ? "" : ", ") + name;
+    if (all.size() > 1) text += fmt::format(" ({} choices of parameters)", all.size());
+  }
+  return text;
+}
+
+/// "1e-6 0.001".
+std::string tolerance_text(const Contents& contents) {
+  constexpr int kDigits = 6;
+  std::string text;
+  for (const double tolerance : contents.tolerance)
+    text += (text.empty() ? "" : " ") + significant(tolerance, kDigits);
+  return text;
+}
 
 Contents contents_of(const std::vector<Record>& records) {
   Contents contents;
@@ -220,11 +244,11 @@ std::string results_text(const std::string& path, const ResultsFile& results) {
                fmt::format("{} of {}{}", results.cells().size(), results.provenance.cell_count,
                            results.finished() ? "" : " (unfinished: `raygauge run … --resume` goes on)")) +
       labelled("records", std::to_string(results.records.size())) +
-      labelled("generators", fmt::format("{}", fmt::join(contents.generators, ", "))) +
+      labelled("generators", generators_text(results.records, contents)) +
       labelled("methods", fmt::format("{}", fmt::join(contents.methods, ", "))) +
       labelled("n", fmt::format("{}", fmt::join(contents.n, " "))) +
       labelled("N", fmt::format("{}", fmt::join(contents.N, " "))) +
-      labelled("tolerance", fmt::format("{}", fmt::join(contents.tolerance, " "))) +
+      labelled("tolerance", tolerance_text(contents)) +
       labelled("repetitions", std::to_string(contents.repetition.size())) +
       labelled("statuses", statuses_text(contents.statuses)) +
       labelled("disagreements",

@@ -109,7 +109,7 @@ std::optional<ShardReport> shard_report(const fs::path& target) {
   if (readable == found.end()) return std::nullopt;  // begun, and nothing stored yet
   const std::string text = read_results(readable->path.string()).provenance.experiment_text;
   const Experiment experiment =
-      experiment_from_text(text, readable->path.string(), all_generators(), sweep_methods());
+      experiment_from_text(text, readable->path.string(), sweep_generators(""), sweep_methods());
   ShardReport report;
   report.experiment = experiment.name;
   for (int i = 1; i <= most->first; ++i) {

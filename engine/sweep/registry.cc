@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 
+#include "engine/sweep/parameter_text.h"
+
 namespace raygauge {
 namespace {
 
@@ -91,7 +93,7 @@ std::string to_string(const ParameterValue& value) {
 std::string to_string(const Parameters& parameters) {
   std::string result;
   for (const auto& [name, value] : parameters) {
-    result += (result.empty() ? "" : " ") + name + "=" + to_string(value);
+    result += (result.empty() ? "" : " ") + name + "=" + quoted_where_needed(to_string(value));
   }
   return result;
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/identity.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -40,7 +42,36 @@ std::string text_of(const GeneratorSpec& generator) {
 
 std::string line_of(const std::string& key, const std::string& value) { return key + " = " + value; }
 
+/// The elements of "[a, b {x=[1,2], y=3}]", those in brackets and quotes being whole.
+std::vector<std::string> elements_of(const std::string& list) {
+  std::vector<std::string> elements(1);
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 1; i + 1 < list.size(); ++i) {
+    const char c = list[i];
+    if (c == '"' && list[i - 1] != '\\') quoted = !quoted;
+    if (!quoted) depth += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
+    if (!quoted && depth == 0 && c == ',') {
+      elements.emplace_back();
+      ++i;  // the blank
+    } else {
+      elements.back() += c;
+    }
+  }
+  return elements;
+}
+
+/// Lists that are too long to be read show the first element that differs.
+constexpr std::size_t kLongest = 200;
+
 std::string difference(const std::string& key, const std::string& there, const std::string& here) {
+  if (there.size() > kLongest && there.starts_with('[') && here.starts_with('[')) {
+    const std::vector<std::string> of_there = elements_of(there);
+    const std::vector<std::string> of_here = elements_of(here);
+    const auto [a, b] = std::mismatch(of_there.begin(), of_there.end(), of_here.begin(), of_here.end());
+    return line_of(key, a == of_there.end() ? "nothing" : *a) + " there, " +
+           (b == of_here.end() ? "nothing" : *b) + " here";
+  }
   return line_of(key, there) + " there, " + here + " here";
 }
 

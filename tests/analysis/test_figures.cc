@@ -186,10 +186,29 @@ TEST(Figures, SayWhatTheyNeed) {
   options.filter = Filter("n==7");
   EXPECT_EQ(complaint("time_vs_N", records, options), "figure time_vs_N: no record passes the filter 'n==7'");
   records = grid();
-  records[0].tolerance = 1e-3;
-  EXPECT_EQ(complaint("ratio_heatmap", records),
-            "figure ratio_heatmap shows one tolerance, the records have several (1e-6; 0.001); choose with "
-            "--where");
+  for (std::size_t i = 0; i < 9; ++i) records[i].tolerance = 1e-3 * static_cast<double>(1 + i);
+  EXPECT_EQ(
+      complaint("ratio_heatmap", records),
+      "figure ratio_heatmap draws a page for each generator, its parameters and tolerance, and there are 10 "
+      "(ε = 0.001; ε = 0.002; ε = 0.003; …); choose with --where");
+}
+
+TEST(Maps, HaveAPageForEachProblem) {
+  std::vector<Record> records = grid();
+  for (Record record : grid()) {
+    record.generator_parameters = "separation=3";
+    records.push_back(record);
+  }
+  for (const char* name : {"ratio_heatmap", "crossover"}) {
+    const std::vector<std::string> pages = draw(figure_named(name), records, {}, ImageFormat::svg);
+    ASSERT_EQ(pages.size(), 2U) << name;
+    EXPECT_NE(pages[0].find("separation=1.5: "), std::string::npos) << name;
+    EXPECT_NE(pages[1].find("separation=3: "), std::string::npos) << name;
+    EXPECT_NE(pages[1].find("page 2 of 2"), std::string::npos) << name;
+    FigureOptions options;
+    options.filter = Filter("separation==3");
+    EXPECT_EQ(draw(figure_named(name), records, options, ImageFormat::svg).size(), 1U) << name;
+  }
 }
 
 TEST(Figures, AreFoundByName) {

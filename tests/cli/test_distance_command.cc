@@ -80,10 +80,10 @@ class DistanceCommand : public DistanceProgram {};
 
 TEST_F(DistanceCommand, PrintsTheDocumentedKeysInTheirOrder) {
   const Json json = run_json(kBox, kSquare);
-  EXPECT_EQ(keys_of(json),
-            (std::vector<std::string>{"distance", "lower", "upper", "status", "violated_preconditions",
-                                      "unchecked_preconditions", "method", "n", "n_points_A", "n_points_Q",
-                                      "normal", "counters"}));
+  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"distance", "lower", "upper", "status",
+                                                     "violated_preconditions", "unchecked_preconditions",
+                                                     "method", "tolerance", "seconds", "check_seconds", "n",
+                                                     "n_points_A", "n_points_Q", "normal", "counters"}));
   EXPECT_EQ(
       keys_of(json["counters"]),
       (std::vector<std::string>{"outer_iterations", "ray_iterations", "pivots", "support_queries",

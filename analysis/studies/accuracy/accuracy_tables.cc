@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "analysis/constants.h"
+#include "analysis/data/parameter_columns.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "engine/exceptions.h"
@@ -14,13 +15,18 @@
 namespace raygauge {
 namespace {
 
-using GroupKey = std::tuple<std::string, int, int>;
+/// Nothing is averaged over parameters of the generator.
+using GroupKey = std::tuple<std::string, std::string, int, int>;
 
-GroupKey group_of(const Record& record) { return {record.generator, record.n, record.N}; }
+GroupKey group_of(const Record& record) {
+  return {record.generator, record.generator_parameters, record.n, record.N};
+}
 
-std::string name_of_group(const GroupKey& key) {
-  const auto& [generator, n, N] = key;
-  return generator + ", n = " + std::to_string(n) + ", N = " + std::to_string(N);
+/// "example2, separation=3, n = 3, N = 200": parameters that differ between the records.
+std::string name_of_group(const Record& record, const VaryingParameters& varying) {
+  const std::string parameters = varying.of_generator(record);
+  return record.generator + (parameters.empty() ? "" : ", " + parameters) +
+         ", n = " + std::to_string(record.n) + ", N = " + std::to_string(record.N);
 }
 
 TableCell known_cell(double value, int digits) {
@@ -119,9 +125,10 @@ std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, c
     if (is_new) keys.push_back(place->first);
     place->second.push_back(&record);
   }
+  const VaryingParameters varying(records);
   std::vector<AccuracyGroup> groups;
   for (const GroupKey& key : keys)
-    groups.push_back({name_of_group(key), accuracy_curves(members[key], truth)});
+    groups.push_back({name_of_group(*members[key].front(), varying), accuracy_curves(members[key], truth)});
   return groups;
 }
 

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "analysis/constants.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
+#include "analysis/render/time_unit.h"
 #include "analysis/studies/accuracy/accuracy_tables.h"
 
 namespace raygauge {
@@ -17,13 +20,15 @@ constexpr const char* kPrecisionNeeds =
     "figure work_precision needs solves of known truth (a generator that knows it, or records of the method "
     "exact) at "
     "two or more tolerances";
-std::vector<PanelCurve> precision_curves(const AccuracyGroup& group, double AccuracyPoint::*quantity) {
+
+std::vector<PanelCurve> precision_curves(const AccuracyGroup& group, double AccuracyPoint::*quantity,
+                                         const TimeUnit& unit) {
   std::vector<PanelCurve> curves;
   for (const AccuracyCurve& curve : group.curves) {
     PanelCurve drawn{curve.method, {}, {}};
     for (const AccuracyPoint& point : curve.points) {
       if (!std::isnan(point.*quantity))
-        drawn.points.emplace_back(1e6 * point.median_seconds, drawn_error(point.*quantity));
+        drawn.points.emplace_back(unit.per_second * point.median_seconds, drawn_error(point.*quantity));
     }
     curves.push_back(std::move(drawn));
   }
@@ -38,10 +43,11 @@ std::string time_axis(const std::pair<double, double>& range) {
 }
 
 /// The two panels of a group, on the same axes.
-void add_panels(const AccuracyGroup& group, std::vector<CurvePanel>& panels) {
+void add_panels(const AccuracyGroup& group, const TimeUnit& unit, std::vector<CurvePanel>& panels) {
   CurvePanel error{group.name + ": error", "", "",
-                   precision_curves(group, &AccuracyPoint::mean_relative_error)};
-  CurvePanel gap{group.name + ": gap", "", "", precision_curves(group, &AccuracyPoint::mean_relative_gap)};
+                   precision_curves(group, &AccuracyPoint::mean_relative_error, unit)};
+  CurvePanel gap{group.name + ": gap", "", "",
+                 precision_curves(group, &AccuracyPoint::mean_relative_gap, unit)};
   std::vector<PanelCurve> both = error.curves;
   both.insert(both.end(), gap.curves.begin(), gap.curves.end());
   const std::string axes = "set logscale x\n" + time_axis(range_of(both, false, 1.2));
@@ -56,6 +62,22 @@ bool has_precision(const AccuracyGroup& group) {
   });
 }
 
+/// That of all panels, which share the words below them.
+TimeUnit unit_of(const std::vector<AccuracyGroup>& groups) {
+  double least = kInfinity;
+  double most = 0;
+  for (const AccuracyGroup& group : groups) {
+    if (!has_precision(group)) continue;
+    for (const AccuracyCurve& curve : group.curves) {
+      for (const AccuracyPoint& point : curve.points) {
+        least = std::min(least, point.median_seconds);
+        most = std::max(most, point.median_seconds);
+      }
+    }
+  }
+  return time_unit_for(least, most);
+}
+
 }  // namespace
 
 Drawing work_precision(const std::vector<Record>& records, const FigureOptions& options) {
@@ -66,11 +88,12 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
   } catch (const EmptySetError&) {
     throw FigureNeedsError(kPrecisionNeeds);
   }
+  const TimeUnit unit = unit_of(groups);
   std::vector<CurvePanel> panels;
   std::vector<std::string> methods;
   for (const AccuracyGroup& group : groups) {
     if (!has_precision(group)) continue;
-    add_panels(group, panels);
+    add_panels(group, unit, panels);
     for (const AccuracyCurve& curve : group.curves) {
       if (std::find(methods.begin(), methods.end(), curve.method) == methods.end())
         methods.push_back(curve.method);
@@ -81,7 +104,7 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
       panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 1 : 2);
   grid.x_labels = 0.2;
   for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
-  return draw_curve_panels(grid, panels, methods, "median time of a solve, µs",
+  return draw_curve_panels(grid, panels, methods, std::string("median time of a solve, ") + unit.name,
                            "relative error, relative gap");
 }
 

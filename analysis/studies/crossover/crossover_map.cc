@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/render/figures/cell_map.h"
+#include "analysis/render/figures/problem_pages.h"
 #include "analysis/render/figures/style.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/crossover/crossover.h"
@@ -56,18 +57,17 @@ std::string winner_block(const std::string& name, const std::string& method,
 }
 
 /// Heading and key above the cells.
-std::string crossover_legend(double height, std::size_t key_columns) {
-  return "set label 9 'fastest method; time of the second / its own' at screen 0.5, screen " +
-         screen(1 - 0.1 / height) + " center\nset key at screen 0.5, screen " +
+std::string crossover_legend(const std::string& problem, double height, std::size_t key_columns) {
+  const std::string where = problem.empty() ? "" : problem + ": ";
+  return "set label 9 " + figure_style::quoted(where + "fastest method; time of the second / its own") +
+         " at screen 0.5, screen " + screen(1 - 0.1 / height) + " center\nset key at screen 0.5, screen " +
          screen(1 - kCrossoverHeading / height) +
          " center top horizontal Left reverse samplen 1.2 spacing 0.9 width 1 maxcols " +
          std::to_string(key_columns) + "\n";
 }
 
-}  // namespace
-
-Drawing crossover_figure(const std::vector<Record>& records, const FigureOptions& options) {
-  const std::vector<Record> kept = figure_style::comparable_records(kCrossoverName, records, options.filter);
+Drawing crossover_of(const Problem& problem, const FigureOptions& options) {
+  const std::vector<Record>& kept = problem.records;
   const std::vector<std::string> methods = methods_of(kept);
   const std::vector<CellWinner> winners = cell_winners(kept);
   if (methods.size() < 2 || winners.empty()) {
@@ -98,8 +98,15 @@ Drawing crossover_figure(const std::vector<Record>& records, const FigureOptions
   }
   drawing.script += "set style fill transparent solid 0.45 noborder\n" + map.settings() +
                     map.margins(top, drawing.height) + map.bottom_axis(kWinnerCharacters) +
-                    crossover_legend(drawing.height, key_columns) + boxes + labels + "\n";
+                    crossover_legend(problem.name, drawing.height, key_columns) + boxes + labels + "\n";
   return drawing;
+}
+
+}  // namespace
+
+Drawing crossover_figure(const std::vector<Record>& records, const FigureOptions& options) {
+  return page_for_each_problem(kCrossoverName, records, options.filter,
+                               [&](const Problem& problem) { return crossover_of(problem, options); });
 }
 
 }  // namespace raygauge

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
+#include "analysis/render/time_unit.h"
 #include "analysis/studies/example1/example1_table.h"
 #include "analysis/studies/table3/paper.h"
 
 namespace raygauge {
 namespace {
-
-constexpr double kMicroseconds = 1e6;
 
 /// The curves of one quantity. Points that are not positive (N_rs of a method that shoots no rays) are left
 /// out.
@@ -57,8 +57,10 @@ CurvePanel error_panel(const Example1Table& table) {
 }
 
 CurvePanel time_panel(const Example1Table& table) {
-  CurvePanel panel{"(b) mean time, µs", "", "",
-                   curves_of(table, &AccuracyPoint::mean_seconds, kMicroseconds)};
+  const auto [least, most] = range_of(curves_of(table, &AccuracyPoint::mean_seconds, 1), true, 1);
+  const TimeUnit unit = time_unit_for(least, most);
+  CurvePanel panel{std::string("(b) mean time, ") + unit.name, "", "",
+                   curves_of(table, &AccuracyPoint::mean_seconds, unit.per_second)};
   const auto [low, high] = range_of(panel.curves, true, 1.3);
   panel.settings = tolerance_axis(panel.curves) + "set format y '%g'\nset ytics nomirror " +
                    figure_style::one_two_five_ticks(low, high) + "\n" + range_setting("y", low, high);

@@ -10,28 +10,30 @@
 #include <tuple>
 
 #include "analysis/data/columns.h"
+#include "analysis/data/parameter_columns.h"
 #include "engine/exceptions.h"
 
 namespace raygauge {
 namespace {
 
-using Columns = std::vector<const AnalysisColumn*>;
+using Columns = std::vector<AnalysisColumn>;
 using Key = std::vector<Value>;
 
 /// What different records of one cell of the grid may not be mixed over.
 const std::vector<std::string> kIdentity = {"generator", "generator_parameters", "method",
                                             "method_parameters", "tolerance"};
 
-Columns columns_named(const std::vector<std::string>& names, const std::string& place) {
+Columns columns_named(const std::vector<Record>& records, const std::vector<std::string>& names,
+                      const std::string& place) {
   Columns columns;
-  for (const std::string& name : names) columns.push_back(&analysis_column(name, place));
+  for (const std::string& name : names) columns.push_back(column_among(records, name, place));
   return columns;
 }
 
 Key key_of(const Columns& columns, const Record& record) {
   Key key;
   key.reserve(columns.size());
-  for (const AnalysisColumn* column : columns) key.push_back(column->get(record));
+  for (const AnalysisColumn& column : columns) key.push_back(column.get(record));
   return key;
 }
 
@@ -51,13 +53,24 @@ bool varies_within(const std::vector<Record>& records, const Columns& grouping,
   });
 }
 
+/// The column with what differs between the records alone: other parameters tell nothing apart.
+AnalysisColumn short_column(const AnalysisColumn& column, const std::vector<Record>& records) {
+  AnalysisColumn result = column;
+  const VaryingParameters varying(records);
+  if (column.name == "generator_parameters")
+    result.get = [varying](const Record& record) -> Value { return varying.of_generator(record); };
+  if (column.name == "method_parameters")
+    result.get = [varying](const Record& record) -> Value { return varying.of_method(record); };
+  return result;
+}
+
 /// The identity columns that the table must be split by.
 Columns implied_rows(const std::vector<Record>& records, const Columns& rows, const Columns& columns) {
   Columns implied;
   for (const std::string& name : kIdentity) {
     const AnalysisColumn& column = analysis_column(name);
     if (varies_within(records, concatenated(concatenated(implied, rows), columns), column))
-      implied.push_back(&column);
+      implied.push_back(short_column(column, records));
   }
   return implied;
 }
@@ -66,8 +79,8 @@ Columns implied_rows(const std::vector<Record>& records, const Columns& rows, co
 std::vector<Key> sorted_keys(const std::vector<Record>& records, const Columns& columns) {
   std::vector<std::map<Value, std::size_t>> ranks(columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    for (const Record& record : records) ranks[c].emplace(columns[c]->get(record), ranks[c].size());
-    if (columns[c]->type == ValueType::text) continue;
+    for (const Record& record : records) ranks[c].emplace(columns[c].get(record), ranks[c].size());
+    if (columns[c].type == ValueType::text) continue;
     std::size_t rank = 0;
     for (auto& [value, place] : ranks[c]) place = rank++;
   }
@@ -184,11 +197,11 @@ class Filler {
 void require_cell_columns(const Columns& columns) {
   static const std::set<std::string> kCellColumns = {
       "generator", "generator_parameters", "method", "method_parameters", "n", "N", "tolerance", "cell"};
-  for (const AnalysisColumn* column : columns) {
-    if (kCellColumns.count(column->name) > 0) continue;
+  for (const AnalysisColumn& column : columns) {
+    if (kCellColumns.count(column.name) > 0 || find_analysis_column(column.name) == nullptr) continue;
     throw InvalidParameterError(
         "a ratio compares whole cells (generator, n, N, tolerance, method) and cannot be split by '" +
-        column->name + "'");
+        column.name + "'");
   }
 }
 
@@ -203,7 +216,7 @@ std::vector<Record> without_methods(const std::vector<Record>& records,
 
 std::vector<std::string> names_of(const Columns& columns) {
   std::vector<std::string> names;
-  for (const AnalysisColumn* column : columns) names.push_back(column->name);
+  for (const AnalysisColumn& column : columns) names.push_back(column.name);
   return names;
 }
 
@@ -216,8 +229,8 @@ void require_records(const std::vector<Record>& records, const std::string& why)
 Pivot make_pivot(const std::vector<Record>& records, const PivotOptions& options) {
   Pivot pivot;
   pivot.value = parse_aggregate(options.value);
-  Columns rows = columns_named(options.rows, "rows");
-  const Columns columns = columns_named(options.columns, "columns");
+  Columns rows = columns_named(records, options.rows, "rows");
+  const Columns columns = columns_named(records, options.columns, "columns");
   std::vector<Record> kept = filtered(records, options.filter);
   require_records(kept, records.empty()
                             ? "no records"

@@ -77,7 +77,8 @@ std::vector<std::string> notes_of(const StabilityTolerance& part) {
       "certified: solved with proven bounds of relative width at most " + tolerance +
           "; worst width: over all solves, none where a bound is missing",
       "wrong: an answer off by a relative error of more than " + significant(10 * part.tolerance, 6) +
-          ", or bounds that exclude the truth; failures: stopped at a limit without an answer"};
+          ", or bounds that exclude the truth; failures: stopped at a limit without an answer",
+      "a family is counted over all its parameters, n and N; --where chooses among them"};
   std::size_t solves = 0;
   std::size_t known = 0;
   for (const StabilityRow& row : part.totals) {

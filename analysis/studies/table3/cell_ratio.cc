@@ -149,7 +149,9 @@ std::vector<Record> baseline_records(const std::vector<Record>& all, const Filte
   std::vector<Record> candidates;
   std::copy_if(all.begin(), all.end(), std::back_inserter(candidates),
                [&](const Record& record) { return contains(baselines, record.method); });
-  std::vector<Record> passing = filtered(candidates, filter);
+  // Not filtered(): a parameter that the filter names need not be one of the baselines'.
+  std::vector<Record> passing;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(passing), filter);
   if (!passing.empty()) return passing;
 
   std::set<decltype(instance_key(all.front()))> instances;

@@ -8,6 +8,7 @@
 
 #include "analysis/constants.h"
 #include "analysis/render/figures/cell_map.h"
+#include "analysis/render/figures/problem_pages.h"
 #include "analysis/render/figures/style.h"
 #include "analysis/render/number_text.h"
 #include "analysis/render/words.h"
@@ -98,16 +99,21 @@ std::string ratio_panel(const CellMap& map, double height, std::size_t index, st
 }
 
 /// What the numbers and colours are, above the panels.
-std::string ratio_heading(const std::vector<std::string>& baselines, double height) {
+std::string ratio_heading(const std::vector<std::string>& baselines, const std::string& problem,
+                          double height) {
   const std::string text = baselines.size() > 1 ? "time, % of the best of " : "time, % of ";
-  return "set label 9 " + figure_style::quoted(text + joined(baselines, ", ")) + " at screen 0.5, screen " +
-         screen(1 - 0.1 / height) + " center\n";
+  const std::string where = problem.empty() ? "" : problem + ": ";
+  return "set label 9 " + figure_style::quoted(where + text + joined(baselines, ", ")) +
+         " at screen 0.5, screen " + screen(1 - 0.1 / height) + " center\n";
 }
 
 }  // namespace
 
-Drawing ratio_heatmap(const std::vector<Record>& records, const FigureOptions& options) {
-  const std::vector<Record> kept = figure_style::comparable_records(kHeatmapName, records, options.filter);
+namespace {
+
+/// The page of one problem; `records` are all there are, for the times of baselines.
+Drawing heatmap_of(const Problem& problem, const std::vector<Record>& records, const FigureOptions& options) {
+  const std::vector<Record>& kept = problem.records;
   const std::vector<std::string> baselines =
       options.baselines.empty() ? default_baselines(records) : options.baselines;
   if (baselines.empty())
@@ -131,11 +137,19 @@ Drawing ratio_heatmap(const std::vector<Record>& records, const FigureOptions& o
   for (std::size_t m = 0; m < methods.size(); ++m)
     drawing.script += ratio_block(m, ratios, methods[m], map, range);
   drawing.script += "set multiplot\nunset key\nset style fill solid noborder\n" + map.settings() +
-                    color_settings(map, range, drawing.height) + ratio_heading(baselines, drawing.height);
+                    color_settings(map, range, drawing.height) +
+                    ratio_heading(baselines, problem.name, drawing.height);
   for (std::size_t m = 0; m < methods.size(); ++m)
     drawing.script += ratio_panel(map, drawing.height, m, methods.size(), methods[m]) + "unset label 9\n";
   drawing.script += "unset multiplot\n";
   return drawing;
+}
+
+}  // namespace
+
+Drawing ratio_heatmap(const std::vector<Record>& records, const FigureOptions& options) {
+  return page_for_each_problem(kHeatmapName, records, options.filter,
+                               [&](const Problem& problem) { return heatmap_of(problem, records, options); });
 }
 
 }  // namespace raygauge

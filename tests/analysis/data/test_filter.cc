@@ -112,7 +112,8 @@ TEST(Filter, RefusesEndlessNestingAndTakesEndlessChains) {
 }
 
 TEST(Filter, ListsTheKnownColumnsForAnUnknownOne) {
-  const std::string message = message_of<UnknownNameError>([] { Filter("n==3 && metod==direct"); });
+  const std::string message =
+      message_of<UnknownNameError>([] { filtered({Record()}, Filter("n==3 && metod==direct")); });
   EXPECT_EQ(
       message.rfind(
           "filter 'n==3 && metod==direct', character 9: unknown column 'metod'; did you mean 'method'?", 0),

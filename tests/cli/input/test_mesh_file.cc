@@ -108,6 +108,9 @@ TEST_F(MeshFile, BinaryFormatsGiveTheVerticesOfATriangle) {
   const Eigen::MatrixXd expected{{0, 0, 1}, {0, 2, 0}, {4, 0, 0}};
   EXPECT_EQ(read("t.off", "OFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 0)), expected);
   EXPECT_EQ(read("t.off", "COFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 4)), expected);
+  // 3, 0, 0 and floats in the order of the machine that wrote them, as pmp-library does
+  const std::string counts("\3\0\0\0\0\0\0\0\0\0\0\0", 12);
+  EXPECT_EQ(read("t.off", "OFF BINARY\n" + counts + floats(false, 0)), expected);
   for (const bool big : {false, true}) {
     std::string header = kPly;
     header.resize(header.find("1 0 0\n0 2 0"));

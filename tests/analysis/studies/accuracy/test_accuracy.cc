@@ -133,6 +133,17 @@ TEST(AccuracyTables, LeaveOutTheMethodThatTheTruthIsFrom) {
   EXPECT_THROW(accuracy_groups(records, Filter("n==4")), EmptySetError);
 }
 
+TEST(AccuracyTables, AverageOverNoParameterOfTheGenerator) {
+  std::vector<Record> records = {solve("direct", 1e-2, 1e-3, 1e-3, 1), solve("direct", 1e-2, 1e-3, 1e-3, 3)};
+  records[0].generator_parameters = "clusters=16 separation=1.2";
+  records[1].generator_parameters = "clusters=16 separation=3";
+  const std::vector<AccuracyGroup> groups = accuracy_groups(records);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].name, "example2, separation=1.2, n = 3, N = 1");
+  EXPECT_EQ(groups[1].name, "example2, separation=3, n = 3, N = 1");
+  EXPECT_EQ(groups[1].curves[0].points[0].solves, 1U);
+}
+
 TEST(AccuracyTables, SayThatOnlyTheExactMethodPassesAFilter) {
   const std::vector<Record> records = {solve("direct", 1e-6, 0, 1e-9, 1), solve("exact", 1e-6, 0, 0, 1)};
   EXPECT_EQ(testing::message_of<EmptySetError>([&] { accuracy_groups(records, Filter("method==exact")); }),

@@ -49,7 +49,7 @@ std::size_t count_of(const std::string& picture, const std::string& text) {
 TEST(Example1Figures, HaveThePapersThreePanelsAndItsNumbers) {
   for (const auto& [figure, roles] : {std::pair{"fig5", "cone_ellipsoid"}, {"fig7", "ellipsoid_cone"}}) {
     const std::string picture = picture_of(figure, solves(roles));
-    expect_texts(picture, {"(a) mean error", "(b) mean time, µs", "(c) mean N_rs", "tolerance ε",
+    expect_texts(picture, {"(a) mean error", "(b) mean time, s", "(c) mean N_rs", "tolerance ε",
                            "zheng_yamane", "nlopt_slsqp", "paper"});
     for (const char* exponent : {">-10<", ">-6<", ">-2<"})
       EXPECT_GE(count_of(picture, exponent), 3U) << "a tolerance under each panel: " << exponent;
@@ -79,7 +79,7 @@ TEST(Example1Figures, SayWhatTheyNeed) {
 TEST(WorkPrecision, DrawsErrorAndGapOfEachGroup) {
   const std::string picture = picture_of("work_precision", solves("cone_ellipsoid"));
   expect_texts(picture, {"example1, n = 3, N = 1: error", "example1, n = 3, N = 1: gap",
-                         "median time of a solve, µs", "zheng_yamane", "nlopt_slsqp"});
+                         "median time of a solve, s", "zheng_yamane", "nlopt_slsqp"});
 }
 
 TEST(WorkPrecision, PutsErrorsAndGapsBeyondTheScaleAtInfinity) {

@@ -158,6 +158,7 @@ all families  direct          4     50.0 %         0.50                 0      0
 
 certified: solved with proven bounds of relative width at most 1e-6; worst width: over all solves, none where a bound is missing
 wrong: an answer off by a relative error of more than 1e-5, or bounds that exclude the truth; failures: stopped at a limit without an answer
+a family is counted over all its parameters, n and N; --where chooses among them
 the truth is unknown for 1 of 6 solves, which therefore cannot be found wrong
 )");
 }

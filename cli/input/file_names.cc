@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/input/file_names.h"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cli/input/input_file.h"
+#include "engine/exceptions.h"
+#include "results/schema/dataset.h"
+
+namespace raygauge::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSpecial = "*?[\\";
+
+/// The file of a source, and what follows it: ":/DATASET" or nothing.
+std::pair<std::string, std::string> split(const std::string& source) {
+  const auto dataset = parse_dataset_reference(source);
+  if (!dataset) return {source, ""};
+  return {dataset->file, source.substr(dataset->file.size())};
+}
+
+/// As a pattern that matches just this text.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string(kSpecial).find(c) != std::string::npos) result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+/// What glob(3) finds.
+class Matches {
+ public:
+  explicit Matches(const std::string& pattern) { ::glob(pattern.c_str(), 0, nullptr, &found_); }
+  ~Matches() { ::globfree(&found_); }
+  Matches(const Matches&) = delete;
+  Matches& operator=(const Matches&) = delete;
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> files;
+    std::error_code ignored;
+    for (std::size_t i = 0; i < found_.gl_pathc; ++i) {
+      if (!fs::is_directory(found_.gl_pathv[i], ignored)) files.emplace_back(found_.gl_pathv[i]);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+ private:
+  glob_t found_{};
+};
+
+std::string short_name(const std::string& source) {
+  const auto [file, dataset] = split(source);
+  fs::path path = fs::path(file).filename();
+  if (path.extension() == ".gz") path = path.stem();
+  const std::string stem = path.stem().string();
+  return dataset.empty() ? stem : stem + ":" + fs::path(dataset).filename().string();
+}
+
+}  // namespace
+
+std::vector<std::string> matching_sources(const std::string& pattern, const fs::path& folder) {
+  if (pattern == kStandardInput)
+    throw InvalidParameterError("standard input cannot be a file of a sweep: it can be read once only");
+  const auto [file, dataset] = split(pattern);
+  std::error_code ignored;
+  if (file.find_first_of(kSpecial) == std::string::npos || fs::exists(folder / file, ignored))
+    return {pattern};
+  const bool below = !folder.empty() && fs::path(file).is_relative();
+  const std::string prefix = below ? (folder / "").string() : "";
+  std::vector<std::string> sources = Matches(escaped(prefix) + file).files();
+  if (sources.empty()) throw InvalidParameterError("no file matches '" + prefix + file + "'");
+  for (std::string& source : sources) source = source.substr(prefix.size()) + dataset;
+  return sources;
+}
+
+std::map<std::string, std::string> short_names(const std::vector<std::string>& sources) {
+  std::map<std::string, std::set<std::string>> owners;
+  for (const std::string& source : sources) owners[short_name(source)].insert(source);
+  std::map<std::string, std::string> names;
+  for (const auto& [name, of] : owners) {
+    for (const std::string& source : of) names[source] = of.size() == 1 ? name : source;
+  }
+  return names;
+}
+
+}  // namespace raygauge::cli

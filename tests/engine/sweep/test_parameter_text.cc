@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/parameter_text.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/sweep/registry.h"
+
+namespace raygauge::test_parameter_text {
+namespace {
+
+using Split = std::vector<std::pair<std::string, std::string>>;
+
+TEST(ParameterText, ComesBackWhateverTheTextsHold) {
+  const Parameters parameters = {{"a", std::string("two words")},
+                                 {"b", std::string("\"quoted\"\\ and\n\ttwo lines\r")},
+                                 {"c", std::string()},
+                                 {"d", std::string("x=1")},
+                                 {"e", 0.5},
+                                 {"f", true}};
+  EXPECT_EQ(split_parameters(to_string(parameters)), (Split{{"a", "two words"},
+                                                            {"b", "\"quoted\"\\ and\n\ttwo lines\r"},
+                                                            {"c", ""},
+                                                            {"d", "x=1"},
+                                                            {"e", "0.5"},
+                                                            {"f", "true"}}));
+}
+
+TEST(ParameterText, IsPlainWhereNothingNeedsQuotes) {
+  EXPECT_EQ(to_string(Parameters{{"kind", std::string("plain")}, {"separation", 1.5}}),
+            "kind=plain separation=1.5");
+}
+
+TEST(ParameterText, TakesWordsOfEarlierVersionsForPartsOfAValue) {
+  EXPECT_EQ(split_parameters("program=./solve --fast now k=1"),
+            (Split{{"program", "./solve --fast now"}, {"k", "1"}}));
+}
+
+TEST(ParameterText, TakesAnythingForSomething) {
+  EXPECT_EQ(split_parameters(""), Split{});
+  EXPECT_EQ(split_parameters("a=\"open"), (Split{{"a", "open"}}));
+  EXPECT_EQ(split_parameters("a=\"x\\"), (Split{{"a", "x\\"}}));
+  EXPECT_EQ(split_parameters("lonely"), Split{});
+}
+
+}  // namespace
+}  // namespace raygauge::test_parameter_text
