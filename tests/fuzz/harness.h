@@ -22,6 +22,9 @@ void check_cell_journal(std::string_view input);
 void check_csv_rows(std::string_view input);
 void check_dataset(std::string_view input);
 void check_filter(std::string_view input);
+void check_scene_file(std::string_view input);
+void check_robot_file(std::string_view input);
+void check_pair_list(std::string_view input);
 void check_solver(std::string_view input);
 
 /// A promise of the library that an input broke.

@@ -13,37 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/harness.h"
+#include "tests/fuzz/targets.h"
 
 namespace raygauge::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Target {
-  std::string name;
-  void (*check)(std::string_view input);
-};
-
-const std::vector<Target>& targets() {
-  static const std::vector<Target> all = {
-      {"point_file", check_point_file},
-      {"mesh_file", check_mesh_file},
-      {"experiment_file", check_experiment_file},
-      {"set_file", check_set_file},
-      {"set_pair", check_set_pair},
-      {"override", check_override},
-      {"results_file", check_results_file},
-      {"cell_journal", check_cell_journal},
-      {"csv_rows", check_csv_rows},
-      {"dataset", check_dataset},
-      {"filter", check_filter},
-#ifdef RAYGAUGE_HAS_EXACT
-      {"solver", check_solver},
-#endif
-  };
-  return all;
-}
 
 struct FrozenInput {
   Target target;

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Every reader on seeds that were changed at random, in a process of little memory and with little time for
+// each input: what a header claims must not be believed. RAYGAUGE_FUZZ_INPUTS says how many inputs a target
+// gets.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/harness.h"
+#include "tests/fuzz/targets.h"
+
+namespace raygauge::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr rlim_t kMostMemory = rlim_t{256} << 20;
+constexpr int kMostSeconds = 1;  // of processor time, for one input
+constexpr int kFewInputs = 250;
+constexpr std::size_t kLongestInput = 1 << 16;
+
+/// What readers choke on: sizes, signs, words that are numbers to some.
+constexpr std::array<const char*, 14> kTokens = {
+    "1000000000", "4294967295", "-1", "9223372036854775807",       "1e308", "1e-320", "nan", "inf", "0", "[[",
+    "\"",         "=",          "\n", "element vertex 999999999\n"};
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string changed(const std::vector<std::string>& seeds) {
+    std::string input = seeds[below(seeds.size())];
+    for (std::size_t i = 1 + below(4); i > 0; --i) change(input, seeds);
+    if (input.size() > kLongestInput) input.resize(kLongestInput);
+    return input;
+  }
+
+ private:
+  std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
+
+  void change(std::string& input, const std::vector<std::string>& seeds) {
+    const std::size_t at = below(input.size() + 1);
+    switch (below(6)) {
+      case 0:
+        if (at < input.size()) input[at] = static_cast<char>(below(256));
+        return;
+      case 1:
+        input.erase(at, below(16));
+        return;
+      case 2:
+        input.resize(at);
+        return;
+      case 3:
+        input.insert(at, kTokens[below(kTokens.size())]);
+        return;
+      case 4:
+        replace_number(input, at);
+        return;
+      default:
+        const std::string& other = seeds[below(seeds.size())];
+        input = input.substr(0, at) + other.substr(below(other.size() + 1));
+    }
+  }
+
+  /// The number behind `at` becomes another one.
+  void replace_number(std::string& input, std::size_t at) {
+    constexpr const char* kDigits = "0123456789";
+    const std::size_t begin = input.find_first_of(kDigits, at);
+    if (begin == std::string::npos) return;
+    const std::size_t end = std::min(input.find_first_not_of(kDigits, begin), input.size());
+    input.replace(begin, end - begin, kTokens[below(9)]);
+  }
+
+  std::mt19937 random_;
+};
+
+std::vector<std::string> seeds_of(const Target& target) {
+  std::vector<fs::path> files;
+  for (const char* kind : {"corpus", "found"}) {
+    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / target.name;
+    if (!fs::is_directory(folder)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> seeds;
+  for (const fs::path& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return seeds;
+}
+
+int inputs_wanted() {
+  const char* text = std::getenv("RAYGAUGE_FUZZ_INPUTS");
+  return text == nullptr ? kFewInputs : std::max(1, std::atoi(text));
+}
+
+/// The input that the child is at, where its parent sees it.
+struct Shared {
+  std::size_t size;
+  std::array<char, kLongestInput> bytes;
+  std::array<char, 256> complaint;
+};
+
+void limit_memory() {
+  const rlimit memory{kMostMemory, kMostMemory};
+  ::setrlimit(RLIMIT_DATA, &memory);
+  const rlimit core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &core);
+}
+
+/// Sends SIGPROF, which ends the process, after so much processor time.
+void limit_time() {
+  const itimerval time{{0, 0}, {kMostSeconds, 0}};
+  ::setitimer(ITIMER_PROF, &time, nullptr);
+}
+
+[[noreturn]] void feed(const Target& target, const std::vector<std::string>& seeds, Shared& shared) {
+  limit_memory();
+  Mutator mutator(1);
+  int findings = 0;
+  for (int i = inputs_wanted(); i > 0 && findings == 0; --i) {
+    const std::string input = mutator.changed(seeds);
+    shared.size = input.size();
+    std::copy(input.begin(), input.end(), shared.bytes.begin());
+    limit_time();
+    try {
+      target.check(input);
+    } catch (const std::exception& finding) {
+      std::strncpy(shared.complaint.data(), finding.what(), shared.complaint.size() - 1);
+      ++findings;
+    }
+  }
+  ::_exit(findings == 0 ? 0 : 1);
+}
+
+/// Where an input that broke a promise is kept for found/TARGET.
+std::string kept(const Target& target, const Shared& shared) {
+  const fs::path path = fs::temp_directory_path() / ("raygauge-fuzz-found-" + target.name);
+  std::ofstream(path, std::ios::binary).write(shared.bytes.data(), static_cast<std::streamsize>(shared.size));
+  return path.string();
+}
+
+/// Scratch files of a process that had no time to remove them.
+void remove_scratch_of(pid_t process) {
+  const std::string prefix = "raygauge-fuzz-" + std::to_string(process);
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path())) {
+    if (entry.path().filename().string().starts_with(prefix)) fs::remove(entry.path(), ignored);
+  }
+}
+
+std::vector<Target> readers() {
+  std::vector<Target> readers;
+  for (const Target& target : targets()) {
+    if (target.is_reader) readers.push_back(target);
+  }
+  return readers;
+}
+
+class EveryReader : public testing::TestWithParam<Target> {};
+
+TEST_P(EveryReader, StaysWithinMemoryAndTime) {
+  const Target& target = GetParam();
+  const std::vector<std::string> seeds = seeds_of(target);
+  ASSERT_FALSE(seeds.empty());
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  Shared& shared = *static_cast<Shared*>(memory);
+  const pid_t child = ::fork();
+  if (child == 0) feed(target, seeds, shared);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  remove_scratch_of(child);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    ADD_FAILURE() << (WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status)) : shared.complaint.data())
+                  << "; the input is kept in " << kept(target, shared);
+  }
+  ::munmap(memory, sizeof(Shared));
+}
+
+std::string name_of(const testing::TestParamInfo<Target>& of) { return of.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, EveryReader, testing::ValuesIn(readers()), name_of);
+
+}  // namespace
+}  // namespace raygauge::fuzz

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// A scene in TOML: what is accepted has bodies and instants.
+#include "cli/input/scene_source.h"
+#include "tests/fuzz/harness.h"
+#include "tests/fuzz/scratch_file.h"
+
+namespace raygauge::fuzz {
+
+void check_scene_file(std::string_view input) {
+  static const ScratchFile file(".scene.toml");
+  file.write(input);
+  expect_success_or_error([&] {
+    const cli::SceneSource source = cli::read_scene(file.path(), {}, {});
+    require(source.text.size() <= input.size(), "the text of a scene is that of its file");
+  });
+}
+
+}  // namespace raygauge::fuzz
