@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/dry_run.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/render/number_text.h"
@@ -249,9 +251,20 @@ std::vector<double> measured_cell_seconds(const Experiment& experiment, const st
   if (!difference.empty()) throw OtherExperimentError(path + ": holds another experiment: " + difference);
   if (!results.finished()) throw ResultsError(path + ": is not finished, so that times of cells are missing");
   std::vector<double> seconds(grid.size(), 0.0);
+  double timed = 0;
+  std::map<std::pair<int, int>, std::pair<double, double>> spans;  // of each thread: first start, last end
   for (const Record& record : results.records) {
-    seconds.at(record.cell) += record.load_seconds + record.seconds * record.inner_repetitions;
+    const double own = record.load_seconds + record.seconds * record.inner_repetitions;
+    seconds.at(record.cell) += own;
+    timed += own;
+    const double end = record.started_at + own;
+    auto& span = spans.try_emplace({record.session, record.thread}, record.started_at, end).first->second;
+    span = {std::min(span.first, record.started_at), std::max(span.second, end)};
   }
+  double busy = 0;
+  for (const auto& [thread, span] : spans) busy += span.second - span.first;
+  // What is not timed, instances and warm-up, takes its part of every cell.
+  for (double& cell : seconds) cell *= std::max(1.0, busy / timed);
   return seconds;
 }
 
