@@ -9,6 +9,7 @@ OUTPUT/html is the site: the pages of docs/, the Python API from its docstrings,
 
 import html.parser
 import inspect
+import json
 import pathlib
 import re
 import shutil
@@ -169,6 +170,26 @@ def run_doxygen(output):
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
 
 
+def search_without_server(site):
+    """A page opened from the disk may neither fetch the index nor start a worker from a file: a script brings both."""
+    index = (site / "search" / "search_index.json").read_text(encoding="utf-8")
+    worker = next((site / "assets" / "javascripts" / "workers").glob("search.*.min.js")).read_text(encoding="utf-8")
+    script = f"""if (location.protocol === "file:") {{
+  var __search = {{ index: Promise.resolve({index}) }};
+  const source = new Blob([{json.dumps(worker)}], {{ type: "text/javascript" }});
+  const Started = window.Worker;
+  window.Worker = function () {{ return new Started(URL.createObjectURL(source)); }};
+}}
+"""
+    (site / "search" / "offline.js").write_text(script, encoding="utf-8")
+    bundle = re.compile(r'<script src="([^"]*)assets/javascripts/bundle')
+    for page in site.rglob("*.html"):
+        text = page.read_text(encoding="utf-8", errors="surrogateescape")
+        if bundle.search(text):
+            text = bundle.sub(r'<script src="\1search/offline.js"></script>\n      \g<0>', text)
+            page.write_text(text, encoding="utf-8", errors="surrogateescape")
+
+
 def main():
     output = pathlib.Path(sys.argv[1]).resolve()
     output.mkdir(parents=True, exist_ok=True)
@@ -179,6 +200,7 @@ def main():
     (output / "source" / "cpp").mkdir(exist_ok=True)
     (output / "source" / "cpp" / "index.html").write_text("", encoding="utf-8")  # Doxygen writes it below
     subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict"], cwd=output, check=True)
+    search_without_server(output / "html")
     run_doxygen(output)
     broken = list(broken_links(output / "html"))
     print("\n".join(broken))
