@@ -8,6 +8,7 @@
 
 #include "engine/exceptions.h"
 #include "engine/sets/point_set.h"
+#include "engine/sets/prepared_set.h"
 
 namespace raygauge {
 namespace {
@@ -53,6 +54,15 @@ double rounding_of(const SmallVector& magnitude) {
   return 4 * ConvexSet::rounding_error(n) * magnitude.sum();
 }
 
+// Hulls of so many points are climbed: from here on a step costs less than a pass over the points.
+std::shared_ptr<const ConvexSet> prepared(const std::shared_ptr<const ConvexSet>& S) {
+  constexpr std::ptrdiff_t kFewest = 1000;
+  const auto* points = dynamic_cast<const PointSet*>(S.get());
+  const bool pays =
+      points != nullptr && S->dimension() == 3 && points->size() >= kFewest && PreparedSet::has_hulls();
+  return pays ? std::make_shared<PreparedSet>(*points) : S;
+}
+
 }  // namespace
 
 BoundingBall bounding_ball(const ConvexSet& S) {
@@ -70,7 +80,7 @@ BoundingBall bounding_ball(const ConvexSet& S) {
   }
   S.magnitude_unchecked(magnitude.data());
   ball.radius = half.norm();
-  if (const auto* points = dynamic_cast<const PointSet*>(&S)) {
+  if (const PointSet* points = as_point_set(S)) {
     ball.radius = radius_by_points(*points, ball.center);
   } else if (n == 3) {
     ball.radius = std::min(ball.radius, radius_by_directions(S, ball.center));
@@ -88,7 +98,8 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
   body.motion = std::move(motion);
   const int n = body.dimension();
   SmallVector sum = SmallVector::Zero(n);
-  for (const auto& set : parts) {
+  for (const auto& given : parts) {
+    const auto set = prepared(given);
     if (set == nullptr) throw InvalidParameterError("body '" + body.name + "': a part is null");
     if (set->dimension() != n) {
       throw DimensionMismatchError("body '" + body.name + "': a part lives in R^" +

@@ -94,8 +94,10 @@ std::size_t InstantRun::skip_from(std::size_t k, std::size_t last) {
 void InstantRun::place(std::size_t k) {
   if (placed_) return;
   const SceneMetric& metric = scene_.queries[static_cast<std::size_t>(task_.queries.front())].metric;
-  const Placement* metric_at = metric.body >= 0 ? &timeline_.placement(metric.body, k) : nullptr;
-  solver_.place(timeline_.placement(task_.pair.a, k), timeline_.placement(task_.pair.b, k), metric_at);
+  Placement metric_at;
+  if (metric.body >= 0) metric_at = timeline_.placement(metric.body, k);
+  solver_.place(timeline_.placement(task_.pair.a, k), timeline_.placement(task_.pair.b, k),
+                metric.body >= 0 ? &metric_at : nullptr);
   placed_ = true;
 }
 
@@ -145,7 +147,7 @@ bool InstantRun::prove_beyond(std::size_t k) {
     return conclude(SceneDecision::broad_phase);
   }
   const bool follows = scene_.queries[static_cast<std::size_t>(task_.queries.front())].metric.body >= 0;
-  if (follows || memory_.normals.empty()) return false;
+  if (follows || memory_.empty()) return false;
   place(k);
   double rate = 0;
   const double plane = solver_.plane_bound(memory_, rate);
@@ -192,7 +194,7 @@ void InstantRun::solve_growth(std::size_t k) {
   place(k);
   const auto begin = std::chrono::steady_clock::now();
   const std::int64_t before = solver_.counters().solves();
-  known_.growth = solver_.growth();
+  known_.growth = solver_.growth(memory_);
   known_.growth.rate = 1;  // says that there is one
   if (!any_distance_ && !any_separation_) {
     if (known_.growth.lower > 1) known_.status = SceneStatus::separated;

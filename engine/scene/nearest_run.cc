@@ -68,20 +68,25 @@ class NearestRun {
   }
 
  private:
-  void bind(std::size_t pair, std::size_t k) {
-    const BodyPair bodies = pairs_[pair];
+  void bind_bodies(BodyPair bodies) {
     solver_.bind(scene_.bodies[static_cast<std::size_t>(bodies.a)],
                  scene_.bodies[static_cast<std::size_t>(bodies.b)], query_.metric);
-    const Placement* metric_at =
-        query_.metric.body >= 0 ? &timeline_.placement(query_.metric.body, k) : nullptr;
-    solver_.place(timeline_.placement(bodies.a, k), timeline_.placement(bodies.b, k), metric_at);
+  }
+
+  void bind(std::size_t pair, std::size_t k) {
+    const BodyPair bodies = pairs_[pair];
+    bind_bodies(bodies);
+    Placement metric_at;
+    if (query_.metric.body >= 0) metric_at = timeline_.placement(query_.metric.body, k);
+    solver_.place(timeline_.placement(bodies.a, k), timeline_.placement(bodies.b, k),
+                  query_.metric.body >= 0 ? &metric_at : nullptr);
   }
 
   void bound_all(std::size_t k) {
     candidates_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const BodyPair pair = pairs_[i];
-      bind(i, k);
+      bind_bodies(pair);
       candidates_.push_back(
           {i, solver_.ball_bound(timeline_.center(pair.a, k), timeline_.center(pair.b, k))});
     }
@@ -98,7 +103,7 @@ class NearestRun {
   }
 
   bool is_coherently_beyond(std::size_t pair, double limit) {
-    if (limit == kInfinity || query_.metric.body >= 0 || memories_[pair].normals.empty()) return false;
+    if (limit == kInfinity || query_.metric.body >= 0 || memories_[pair].empty()) return false;
     double rate = 0;
     return solver_.plane_bound(memories_[pair], rate) > limit;
   }
@@ -139,7 +144,7 @@ class NearestRun {
     row.seconds = found.seconds;
     if (has_effect(query_.effects, SceneEffects::growth)) {
       bind(found.pair, k);
-      const PairAnswer growth = solver_.growth();
+      const PairAnswer growth = solver_.growth(memories_[found.pair]);
       row.growth = growth.value;
       row.growth_lower = growth.lower;
       row.growth_upper = growth.upper;

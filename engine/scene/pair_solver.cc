@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
-#include "engine/queries/growth_body.h"
 #include "engine/sets/ball.h"
 
 namespace raygauge {
@@ -49,18 +48,18 @@ PairSolver::PairSolver(int dimension)
     : dimension_(dimension),
       distance_(newton_options(1e-6)),
       separation_(newton_options(1e-6)),
-      rays_(newton_options(1e-6)),
-      set_a_(dimension),
-      set_b_(dimension),
+      growth_(newton_options(1e-6)),
       set_Q_(dimension),
       ball_(std::make_shared<Ball>(Vector::Zero(dimension), 1.0)),
+      pose_a_(dimension),
+      pose_b_(dimension),
       tolerance_(1e-6) {}
 
 void PairSolver::set_tolerance(double tolerance) {
   if (tolerance == tolerance_) return;
   tolerance_ = tolerance;
   distance_ = ObjectDistanceSolver(newton_options(tolerance));
-  rays_.set_options(newton_options(tolerance));
+  growth_ = GrowthDistanceSolver(newton_options(tolerance));
 }
 
 void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
@@ -83,17 +82,23 @@ void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
 void PairSolver::place(const Placement& a, const Placement& b, const Placement* metric_at) {
   at_a_ = a;
   at_b_ = b;
+  posed_ = false;
   if (metric_->euclidean()) return;
   Placement turned = Placement::identity(dimension_);
   if (metric_at != nullptr) turned.R = metric_at->R;
   set_Q_.place(*metric_->Q, turned);
 }
 
-double PairSolver::ball_bound(const SmallVector& center_a, const SmallVector& center_b) {
+double PairSolver::ball_bound(const double* center_a, const double* center_b) {
   ++counters_.ball_tests;
   const double radii = a_->ball.radius + b_->ball.radius;
-  const double rounding = kRounding * (center_a.norm() + center_b.norm() + radii);
-  return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
+  double square = 0, size = radii;
+  for (int k = 0; k < dimension_; ++k) {
+    const double apart = center_a[k] - center_b[k];
+    square += apart * apart;
+    size += std::fabs(center_a[k]) + std::fabs(center_b[k]);
+  }
+  return std::max(0.0, std::sqrt(square) - radii - kRounding * size) / (outer_radius_ * kOutward);
 }
 
 double PairSolver::part_ball_bound(int i, int j) const {
@@ -147,9 +152,9 @@ void PairSolver::sort_part_pairs() {
 double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
   double lower = kInfinity;
   rate = 0;
-  if (memory.normals.size() != part_pairs_.size()) return 0;
+  if (memory.size() != part_pairs_.size()) return 0;
   for (const PartPair& pair : part_pairs_) {
-    const SmallVector& u = memory.normals[memory_index(pair)];
+    const SmallVector& u = memory[memory_index(pair)].normal;
     double bound = 0;
     if (u.size() > 0) {
       ++counters_.plane_tests;
@@ -177,16 +182,26 @@ double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
   return lower;
 }
 
-void PairSolver::place_parts(const PartPair& pair) {
-  set_a_.place(*a_->parts[static_cast<std::size_t>(pair.a)].set, at_a_);
-  set_b_.place(*b_->parts[static_cast<std::size_t>(pair.b)].set, at_b_);
+void PairSolver::pose_bodies() {
+  if (posed_) return;
+  pose_a_ = Pose(at_a_.R, at_a_.t);
+  pose_b_ = Pose(at_b_.R, at_b_.t);
+  posed_ = true;
+}
+
+Posed PairSolver::part_of_a(const PartPair& pair) const {
+  return {*a_->parts[static_cast<std::size_t>(pair.a)].set, pose_a_};
+}
+
+Posed PairSolver::part_of_b(const PartPair& pair) const {
+  return {*b_->parts[static_cast<std::size_t>(pair.b)].set, pose_b_};
 }
 
 // Parts that overlapped before are asked first whether they still do: a growth distance, stopped at 1, proves
 // it for a small part of what it costs a distance of smooth sets to end at 0.
-bool PairSolver::still_overlap(const PartPair& pair, const PairMemory& memory, PairAnswer& best) {
-  if (memory.overlapped[memory_index(pair)] == 0) return false;
-  const SeparationResult& found = separation_.separation(set_a_, set_b_);
+bool PairSolver::still_overlap(const PartPair& pair, PartMemory& memory, PairAnswer& best) {
+  if (!memory.overlapped) return false;
+  const SeparationResult& found = separation_.separation(part_of_a(pair), part_of_b(pair), &memory.growth);
   counters_.support_queries += found.counters.support_queries;
   if (found.outcome != Separation::intersecting) return false;
   ++counters_.distance_solves;
@@ -200,18 +215,19 @@ bool PairSolver::still_overlap(const PartPair& pair, const PairMemory& memory, P
 
 void PairSolver::solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory,
                              PairAnswer& best) {
-  place_parts(pair);
-  if (still_overlap(pair, memory, best)) return;
+  pose_bodies();
+  PartMemory& kept = memory[memory_index(pair)];
+  if (still_overlap(pair, kept, best)) return;
   const ConvexSet& Q = metric_->euclidean() ? *ball_ : static_cast<const ConvexSet&>(set_Q_);
-  const ObjectDistance& found = distance_.solve(
-      set_a_, set_b_, Q, closest_points ? ObjectEffects::closest_points : ObjectEffects::none);
+  const ObjectDistance& found =
+      distance_.solve(part_of_a(pair), part_of_b(pair), Q,
+                      closest_points ? ObjectEffects::closest_points : ObjectEffects::none, &kept.distance);
   const DistanceResult& distance = found.distance;
   ++counters_.distance_solves;
   counters_.closest_points += found.closest_point_evaluations;
   counters_.support_queries += distance.counters.support_queries;
-  SmallVector& kept = memory.normals[memory_index(pair)];
-  if (distance.lower > 0 && distance.normal.size() == dimension_) kept = distance.normal;
-  memory.overlapped[memory_index(pair)] = distance.status == DistanceStatus::contains_origin ? 1 : 0;
+  if (distance.lower > 0 && distance.normal.size() == dimension_) kept.normal = distance.normal;
+  kept.overlapped = distance.status == DistanceStatus::contains_origin;
   const double rate = distance.lower > 0 ? distance.normal.norm() * kOutward : 0.0;
   best.rate = std::max(best.rate, rate);
   if (best.part_a >= 0 && distance.upper >= best.upper) {
@@ -231,8 +247,7 @@ void PairSolver::solve_parts(const PartPair& pair, bool closest_points, PairMemo
 }
 
 PairAnswer PairSolver::distance(PairMemory& memory, double enough, bool closest_points, bool gradient) {
-  memory.normals.resize(part_pairs_.size());
-  memory.overlapped.resize(part_pairs_.size(), 0);
+  memory.resize(part_pairs_.size());
   sort_part_pairs();
   PairAnswer best;
   double beyond = kInfinity;  // a lower bound of the parts that were not solved
@@ -262,42 +277,39 @@ PairAnswer PairSolver::distance(PairMemory& memory, double enough, bool closest_
 }
 
 PairSeparation PairSolver::separation(PairMemory& memory) {
-  memory.normals.resize(part_pairs_.size());
+  memory.resize(part_pairs_.size());
   sort_part_pairs();
   PairSeparation outcome = PairSeparation::separated;
   for (const PartPair& pair : part_pairs_) {
     if (pair.ball_bound > 0) break;
-    SmallVector& kept = memory.normals[memory_index(pair)];
-    if (kept.size() > 0) {
+    PartMemory& kept = memory[memory_index(pair)];
+    if (kept.normal.size() > 0) {
       ++counters_.plane_tests;
-      if (part_plane_bound(pair.a, pair.b, kept) > 0) continue;
+      if (part_plane_bound(pair.a, pair.b, kept.normal) > 0) continue;
     }
-    place_parts(pair);
-    const SeparationResult& found = separation_.separation(set_a_, set_b_);
+    pose_bodies();
+    const SeparationResult& found = separation_.separation(part_of_a(pair), part_of_b(pair), &kept.growth);
     ++counters_.separation_solves;
     counters_.support_queries += found.counters.support_queries;
     if (found.outcome == Separation::intersecting) return PairSeparation::intersecting;
     if (found.outcome == Separation::undecided) {
       outcome = PairSeparation::undecided;
     } else {
-      kept = found.normal;
+      kept.normal = found.normal;
     }
   }
   return outcome;
 }
 
-PairAnswer PairSolver::growth() {
+PairAnswer PairSolver::growth(PairMemory& memory) {
+  memory.resize(part_pairs_.size());
   sort_part_pairs();
+  pose_bodies();
   PairAnswer best;
   best.lower = kInfinity;
   for (const PartPair& pair : part_pairs_) {
-    place_parts(pair);
-    SmallVector center_a(dimension_), center_b(dimension_);
-    set_a_.center_unchecked(center_a.data());
-    set_b_.center_unchecked(center_b.data());
-    const SmallVector ray = center_a - center_b;
-    const GrowthBody body(set_a_, center_a.data(), set_b_, center_b.data());
-    const DistanceResult& found = rays_.solve(PointView(ray.data(), dimension_), body);
+    WarmStart& warm = memory[memory_index(pair)].growth;
+    const DistanceResult& found = growth_.solve_about_centers(part_of_a(pair), part_of_b(pair), &warm);
     ++counters_.growth_solves;
     counters_.support_queries += found.counters.support_queries;
     best.lower = std::min(best.lower, found.lower);

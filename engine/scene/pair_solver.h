@@ -9,6 +9,7 @@
 #include "engine/queries/growth_distance.h"
 #include "engine/queries/object_distance.h"
 #include "engine/scene/scene.h"
+#include "engine/sets/pose.h"
 
 namespace raygauge {
 
@@ -46,12 +47,16 @@ struct PairAnswer {
 
 enum class PairSeparation : std::uint8_t { separated, intersecting, undecided };
 
-/// What a pair of bodies keeps from one look to the next: for each pair of parts the normal of a plane that
-/// lay between them. Never trusted: a plane is tested before anything is concluded from it.
-struct PairMemory {
-  std::vector<SmallVector> normals;  ///< by part_a * (parts of b) + part_b; empty: none
-  std::vector<char> overlapped;      ///< of those pairs: whether they shared a point when last solved
+/// What two parts keep from one look to the next. Never trusted: a plane is tested before anything is
+/// concluded from it, and warm starts are hints.
+struct PartMemory {
+  SmallVector normal;       ///< of a plane that lay between them; empty: none
+  bool overlapped = false;  ///< whether they shared a point when last solved
+  WarmStart distance, growth;
 };
+
+/// What a pair of bodies keeps, by part_a * (parts of b) + part_b.
+using PairMemory = std::vector<PartMemory>;
 
 /// Answers questions about two placed bodies. One a thread: it owns the workspace.
 class PairSolver {
@@ -69,7 +74,7 @@ class PairSolver {
 
   /// A certified lower bound on the distance from the bounding balls of the whole bodies; it falls by at most
   /// ball_rate() times the way of their middles.
-  double ball_bound(const SmallVector& center_a, const SmallVector& center_b);
+  double ball_bound(const double* center_a, const double* center_b);
   double ball_rate() const noexcept { return 1 / outer_radius_; }
 
   /// A certified lower bound on the distance from the planes in memory; 0 where they prove nothing. `rate` as
@@ -84,7 +89,7 @@ class PairSolver {
   PairSeparation separation(PairMemory& memory);
 
   /// The growth distance about the centres of the parts, the least over all pairs of parts.
-  PairAnswer growth();
+  PairAnswer growth(PairMemory& memory);
 
   const SceneCounters& counters() const noexcept { return counters_; }
 
@@ -100,19 +105,22 @@ class PairSolver {
   double part_ball_bound(int i, int j) const;
   double part_plane_bound(int i, int j, const SmallVector& u) const;
   void solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory, PairAnswer& best);
-  void place_parts(const PartPair& pair);
-  bool still_overlap(const PartPair& pair, const PairMemory& memory, PairAnswer& best);
+  bool still_overlap(const PartPair& pair, PartMemory& memory, PairAnswer& best);
+  void pose_bodies();
+  Posed part_of_a(const PartPair& pair) const;
+  Posed part_of_b(const PartPair& pair) const;
 
   int dimension_;
   ObjectDistanceSolver distance_;
-  GrowthDistanceSolver separation_;
-  DistanceSolver rays_;  ///< of growth distances
-  PlacedSet set_a_, set_b_, set_Q_;
+  GrowthDistanceSolver separation_, growth_;
+  PlacedSet set_Q_;
   std::shared_ptr<const ConvexSet> ball_;
   const Body* a_ = nullptr;
   const Body* b_ = nullptr;
   const SceneMetric* metric_ = nullptr;
   Placement at_a_, at_b_;
+  Pose pose_a_, pose_b_;  ///< the same, where posed_
+  bool posed_ = false;
   double tolerance_ = 0;
   double outer_radius_ = 1;  ///< of Q about the origin
   SmallVector magnitude_Q_;

@@ -25,29 +25,41 @@ double way(const Placement& before, const Placement& after, double reach) {
 
 }  // namespace
 
-Timeline::Timeline(const Scene& scene) : size_(scene.instants.size()) {
+Timeline::Timeline(const Scene& scene) : dimension_(scene.dimension()), size_(scene.instants.size()) {
   const std::size_t total = scene.bodies.size() * size_;
-  placements_.reserve(total);
-  centers_.reserve(total);
+  const auto n = static_cast<std::size_t>(dimension_);
+  placements_.reserve(total * n * (n + 1));
+  centers_.reserve(total * n);
   moved_.reserve(total);
   shifted_.reserve(total);
   for (const Body& body : scene.bodies) {
     double moved = 0;
     double shifted = 0;
+    Placement before;
+    SmallVector center_before;
     for (std::size_t k = 0; k < size_; ++k) {
-      Placement here = body.motion->at(scene.instants[k]);
-      SmallVector center = here.R * body.ball.center + here.t;
+      const Placement here = body.motion->at(scene.instants[k]);
+      const SmallVector center = here.R * body.ball.center + here.t;
       if (k > 0) {
-        moved += way(placements_.back(), here, body.reach);
+        moved += way(before, here, body.reach);
         const double rounding = 1e-15 * (center.norm() + body.reach);
-        if (moved > moved_.back()) shifted += (center - centers_.back()).norm() * kOutward + rounding;
+        if (moved > moved_.back()) shifted += (center - center_before).norm() * kOutward + rounding;
       }
-      placements_.push_back(std::move(here));
-      centers_.push_back(std::move(center));
+      placements_.insert(placements_.end(), here.R.data(), here.R.data() + n * n);
+      placements_.insert(placements_.end(), here.t.data(), here.t.data() + n);
+      centers_.insert(centers_.end(), center.data(), center.data() + n);
+      before = here;
+      center_before = center;
       moved_.push_back(moved);
       shifted_.push_back(shifted);
     }
   }
+}
+
+Placement Timeline::placement(int body, std::size_t k) const {
+  const int n = dimension_;
+  const double* numbers = placements_.data() + index(body, k) * static_cast<std::size_t>(n * (n + 1));
+  return {SmallMatrix::Map(numbers, n, n), SmallVector::Map(numbers + std::ptrdiff_t{n} * n, n)};
 }
 
 std::size_t Timeline::last_within(BodyPair pair, std::size_t from, double budget, bool balls) const {

@@ -21,10 +21,12 @@ class Timeline {
 
   std::size_t size() const noexcept { return size_; }
 
-  const Placement& placement(int body, std::size_t k) const { return placements_[index(body, k)]; }
+  Placement placement(int body, std::size_t k) const;
 
-  /// The middle of the body's bounding ball.
-  const SmallVector& center(int body, std::size_t k) const { return centers_[index(body, k)]; }
+  /// The middle of the body's bounding ball, as many numbers as there are dimensions.
+  const double* center(int body, std::size_t k) const {
+    return centers_.data() + index(body, k) * static_cast<std::size_t>(dimension_);
+  }
 
   double moved(int body, std::size_t k) const { return moved_[index(body, k)]; }
   double shifted(int body, std::size_t k) const { return shifted_[index(body, k)]; }
@@ -36,9 +38,10 @@ class Timeline {
  private:
   std::size_t index(int body, std::size_t k) const { return static_cast<std::size_t>(body) * size_ + k; }
 
+  int dimension_;
   std::size_t size_;
-  std::vector<Placement> placements_;
-  std::vector<SmallVector> centers_;
+  std::vector<double> placements_;  // R by columns, then t
+  std::vector<double> centers_;
   std::vector<double> moved_, shifted_;
 };
 

@@ -53,8 +53,26 @@ bool has_vertex(const SpatialShape& shape, std::int32_t index) {
   }
 }
 
-bool is_curved(const SpatialShape& shape) {
+bool is_curved_core(const SpatialShape& shape) {
   return shape.kind == Kind::ellipsoid || shape.kind == Kind::frustum;
+}
+
+// The points of both discs that are highest across the axis; false for v along it, where all of a rim are.
+bool highest_on_rims(const SpatialShape& shape, const PreciseVector3& v, PreciseVector3& at_base,
+                     PreciseVector3& at_top) {
+  const PreciseVector3 base = precise(shape.base), top = precise(shape.top);
+  const PreciseVector3 axis = top - base;
+  const DoubleDouble square = dot(axis, axis);
+  PreciseVector3 w = v - axis * (dot(v, axis) / square);
+  w = w - axis * (dot(w, axis) / square);
+  const DoubleDouble across = sqrt(dot(w, w));
+  constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
+  const double size = std::sqrt(dot(v, v).high);
+  w = across.high > kAlongAxis * size ? unit(w, across) : PreciseVector3{};
+  at_base = base + w * DoubleDouble{shape.base_radius};
+  at_top = top + w * DoubleDouble{shape.top_radius};
+  constexpr double kNearAxis = 1e-5;  // below, rims are as good as flat, and points on them are kept
+  return across.high > kNearAxis * size;
 }
 
 PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3& v) {
@@ -65,20 +83,6 @@ PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3
   if (!(size.high > 0)) return precise(shape.center);
   const PreciseVector3 on_ball = unit(z, size);
   return precise(shape.center) + column[0] * on_ball.x + column[1] * on_ball.y + column[2] * on_ball.z;
-}
-
-PreciseVector3 frustum_support(const SpatialShape& shape, const PreciseVector3& v) {
-  const PreciseVector3 base = precise(shape.base), top = precise(shape.top);
-  const PreciseVector3 axis = top - base;
-  PreciseVector3 w = v - axis * (dot(v, axis) / dot(axis, axis));
-  w = w - axis * (dot(w, axis) / dot(axis, axis));
-  const DoubleDouble across = sqrt(dot(w, w));
-  constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
-  const bool turned = across.high > kAlongAxis * std::sqrt(dot(v, v).high);
-  w = turned ? unit(w, across) : PreciseVector3{};
-  const PreciseVector3 at_base = base + w * DoubleDouble{shape.base_radius};
-  const PreciseVector3 at_top = top + w * DoubleDouble{shape.top_radius};
-  return dot(v, at_top) > dot(v, at_base) ? at_top : at_base;
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ bool PrecisePair::bind(const SpatialPair& pair, const Posed& first, const Posed&
   if (!(size > kSmallest && size < kLargest)) return false;
   error_ = kError * size;
   kernels_ = &kernels;
-  vertices_ = !is_curved(*body_[0].shape) && !is_curved(*body_[1].shape);
+  vertices_ = !is_curved_core(*body_[0].shape) && !is_curved_core(*body_[1].shape);
   queries_ = 0;
   return true;
 }
@@ -177,9 +181,13 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
     case Kind::ellipsoid:
       x = ellipsoid_support(shape, v);
       break;
-    case Kind::frustum:
-      x = frustum_support(shape, v);
+    case Kind::frustum: {
+      PreciseVector3 at_base, at_top;
+      highest_on_rims(shape, v, at_base, at_top);
+      index = dot(v, at_top) > dot(v, at_base) ? SpatialPoint::kTop : SpatialPoint::kBase;
+      x = index == SpatialPoint::kTop ? at_top : at_base;
       break;
+    }
     case Kind::segment:
       index = dot(v, precise(shape.top)) >= dot(v, precise(shape.base)) ? 0 : 1;
       break;
@@ -199,17 +207,43 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
   return height;
 }
 
+PreciseVector3 PrecisePair::difference(const PreciseVector3& x1, const PreciseVector3& x2,
+                                       PrecisePoint& point) const {
+  point.x1 = rounded(x1);
+  point.x2 = rounded(x2);
+  return (point.index_1 >= 0 ? turn(body_[0], point.x1) : turn(body_[0], x1)) -
+         (point.index_2 >= 0 ? turn(body_[1], point.x2) : turn(body_[1], x2)) + apart_;
+}
+
 PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
   PrecisePoint point;
   PreciseVector3 x1, x2;
   height = support_of(0, turn_back(body_[0], u), x1, point.index_1) +
            support_of(1, turn_back(body_[1], -u), x2, point.index_2) + dot(u, apart_);
-  point.x1 = rounded(x1);
-  point.x2 = rounded(x2);
-  const bool sharp_1 = point.index_1 >= 0, sharp_2 = point.index_2 >= 0;
-  point.s = (sharp_1 ? turn(body_[0], point.x1) : turn(body_[0], x1)) -
-            (sharp_2 ? turn(body_[1], point.x2) : turn(body_[1], x2)) + apart_;
+  point.s = difference(x1, x2, point);
   return point;
+}
+
+bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
+  PreciseVector3 x[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
+    const SpatialShape& shape = *body_[i].shape;
+    if (index >= 0) {
+      x[i] = precise(vertex_of(shape, index));
+      continue;
+    }
+    const PreciseVector3 v = turn_back(body_[i], i == 0 ? u : -u);
+    if (shape.kind == Kind::ellipsoid) {
+      x[i] = ellipsoid_support(shape, v);
+    } else {
+      PreciseVector3 at_base, at_top;
+      if (!highest_on_rims(shape, v, at_base, at_top)) return false;
+      x[i] = index == SpatialPoint::kTop ? at_top : at_base;
+    }
+  }
+  point.s = difference(x[0], x[1], point);
+  return true;
 }
 
 bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const {

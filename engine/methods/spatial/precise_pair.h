@@ -14,7 +14,9 @@ using PreciseVector3 = BasicVector3<DoubleDouble>;
 struct PrecisePoint {
   PreciseVector3 s;
   Vector3 x1, x2;  ///< the points of the cores, each in its own frame, rounded
-  std::int32_t index_1 = -1, index_2 = -1;
+  std::int32_t index_1 = kSmooth, index_2 = kSmooth;  ///< of vertices; or what of a curved core it is on
+
+  static constexpr std::int32_t kSmooth = -1;
 };
 
 /// The pair of a SpatialPair once more,  D = (R1 S1 + t1) - (R2 S2 + t2)  for the very numbers of the poses,
@@ -27,6 +29,13 @@ class PrecisePair {
 
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
+
+  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
+  /// nothing is changed, where u is so near the axis of a rim that this says nothing.
+  bool follow(const PreciseVector3& u, PrecisePoint& point) const;
+
+  /// Whether a core is curved.
+  bool is_curved() const noexcept { return !vertices_; }
 
   /// The difference of two vertices; false where there are none.
   bool vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const;
@@ -51,6 +60,7 @@ class PrecisePair {
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
   DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
+  PreciseVector3 difference(const PreciseVector3& x1, const PreciseVector3& x2, PrecisePoint& point) const;
   std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;
 
   Body body_[2];

@@ -82,6 +82,7 @@ class Descent {
   double tolerance_;
   SpatialAnswer answer_;
   SpatialCombination simplex_;
+  double best_hope_ = -1e300;
   Vector3 v_;
 };
 
@@ -115,6 +116,10 @@ bool Descent::step(double depth) {
   const double along = dot(v, w.s);
   // Only what may end the solve is worth a proof.
   const double hopeful = along / size - pair_.error() - pair_.radius();
+  if (hopeful > best_hope_) {
+    best_hope_ = hopeful;
+    answer_.hint = -v;
+  }
   const bool drowned = answer_.upper - hopeful <= kNoise * pair_.error();
   if (answer_.upper - hopeful <= tolerance_ * answer_.upper || drowned || holds(simplex_, w)) {
     if (pair_.climbs()) w = pair_.support(-v, true);

@@ -40,7 +40,7 @@ Frame frame_of(const Pose* pose) {
   return frame;
 }
 
-Vector3 frustum_support(const SpatialShape& shape, const Vector3& v) {
+Vector3 frustum_support(const SpatialShape& shape, const Vector3& v, std::int32_t& index) {
   const Vector3& a = shape.axis.column[0];
   Vector3 w = v - a * dot(v, a);
   w = w - a * dot(w, a);
@@ -53,6 +53,7 @@ Vector3 frustum_support(const SpatialShape& shape, const Vector3& v) {
   }
   const double base = dot(v, shape.base) + shape.base_radius * across;
   const double top = dot(v, shape.top) + shape.top_radius * across;
+  index = top > base ? SpatialPoint::kTop : SpatialPoint::kBase;
   return top > base ? shape.top + w * shape.top_radius : shape.base + w * shape.base_radius;
 }
 
@@ -196,7 +197,7 @@ Vector3 SpatialPair::support_of(int i, const Vector3& v, bool proven, std::int32
     case Kind::ellipsoid:
       return ellipsoid_support(shape, v);
     case Kind::frustum:
-      return frustum_support(shape, v);
+      return frustum_support(shape, v, index);
     case Kind::points:
       index = highest(i, v, proven);
       Vector3 x;
@@ -229,7 +230,13 @@ bool SpatialPair::vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoin
 bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   const bool curved = radius() > 0 || shape_[0].kind == Kind::ellipsoid || shape_[1].kind == Kind::ellipsoid;
   if (!curved || height_ > 0) return false;
+  core_hessian(u, H);
   const double size = length(u);
+  if (radius() > 0) add_projector(radius() / size, u * (1 / size), {}, H);
+  return true;
+}
+
+void SpatialPair::core_hessian(const Vector3& u, Matrix3& H) const {
   H = {};
   Matrix3 inner{};
   add_hessian(shape_[1], R_.transposed_times(-u), inner);
@@ -239,8 +246,6 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
                            {R_.column[0].z, R_.column[1].z, R_.column[2].z}};
   for (int j = 0; j < 3; ++j) H.column[j] = half * rows[j];
   add_hessian(shape_[0], u, H);
-  if (radius() > 0) add_projector(radius() / size, u * (1 / size), {}, H);
-  return true;
 }
 
 Vector3 SpatialPair::between_centers() const noexcept { return R_ * shape_[1].center + t_ - anchor_; }

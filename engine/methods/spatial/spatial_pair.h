@@ -15,7 +15,9 @@ namespace raygauge {
 struct SpatialPoint {
   Vector3 s;  ///< a1 - a2
   Vector3 a1, a2;
-  std::int32_t index_1 = -1, index_2 = -1;  ///< which points of their cores; -1 where cores have no vertices
+  std::int32_t index_1 = -1, index_2 = -1;  ///< which vertices of their cores; below 0 where these have none
+
+  static constexpr std::int32_t kBase = -2, kTop = -3;  ///< a rim of a frustum
 };
 
 /// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
@@ -52,6 +54,9 @@ class SpatialPair {
 
   /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
   bool hessian(const Vector3& u, Matrix3& H) const;
+
+  /// The same of the cores alone.
+  void core_hessian(const Vector3& u, Matrix3& H) const;
 
   double error() const noexcept { return error_; }
   double radius() const noexcept { return shape_[0].radius + shape_[1].radius; }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "engine/exceptions.h"
+#include "engine/sets/prepared_set.h"
 #include "tests/engine/scene/random_scenes.h"
 
 namespace raygauge::test_scene_run {
@@ -277,6 +278,19 @@ TEST(SceneRun, RefusesScenesThatCannotBeAnswered) {
   scene.bodies[0].motion = std::make_shared<KeyframeMotion>(
       std::vector<double>{0, 1}, std::vector<Placement>(2, Placement::identity(3)));
   EXPECT_THROW(plan_scene(scene), InvalidParameterError);
+}
+
+TEST(SceneRun, HullsOfManyPointsArePreparedOnce) {
+  Random random(5);
+  Eigen::MatrixXd points(3, 1200);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = uniform_vector(random, 3, 1.0);
+  const auto fine = std::make_shared<PointSet>(points);
+  const auto coarse = std::make_shared<PointSet>(points.leftCols(30));
+  const Body body = make_body("stone", {fine, coarse}, motion(random, 3, 1.0));
+  EXPECT_EQ(dynamic_cast<const PreparedSet*>(body.parts[0].set.get()) != nullptr, PreparedSet::has_hulls());
+  EXPECT_EQ(body.parts[1].set, coarse);
+  Vector u = Vector::Unit(3, 1);
+  EXPECT_EQ(body.parts[0].set->support_function(u), fine->support_function(u));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/queries/growth_distance.h"
@@ -14,6 +15,7 @@
 #include "engine/sets/ball.h"
 #include "engine/sets/box.h"
 #include "engine/sets/capsule.h"
+#include "engine/sets/ellipsoid.h"
 #include "engine/sets/prepared_set.h"
 #include "tests/engine/rational.h"
 
@@ -117,6 +119,21 @@ TEST(PreciseDistance, SubtractsBallsWithoutRounding) {
   EXPECT_LE(r.upper - r.lower, 1e-6 * 0x1p-40);
 }
 
+TEST(PreciseDistance, HoldsTheDistanceOfEllipsoidsThatIsKnownExactly) {
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Ellipsoid one(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(1, 0.5, 0.25).asDiagonal()));
+  for (const double gap : {0x1p-30, 0x1p-36, 0x1p-42}) {
+    const Ellipsoid other(Vector3d(3 + gap, 0, 0), Eigen::MatrixXd(Vector3d(2, 0.25, 0.75).asDiagonal()));
+    const DistanceResult& r = solver.solve(one, other, kMetric).distance;
+    EXPECT_EQ(to_string(r.status), "optimal") << gap;
+    EXPECT_LE(r.lower, gap);
+    EXPECT_GE(r.upper, gap);
+    EXPECT_LE(r.upper - r.lower, 1e-6 * gap);
+    const Ellipsoid within(Vector3d(3 - gap, 0, 0), Eigen::MatrixXd(Vector3d(2, 0.25, 0.75).asDiagonal()));
+    EXPECT_EQ(to_string(solver.solve(one, within, kMetric).distance.status), "contains_origin") << gap;
+  }
+}
+
 std::vector<SetPointer> polytopes(Random& random) {
   std::vector<SetPointer> sets = {std::make_shared<Box>(Vector3d(-0.6, -0.5, -0.4), Vector3d(0.6, 0.5, 0.4)),
                                   std::make_shared<Capsule>(Vector3d(0, 0, -0.6), Vector3d(0, 0, 0.6), 0.4)};
@@ -127,6 +144,13 @@ std::vector<SetPointer> polytopes(Random& random) {
     sets.push_back(std::make_shared<PreparedSet>(points));
   }
   return sets;
+}
+
+std::vector<SetPointer> smooth_bodies() {
+  return {
+      std::make_shared<Ellipsoid>(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(1, 0.6, 0.4).asDiagonal())),
+      std::make_shared<Ellipsoid>(Vector3d(0.1, 0, 0), Eigen::MatrixXd(Vector3d(0.3, 0.9, 0.5).asDiagonal())),
+      std::make_shared<Ball>(Vector3d(0, 0.2, 0), 0.8)};
 }
 
 // Moves `pose` along the normal until the bodies are about `gap` apart.
@@ -145,25 +169,29 @@ TEST(PreciseDistance, CertifiesPairsThatNearlyTouch) {
     options.method = DistanceMethod::newton;
     return GrowthDistanceSolver(options);
   }();
-  for (const SetPointer& one : polytopes(random)) {
-    for (const SetPointer& other : polytopes(random)) {
-      for (const double gap : {0.0, 1e-9}) {
-        const Pose pose_1(random_rotation(random), gaussian(random));
-        Pose pose_2(random_rotation(random),
-                    Vector3d(pose_1.translation() + 4 * gaussian(random).normalized()));
-        bring_near({*one, pose_1}, *other, pose_2, gap);
-        const ObjectDistance& r =
-            solver.solve({*one, pose_1}, {*other, pose_2}, kMetric, ObjectEffects::closest_points);
-        if (r.distance.status != DistanceStatus::contains_origin) {
-          EXPECT_EQ(to_string(r.distance.status), "optimal");
-          EXPECT_LE(r.distance.upper - r.distance.lower, 1e-6 * r.distance.upper);
-          EXPECT_NEAR((r.closest_point_1 - r.closest_point_2).norm(), r.distance.upper, 1e-14);
-        }
-        EXPECT_NEAR(r.distance.distance, gap, 2e-11);
-        const DistanceResult& g = growth.solve_about_centers({*one, pose_1}, {*other, pose_2});
-        EXPECT_EQ(to_string(g.status), "optimal");
-        EXPECT_NEAR(g.distance, 1, 1e-5);
+  std::vector<std::pair<SetPointer, SetPointer>> pairs;
+  for (const auto& kinds : {polytopes(random), smooth_bodies()}) {
+    for (const SetPointer& one : kinds) {
+      for (const SetPointer& other : kinds) pairs.emplace_back(one, other);
+    }
+  }
+  for (const auto& [one, other] : pairs) {
+    for (const double gap : {0.0, 1e-9}) {
+      const Pose pose_1(random_rotation(random), gaussian(random));
+      Pose pose_2(random_rotation(random),
+                  Vector3d(pose_1.translation() + 4 * gaussian(random).normalized()));
+      bring_near({*one, pose_1}, *other, pose_2, gap);
+      const ObjectDistance& r =
+          solver.solve({*one, pose_1}, {*other, pose_2}, kMetric, ObjectEffects::closest_points);
+      if (r.distance.status != DistanceStatus::contains_origin) {
+        EXPECT_EQ(to_string(r.distance.status), "optimal");
+        EXPECT_LE(r.distance.upper - r.distance.lower, 1e-6 * r.distance.upper);
+        EXPECT_NEAR((r.closest_point_1 - r.closest_point_2).norm(), r.distance.upper, 1e-14);
       }
+      EXPECT_NEAR(r.distance.distance, gap, 2e-11);
+      const DistanceResult& g = growth.solve_about_centers({*one, pose_1}, {*other, pose_2});
+      EXPECT_EQ(to_string(g.status), "optimal");
+      EXPECT_NEAR(g.distance, 1, 1e-5);
     }
   }
 }
