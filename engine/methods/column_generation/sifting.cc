@@ -16,9 +16,12 @@ namespace {
 // and the working set hardly grows (measured over 0 … 1).
 constexpr double kReach = 0.2;
 
-// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex: at n =
-// 200, N = 1.01 n … 10 n it takes 1.1 to 2.6 of its time, at n = 400 0.7 to 2.0 (AVX-512).
+// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex
+// (AVX-512): with many points it takes 1.1 of its time at n = 200, N = 2000 and 0.7 at n = 300, 0.34 at n =
+// 400, N = 10 n; with few points 2.0 at n = 400, N = 800.
 constexpr int kInterior = 450;
+constexpr int kInteriorOfMany = 300;
+constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension
 
 // Of the normal that it ends with, where its columns make no basis.
 constexpr double kErrorInside = 1e-3;
@@ -93,7 +96,8 @@ void Sifting::start() {
   for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
   separated_ = false;
-  if (n_ >= kInterior) {
+  const bool many = A_->size() + Q_->size() >= kManyPoints * n_;
+  if (n_ >= (many ? kInteriorOfMany : kInterior)) {
     const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
