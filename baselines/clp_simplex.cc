@@ -156,7 +156,9 @@ Component<SolveMethod> component(const std::string& name, const std::string& var
             return std::make_unique<ClpSimplexMethod>(
                 Settings{name, variant, boolean_parameter(parameters, "presolve"),
                          scaling_mode(string_parameter(parameters, "scaling"))});
-          }};
+          },
+          true,
+          Role::baseline};
 }
 
 }  // namespace

@@ -52,7 +52,9 @@ void register_exact_method(MethodRegistry& registry) {
                 "the linear program of Example 2 in exact rational arithmetic (GMP " +
                     std::string(gmp_library_version()) + ")",
                 {},
-                [](const Parameters&) { return std::make_unique<ExactMethod>(); }});
+                [](const Parameters&) { return std::make_unique<ExactMethod>(); },
+                true,
+                Role::oracle});
 }
 
 const char* gmp_library_version() { return gmp_version; }

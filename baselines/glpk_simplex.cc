@@ -162,7 +162,11 @@ Component<SolveMethod> component(const std::string& name, const std::string& var
             return std::make_unique<GlpkSimplex>(Settings{
                 name, variant, boolean_parameter(parameters, "presolve"),
                 boolean_parameter(parameters, "scale"), string_parameter(parameters, "basis") == "advanced"});
-          }};
+          },
+          true,
+          Role::baseline,
+          {},
+          variant == GLP_DUAL ? std::vector<std::string>{"glpk"} : std::vector<std::string>{}};
 }
 
 }  // namespace

@@ -142,7 +142,8 @@ Component<SolveMethod> component(const std::string& name, const std::string& des
                 Settings{name, algorithm, real_parameter(parameters, "constraint_tolerance"),
                          static_cast<int>(integer_parameter(parameters, "max_evaluations"))});
           },
-          false};  // point sets have no constraints |F x + f| <= g·x + γ
+          false,  // point sets have no constraints |F x + f| <= g·x + γ
+          Role::baseline};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "generators/component.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -48,5 +49,13 @@ Component<Generator> generator_component(std::string name, std::string descripti
   };
   return {std::move(name), std::move(description), std::move(parameters), std::move(make)};
 }
+
+Component<Generator> with_known_distance(Component<Generator> generator, double rounding) {
+  generator.promises = {true, rounding};
+  return generator;
+}
+
+double reciprocal(double value) { return 1 / value; }
+double power_of_two(double value) { return std::exp2(value); }
 
 }  // namespace raygauge

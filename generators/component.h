@@ -18,4 +18,12 @@ Component<Generator> generator_component(std::string name, std::string descripti
                                          std::vector<ParameterInfo> parameters, GenerateFunction generate,
                                          int minimum_n = 1);
 
+/// The same generator, which states the distance of every instance, whatever its parameters; `rounding` is
+/// the relative error of what it states.
+Component<Generator> with_known_distance(Component<Generator> generator, double rounding = 0);
+
+/// Measures of hardness, see Hardness.
+double reciprocal(double value);
+double power_of_two(double value);
+
 }  // namespace raygauge

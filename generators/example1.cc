@@ -19,6 +19,10 @@ constexpr const char* kEllipsoidCone = "ellipsoid_cone";
 constexpr double kLeastSize = 0.5;
 constexpr double kLargestSize = 1.5;
 
+/// The bodies are built to touch, and the contact is rounded with them: twice the 2^-46 that
+/// docs/generators.md states.
+constexpr double kDistanceRounding = 0x1p-45;
+
 double random_size(RandomStream& stream) {
   return kLeastSize + (kLargestSize - kLeastSize) * stream.uniform();
 }
@@ -146,9 +150,11 @@ std::vector<ParameterInfo> parameters() {
 namespace raygauge {
 
 Component<Generator> example1_generator() {
-  return generator_component(example1::kName,
-                             "a truncated cone and an ellipsoid at a known distance (Example 1)",
-                             example1::parameters(), example1::generate, 2);
+  return with_known_distance(
+      generator_component(example1::kName,
+                          "a truncated cone and an ellipsoid at a known distance (Example 1)",
+                          example1::parameters(), example1::generate, 2),
+      example1::kDistanceRounding);
 }
 
 }  // namespace raygauge

@@ -41,7 +41,8 @@ namespace raygauge {
 Component<Generator> needle_generator() {
   return generator_component(
       needle::kName, "as example2, both sets stretched along one random direction",
-      {separation_parameter(), {"aspect", 1e4, 1.0, 1e12, "factor of the stretch", {}}}, needle::generate);
+      {separation_parameter(), {"aspect", 1e4, 1.0, 1e12, "factor of the stretch", {}, "1", {"aspect"}}},
+      needle::generate);
 }
 
 }  // namespace raygauge

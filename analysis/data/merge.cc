@@ -14,10 +14,10 @@
 namespace raygauge {
 namespace {
 
-std::string inflation_text(const Calibration& calibration) {
+std::string slowdown_text(const Calibration& calibration) {
   std::string text;
   for (const Calibration::Entry& entry : calibration.entries)
-    text += (text.empty() ? "" : ", ") + entry.method + " " + padded_significant(entry.inflation, 3);
+    text += (text.empty() ? "" : ", ") + entry.method + " " + padded_significant(entry.slowdown, 3);
   return text;
 }
 
@@ -26,8 +26,8 @@ std::string timing_note(const Provenance& provenance) {
   for (const Session& session : provenance.sessions) {
     if (session.timing != "parallel" || session.threads < 2) continue;
     std::string note = "timed with " + std::to_string(session.threads) + " threads at once";
-    const std::string inflation = inflation_text(session.calibration);
-    if (!inflation.empty()) note += ", which multiplies single times by: " + inflation;
+    const std::string slowdown = slowdown_text(session.calibration);
+    if (!slowdown.empty()) note += "; slowdown of single solves: " + slowdown;
     return note;
   }
   return "";

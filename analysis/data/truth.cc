@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "analysis/constants.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/sweep/agreement.h"
 
 namespace raygauge {
@@ -13,7 +12,7 @@ namespace raygauge {
 Truth::Truth(const std::vector<Record>& records) {
   for (const Record& record : records) {
     const double claim = claimed_distance(record);
-    if (is_exact(record.method) && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
+    if (record.role == Role::oracle && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
   }
 }
 
@@ -28,7 +27,7 @@ Truth::InstanceName Truth::name_of(const Record& record) {
 }
 
 double truth_rounding(const Record& record) {
-  return record.generator == "example1" && !std::isnan(record.exact_distance) ? kTruthRounding : 0;
+  return std::isnan(record.exact_distance) ? 0 : record.exact_distance_rounding;
 }
 
 double claimed_distance(const Record& record) { return claim_of(record).value_or(kNaN); }

@@ -12,8 +12,8 @@
 
 namespace raygauge {
 
-/// The true distances of instances: the generator's own where it knows one, else what the method `exact` (a
-/// label that begins so) proved of the same instance, at whatever tolerance.
+/// The true distances of instances: the generator's own where it knows one, else what an oracle (the method
+/// `exact`) proved of the same instance, at whatever tolerance.
 class Truth {
  public:
   explicit Truth(const std::vector<Record>& records);
@@ -27,13 +27,8 @@ class Truth {
   std::map<InstanceName, double> proven_;
 };
 
-/// Relative rounding of the exact distances of generator example1, whose contact is rounded with the bodies:
-/// twice the 2^-46 that docs/generators.md states.
-inline constexpr double kTruthRounding = 0x1p-45;
-
-/// By how much of itself the truth of a record's instance may be off: kTruthRounding, and 0 where it holds
-/// for the very doubles of the instance: for all other generators that state one, and where `exact` proved
-/// it.
+/// By how much of itself the truth of a record's instance may be off: what its generator says, and 0 where an
+/// oracle proved it.
 double truth_rounding(const Record& record);
 
 /// The distance that a solved record claims: 0 for contains_origin, +∞ for unreachable; NaN for one that

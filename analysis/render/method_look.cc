@@ -5,8 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "analysis/studies/table3/cell_ratio.h"
-
 namespace raygauge {
 namespace {
 
@@ -20,7 +18,7 @@ struct KnownMethod {
 };
 
 constexpr std::array<KnownMethod, 10> kKnown = {{
-    {"direct", "#D55E00", "#D55E00", Marker::circle, Dash::solid,
+    {"column_generation", "#D55E00", "#D55E00", Marker::circle, Dash::solid,
      "raygauge: column generation; the linear program over the points met so far, certified"},
     {"zheng_yamane", "#0072B2", "#3D9BD9", Marker::square, Dash::solid,
      "raygauge: the ray-shooting algorithm of Zheng and Yamane"},
@@ -60,8 +58,8 @@ std::uint32_t letters_of(const std::string& text) {
 
 }  // namespace
 
-MethodLook look_of_method(const std::string& method) {
-  const bool filled = !is_competitor(method);
+MethodLook look_of_method(const std::string& method, const MethodList& methods) {
+  const bool filled = !methods.is_competitor(method);
   if (const KnownMethod* known = known_method(method))
     return {known->color, known->dark_color, known->marker, known->dash, filled};
   const std::uint32_t letters = letters_of(method);
@@ -70,8 +68,8 @@ MethodLook look_of_method(const std::string& method) {
           filled};
 }
 
-std::string what_method_is(const std::string& method) {
-  const KnownMethod* known = known_method(method);
+std::string what_method_is(const std::string& name) {
+  const KnownMethod* known = known_method(name);
   return known == nullptr ? "" : known->what;
 }
 

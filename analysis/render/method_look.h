@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "analysis/data/method_list.h"
+
 namespace raygauge {
 
 enum class Marker : unsigned char { circle, square, triangle, diamond, triangle_down };
@@ -18,11 +20,13 @@ struct MethodLook {
   bool filled = true;  ///< competitors have hollow markers
 };
 
-/// The look of a method by its label. The methods of this program have looks that differ in marker or dash,
-/// so that nothing is lost in grey; any other label gets one drawn from its letters.
-MethodLook look_of_method(const std::string& method);
+/// The look of a method by its label: filled markers for raygauge's own, by role. The methods of this program
+/// have looks that differ in marker or dash, so that nothing is lost in grey; any other label gets one drawn
+/// from its letters.
+MethodLook look_of_method(const std::string& label, const MethodList& methods);
 
-/// One line on what a method is, for readers of a page; "" for a label that this program does not know.
-std::string what_method_is(const std::string& method);
+/// One line on what a method is, by its registered name, for readers of a page; "" for one that this program
+/// does not know.
+std::string what_method_is(const std::string& name);
 
 }  // namespace raygauge

@@ -21,10 +21,9 @@ void add_analysis_options(Command& command, AnalysisArguments& arguments) {
 
 void add_baseline_option(Command& command, std::vector<std::string>& baselines) {
   command
-      .add_option(
-          "--baseline", baselines,
-          "Methods that ratios refer to, the best of them in each cell; default: those whose label begins "
-          "with glpk")
+      .add_option("--baseline", baselines,
+                  "Methods that ratios refer to, the best of them in each cell; default: GLPK's, or else all "
+                  "baselines")
       .delimiter(',')
       .type_name("METHOD,...")
       .default_str("");

@@ -93,9 +93,7 @@ struct DistanceArguments {
   bool json = false;
 };
 
-void check_method(const std::string& name, const MethodRegistry& methods) {
-  methods.find(resolved_method(name));
-}
+void check_method(const std::string& name, const MethodRegistry& methods) { methods.find(name); }
 
 void check_options(const DistanceOptions& options) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
@@ -182,7 +180,8 @@ void add_distance_command(Command& app, int& status) {
   command
       .add_option("--method", arguments->query.method,
                   "One of " + joined(all_methods().names()) +
-                      "; glpk stands for glpk_dual; any set: direct, newton, zheng_yamane")
+                      "; glpk stands for glpk_dual; any set: column_generation (once called direct), "
+                      "newton, zheng_yamane")
       .type_name("NAME");
   command.add_flag("--skip-header", arguments->format.skip_header,
                    "The first line of a text file of points is a heading, unless it begins with a number");
@@ -205,7 +204,7 @@ void add_distance_command(Command& app, int& status) {
   const Option threads =
       command
           .add_option("--threads", options.threads,
-                      "Threads of the solve; direct shares its passes over large point sets")
+                      "Threads of the solve; column_generation shares its passes over large point sets")
           .type_name("K");
   command.footer(distance_footer());
   command.callback([=, &status] {

@@ -209,7 +209,8 @@ void add_table_command(Command& app, int& status) {
       "  raygauge table out/example2.h5 --paper table3\n"
       "  raygauge table out/example1.h5 --paper table1\n"
       "  raygauge table out/accuracy.h5 --accuracy\n"
-      "  raygauge table out/example2.h5 --rows n --cols N --value 'median ratio' --where 'method==direct'\n"
+      "  raygauge table out/example2.h5 --rows n --cols N --value 'median ratio' --where "
+      "'method==column_generation'\n"
       "  raygauge table out/example2.h5 --rows method --cols status --value count\n"
       "\n"
       "docs/analysis.md names every column, value and statistic.");

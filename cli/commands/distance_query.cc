@@ -42,13 +42,13 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
                        DistanceReport& report) {
   const std::string name = "method '" + report.method + "'";
   if (query.witness) {
-    throw InvalidParameterError(name +
-                                " computes no contact point: --witness needs direct, zheng_yamane or newton");
+    throw InvalidParameterError(
+        name + " computes no contact point: --witness needs column_generation, zheng_yamane or newton");
   }
   if (query.engine_options_set) {
     throw InvalidParameterError(
-        "--max-iterations, --stop-rule, --instruction-set and --threads are for direct, zheng_yamane and "
-        "newton; " +
+        "--max-iterations, --stop-rule, --instruction-set and --threads are for column_generation, "
+        "zheng_yamane and newton; " +
         name + " has no such options");
   }
   // The model is built within the limit too; what is left of it, however little, is for the solve.
@@ -84,11 +84,9 @@ ReportedSet reported(const ConvexSet& set) {
 
 }  // namespace
 
-std::string resolved_method(const std::string& name) { return name == "glpk" ? "glpk_dual" : name; }
-
 DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods) {
   DistanceReport report;
-  report.method = resolved_method(query.method);
+  report.method = methods.find(query.method).name;
   report.tolerance = query.options.tolerance;
   report.n = instance.A->dimension();
   report.A = reported(*instance.A);

@@ -12,14 +12,11 @@ namespace raygauge::cli {
 
 /// A distance query by any method of the program.
 struct DistanceQuery {
-  std::string method = "direct";
-  DistanceOptions options;          ///< `method` of it is set from the name
+  std::string method = "column_generation";  ///< a name or alias of a method
+  DistanceOptions options;                   ///< `method` of it is set from the name
   bool engine_options_set = false;  ///< whether an option was chosen that only the engine's methods have
   bool witness = false;
 };
-
-/// The registered name of a method: `glpk` stands for glpk_dual.
-std::string resolved_method(const std::string& name);
 
 /// Answers the query for A and Q of `instance`. Throws UnknownNameError for a method that is not in
 /// `methods`, InvalidParameterError for sets that the method does not take or options that it does not have.

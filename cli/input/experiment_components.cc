@@ -39,11 +39,9 @@ const Component<T>& named_component(const toml::table& entry, const std::string&
   const toml::node* node = entry.get("name");
   if (node == nullptr) throw InvalidParameterError(place_of(entry) + ": a [[" + kind + "]] needs a name");
   const std::string name = read_text(*node, kind + ".name");
-  const std::vector<std::string> known = registry.names();
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw UnknownNameError(kind, name, known, place_of(*node));
-  }
-  return registry.find(name);
+  const Component<T>* component = registry.find_if_known(name);
+  if (component == nullptr) throw UnknownNameError(kind, name, registry.names(), place_of(*node));
+  return *component;
 }
 
 /// Rejects keys that are neither `reserved` nor parameters of the component.

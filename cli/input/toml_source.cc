@@ -11,6 +11,7 @@
 #include "cli/input/input_file.h"
 #include "cli/input/toml_keys.h"
 #include "engine/exceptions.h"
+#include "engine/sweep/method.h"
 
 namespace raygauge::cli {
 namespace {
@@ -99,7 +100,9 @@ toml::table override_value(const std::string& text, const std::string& mark) {
 }
 
 bool is_called(const toml::table& entry, const std::string& name) {
-  return entry["name"].value<std::string>() == name || entry["label"].value<std::string>() == name;
+  const std::optional<std::string> own = entry["name"].value<std::string>();
+  return (own && current_method_name(*own) == current_method_name(name)) ||
+         entry["label"].value<std::string>() == name;
 }
 
 /// The entry of an array of tables that the rest of a key speaks of; `next` moves past a part that chose it.

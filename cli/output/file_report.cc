@@ -102,7 +102,7 @@ Json calibration_json(const Calibration& calibration) {
     list.push_back({{"method", entry.method},
                     {"serial_seconds", entry.serial_seconds},
                     {"parallel_seconds", entry.parallel_seconds},
-                    {"inflation", entry.inflation}});
+                    {"slowdown", entry.slowdown}});
   }
   return list;
 }

@@ -19,7 +19,7 @@ bool is_limit(DistanceStatus status) {
          status == DistanceStatus::precision_limit;
 }
 
-/// "direct 3, glpk_dual 1": the methods with a count other than 0; "" if there are none.
+/// "newton 3, glpk_dual 1": the methods with a count other than 0; "" if there are none.
 std::string counts_text(const RunSummary& summary, std::size_t RunSummary::Method::*count) {
   std::string text;
   for (const RunSummary::Method& method : summary.methods) {
@@ -52,12 +52,12 @@ std::string repeated_line(const RunSummary::Repetitions& repetitions) {
          std::to_string(repetitions.cells) + " cells ran to the limit\n";
 }
 
-std::string inflation_text(const Calibration& calibration) {
+std::string slowdown_text(const Calibration& calibration) {
   std::string text;
   for (const Calibration::Entry& entry : calibration.entries) {
     constexpr int kLength = 32;
     char ratio[kLength];
-    std::snprintf(ratio, kLength, " %.3f", entry.inflation);
+    std::snprintf(ratio, kLength, " %.3f", entry.slowdown);
     text += (text.empty() ? "" : ", ") + entry.method + ratio;
   }
   return text;
@@ -104,8 +104,8 @@ std::string summary_text(const RunSummary& summary, const Calibration& calibrati
   text += "  unsolved   " + (limits.empty() ? "none" : limits) + "\n";
   if (summary.repetitions) text += repeated_line(*summary.repetitions);
   if (!calibration.entries.empty()) {
-    text += "  inflation  " + std::to_string(calibration.threads) +
-            " threads at once multiply single times by: " + inflation_text(calibration) + "\n";
+    text += "  slowdown   of single solves on " + std::to_string(calibration.threads) +
+            " threads: " + slowdown_text(calibration) + "\n";
   }
   return text;
 }

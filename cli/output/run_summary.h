@@ -36,7 +36,7 @@ struct RunSummary {
 
 RunSummary summarise(const Experiment& experiment, const std::vector<Record>& records);
 
-/// Lines for people: agreement, failures by method, repetitions, inflation.
+/// Lines for people: agreement, failures by method, repetitions, slowdown.
 std::string summary_text(const RunSummary& summary, const Calibration& calibration);
 
 }  // namespace raygauge::cli

@@ -23,7 +23,7 @@ LoneSolves solve_alone(const SweepPlan& plan, const std::vector<Cell>& cells, in
 
 /// By how much threads that solve at once slow each other down. With t_alone(r) the times of a method in
 /// `alone` and t(r) those of the same instances in the sweep's own `records` of that cell, which its other
-/// threads were running beside, the method's inflation is
+/// threads were running beside, the method's slowdown is
 ///
 ///     median over r of  t(r) / t_alone(r).
 ///

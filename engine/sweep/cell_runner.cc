@@ -74,9 +74,15 @@ Record CellRunner::blank_record(const Cell& cell, int repetition, std::size_t me
   Record record;
   record.cell = cell.index;
   record.generator = experiment.generators[cell.generator].name;
-  record.generator_parameters = plan_.generator_parameters(cell);
+  const SweepPlan::GeneratorFacts& facts = plan_.generator_facts(cell);
+  record.generator_parameters = facts.parameters;
+  record.exact_distance_rounding = facts.distance_rounding;
+  record.hardness_label = facts.hardness_label;
+  record.hardness = facts.hardness;
   record.method = label_of(experiment.methods[method]);
   record.method_parameters = plan_.method_parameters(method);
+  record.method_name = experiment.methods[method].name;
+  record.role = plan_.role(method);
   record.n = cell.n;
   record.N = cell.N;
   record.tolerance = cell.tolerance;

@@ -10,6 +10,9 @@
 namespace raygauge {
 namespace {
 
+constexpr const char* kColumnGeneration = "column_generation";
+constexpr const char* kFormerName = "direct";  // of column_generation
+
 /// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets.
 class EngineMethod final : public SolveMethod {
  public:
@@ -83,6 +86,10 @@ DistanceOptions options_from(DistanceMethod method, const Parameters& parameters
 
 }  // namespace
 
+std::string current_method_name(const std::string& name) {
+  return name == kFormerName ? kColumnGeneration : name;
+}
+
 void register_engine_methods(MethodRegistry& registry) {
   std::vector<ParameterInfo> direct = common_parameters();
   direct.push_back({"threads",
@@ -91,12 +98,18 @@ void register_engine_methods(MethodRegistry& registry) {
                     static_cast<double>(kMostThreads),
                     "threads of one solve, for its passes over very large point sets",
                     {}});
-  registry.add({"direct", "the linear program of Example 2 by column generation over support mappings",
-                std::move(direct), [](const Parameters& parameters) {
+  registry.add({kColumnGeneration,
+                "the linear program of Example 2 by column generation over support mappings",
+                std::move(direct),
+                [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::direct, parameters);
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
                   return std::make_unique<EngineMethod>(options);
-                }});
+                },
+                true,
+                Role::engine,
+                {},
+                {kFormerName}});
   registry.add({"newton",
                 "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
                 common_parameters(), [](const Parameters& parameters) {

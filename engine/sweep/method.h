@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 #include "engine/methods/result.h"
 #include "engine/sweep/instance.h"
@@ -41,7 +42,11 @@ class SolveMethod {
 
 using MethodRegistry = Registry<SolveMethod>;
 
-/// Adds `direct`, `newton` and `zheng_yamane`.
+/// The registered name of a method that had `name` in an earlier version; `name` itself for all others.
+/// `column_generation` was `direct`, which to users of NLopt is another algorithm (DIRECT).
+std::string current_method_name(const std::string& name);
+
+/// Adds `column_generation`, `newton` and `zheng_yamane`.
 void register_engine_methods(MethodRegistry& registry);
 
 }  // namespace raygauge

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "engine/methods/result.h"
+#include "engine/sweep/registry.h"
 
 namespace raygauge {
 
@@ -18,6 +20,8 @@ struct Record {
   std::string generator_parameters;  ///< "separation=1.5": every parameter, defaults included
   std::string method;                ///< the label of the experiment ([[method]] label, or else its name)
   std::string method_parameters;
+  std::string method_name;   ///< registered name
+  Role role = Role::engine;  ///< whose the method is
   int n = 0;
   int N = 0;
   double tolerance = 0;
@@ -31,7 +35,10 @@ struct Record {
   double distance = 0;
   double lower = 0;  ///< NaN where nothing could be certified
   double upper = 0;
-  double exact_distance = 0;  ///< the generator's truth; NaN where unknown
+  double exact_distance = 0;           ///< the generator's truth; NaN where unknown
+  double exact_distance_rounding = 0;  ///< its relative error; 0: it is that of the very doubles
+  std::string hardness_label;          ///< what `hardness` is, as in "1/δ"; empty where there is none
+  double hardness = std::numeric_limits<double>::quiet_NaN();  ///< see Hardness
   DistanceStatus status = DistanceStatus::optimal;
 
   /// Whether this method's interval [lower, upper] meets those of all other methods on the instance, and the

@@ -48,7 +48,18 @@ T get(const Parameters& parameters, const std::string& name) {
   return std::get<T>(parameters.at(name));
 }
 
+constexpr std::array<std::string_view, 3> kRoleNames = {"engine", "baseline", "oracle"};
+
 }  // namespace
+
+std::string_view to_string(Role role) noexcept { return kRoleNames[static_cast<std::size_t>(role)]; }
+
+Role role_from_string(std::string_view name) {
+  const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
+  if (found == kRoleNames.end())
+    throw UnknownNameError("role", std::string(name), {kRoleNames.begin(), kRoleNames.end()});
+  return static_cast<Role>(found - kRoleNames.begin());
+}
 
 Parameters complete(const std::string& owner, const std::vector<ParameterInfo>& declared,
                     const Parameters& given) {

@@ -22,7 +22,7 @@ struct Calibration {
     std::string method;
     double serial_seconds = 0;    ///< median
     double parallel_seconds = 0;  ///< median
-    double inflation = 1;         ///< median ratio
+    double slowdown = 1;          ///< median ratio
   };
   int threads = 1;
   std::vector<Entry> entries;

@@ -10,6 +10,24 @@ std::string completed_parameters(const Registry<T>& registry, const ComponentSpe
   return to_string(complete("'" + spec.name + "'", registry.find(spec.name).parameters, spec.parameters));
 }
 
+double number_of(const ParameterValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  return std::get<double>(value);
+}
+
+SweepPlan::GeneratorFacts facts_of(const Component<Generator>& component, const ComponentSpec& spec) {
+  const Parameters parameters = complete("'" + spec.name + "'", component.parameters, spec.parameters);
+  SweepPlan::GeneratorFacts facts;
+  facts.parameters = to_string(parameters);
+  facts.distance_rounding = component.promises.distance_rounding;
+  for (const ParameterInfo& info : component.parameters) {
+    if (info.hardness.label.empty()) continue;
+    facts.hardness_label = info.hardness.label;
+    facts.hardness = info.hardness(number_of(parameters.at(info.name)));
+  }
+  return facts;
+}
+
 }  // namespace
 
 SweepPlan::SweepPlan(const Experiment& experiment, const GeneratorRegistry& generators,
@@ -19,11 +37,12 @@ SweepPlan::SweepPlan(const Experiment& experiment, const GeneratorRegistry& gene
   cells_ = grid_of(experiment);
   for (const ComponentSpec& spec : experiment.generators) {
     generators_.push_back(generators.make(spec.name, spec.parameters));
-    generator_parameters_.push_back(completed_parameters(generators, spec));
+    generator_facts_.push_back(facts_of(generators.find(spec.name), spec));
   }
   for (const ComponentSpec& spec : experiment.methods) {
     methods.make(spec.name, spec.parameters);
     method_parameters_.push_back(completed_parameters(methods, spec));
+    roles_.push_back(methods.find(spec.name).role);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +25,19 @@ class SweepPlan {
   const std::vector<Cell>& cells() const noexcept { return cells_; }
   const Generator& generator(const Cell& cell) const { return *generators_[cell.generator]; }
 
-  /// "separation=1.5": every parameter of the cell's generator, defaults included.
-  const std::string& generator_parameters(const Cell& cell) const {
-    return generator_parameters_[cell.generator];
-  }
-  /// The same of method `index` of the experiment.
+  /// What a generator says of all its instances, and is copied into their records.
+  struct GeneratorFacts {
+    std::string parameters;  ///< "separation=1.5": every parameter, defaults included
+    double distance_rounding = 0;
+    std::string hardness_label;
+    double hardness = std::numeric_limits<double>::quiet_NaN();
+  };
+  const GeneratorFacts& generator_facts(const Cell& cell) const { return generator_facts_[cell.generator]; }
+
+  /// Whose method `index` of the experiment is.
+  Role role(std::size_t index) const { return roles_[index]; }
+
+  /// Every parameter of method `index`, defaults included.
   const std::string& method_parameters(std::size_t index) const { return method_parameters_[index]; }
 
   /// A fresh set of the experiment's methods, for one thread.
@@ -45,7 +54,8 @@ class SweepPlan {
   const MethodRegistry& methods_;
   std::vector<Cell> cells_;
   std::vector<std::unique_ptr<Generator>> generators_;
-  std::vector<std::string> generator_parameters_;
+  std::vector<GeneratorFacts> generator_facts_;
+  std::vector<Role> roles_;
   std::vector<std::string> method_parameters_;
 };
 

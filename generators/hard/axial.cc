@@ -132,7 +132,7 @@ Component<Generator> hard_capsule_generator() {
 Component<Generator> hard_near_axis_generator() {
   return generator_component("hard_near_axis", "homothets touched very near the axis they have in common",
                              {choice("body", "what Q is", {"cone", "cylinder", "capsule"}),
-                              {"delta", 1e-8, 0, 0.5, "distance from the axis", {}},
+                              {"delta", 1e-8, 0, 0.5, "distance from the axis", {}, "1", {"1/δ", reciprocal}},
                               object_parameter()},
                              generate_near_axis, 2);
 }

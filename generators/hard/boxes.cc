@@ -105,10 +105,11 @@ Component<Generator> hard_lattice_generator() {
 }
 
 Component<Generator> hard_far_generator() {
-  return generator_component("hard_far", "A = c - Q of unit size, far away",
-                             {body_parameter({"cross_polytope", "cube", "simplex"}),
-                              {"offset", std::int64_t{100000000}, 2, 0x1p40, "size of c's coordinates", {}}},
-                             generate_far);
+  return generator_component(
+      "hard_far", "A = c - Q of unit size, far away",
+      {body_parameter({"cross_polytope", "cube", "simplex"}),
+       {"offset", std::int64_t{100000000}, 2, 0x1p40, "size of c's coordinates", {}, "1", {"offset"}}},
+      generate_far);
 }
 
 }  // namespace raygauge

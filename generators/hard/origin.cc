@@ -84,10 +84,11 @@ Component<Generator> hard_origin_outside_generator() {
 }
 
 Component<Generator> hard_flat_generator() {
-  return generator_component("hard_flat", "a flat Q, with A through its plane or next to it",
-                             {{"crossing", true, {}, {}, "whether A crosses the plane of Q", {}},
-                              {"delta", 1e-9, 1e-300, 1, "distance of A's points from the plane", {}}},
-                             generate_flat, 2);
+  return generator_component(
+      "hard_flat", "a flat Q, with A through its plane or next to it",
+      {{"crossing", true, {}, {}, "whether A crosses the plane of Q", {}},
+       {"delta", 1e-9, 1e-300, 1, "distance of A's points from the plane", {}, "1", {"1/δ", reciprocal}}},
+      generate_flat, 2);
 }
 
 }  // namespace raygauge

@@ -116,7 +116,8 @@ std::vector<ParameterInfo> planted_parameters(std::vector<ParameterInfo> more = 
 }
 
 ParameterInfo exponent_parameter(std::int64_t default_value) {
-  return {"exponent", default_value, -900, 900, "power of two of the scale", {}};
+  return {"exponent", default_value,          -900, 900, "power of two of the scale", {},
+          "1",        {"scale", power_of_two}};
 }
 
 }  // namespace
@@ -129,7 +130,8 @@ Component<Generator> hard_planted_ties_generator() {
 Component<Generator> hard_planted_unimodular_generator() {
   return generator_component(
       "hard_planted_unimodular", "as hard_planted_ties, after an ill-conditioned integer map",
-      planted_parameters({{"entry", std::int64_t{1000}, 1, 1e4, "largest entry of the map", {}}}),
+      planted_parameters(
+          {{"entry", std::int64_t{1000}, 1, 1e4, "largest entry of the map", {}, "1", {"entry"}}}),
       generate_unimodular);
 }
 

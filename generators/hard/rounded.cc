@@ -121,10 +121,10 @@ Component<Generator> hard_polygons_generator() {
 }
 
 Component<Generator> hard_minkowski_difference_generator() {
-  return generator_component("hard_minkowski_difference",
-                             "a Minkowski difference of point clouds far from the origin",
-                             {{"offset", 1e8, 0, 1e15, "distance of both clouds from the origin", {}}},
-                             generate_minkowski_difference);
+  return generator_component(
+      "hard_minkowski_difference", "a Minkowski difference of point clouds far from the origin",
+      {{"offset", 1e8, 0, 1e15, "distance of both clouds from the origin", {}, "1", {"offset"}}},
+      generate_minkowski_difference);
 }
 
 Component<Generator> hard_low_rank_generator() {

@@ -93,8 +93,8 @@ Component<Generator> hard_p_norm_ball_generator() {
 Component<Generator> hard_ellipsoid_generator() {
   return generator_component(
       "hard_ellipsoid", "homothetic ellipsoids, flat and turned",
-      {{"aspect", 1e4, 1, 1e10, "longest semi-axis / shortest", {}}, object_parameter()}, generate_ellipsoid,
-      2);
+      {{"aspect", 1e4, 1, 1e10, "longest semi-axis / shortest", {}, "1", {"aspect"}}, object_parameter()},
+      generate_ellipsoid, 2);
 }
 
 }  // namespace raygauge

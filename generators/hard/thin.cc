@@ -59,13 +59,15 @@ Instance generate_origin_near_facet(const InstanceKey& key, const Parameters& pa
   return turned_instance(clouds, key, "hard_origin_near_facet", 1 / delta);
 }
 
-ParameterInfo delta_parameter() { return {"delta", 1e-9, 1e-300, 0.5, "the small distance", {}}; }
+ParameterInfo delta_parameter() {
+  return {"delta", 1e-9, 1e-300, 0.5, "the small distance", {}, "1", {"1/δ", reciprocal}};
+}
 
 }  // namespace
 
 Component<Generator> hard_needle_generator() {
   return generator_component("hard_needle", "a flat cross-polytope, plain or sheared",
-                             {{"aspect", 1e6, 1, 1e12, "length / thickness of Q", {}},
+                             {{"aspect", 1e6, 1, 1e12, "length / thickness of Q", {}, "1", {"aspect"}},
                               {"sheared", false, {}, {}, "whether x_n += x_1 is applied", {}}},
                              generate_needle);
 }

@@ -73,23 +73,31 @@ std::optional<JournalCell> whole_cell(std::string_view text) {
   return JournalCell{*cell, rows, heading.size() + rows.size()};
 }
 
-void check_head(std::string_view text, const std::string& file) {
+/// The columns of the journal that `text` is; its head is taken off.
+CsvColumns take_head(std::string_view& text, const std::string& file) {
   const std::string mark = format_mark();
   std::string_view rest = text.substr(std::min(mark.size(), text.size()));
   const auto version = text.starts_with(mark) ? take_number(rest) : std::nullopt;
-  if (!version) throw ResultsError(file + ": not a journal of raygauge's cells");
-  if (*version != static_cast<std::uint64_t>(kSchemaVersion)) {
+  if (!version || !rest.starts_with('\n')) throw ResultsError(file + ": not a journal of raygauge's cells");
+  if (*version < 1 || *version > static_cast<std::uint64_t>(kSchemaVersion)) {
     refuse_schema_version(file, static_cast<std::int64_t>(*version));
   }
-  if (!text.starts_with(journal_head()))
-    throw ResultsError(file + ": has other columns than a journal of cells");
+  rest.remove_prefix(1);
+  const std::string_view header = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+  rest.remove_prefix(header.size());
+  text = rest;
+  try {
+    return csv_columns(header);
+  } catch (const ResultsError& error) {
+    throw ResultsError(file + ": has other columns than a journal of cells: " + error.what());
+  }
 }
 
-std::vector<Record> records_of(const JournalCell& cell, const std::string& file) {
+std::vector<Record> records_of(const JournalCell& cell, const CsvColumns& columns, const std::string& file) {
   const std::string place = file + ": cell " + std::to_string(cell.cell);
   std::vector<Record> records;
   try {
-    records = read_csv_rows(cell.rows);
+    records = read_csv_rows(cell.rows, columns);
   } catch (const ResultsError& error) {
     throw ResultsError(place + ": " + error.what());
   }
@@ -110,9 +118,8 @@ void CellJournal::append(std::uint64_t cell, const std::vector<Record>& records)
 
 std::vector<Record> read_cell_journal(const fs::path& path) {
   const std::string bytes = file_bytes(path);
-  check_head(bytes, path.string());
   std::string_view rest(bytes);
-  rest.remove_prefix(journal_head().size());
+  const CsvColumns columns = take_head(rest, path.string());
   std::vector<Record> records;
   std::set<std::pair<std::uint64_t, int>> known;
   std::set<std::uint64_t> headed;  // cells of which a piece was read
@@ -121,7 +128,7 @@ std::vector<Record> read_cell_journal(const fs::path& path) {
       rest.remove_prefix(cell->size);
       std::vector<Record> part;
       try {
-        part = records_of(*cell, path.string());
+        part = records_of(*cell, columns, path.string());
       } catch (const ResultsError&) {
         if (headed.count(cell->cell) == 0) throw;
         continue;  // a damaged heading, which now tells of a cell that was there before

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/sweep/record.h"
+#include "results/schema/column.h"
 
 namespace raygauge {
 
@@ -23,6 +24,16 @@ std::string csv_rows(const std::vector<Record>& records, int time_digits = 17);
 /// The inverse of csv_rows(), bit for bit where it wrote all digits. Throws ResultsError that names row (from
 /// 1) and column: "row 3, column seconds: 'soon' is not of type float64".
 std::vector<Record> read_csv_rows(std::string_view rows);
+
+/// The columns of a CSV file, by its header line.
+struct CsvColumns {
+  std::vector<const Column<Record>*> present;  ///< in the order of the file
+  std::vector<const Column<Record>*> absent;   ///< added by later versions: they get Column::absent
+};
+
+/// Throws ResultsError for a header line that no version wrote.
+CsvColumns csv_columns(std::string_view header);
+std::vector<Record> read_csv_rows(std::string_view rows, const CsvColumns& columns);
 
 /// Writes csv_text(). The file is replaced as a whole or not at all. Throws ResultsError.
 void write_csv(const std::string& path, const std::vector<Record>& records);

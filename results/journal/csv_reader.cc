@@ -88,21 +88,47 @@ Value value_of(std::string field, ValueType type) {
 
 }  // namespace
 
-std::vector<Record> read_csv_rows(std::string_view rows) {
-  const std::vector<Column<Record>>& columns = record_columns();
+CsvColumns csv_columns(std::string_view header) {
+  CsvColumns columns;
+  for (const Column<Record>& column : record_columns()) {
+    // Columns are only ever added, so those of an older file stand in the order of today's.
+    const std::string_view name = header.substr(0, header.find_first_of(",\n"));
+    if (name == column.name) {
+      columns.present.push_back(&column);
+      header.remove_prefix(std::min(name.size() + 1, header.size()));
+    } else if (column.absent) {
+      columns.absent.push_back(&column);
+    } else {
+      throw ResultsError("column " + column.name + " is missing");
+    }
+  }
+  if (!header.empty())
+    throw ResultsError("column " + std::string(header.substr(0, header.find_first_of(",\n"))) +
+                       " is not known");
+  return columns;
+}
+
+std::vector<Record> read_csv_rows(std::string_view rows, const CsvColumns& columns) {
   std::vector<Record> records;
   for (FieldReader fields(rows); !fields.at_end();) {
     Record& record = records.emplace_back();
-    for (const Column<Record>& column : columns) {
+    for (const Column<Record>* column : columns.absent) column->set(record, *column->absent);
+    for (const Column<Record>* column : columns.present) {
       try {
-        column.set(record, value_of(fields.take(&column == &columns.back() ? '\n' : ','), column.type));
+        column->set(record,
+                    value_of(fields.take(column == columns.present.back() ? '\n' : ','), column->type));
       } catch (const Error& error) {
-        throw ResultsError("row " + std::to_string(records.size()) + ", column " + column.name + ": " +
+        throw ResultsError("row " + std::to_string(records.size()) + ", column " + column->name + ": " +
                            error.what());
       }
     }
   }
   return records;
+}
+
+std::vector<Record> read_csv_rows(std::string_view rows) {
+  static const CsvColumns kColumns = csv_columns(csv_header());
+  return read_csv_rows(rows, kColumns);
 }
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -48,6 +49,11 @@ template <class Row>
 struct Column : ColumnInfo {
   std::function<Value(const Row&)> get;
   std::function<void(Row&, const Value&)> set;  ///< the value must hold `type`
+
+  /// The entry of every row of a file that lacks the column; nothing for a column that every file has had.
+  std::optional<Value> absent = {};
+
+  std::string former_name = {};  ///< in files of earlier versions; empty where it is today's
 };
 
 /// The column of a data member, or of a member of a member.
@@ -64,6 +70,20 @@ Column<Row> column(std::string name, std::string unit, std::string description, 
   return {{std::move(name), std::move(unit), std::move(description), value_type<T>()},
           [part, member](const Row& row) { return Value(row.*part.*member); },
           [part, member](Row& row, const Value& value) { row.*part.*member = std::get<T>(value); }};
+}
+
+/// A column that files of earlier versions lack: `absent` stands for its entries there.
+template <class Row>
+Column<Row> later(Column<Row> column, Value absent) {
+  column.absent = std::move(absent);
+  return column;
+}
+
+/// A column that files of earlier versions call `name`.
+template <class Row>
+Column<Row> formerly(std::string name, Column<Row> column) {
+  column.former_name = std::move(name);
+  return column;
 }
 
 }  // namespace raygauge

@@ -63,7 +63,8 @@ void write_table(H5::Group& parent, const std::string& name, const std::vector<C
   }
 }
 
-/// The inverse of write_table. Throws ResultsError also for columns of different lengths.
+/// The inverse of write_table; a column that the file lacks has its documented default in every row (the
+/// first column is in every file). Throws ResultsError also for columns of different lengths.
 template <class Row>
 std::vector<Row> read_table(const H5::Group& parent, const std::string& name,
                             const std::vector<Column<Row>>& columns, const std::string& place) {
@@ -71,7 +72,11 @@ std::vector<Row> read_table(const H5::Group& parent, const std::string& name,
   const std::string here = place + "/" + name;
   std::vector<Row> rows;
   for (const Column<Row>& column : columns) {
-    const std::vector<Value> values = read_column(group, column, here);
+    ColumnInfo stored = column;
+    if (!group.nameExists(stored.name) && !column.former_name.empty()) stored.name = column.former_name;
+    const bool missing = column.absent && !group.nameExists(stored.name);
+    const std::vector<Value> values =
+        missing ? std::vector<Value>(rows.size(), *column.absent) : read_column(group, stored, here);
     if (&column == &columns.front()) rows.resize(values.size());
     if (values.size() != rows.size()) {
       throw ResultsError(here + "/" + column.name + ": " + std::to_string(values.size()) + " entries, but " +

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/encoding.h"
 
+#include "engine/sweep/method.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"
+#include "results/schema/older_files.h"
 #include "results/schema/schema.h"
 
 namespace raygauge {
@@ -21,14 +23,14 @@ bool has_own_format(const H5::Group& root, const std::string& file) {
   return root.attrExists("format") && hdf5::read_text_attribute(root, "format", file) == kFormatName;
 }
 
-void check_head(const H5::Group& root, const std::string& file) {
+/// The schema version of the file.
+std::int64_t check_head(const H5::Group& root, const std::string& file) {
   if (!has_own_format(root, file)) {
     throw ResultsError(file + ": an HDF5 file, but not one of raygauge's results");
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
-  if (version != kSchemaVersion) {
-    refuse_schema_version(file, version);
-  }
+  if (version < 1 || version > kSchemaVersion) refuse_schema_version(file, version);
+  return version;
 }
 
 void write_provenance(H5::Group& root, const Provenance& provenance, Layout layout) {
@@ -46,7 +48,7 @@ void write_provenance(H5::Group& root, const Provenance& provenance, Layout layo
     }
     for (const Calibration::Entry& entry : session.calibration.entries) {
       calibrations.push_back({number, session.calibration.threads, entry.method, entry.serial_seconds,
-                              entry.parallel_seconds, entry.inflation});
+                              entry.parallel_seconds, entry.slowdown});
     }
   }
   hdf5::write_table(group, "sessions", session_columns(), provenance.sessions, layout);
@@ -62,12 +64,13 @@ Session& session_of(Provenance& provenance, std::int32_t number, const std::stri
   return provenance.sessions[static_cast<std::size_t>(number)];
 }
 
-Provenance read_provenance(const H5::Group& root, const std::string& file) {
+Provenance read_provenance(const H5::Group& root, const std::string& file, std::int64_t version) {
   const H5::Group group = hdf5::open_group(root, "provenance", file + ": ");
   const std::string place = file + ": /provenance";
   Provenance provenance;
   provenance.experiment_text = hdf5::read_text(group, "experiment", place);
   provenance.identity = hdf5::read_text(group, "identity", place);
+  if (version == 1) provenance.identity = current_identity(provenance.identity);
   provenance.cell_count =
       static_cast<std::uint64_t>(hdf5::read_integer_attribute(group, "cell_count", place));
   provenance.sessions = hdf5::read_table(group, "sessions", session_columns(), place);
@@ -77,7 +80,8 @@ Provenance read_provenance(const H5::Group& root, const std::string& file) {
   for (const CalibrationRow& row : hdf5::read_table(group, "calibration", calibration_columns(), place)) {
     Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
     calibration.threads = row.threads;
-    calibration.entries.push_back({row.method, row.serial_seconds, row.parallel_seconds, row.inflation});
+    calibration.entries.push_back(
+        {current_method_name(row.method), row.serial_seconds, row.parallel_seconds, row.slowdown});
   }
   return provenance;
 }
@@ -107,9 +111,9 @@ std::string encode_provenance(const Provenance& provenance) {
 ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
   hdf5::read_own_file(path, [&](H5::Group& root) {
-    check_head(root, path.string());
+    const std::int64_t version = check_head(root, path.string());
     results.records = hdf5::read_table(root, "records", record_columns(), path.string() + ": ");
-    results.provenance = read_provenance(root, path.string());
+    results.provenance = read_provenance(root, path.string(), version);
   });
   return results;
 }
@@ -117,8 +121,8 @@ ResultsFile decode_results(const std::filesystem::path& path) {
 Provenance decode_provenance(const std::filesystem::path& path) {
   Provenance provenance;
   hdf5::read_own_file(path, [&](H5::Group& root) {
-    check_head(root, path.string());
-    provenance = read_provenance(root, path.string());
+    const std::int64_t version = check_head(root, path.string());
+    provenance = read_provenance(root, path.string(), version);
   });
   return provenance;
 }

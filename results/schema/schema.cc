@@ -3,6 +3,7 @@
 #include "results/schema/schema.h"
 
 #include <array>
+#include <limits>
 
 #include "results/exceptions.h"
 
@@ -19,6 +20,15 @@ Column<Record> status_column() {
           }};
 }
 
+Column<Record> role_column() {
+  Column<Record> column{{"role", "", "whose the method is: engine, baseline or oracle", ValueType::text},
+                        [](const Record& record) { return Value(std::string(to_string(record.role))); },
+                        [](Record& record, const Value& value) {
+                          record.role = role_from_string(std::get<std::string>(value));
+                        }};
+  return later(std::move(column), std::string(to_string(Role::engine)));
+}
+
 }  // namespace
 
 std::string_view to_string(ValueType type) noexcept {
@@ -29,7 +39,7 @@ std::string_view to_string(ValueType type) noexcept {
 
 void refuse_schema_version(const std::string& file, std::int64_t version) {
   throw SchemaVersionError(file + ": schema version " + std::to_string(version) +
-                           ", this raygauge reads version " + std::to_string(kSchemaVersion));
+                           ", this raygauge reads versions 1 to " + std::to_string(kSchemaVersion));
 }
 
 // clang-format off
@@ -41,6 +51,8 @@ const std::vector<Column<Record>>& record_columns() {
     column("generator_parameters", "", "every parameter of the generator as name=value, separated by blanks", &Record::generator_parameters),
     column("method", "", "label of the method in the experiment", &Record::method),
     column("method_parameters", "", "every parameter of the method as name=value, separated by blanks", &Record::method_parameters),
+    later(column("method_name", "", "registered name of the method", &Record::method_name), std::string()),
+    role_column(),
     column("n", "1", "dimension of the space", &Record::n),
     column("N", "1", "number of points in each set", &Record::N),
     column("tolerance", "1", "requested relative gap (upper - lower) / upper", &Record::tolerance),
@@ -53,6 +65,9 @@ const std::vector<Column<Record>>& record_columns() {
     column("lower", "1", "certified lower bound of the distance; nan where nothing could be certified", &Record::lower),
     column("upper", "1", "certified upper bound of the distance; nan where nothing could be certified", &Record::upper),
     column("exact_distance", "1", "the generator's own answer; nan where it knows none", &Record::exact_distance),
+    later(column("exact_distance_rounding", "1", "relative rounding error of exact_distance; 0 where it is the distance of the very doubles", &Record::exact_distance_rounding), 0.0),
+    later(column("hardness_label", "", "what hardness is, as in 1/δ; empty where the generator has no such parameter", &Record::hardness_label), std::string()),
+    later(column("hardness", "1", "how hard the generator's parameters make the instance; nan where it has no such parameter", &Record::hardness), std::numeric_limits<double>::quiet_NaN()),
     status_column(),
     column("agrees", "", "whether the method agrees with all others on the instance; times of records that do not are not to be averaged", &Record::agrees),
     column("outer_iterations", "1", "K of the paper: scalings of Q", &Record::counters, &DistanceCounters::outer_iterations),
@@ -111,7 +126,7 @@ const std::vector<Column<CalibrationRow>>& calibration_columns() {
     column("method", "", "label of the method", &CalibrationRow::method),
     column("serial_seconds", "s", "median time of a solve alone", &CalibrationRow::serial_seconds),
     column("parallel_seconds", "s", "median time of a solve with all threads busy", &CalibrationRow::parallel_seconds),
-    column("inflation", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::inflation),
+    formerly("inflation", column("slowdown", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::slowdown)),
   };
   return kColumns;
 }

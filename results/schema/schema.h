@@ -14,12 +14,14 @@ namespace raygauge {
 
 /// Version of the layout of a results file. It rises with every change of a column: added, removed, renamed,
 /// or of another type, unit or meaning.
-inline constexpr std::int32_t kSchemaVersion = 1;
+/// Files of every earlier version are read: columns that they lack have defaults (Column::absent,
+/// complete_older_records()).
+inline constexpr std::int32_t kSchemaVersion = 2;
 
 /// The root attribute `format` of every results file, and how a journal of cells begins.
 inline constexpr const char* kFormatName = "raygauge-results";
 
-/// Throws the SchemaVersionError of a file that was written under another version.
+/// Throws the SchemaVersionError of a file of a version that this program does not know.
 [[noreturn]] void refuse_schema_version(const std::string& file, std::int64_t version);
 
 /// A row of /provenance/versions.
@@ -36,7 +38,7 @@ struct CalibrationRow {
   std::string method;
   double serial_seconds = 0;
   double parallel_seconds = 0;
-  double inflation = 1;
+  double slowdown = 1;
 };
 
 /// The tables of a results file. Writer, reader, CSV export and the documentation's test all go by these: a

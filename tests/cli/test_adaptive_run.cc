@@ -64,7 +64,7 @@ class AdaptiveRun : public testing::ProgramTest {
     for (const auto& [index, records] : cells) {
       for (std::size_t i = 0; i < records.size(); ++i) {
         EXPECT_EQ(records[i].repetition, static_cast<int>(i / kMethods)) << "cell " << index;
-        EXPECT_EQ(records[i].method, i % kMethods == 0 ? "direct" : "zheng_yamane");
+        EXPECT_EQ(records[i].method, i % kMethods == 0 ? "column_generation" : "zheng_yamane");
       }
       const std::size_t repetitions = records.size() / kMethods;
       EXPECT_EQ(repetitions, repetitions_asked_for(records)) << "cell " << index;

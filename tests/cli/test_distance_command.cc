@@ -88,7 +88,7 @@ TEST_F(DistanceCommand, PrintsTheDocumentedKeysInTheirOrder) {
       keys_of(json["counters"]),
       (std::vector<std::string>{"outer_iterations", "ray_iterations", "pivots", "support_queries",
                                 "points_priced", "refactorisations", "exact_pivots", "witness_evaluations"}));
-  EXPECT_EQ(json["method"], "direct");
+  EXPECT_EQ(json["method"], "column_generation");
   EXPECT_EQ(json["n"], 2);
   EXPECT_EQ(json["n_points_A"], 4);
   EXPECT_EQ(json["n_points_Q"], 4);

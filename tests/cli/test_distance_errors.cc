@@ -43,9 +43,9 @@ TEST_F(DistanceErrors, SetsOfDifferentDimensionAreBothNamed) {
 }
 
 TEST_F(DistanceErrors, AnUnknownMethodIsAnsweredWithTheKnownOnes) {
-  const ProgramResult outcome = run("3 0\n", kSquare, {"--method", "dircet"});
+  const ProgramResult outcome = run("3 0\n", kSquare, {"--method", "nweton"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err.rfind("raygauge: unknown method 'dircet'; did you mean 'direct'? (known: ", 0), 0U)
+  EXPECT_EQ(outcome.err.rfind("raygauge: unknown method 'nweton'; did you mean 'newton'? (known: ", 0), 0U)
       << outcome.err;
 }
 
@@ -75,13 +75,15 @@ TEST_F(DistanceErrors, OptionsOutsideTheirRangeAreNamed) {
 
 #ifdef RAYGAUGE_HAS_GLPK
 TEST_F(DistanceErrors, OptionsThatAMethodDoesNotHaveAreRefused) {
-  expect_complaint(run("3 0\n", kSquare, {"--method", "glpk", "--witness"}),
-                   "raygauge: method 'glpk_dual' computes no contact point: --witness needs direct, "
-                   "zheng_yamane or newton");
-  expect_complaint(run("3 0\n", kSquare, {"--method", "glpk", "--max-iterations", "5"}),
-                   "raygauge: --max-iterations, --stop-rule, --instruction-set and --threads are for direct, "
-                   "zheng_yamane and newton; "
-                   "method 'glpk_dual' has no such options");
+  expect_complaint(
+      run("3 0\n", kSquare, {"--method", "glpk", "--witness"}),
+      "raygauge: method 'glpk_dual' computes no contact point: --witness needs column_generation, "
+      "zheng_yamane or newton");
+  expect_complaint(
+      run("3 0\n", kSquare, {"--method", "glpk", "--max-iterations", "5"}),
+      "raygauge: --max-iterations, --stop-rule, --instruction-set and --threads are for column_generation, "
+      "zheng_yamane and newton; "
+      "method 'glpk_dual' has no such options");
 }
 #endif
 

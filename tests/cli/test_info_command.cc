@@ -62,7 +62,7 @@ TEST_F(InfoCommand, TellsBuildMachineSolversMethodsAndGenerators) {
   for (const auto& [name, version] : solver_versions()) expected.push_back(name);
   EXPECT_EQ(solvers, expected);
   const std::vector<std::string> methods = names_in(json["methods"]);
-  for (const char* name : {"direct", "zheng_yamane", "glpk_primal", "glpk_dual"})
+  for (const char* name : {"column_generation", "zheng_yamane", "glpk_primal", "glpk_dual"})
     EXPECT_TRUE(has(methods, name)) << name;
   EXPECT_TRUE(has(names_in(json["generators"]), "example2"));
 }
@@ -85,7 +85,7 @@ TEST_F(InfoCommand, TellsWhatAFinishedFileHolds) {
   EXPECT_EQ(json["cells_done"], 2);
   EXPECT_EQ(json["cells"], 2);
   EXPECT_EQ(json["records"], 8);
-  EXPECT_EQ(json["methods"], Json({"direct", "zheng_yamane"}));
+  EXPECT_EQ(json["methods"], Json({"column_generation", "zheng_yamane"}));
   EXPECT_EQ(json["n"], Json({3, 5}));
   EXPECT_EQ(json["N"], Json::array({20}));
   EXPECT_EQ(json["tolerance"][0], 1e-6);

@@ -55,6 +55,11 @@ CellResult cell_result(const Experiment& experiment, std::uint64_t cell) {
       record.generator_parameters = "separation=1.5";
       record.method = method->label;
       record.method_parameters = to_string(method->parameters);
+      record.method_name = method->name;
+      record.role = method->name == "glpk" ? Role::baseline : Role::engine;
+      record.exact_distance_rounding = 0x1p-45;
+      record.hardness_label = "1/δ";
+      record.hardness = 1e9;
       record.n = 3;
       record.N = experiment.N.at(cell);
       record.tolerance = 1e-6;

@@ -84,7 +84,7 @@ TEST_F(OtherReaders, H5pyReadsTheExperimentAndTheSessions) {
                    "print(p['experiment'].asstr()[()], end='')\n"
                    "print(p.attrs['cell_count'], p['sessions/cpu_model'].asstr()[0])\n"
                    "print(dict(zip(p['versions/name'].asstr()[:], p['versions/version'].asstr()[:])))\n"
-                   "print(p['calibration/inflation'][:])\n"),
+                   "print(p['calibration/slowdown'][:])\n"),
             "raygauge-results 1\n" + experiment_.text +
                 "4 A processor\n"
                 "{'Eigen': '3.4.0', 'GLPK': '5.0'}\n"

@@ -34,25 +34,25 @@ std::string curve_block(const std::string& name, const PanelCurve& curve) {
 }
 
 /// The curves, competitors below those of raygauge.
-std::string plot_of(const CurvePanel& panel, std::size_t index) {
+std::string plot_of(const CurvePanel& panel, std::size_t index, const MethodList& methods) {
   std::string text = "plot " + (panel.background.empty() ? "NaN notitle" : panel.background);
   for (const bool competitors : {true, false}) {
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const std::string& method = panel.curves[c].method;
-      if (is_competitor(method) != competitors || panel.curves[c].points.empty()) continue;
+      if (methods.is_competitor(method) != competitors || panel.curves[c].points.empty()) continue;
       const std::string block = ", \\\n  " + curve_block_name(index, c);
       if (!panel.curves[c].bars.empty()) {
         text += block + " using 1:3:(0):($4-$3) with vectors nohead lw 0.7 lc rgb '" +
-                figure_style::line_color(method) + "'";
+                figure_style::line_color(method, methods) + "'";
       }
-      text += block + " using 1:2 with linespoints " + figure_style::line_style(method);
+      text += block + " using 1:2 with linespoints " + figure_style::line_style(method, methods);
     }
   }
   return text + "\n";
 }
 
 Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
-                       const std::vector<std::string>& methods, const std::string& x, const std::string& y) {
+                       const MethodList& methods, const std::string& x, const std::string& y) {
   Drawing drawing;
   drawing.width = grid.width;
   drawing.height = grid.height();
@@ -66,7 +66,8 @@ Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& pan
                     grid.axis_labels(x, y) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     drawing.script += grid.margins(p) + panels[p].settings + "set title " +
-                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" + plot_of(panels[p], p);
+                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" +
+                      plot_of(panels[p], p, methods);
   }
   drawing.script += "unset multiplot\n";
   return drawing;
@@ -75,8 +76,7 @@ Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& pan
 }  // namespace
 
 Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
-                          const std::vector<std::string>& methods, const std::string& x,
-                          const std::string& y) {
+                          const MethodList& methods, const std::string& x, const std::string& y) {
   const std::size_t most = grid.columns * grid.rows_a_page();
   std::vector<Drawing> pages;
   for (std::size_t first = 0; first < panels.size(); first += most) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/data/method_list.h"
 #include "analysis/render/figures/figure.h"
 #include "analysis/render/figures/panel_grid.h"
 
@@ -29,8 +30,7 @@ struct CurvePanel {
 
 /// The figure of the panels, `grid` being laid out for them, under a legend of `methods`.
 Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
-                          const std::vector<std::string>& methods, const std::string& x,
-                          const std::string& y);
+                          const MethodList& methods, const std::string& x, const std::string& y);
 
 /// The least and the largest x of all points (y with `of_y`, bars included), widened by a factor; {1, 10}
 /// without points.

@@ -14,7 +14,7 @@ namespace {
 using figure_style::screen;
 
 /// As many as fit beside each other, but no more than four.
-std::size_t legend_columns_of(const std::vector<std::string>& methods, double width) {
+std::size_t legend_columns_of(const MethodList& methods, double width) {
   constexpr double kCharacter = 0.065;  // inches
   constexpr double kSample = 0.75;      // line, marker and gaps
   constexpr double kMost = 4;
@@ -64,7 +64,7 @@ std::string PanelGrid::axis_labels(const std::string& x, const std::string& y) c
          screen((kBottom + (height() - kBottom - legend) / 2) / height()) + " center rotate by 90\n";
 }
 
-std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) const {
+std::string PanelGrid::legend_plot(const MethodList& methods) const {
   std::string text =
       "unset border\nunset tics\nset lmargin at screen 0.01\nset rmargin at screen 0.99\n"
       "set tmargin at screen 1\nset bmargin at screen " +
@@ -74,8 +74,8 @@ std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) cons
       std::to_string(legend_columns) + "\n";
   for (const std::string& method : methods) {
     text += method == methods.front() ? "plot " : ", \\\n  ";
-    text +=
-        "NaN with linespoints " + figure_style::line_style(method) + " title " + figure_style::quoted(method);
+    text += "NaN with linespoints " + figure_style::line_style(method, methods) + " title " +
+            figure_style::quoted(method);
   }
   return text +
          "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "
@@ -83,7 +83,7 @@ std::string PanelGrid::legend_plot(const std::vector<std::string>& methods) cons
          "set grid ytics lc rgb '#CCCCCC' lw 0.5 dt 1\n";
 }
 
-PanelGrid panel_grid(std::size_t panels, const std::vector<std::string>& methods, FigureSize size,
+PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size,
                      std::size_t most_columns) {
   PanelGrid grid;
   grid.width = width_of(size);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/method_list.h"
 #include "analysis/render/figures/figure.h"
 
 namespace raygauge {
@@ -44,11 +45,11 @@ struct PanelGrid {
   std::string axis_labels(const std::string& x, const std::string& y) const;
   /// The legend, a plot of its own across the whole width: inside a panel it would have to fit there. After
   /// it, borders and tics are set for the panels.
-  std::string legend_plot(const std::vector<std::string>& methods) const;
+  std::string legend_plot(const MethodList& methods) const;
 };
 
 /// The grid for so many panels and a legend of the methods, with at most `most_columns`.
-PanelGrid panel_grid(std::size_t panels, const std::vector<std::string>& methods, FigureSize size,
+PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size,
                      std::size_t most_columns);
 
 }  // namespace raygauge

@@ -43,19 +43,20 @@ void require_one(const std::string& figure, const std::vector<Record>& records, 
 
 }  // namespace
 
-std::string line_style(const std::string& method) {
-  const MethodLook look = look_of_method(method);
+std::string line_style(const std::string& method, const MethodList& methods) {
+  const MethodLook look = look_of_method(method, methods);
   const bool paper = method == kPaperCurve;
-  return "lc rgb '" + line_color(method) + "' dt " + (paper ? "1" : dash_type(look.dash)) + " lw 1 pt " +
-         std::to_string(paper ? kPaperPoint : point_type(look)) + " ps 0.45";
+  return "lc rgb '" + line_color(method, methods) + "' dt " + (paper ? "1" : dash_type(look.dash)) +
+         " lw 1 pt " + std::to_string(paper ? kPaperPoint : point_type(look)) + " ps 0.45";
 }
 
-std::string step_style(const std::string& method) {
-  return "lc rgb '" + line_color(method) + "' dt " + dash_type(look_of_method(method).dash) + " lw 1.4";
+std::string step_style(const std::string& method, const MethodList& methods) {
+  return "lc rgb '" + line_color(method, methods) + "' dt " +
+         dash_type(look_of_method(method, methods).dash) + " lw 1.4";
 }
 
-std::string line_color(const std::string& method) {
-  return method == kPaperCurve ? kPaperColor : look_of_method(method).color;
+std::string line_color(const std::string& method, const MethodList& methods) {
+  return method == kPaperCurve ? kPaperColor : look_of_method(method, methods).color;
 }
 
 std::string screen(double fraction) { return significant(fraction, 6); }

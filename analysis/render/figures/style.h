@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/method_list.h"
 #include "engine/sweep/record.h"
 
 namespace raygauge::figure_style {
@@ -15,14 +16,14 @@ namespace raygauge::figure_style {
 /// In the place of a method: what the paper published. Grey, with crosses.
 inline constexpr const char* kPaperCurve = "paper";
 
-/// How a method's curve looks (look_of_method()), for gnuplot.
-std::string line_style(const std::string& method);
+/// How the curve of a method looks (look_of_method()), for gnuplot; by its label among `methods`.
+std::string line_style(const std::string& method, const MethodList& methods);
 
 /// The same without markers, for step functions.
-std::string step_style(const std::string& method);
+std::string step_style(const std::string& method, const MethodList& methods);
 
 /// "#D55E00": the colour in line_style().
-std::string line_color(const std::string& method);
+std::string line_color(const std::string& method, const MethodList& methods);
 
 /// A fraction of the width or height of the whole picture, for gnuplot's "screen".
 std::string screen(double fraction);

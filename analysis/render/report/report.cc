@@ -17,14 +17,14 @@ namespace raygauge::report {
 namespace {
 
 /// The methods with their looks, in Chart.js's words.
-Json methods_json(const std::vector<std::string>& names) {
+Json methods_json(const MethodList& list) {
   constexpr std::array<const char*, 5> kMarkers = {"circle", "rect", "triangle", "rectRot", "triangle down"};
   static const std::array<std::vector<int>, 4> kDashes = {{{}, {7, 4}, {2, 3}, {7, 3, 2, 3}}};
   Json methods = Json::array();
-  for (const std::string& method : names) {
-    const MethodLook look = look_of_method(method);
+  for (const std::string& method : list) {
+    const MethodLook look = look_of_method(method, list);
     methods.push_back({{"name", method},
-                       {"what", what_method_is(method)},
+                       {"what", what_method_is(list.find(method)->name)},
                        {"color", look.color},
                        {"dark", look.dark_color},
                        {"marker", kMarkers.at(static_cast<std::size_t>(look.marker))},
@@ -97,10 +97,7 @@ Input input_of(const MergedResults& merged, const Filter& filter, const std::vec
   }
   Input input{merged, filter, std::move(records), {}, Truth(merged.records), baselines, {}};
   input.methods = methods_of(input.records);
-  // Where the linear programs' baselines have no place, as with smooth sets, NLopt's are.
-  for (const char* prefix : {"glpk", "nlopt"}) {
-    if (input.baselines.empty()) input.baselines = default_baselines(merged.records, prefix);
-  }
+  if (input.baselines.empty()) input.baselines = default_baselines(merged.records);
   if (!input.baselines.empty()) {
     input.ratios = cell_ratios(input.records, baseline_records(merged.records, filter, input.baselines),
                                input.baselines);

@@ -24,7 +24,7 @@ struct Input {
   const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
   Filter filter;
   std::vector<Record> records;         ///< those that pass the filter
-  std::vector<std::string> methods;    ///< methods_of() them
+  MethodList methods;                  ///< methods_of() them
   Truth truth;                         ///< of all records
   std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
   std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines

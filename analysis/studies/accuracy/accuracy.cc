@@ -96,7 +96,7 @@ std::vector<AccuracyCurve> accuracy_curves(const std::vector<const Record*>& rec
   std::map<std::string, std::map<double, AccuracyTally, std::greater<>>> tallies;
   for (const Record* record : records) {
     const auto [found, is_new] = tallies.try_emplace(record->method);
-    if (is_new) curves.push_back({record->method, {}});
+    if (is_new) curves.push_back({facts_of(*record), record->method, {}});
     found->second[record->tolerance].add(*record, truth(*record));
   }
   for (AccuracyCurve& curve : curves) {

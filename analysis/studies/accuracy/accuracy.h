@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/method_list.h"
 #include "analysis/data/truth.h"
 #include "engine/sweep/record.h"
 
@@ -37,7 +38,8 @@ struct AccuracyPoint {
 
 /// One method at all its tolerances, the loosest first.
 struct AccuracyCurve {
-  std::string method;
+  MethodFacts facts;
+  std::string method;  ///< its label
   std::vector<AccuracyPoint> points;
 };
 

@@ -120,7 +120,7 @@ std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, c
   std::vector<GroupKey> keys;
   std::map<GroupKey, std::vector<const Record*>> members;
   for (const Record& record : records) {
-    if (is_exact(record.method)) continue;
+    if (record.role == Role::oracle) continue;
     const auto [place, is_new] = members.try_emplace(group_of(record));
     if (is_new) keys.push_back(place->first);
     place->second.push_back(&record);

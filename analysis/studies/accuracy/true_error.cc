@@ -3,11 +3,8 @@
 #include "analysis/studies/accuracy/true_error.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 
@@ -22,60 +19,32 @@ namespace {
 
 constexpr const char* kTrueErrorName = "true_error";
 
-/// A parameter that makes a family harder, and how it is drawn.
-struct Hardness {
-  const char* parameter;
-  const char* label;
-  double (*of)(double value);
-};
-
-constexpr std::array<Hardness, 5> kHardness = {{
-    {"aspect", "aspect", [](double value) { return value; }},
-    {"delta", "1/δ", [](double value) { return 1 / value; }},
-    {"entry", "entry", [](double value) { return value; }},
-    {"exponent", "scale", [](double value) { return std::exp2(value); }},
-    {"offset", "offset", [](double value) { return value; }},
-}};
-
-/// The largest error at each value of one family's hardness.
+/// The largest error at each value of one family's hardness, see Hardness.
 struct Family {
-  const Hardness* hardness = nullptr;
+  std::string hardness;
   std::set<double> values;
   std::map<std::string, std::map<double, double>> worst;  ///< by method and value
 };
-
-/// The value of NAME=VALUE among "a=1 name=2".
-std::optional<double> parameter_of(const Record& record, const std::string& name) {
-  const std::string text = " " + record.generator_parameters;
-  const std::size_t found = text.find(" " + name + "=");
-  if (found == std::string::npos) return std::nullopt;
-  return std::strtod(text.c_str() + found + name.size() + 2, nullptr);
-}
 
 /// The families that have a parameter of hardness, by name.
 std::map<std::string, Family> families_with_hardness(const std::vector<Record>& records, const Truth& truth) {
   std::map<std::string, Family> families;
   for (const Record& record : records) {
     const double error = true_error(record, truth(record));
-    if (std::isnan(error)) continue;
-    for (const Hardness& hardness : kHardness) {
-      const std::optional<double> value = parameter_of(record, hardness.parameter);
-      if (!value) continue;
-      Family& family = families[record.generator];
-      family.hardness = &hardness;
-      const double x = hardness.of(*value);
-      family.values.insert(x);
-      double& worst = family.worst[record.method].try_emplace(x, error).first->second;
-      worst = std::max(worst, error);
-    }
+    if (std::isnan(error) || std::isnan(record.hardness)) continue;
+    Family& family = families[record.generator];
+    family.hardness = record.hardness_label;
+    family.values.insert(record.hardness);
+    double& worst = family.worst[record.method].try_emplace(record.hardness, error).first->second;
+    worst = std::max(worst, error);
   }
   return families;
 }
 
-CurvePanel family_panel(const std::string& name, const Family& family,
-                        const std::vector<std::string>& methods, double tolerance) {
+CurvePanel family_panel(const std::string& name, const Family& family, const MethodList& methods,
+                        double tolerance) {
   CurvePanel panel;
-  panel.title = name + ": " + family.hardness->label;
+  panel.title = name + ": " + family.hardness;
   panel.background = significant(10 * tolerance, 6) + " with lines lc rgb '#8C8C8C' lw 0.8 dt 1";
   for (const std::string& method : methods) {
     const auto found = family.worst.find(method);
@@ -98,9 +67,9 @@ Drawing true_error_figure(const std::vector<Record>& records, const FigureOption
   std::vector<Record> kept =
       figure_style::comparable_records(kTrueErrorName, records, options.filter, {"tolerance"});
   kept.erase(
-      std::remove_if(kept.begin(), kept.end(), [](const Record& each) { return is_exact(each.method); }),
+      std::remove_if(kept.begin(), kept.end(), [](const Record& each) { return each.role == Role::oracle; }),
       kept.end());
-  const std::vector<std::string> methods = methods_of(kept);
+  const MethodList methods = methods_of(kept);
   std::vector<CurvePanel> panels;
   for (const auto& [name, family] : families_with_hardness(kept, Truth(records))) {
     if (family.values.size() > 1)
@@ -108,8 +77,8 @@ Drawing true_error_figure(const std::vector<Record>& records, const FigureOption
   }
   if (panels.empty()) {
     throw FigureNeedsError(std::string("figure ") + kTrueErrorName +
-                           " needs answers of known truth at two or more values of a generator's parameter "
-                           "aspect, delta, entry, exponent or offset");
+                           " needs answers of known truth at two or more values of a generator's measure of "
+                           "hardness, as aspect or 1/delta");
   }
   PanelGrid grid =
       panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 2 : 3);

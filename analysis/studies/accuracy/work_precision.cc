@@ -90,13 +90,12 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
   }
   const TimeUnit unit = unit_of(groups);
   std::vector<CurvePanel> panels;
-  std::vector<std::string> methods;
+  MethodList methods;
   for (const AccuracyGroup& group : groups) {
     if (!has_precision(group)) continue;
     add_panels(group, unit, panels);
     for (const AccuracyCurve& curve : group.curves) {
-      if (std::find(methods.begin(), methods.end(), curve.method) == methods.end())
-        methods.push_back(curve.method);
+      methods.add(curve.facts);
     }
   }
   if (panels.empty()) throw FigureNeedsError(kPrecisionNeeds);

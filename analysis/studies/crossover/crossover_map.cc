@@ -68,7 +68,7 @@ std::string crossover_legend(const std::string& problem, double height, std::siz
 
 Drawing crossover_of(const Problem& problem, const FigureOptions& options) {
   const std::vector<Record>& kept = problem.records;
-  const std::vector<std::string> methods = methods_of(kept);
+  const MethodList methods = methods_of(kept);
   const std::vector<CellWinner> winners = cell_winners(kept);
   if (methods.size() < 2 || winners.empty()) {
     throw FigureNeedsError(std::string("figure ") + kCrossoverName +
@@ -92,7 +92,7 @@ Drawing crossover_of(const Problem& problem, const FigureOptions& options) {
     const std::string block = "$winner" + std::to_string(w);
     drawing.script += winner_block(block, winning[w], winners, map, mark);
     boxes += (boxes.empty() ? "plot " : ", \\\n  ") + block + " using " + kCellBox +
-             " with boxxyerror lc rgb '" + figure_style::line_color(winning[w]) + "' title " +
+             " with boxxyerror lc rgb '" + figure_style::line_color(winning[w], methods) + "' title " +
              figure_style::quoted(mark + winning[w]);
     labels += ", \\\n  " + block + " using 1:2:3 with labels " + map.font(kWinnerCharacters) + " notitle";
   }

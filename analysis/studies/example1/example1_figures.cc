@@ -96,9 +96,9 @@ Example1Table table_for(const std::string& name, const std::vector<Record>& reco
 Drawing example1_figure(const std::string& name, const std::vector<Record>& records, Example1Roles roles,
                         const FigureOptions& options) {
   const Example1Table table = table_for(name, records, roles, options);
-  std::vector<std::string> methods;
-  for (const AccuracyCurve& curve : table.curves) methods.push_back(curve.method);
-  methods.emplace_back(figure_style::kPaperCurve);
+  MethodList methods;
+  for (const AccuracyCurve& curve : table.curves) methods.add(curve.facts);
+  methods.add({figure_style::kPaperCurve, "", "", Role::baseline});
   constexpr std::size_t kPanels = 3;
   PanelGrid grid =
       panel_grid(kPanels, methods, options.size, options.size == FigureSize::single ? 1 : kPanels);

@@ -55,7 +55,7 @@ Example1Table example1_table_of(const std::vector<Record>& records, Example1Role
   Example1Table table{roles, accuracy_curves(kept, truth), std::move(baselines)};
   if (!table.baselines.empty()) return table;
   for (const AccuracyCurve& curve : table.curves) {
-    if (curve.method.starts_with("nlopt")) table.baselines.push_back(curve.method);
+    if (curve.facts.role == Role::baseline) table.baselines.push_back(curve.method);
   }
   return table;
 }

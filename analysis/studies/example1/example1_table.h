@@ -28,8 +28,8 @@ struct Example1Table {
   double time_ratio(const AccuracyPoint& point) const;
 };
 
-/// Takes the records of generator example1 with those roles. `baselines` empty: methods whose label begins
-/// with nlopt. Throws EmptySetError where there are no such records, UnknownNameError for a baseline that has
+/// Takes the records of generator example1 with those roles. `baselines` empty: all that are baselines by
+/// their role. Throws EmptySetError where there are no such records, UnknownNameError for a baseline that has
 /// none.
 Example1Table make_example1_table(const std::vector<Record>& records, Example1Roles roles,
                                   const Filter& filter = {}, std::vector<std::string> baselines = {});

@@ -80,7 +80,7 @@ TableRow competitor_row(const Example1Table& table, const AccuracyPoint& point) 
 
 Table method_table(const Example1Table& table, const AccuracyCurve& curve) {
   Table result;
-  const bool competitor = is_competitor(curve.method);
+  const bool competitor = curve.facts.is_competitor();
   result.title = title_of(table.roles) + ", " + curve.method;
   if (competitor) {
     result.header = {{"ε", "error", "µs", "ratio", "failed", "wrong", "active-set:", "ms"}};
@@ -106,12 +106,14 @@ TableCell deviation_cell(const Example1Table& table, const AccuracyCurve& curve,
     least = std::min(least, deviation);
     most = std::max(most, deviation);
   }
-  if (!curve.method.starts_with("zheng_yamane") || least > most) return {""};
+  if (curve.facts.name != "zheng_yamane" || least > most) return {""};
   constexpr int kLength = 48;
   constexpr double kSameAlgorithm = 40;
   char text[kLength];
   std::snprintf(text, kLength, "%+.0f … %+.0f %%", least, most);
-  const bool far = curve.method == "zheng_yamane_published" && std::max(-least, most) > kSameAlgorithm;
+  const bool stops_as_published =
+      curve.facts.parameters.find("stop_rule=published_sigma") != std::string::npos;
+  const bool far = stops_as_published && std::max(-least, most) > kSameAlgorithm;
   return {text, far ? Emphasis::alarm : Emphasis::none};
 }
 

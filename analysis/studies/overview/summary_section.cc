@@ -115,7 +115,7 @@ std::string speed_line(const Input& input) {
   if (input.baselines.empty()) return "Speed: no baseline among the methods, so no ratio.";
   std::vector<std::string> words;
   for (const std::string& method : input.methods) {
-    const std::string speed = is_competitor(method) ? "" : speed_words(input, method);
+    const std::string speed = input.methods.is_competitor(method) ? "" : speed_words(input, method);
     if (!speed.empty()) words.push_back(speed);
   }
   return words.empty() ? "Speed: no cell has both a method and a solved baseline."
@@ -135,7 +135,7 @@ std::string precision_line(const Input& input) {
   }
   std::vector<std::string> words;
   for (const std::string& method : input.methods) {
-    if (is_competitor(method)) continue;
+    if (input.methods.is_competitor(method)) continue;
     const StabilityRow& sum = sums[method];
     words.push_back(method + " certified " + std::to_string(sum.certified) + " of " +
                     std::to_string(sum.solves) + " distances to the tolerance asked for (" +
@@ -167,7 +167,7 @@ Table methods_table(const Input& input) {
       return TableCell(std::to_string(count), count > 0 ? Emphasis::alarm : Emphasis::none);
     };
     table.rows.push_back({{{method},
-                           {what_method_is(method)},
+                           {what_method_is(input.methods.find(method)->name)},
                            {std::to_string(records)},
                            alarm(unsolved),
                            alarm(disagreeing),

@@ -33,7 +33,7 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
   if (curves.size() < 2) {
     throw FigureNeedsError(std::string("figure ") + kProfileName + " needs records of two or more methods");
   }
-  const std::vector<std::string> methods = methods_of(kept);
+  const MethodList methods = methods_of(kept);
   const double last = profile_end(curves);
   const PanelGrid grid = panel_grid(1, methods, options.size, 1);
   Drawing drawing;
@@ -43,7 +43,7 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
   for (std::size_t i = 0; i < curves.size(); ++i) {
     drawing.script += profile_block(curves[i], i, last);
     plots += (i == 0 ? "plot " : ", \\\n  ") + ("$profile" + std::to_string(i)) + " using 1:2 with steps " +
-             figure_style::step_style(curves[i].method);
+             figure_style::step_style(curves[i].method, methods);
   }
   drawing.script += "set multiplot\nset logscale x\nset xrange [1:" + significant(last, 6) +
                     "]\nset yrange [0:1.02]\n" +

@@ -72,7 +72,7 @@ std::string title(const Pivot& pivot) {
   return text;
 }
 
-/// "direct, n=3, N=200"
+/// "newton, n=3, N=200"
 std::string place_text(const Pivot& pivot, std::size_t row, std::size_t column) {
   std::vector<std::string> words;
   for (std::size_t c = 0; c < pivot.row_names.size(); ++c)
@@ -82,7 +82,7 @@ std::string place_text(const Pivot& pivot, std::size_t row, std::size_t column) 
   return joined(words, " ");
 }
 
-/// "…: direct n=3 2 of 20, …", the first few places where a count is not 0; "" if there are none.
+/// "…: newton n=3 2 of 20, …", the first few places where a count is not 0; "" if there are none.
 std::string places_note(const Pivot& pivot, std::size_t PivotCell::*count, const std::string& what) {
   constexpr std::size_t kListed = 6;
   std::vector<std::string> places;

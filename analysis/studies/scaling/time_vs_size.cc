@@ -126,7 +126,7 @@ void set_axes(std::vector<CurvePanel>& panels, const PanelGrid& grid, const Size
 Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records,
                     const FigureOptions& options) {
   const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter, {});
-  const std::vector<std::string> methods = methods_of(kept);
+  const MethodList methods = methods_of(kept);
   const std::vector<ScalingCurve> curves = scaling_curves(kept, figure.axis, 1);
   const TimeUnit unit = unit_of(curves);
   std::vector<CurvePanel> panels = size_panels(curves, figure, unit.per_second);

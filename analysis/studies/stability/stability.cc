@@ -89,7 +89,7 @@ bool is_wrong(const Record& record, double truth) {
   if (true_error(record, truth) > kAllowance * record.tolerance) return true;
   const double slack = 1 - truth_rounding(record);
   // A bound that is NaN was never proven, and refutes nothing.
-  return !is_competitor(record.method) && (truth < slack * record.lower || slack * truth > record.upper);
+  return record.role == Role::engine && (truth < slack * record.lower || slack * truth > record.upper);
 }
 
 Stability make_stability(const std::vector<Record>& records, const Filter& filter) {

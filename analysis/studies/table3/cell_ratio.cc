@@ -112,28 +112,19 @@ std::vector<CellRatio> cell_ratios(const std::vector<Record>& records,
   return ratios;
 }
 
-std::vector<std::string> methods_of(const std::vector<Record>& records) {
-  std::vector<std::string> methods;
-  for (const Record& record : records) {
-    if (!contains(methods, record.method)) methods.push_back(record.method);
+std::vector<std::string> default_baselines(const std::vector<Record>& records) {
+  constexpr std::array<std::string_view, 2> kOfThePaper = {"glpk_primal", "glpk_dual"};
+  const MethodList methods = methods_of(records);
+  std::vector<std::string> of_the_paper;
+  std::vector<std::string> all;
+  for (const std::string& label : methods) {
+    const MethodFacts& facts = *methods.find(label);
+    if (facts.role != Role::baseline) continue;
+    all.push_back(label);
+    if (std::find(kOfThePaper.begin(), kOfThePaper.end(), facts.name) != kOfThePaper.end())
+      of_the_paper.push_back(label);
   }
-  return methods;
-}
-
-bool is_exact(const std::string& method) { return method.starts_with("exact"); }
-
-std::vector<std::string> default_baselines(const std::vector<Record>& records, const std::string& prefix) {
-  std::vector<std::string> baselines;
-  for (const std::string& method : methods_of(records)) {
-    if (method.starts_with(prefix)) baselines.push_back(method);
-  }
-  return baselines;
-}
-
-bool is_competitor(const std::string& method) {
-  constexpr std::array<std::string_view, 3> kCompetitors = {"glpk", "clp", "nlopt"};
-  return is_exact(method) || std::any_of(kCompetitors.begin(), kCompetitors.end(),
-                                         [&](std::string_view prefix) { return method.starts_with(prefix); });
+  return of_the_paper.empty() ? all : of_the_paper;
 }
 
 std::vector<Record> baseline_records(const std::vector<Record>& all, const Filter& filter,
@@ -141,7 +132,7 @@ std::vector<Record> baseline_records(const std::vector<Record>& all, const Filte
   const std::vector<std::string> methods = methods_of(all);
   if (baselines.empty()) {
     throw InvalidParameterError(
-        "a ratio needs a baseline, and no method here begins with glpk; name one with --baseline");
+        "a ratio needs a baseline, and no method here is one; name one with --baseline");
   }
   for (const std::string& baseline : baselines) {
     if (!contains(methods, baseline)) throw UnknownNameError("baseline", baseline, methods);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/method_list.h"
 #include "analysis/statistics/statistics.h"
 #include "engine/sweep/record.h"
 
@@ -58,23 +59,12 @@ std::vector<CellRatio> cell_ratios(const std::vector<Record>& records,
                                    const std::vector<Record>& baseline_records,
                                    const std::vector<std::string>& baselines);
 
-/// The methods of `records`, in order of first appearance.
-std::vector<std::string> methods_of(const std::vector<Record>& records);
-
-/// The methods whose label begins with `prefix`: without one, the baselines that ratios refer to unless told
-/// otherwise.
-std::vector<std::string> default_baselines(const std::vector<Record>& records,
-                                           const std::string& prefix = "glpk");
-
-/// Whether a method solves in exact arithmetic, so that what it claims is the truth: its label begins with
-/// exact.
-bool is_exact(const std::string& method);
-
-/// Whether a method is a competitor, by its label: it begins with glpk, clp, nlopt or exact.
-bool is_competitor(const std::string& method);
+/// What ratios divide by unless told otherwise, by label: the simplex methods of GLPK, with which the paper
+/// compares; where there are none, all baselines by their role.
+std::vector<std::string> default_baselines(const std::vector<Record>& records);
 
 /// The records that ratios divide by when the numerators are those of `all` that pass `filter`: the
-/// baselines' records that pass it too; where none does (as in "method==direct"), the baselines' records on
+/// baselines' records that pass it too; where none does (as in "method==newton"), the baselines' records on
 /// the instances of those that pass.
 /// Throws InvalidParameterError if `baselines` is empty, UnknownNameError for one that has no record at all.
 std::vector<Record> baseline_records(const std::vector<Record>& all, const Filter& filter,

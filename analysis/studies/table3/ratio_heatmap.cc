@@ -118,7 +118,7 @@ Drawing heatmap_of(const Problem& problem, const std::vector<Record>& records, c
       options.baselines.empty() ? default_baselines(records) : options.baselines;
   if (baselines.empty())
     throw FigureNeedsError(std::string("figure ") + kHeatmapName +
-                           " needs a baseline, a method that begins with glpk; or name one with --baseline");
+                           " needs a method that is a baseline; or name one with --baseline");
   const std::vector<CellRatio> ratios =
       cell_ratios(kept, baseline_records(records, options.filter, baselines), baselines);
   const ColorRange range = color_range(ratios);

@@ -95,9 +95,10 @@ Table3 make_table3(const std::vector<Record>& records, const Filter& filter,
   table3.records = kept.size();
   for (const Record& record : kept) table3.disagreeing += record.agrees ? 0 : 1;
   const std::vector<CellRatio> ratios = cell_ratios(kept, denominators, baselines);
-  for (const std::string& name : methods_of(kept)) {
+  const MethodList methods = methods_of(kept);
+  for (const std::string& name : methods) {
     const bool is_baseline = std::find(baselines.begin(), baselines.end(), name) != baselines.end();
-    if (is_baseline || is_competitor(name)) continue;
+    if (is_baseline || methods.is_competitor(name)) continue;
     Table3Method method;
     method.method = name;
     std::copy_if(ratios.begin(), ratios.end(), std::back_inserter(method.cells),

@@ -65,8 +65,7 @@ TEST_F(Merge, NotesWhatItsReadersShouldKnow) {
   const MergedResults merged = read_merged({a, write("b.h5", second)});
   ASSERT_EQ(merged.notes.size(), 3U);
   EXPECT_EQ(merged.notes[0], a + ": unfinished, 4 of 5 cells");
-  EXPECT_EQ(merged.notes[1],
-            a + ": timed with 4 threads at once, which multiplies single times by: direct 1.25");
+  EXPECT_EQ(merged.notes[1], a + ": timed with 4 threads at once; slowdown of single solves: direct 1.25");
   EXPECT_TRUE(merged.notes[2].starts_with("times from different processors are mixed: ")) << merged.notes[2];
 }
 

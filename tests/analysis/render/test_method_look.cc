@@ -16,10 +16,14 @@ namespace {
 TEST(MethodLook, OfTheProgramsOwnMethodsDiffersInGreyToo) {
   std::set<std::tuple<Marker, Dash, bool>> looks;
   std::set<std::string> colors;
-  const std::set<std::string> methods = {"direct",     "zheng_yamane", "newton", "glpk_primal", "glpk_dual",
-                                         "clp_primal", "clp_dual",     "exact",  "nlopt_slsqp", "nlopt_mma"};
+  MethodList methods;
+  for (const char* name : {"column_generation", "zheng_yamane", "newton"})
+    methods.add({name, name, "", Role::engine});
+  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp", "nlopt_mma"})
+    methods.add({name, name, "", Role::baseline});
+  methods.add({"exact", "exact", "", Role::oracle});
   for (const std::string& method : methods) {
-    const MethodLook look = look_of_method(method);
+    const MethodLook look = look_of_method(method, methods);
     looks.insert({look.marker, look.dash, look.filled});
     colors.insert(look.color);
     EXPECT_NE(what_method_is(method), "") << method;
@@ -29,8 +33,8 @@ TEST(MethodLook, OfTheProgramsOwnMethodsDiffersInGreyToo) {
 }
 
 TEST(MethodLook, OfAnUnknownLabelIsAlwaysTheSame) {
-  const MethodLook look = look_of_method("my_solver");
-  EXPECT_EQ(look.color, look_of_method("my_solver").color);
+  const MethodLook look = look_of_method("my_solver", {});
+  EXPECT_EQ(look.color, look_of_method("my_solver", {}).color);
   EXPECT_TRUE(look.filled);
   EXPECT_NE(look.dash, Dash::solid);
   EXPECT_EQ(what_method_is("my_solver"), "");

@@ -47,7 +47,7 @@ TEST(RunSummary, ProvenAnswersAreNoFailures) {
   EXPECT_EQ(summary_text(summary, {2, {{"direct", 1, 1.5, 1.5}, {"presolved", 1, 1, 1.0009}}}),
             "  agreement  all methods agree on every instance\n"
             "  unsolved   none\n"
-            "  inflation  2 threads at once multiply single times by: direct 1.500, presolved 1.001\n");
+            "  slowdown   of single solves on 2 threads: direct 1.500, presolved 1.001\n");
 }
 
 TEST(RunSummary, AnAdaptiveRunTellsHowOftenItRepeated) {

@@ -115,9 +115,9 @@ TEST(CalibrationOf, InflationIsTheMedianOfTheRatiosNotTheRatioOfTheMedians) {
   EXPECT_EQ(calibration.entries[0].method, "ours");
   EXPECT_EQ(calibration.entries[0].serial_seconds, 10);
   EXPECT_EQ(calibration.entries[0].parallel_seconds, 11);
-  EXPECT_EQ(calibration.entries[0].inflation, 3);
+  EXPECT_EQ(calibration.entries[0].slowdown, 3);
   EXPECT_EQ(calibration.entries[1].method, "theirs");
-  EXPECT_EQ(calibration.entries[1].inflation, 1);
+  EXPECT_EQ(calibration.entries[1].slowdown, 1);
 }
 
 TEST(CalibrationOf, IsEmptyWhereTheRuntimeGrantedOneThread) {

@@ -28,7 +28,7 @@ class EngineMethods : public ::testing::Test {
 };
 
 TEST_F(EngineMethods, AllAreRegistered) {
-  EXPECT_EQ(registry_.names(), (std::vector<std::string>{"direct", "newton", "zheng_yamane"}));
+  EXPECT_EQ(registry_.names(), (std::vector<std::string>{"column_generation", "newton", "zheng_yamane"}));
 }
 
 TEST_F(EngineMethods, SolveToTheRequestedTolerance) {

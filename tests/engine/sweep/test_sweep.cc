@@ -136,7 +136,7 @@ TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
   EXPECT_EQ(summary.threads, 2);
   ASSERT_EQ(summary.calibration.entries.size(), 2u);
   EXPECT_EQ(summary.calibration.entries[0].method, "first");
-  EXPECT_EQ(summary.calibration.entries[0].inflation, 1);
+  EXPECT_EQ(summary.calibration.entries[0].slowdown, 1);
   std::set<int> threads;
   for (const auto& entry : sink.cells()) {
     for (const Record& record : entry.second.records) {
@@ -163,7 +163,7 @@ TEST_F(Sweep, TheSolvesOfItsFirstCellAreComparedWithThoseMadeAlone) {
   for (const Calibration::Entry& entry : summary.calibration.entries) {
     EXPECT_EQ(entry.serial_seconds, 0.5);
     EXPECT_EQ(entry.parallel_seconds, 1);
-    EXPECT_EQ(entry.inflation, 2);
+    EXPECT_EQ(entry.slowdown, 2);
   }
 }
 

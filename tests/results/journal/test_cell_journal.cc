@@ -138,13 +138,13 @@ TEST_F(CellJournalTest, WhatIsNoJournalIsRefused) {
     EXPECT_EQ(error(), path_ + ": not a journal of raygauge's cells");
   }
   write_bytes(path_, "# raygauge-results, schema version 1\ncell,session\n");
-  EXPECT_EQ(error(), path_ + ": has other columns than a journal of cells");
+  EXPECT_EQ(error(), path_ + ": has other columns than a journal of cells: column generator is missing");
 }
 
 TEST_F(CellJournalTest, AnotherSchemaVersionIsRefused) {
-  write_bytes(path_, "# raygauge-results, schema version 2\n");
+  write_bytes(path_, "# raygauge-results, schema version 3\n");
   EXPECT_THROW(read_cell_journal(path_), SchemaVersionError);
-  EXPECT_EQ(error(), path_ + ": schema version 2, this raygauge reads version 1");
+  EXPECT_EQ(error(), path_ + ": schema version 3, this raygauge reads versions 1 to 2");
 }
 
 TEST_F(CellJournalTest, ACellOfAnotherNumberThanItsRecordsIsRefused) {

@@ -42,7 +42,7 @@ TEST(ResultsFile, ProvenanceComesBack) {
   ASSERT_EQ(session.calibration.entries.size(), 2U);
   EXPECT_EQ(session.calibration.threads, 2);
   EXPECT_EQ(session.calibration.entries[1].method, expected.calibration.entries[1].method);
-  EXPECT_EQ(session.calibration.entries[0].inflation, 1.1);
+  EXPECT_EQ(session.calibration.entries[0].slowdown, 1.1);
   EXPECT_TRUE(read.sessions[1].versions.empty());
   EXPECT_TRUE(read.sessions[1].calibration.entries.empty());
 }

@@ -86,6 +86,7 @@ TEST(Accuracy, TakesTheTruthFromTheExactMethodWhereTheGeneratorHasNone) {
   Record approximate = solve("direct", 1e-2, 0.5, 0.5, 1);
   Record exact = approximate;
   exact.method = "exact";
+  exact.role = Role::oracle;
   exact.distance = 2.25;
   approximate.exact_distance = exact.exact_distance = kMissing;
   EXPECT_EQ(curves_of({approximate, exact})[0].points[0].mean_error, 0.25);

@@ -129,7 +129,7 @@ TEST(Stability, CallsBoundsThatExcludeTheTruthWrongWhateverTheStatus) {
   EXPECT_FALSE(is_wrong(record, 4));
   record.upper = std::nextafter(4.0, 3.0);
   EXPECT_TRUE(is_wrong(record, 4));
-  record.method = "clp_dual";
+  record.role = Role::baseline;
   EXPECT_FALSE(is_wrong(record, 4)) << "a competitor's bounds are not its own";
 }
 

@@ -99,17 +99,28 @@ TEST(BaselineRecords, MustExist) {
   const std::vector<Record> records = {record("direct", 3, 200, 0, 1)};
   EXPECT_EQ(
       message_of<InvalidParameterError>([&] { baseline_records(records, {}, default_baselines(records)); }),
-      "a ratio needs a baseline, and no method here begins with glpk; name one with --baseline");
+      "a ratio needs a baseline, and no method here is one; name one with --baseline");
   EXPECT_NE(
       message_of<UnknownNameError>([&] { baseline_records(records, {}, {"glkp"}); }).find("unknown baseline"),
       std::string::npos);
 }
 
-TEST(Competitors, AreKnownByTheirLabels) {
-  EXPECT_TRUE(is_competitor("glpk_dual"));
-  EXPECT_TRUE(is_competitor("clp_primal"));
-  EXPECT_FALSE(is_competitor("zheng_yamane"));
+TEST(DefaultBaselines, AreThoseOfThePaperWhateverTheirLabel) {
   EXPECT_EQ(default_baselines(two_cells()), kGlpk);
+  std::vector<Record> records = {record("direct", 3, 200, 0, 1), record("glpk_dual", 3, 200, 0, 1),
+                                 record("clp_dual", 3, 200, 0, 1)};
+  records[1].method = "lp";
+  EXPECT_EQ(default_baselines(records), (std::vector<std::string>{"lp"}));
+  EXPECT_TRUE(methods_of(records).is_competitor("lp"));
+  EXPECT_FALSE(methods_of(records).is_competitor("direct"));
+}
+
+TEST(DefaultBaselines, AreAllBaselinesWhereThePapersAreMissing) {
+  std::vector<Record> records = {record("glpk_dual", 3, 200, 0, 1), record("clp_dual", 3, 200, 0, 1),
+                                 record("exact", 3, 200, 0, 1)};
+  records[0].method_name = "newton";  // a label says nothing of the method
+  records[0].role = Role::engine;
+  EXPECT_EQ(default_baselines(records), (std::vector<std::string>{"clp_dual"}));
 }
 
 }  // namespace

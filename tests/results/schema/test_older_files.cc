@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Files that raygauge 1fb7acc wrote, of schema version 1: points_v1.h5 and smooth_v1.h5, by the experiments
+// whose text is in them.
+#include "results/schema/older_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "results/run/results_file.h"
+#include "results/schema/encoding.h"
+#include "results/schema/schema.h"
+#include "tests/results/support.h"
+
+namespace raygauge::test_older_files {
+namespace {
+
+const std::string kFolder = RAYGAUGE_SOURCE_DIR "/tests/results/files/";
+
+using NameAndRole = std::pair<std::string, Role>;
+
+std::map<std::string, NameAndRole> methods_of_file(const ResultsFile& file) {
+  std::map<std::string, NameAndRole> methods;
+  for (const Record& record : file.records)
+    methods.emplace(record.method, NameAndRole{record.method_name, record.role});
+  return methods;
+}
+
+TEST(OlderFiles, MethodsOfVersionOneAreKnownByTheExperimentNotByTheirLabels) {
+  const std::map<std::string, NameAndRole> expected = {
+      {"column_generation", {"column_generation", Role::engine}},
+      {"zheng_yamane", {"zheng_yamane", Role::engine}},
+      {"lp", {"glpk_dual", Role::baseline}},
+      {"glpk_primal", {"glpk_primal", Role::baseline}},
+      {"exact", {"exact", Role::oracle}}};
+  const ResultsFile file = read_results(kFolder + "points_v1.h5");
+  EXPECT_EQ(file.records.size(), 120U);
+  EXPECT_TRUE(file.finished());
+  EXPECT_EQ(methods_of_file(file), expected);
+}
+
+TEST(OlderFiles, ALabelThatTheExperimentGaveStays) {
+  const auto methods = methods_of_file(read_results(kFolder + "smooth_v1.h5"));
+  EXPECT_EQ(methods.at("ours"), NameAndRole("column_generation", Role::engine));
+  EXPECT_EQ(methods.at("zheng_yamane_published"), NameAndRole("zheng_yamane", Role::engine));
+  EXPECT_EQ(methods.at("nlopt_slsqp"), NameAndRole("nlopt_slsqp", Role::baseline));
+}
+
+TEST(OlderFiles, GeneratorsOfVersionOneHaveTheirRoundingAndTheirHardness) {
+  int of_example1 = 0;
+  int with_hardness = 0;
+  for (const Record& record : read_results(kFolder + "smooth_v1.h5").records) {
+    EXPECT_EQ(record.exact_distance_rounding, record.generator == "example1" ? 0x1p-45 : 0.0);
+    of_example1 += record.generator == "example1" ? 1 : 0;
+    if (record.generator != "hard_ellipsoid") continue;
+    EXPECT_EQ(record.hardness_label, "aspect");
+    EXPECT_EQ(record.hardness, 1e4);
+    ++with_hardness;
+  }
+  EXPECT_EQ(of_example1, 96);
+  EXPECT_EQ(with_hardness, 48);
+}
+
+TEST(OlderFiles, AFileOfVersionOneIsWrittenAgainInThisVersionWithTheSameRecords) {
+  const ResultsFile old = read_results(kFolder + "points_v1.h5");
+  testing::TemporaryFolder folder;
+  const std::string path = (folder.path() / "again.h5").string();
+  write_results(path, old);
+  const ResultsFile again = read_results(path);
+  ASSERT_EQ(again.records.size(), old.records.size());
+  for (std::size_t i = 0; i < old.records.size(); ++i)
+    EXPECT_EQ(testing::fingerprint(again.records[i]), testing::fingerprint(old.records[i]));
+  EXPECT_EQ(again.provenance.identity, old.provenance.identity);
+}
+
+TEST(OlderFiles, WithoutAnIdentityTheLabelTellsTheMethod) {
+  std::vector<Record> records(4);
+  records[0].method = "direct";
+  records[1].method = "glpk_dual_presolved";
+  records[2].method = "exact";
+  records[3].method = "mine";
+  complete_older_records(records, "");
+  EXPECT_EQ(records[0].method, "column_generation");
+  EXPECT_EQ(records[1].method_name, "glpk_dual");
+  EXPECT_EQ(records[1].role, Role::baseline);
+  EXPECT_EQ(records[2].role, Role::oracle);
+  EXPECT_EQ(records[3].method_name, "mine");
+  EXPECT_EQ(records[3].role, Role::engine);
+}
+
+TEST(OlderFiles, TheIdentityOfARunHasTodaysNamesSoThatItCanBeResumed) {
+  EXPECT_EQ(
+      current_identity("n = [3]\nmethods = [direct, direct as b {x=1, y=2}, glpk_dual as direct]\n"),
+      "n = [3]\nmethods = [column_generation, column_generation as b {x=1, y=2}, glpk_dual as direct]\n");
+  EXPECT_EQ(current_identity("seed = 1\n"), "seed = 1\n");
+}
+
+}  // namespace
+}  // namespace raygauge::test_older_files
