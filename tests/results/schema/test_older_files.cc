@@ -77,6 +77,20 @@ TEST(OlderFiles, AFileOfVersionOneIsWrittenAgainInThisVersionWithTheSameRecords)
   EXPECT_EQ(again.provenance.identity, old.provenance.identity);
 }
 
+// killed_v1.h5.parts: what `kill -9` left of a run of version 1.
+TEST(OlderFiles, AnUnfinishedRunOfVersionOneIsReadFromItsJournal) {
+  const ResultsFile run = read_results(kFolder + "killed_v1.h5");
+  EXPECT_EQ(run.cells().size(), 17U);
+  EXPECT_EQ(run.records.size(), 34U);
+  EXPECT_FALSE(run.finished());
+  EXPECT_NE(run.provenance.identity.find("methods = [column_generation, glpk_dual as lp]"),
+            std::string::npos);
+  const std::map<std::string, NameAndRole> expected = {
+      {"column_generation", {"column_generation", Role::engine}}, {"lp", {"glpk_dual", Role::baseline}}};
+  EXPECT_EQ(methods_of_file(run), expected);
+  EXPECT_TRUE(std::isnan(run.records.front().hardness));
+}
+
 TEST(OlderFiles, WithoutAnIdentityTheLabelTellsTheMethod) {
   std::vector<Record> records(4);
   records[0].method = "direct";
