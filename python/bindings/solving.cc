@@ -5,6 +5,7 @@
 #include <array>
 
 #include "engine/exceptions.h"
+#include "engine/sweep/method.h"
 
 namespace raygauge::python {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::array kMethods{DistanceMethod::direct, DistanceMethod::newton, Di
 
 DistanceMethod method_of(const std::string& name) {
   for (const DistanceMethod method : kMethods) {
-    if (name == to_string(method)) return method;
+    if (current_method_name(name) == to_string(method)) return method;
   }
   std::vector<std::string> names;
   for (const DistanceMethod method : kMethods) names.emplace_back(to_string(method));

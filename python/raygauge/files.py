@@ -32,7 +32,7 @@ def open(path: str | os.PathLike[str]) -> Results:
     >>> sorted(set(results.method.values))[:2]
     ['clp_dual', 'clp_primal']
     >>> results.to_dataframe().groupby("method", observed=True).seconds.median().idxmin()
-    'direct'
+    'column_generation'
     """
     from .results import read
 

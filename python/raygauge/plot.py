@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 # Colour, marker and dash of each method, as in analysis/render/method_look.cc.
 _LOOKS = {
-    "direct": ("#D55E00", "o", "-"),
+    "column_generation": ("#D55E00", "o", "-"),
     "zheng_yamane": ("#0072B2", "s", "-"),
     "newton": ("#009E73", "^", "-"),
     "glpk_primal": ("#000000", "o", "--"),
@@ -32,7 +32,7 @@ _LOOKS = {
     "nlopt_mma": ("#7A5C00", "v", ":"),
 }
 _OTHER_COLORS = ("#B15928", "#1B7837", "#5E3C99", "#C51B7D", "#35978F", "#4D4D4D")
-_ENGINE_METHODS = ("direct", "newton", "zheng_yamane")
+_ENGINE_METHODS = ("column_generation", "newton", "zheng_yamane")
 _SOLVED = ("optimal", "contains_origin", "unreachable")
 _AXIS_LABELS = {"N": "points in each set, N", "n": "dimension n", "tolerance": "tolerance"}
 

@@ -53,12 +53,12 @@ def _lines(table: Mapping[str, Any], place: str) -> list[str]:
 def toml_text(experiment: Mapping[str, Any]) -> str:
     """The experiment as the text of a TOML file: tables for dicts, arrays of tables for lists of dicts.
 
-    >>> print(toml_text({"name": "mine", "sweep": {"n": [3, 5]}, "method": [{"name": "direct"}]}))
+    >>> print(toml_text({"name": "mine", "sweep": {"n": [3, 5]}, "method": [{"name": "column_generation"}]}))
     "name" = "mine"
     [sweep]
     "n" = [3, 5]
     [[method]]
-    "name" = "direct"
+    "name" = "column_generation"
     """
     lines = []
     tables = []
@@ -162,7 +162,7 @@ def run(
     it; what is done is kept for resume=True. Raises ProgramError with the program's own message.
 
     >>> results = rg.run({"sweep": {"n": [2, 3], "N": [50], "repetitions": 3}, "generator": [{"name": "example2"}],
-    ...                   "method": [{"name": "direct"}]}, "mine.h5")
+    ...                   "method": [{"name": "column_generation"}]}, "mine.h5")
     >>> results.sizes["record"]
     6
     """

@@ -31,7 +31,7 @@ class Docstrings(unittest.TestCase):
             os.chdir(scratch)
             try:
                 if "RAYGAUGE_PROGRAM" in os.environ:
-                    methods = [{"name": "direct"}, {"name": "clp_dual"}, {"name": "clp_primal"}]
+                    methods = [{"name": "column_generation"}, {"name": "clp_dual"}, {"name": "clp_primal"}]
                     rg.run({"sweep": {"n": [3], "N": [200], "repetitions": 3}, "method": methods,
                             "generator": [{"name": "example2"}]}, "example2.h5")
                 runner = doctest.DocTestRunner(optionflags=doctest.REPORT_NDIFF | doctest.ELLIPSIS)

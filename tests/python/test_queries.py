@@ -21,7 +21,7 @@ def pose(rotation, translation):
 
 class Distances(unittest.TestCase):
     def test_bounds_enclose_the_distance_within_the_tolerance(self):
-        for method in ("direct", "newton", "zheng_yamane"):
+        for method in ("column_generation", "newton", "zheng_yamane"):
             result = rg.distance(TRIANGLE, SQUARE, 1e-9, method)
             self.assertEqual(result.status, "optimal")
             self.assertLessEqual(result.lower, 2.0)
@@ -176,7 +176,7 @@ class Errors(unittest.TestCase):
             self.assertNotIn("\n", str(caught.exception))
 
     def test_a_misspelt_method_is_answered_with_the_nearest_one(self):
-        with self.assertRaisesRegex(rg.UnknownNameError, "direct"):
+        with self.assertRaisesRegex(rg.UnknownNameError, "column_generation"):
             rg.distance(TRIANGLE, SQUARE, method="dircet")
 
     def test_abstract_classes_and_results_cannot_be_made(self):

@@ -18,7 +18,7 @@ EXPERIMENT = {
     "sweep": {"n": np.array([2, 3]), "N": [20, 40], "tolerance": 1e-6, "repetitions": 4},
     "run": {"timing": "serial"},
     "generator": [{"name": "example2", "separation": 1.5}],
-    "method": [{"name": "direct"}, {"name": "zheng_yamane", "label": "paper"}],
+    "method": [{"name": "column_generation"}, {"name": "zheng_yamane", "label": "paper"}],
 }
 
 
@@ -35,7 +35,7 @@ class Results(unittest.TestCase):
 
     def test_every_record_of_the_grid_is_there(self):
         self.assertEqual(self.results.sizes["record"], 2 * 2 * 4 * 2)
-        self.assertEqual(set(self.results.method.values), {"direct", "paper"})
+        self.assertEqual(set(self.results.method.values), {"column_generation", "paper"})
         self.assertEqual(set(self.results.n.values), {2, 3})
 
     def test_columns_units_and_values_are_those_of_the_export(self):
@@ -56,7 +56,7 @@ class Results(unittest.TestCase):
 
     def test_texts_are_strings_and_in_frames_categories(self):
         self.assertIsInstance(self.results.method.values[0], str)
-        frame = self.results.isel(record=self.results.method.values == "direct")[["method", "seconds"]].to_dataframe()
+        frame = self.results.isel(record=self.results.method.values == "column_generation")[["method", "seconds"]].to_dataframe()
         self.assertEqual(str(frame.dtypes["method"]), "category")
         self.assertEqual(len(frame), 16)
         self.assertEqual(self.results.to_dataframe().dtypes["agrees"], bool)
