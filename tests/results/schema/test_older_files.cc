@@ -68,7 +68,7 @@ TEST(OlderFiles, GeneratorsOfVersionOneHaveTheirRoundingAndTheirHardness) {
 TEST(OlderFiles, AFileOfVersionOneIsWrittenAgainInThisVersionWithTheSameRecords) {
   const ResultsFile old = read_results(kFolder + "points_v1.h5");
   testing::TemporaryFolder folder;
-  const std::string path = (folder.path() / "again.h5").string();
+  const std::string path = folder.path() + "/again.h5";
   write_results(path, old);
   const ResultsFile again = read_results(path);
   ASSERT_EQ(again.records.size(), old.records.size());
