@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/certificates/certified_bounds.h"
+#include "engine/queries/certified_bounds.h"
 
 namespace raygauge {
 namespace {

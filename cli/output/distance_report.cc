@@ -9,6 +9,7 @@
 
 #include "analysis/render/number_text.h"
 #include "cli/output/counted.h"
+#include "engine/methods/counters.h"
 
 namespace raygauge::cli {
 namespace {
@@ -18,14 +19,9 @@ Json json_array(const Vector& vector) { return std::vector<double>(vector.begin(
 Json json_points(const ReportedSet& set) { return set.n_points == 0 ? Json() : Json(set.n_points); }
 
 Json json_counters(const DistanceCounters& counters) {
-  return {{"outer_iterations", counters.outer_iterations},
-          {"ray_iterations", counters.ray_iterations},
-          {"pivots", counters.pivots},
-          {"support_queries", counters.support_queries},
-          {"points_priced", counters.points_priced},
-          {"refactorisations", counters.refactorisations},
-          {"exact_pivots", counters.exact_pivots},
-          {"witness_evaluations", counters.witness_evaluations}};
+  Json object = Json::object();
+  for (const CounterInfo& counter : kCounters) object[counter.name] = counters.*counter.member;
+  return object;
 }
 
 std::vector<std::string> violated_preconditions(const DistanceReport& report) {

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/certificates/weighted_points.h"
 #include "engine/kernels/kernel.h"
 #include "engine/lp/basis.h"
 #include "engine/lp/column_pool.h"
+#include "engine/lp/weighted_points.h"
 #include "engine/methods/result.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/certificates/weighted_points.h"
+#include "engine/lp/weighted_points.h"
 #include "engine/queries/object_pair.h"
 #include "engine/queries/solver.h"
 #include "engine/queries/spatial_query.h"

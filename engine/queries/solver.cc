@@ -6,11 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "engine/certificates/weighted_points.h"
 #include "engine/exceptions.h"
 #include "engine/lp/scaling.h"
+#include "engine/lp/weighted_points.h"
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/methods/column_generation/support_column_generation.h"
+#include "engine/methods/counters.h"
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/floating_point.h"
@@ -133,14 +134,10 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
 
 // Adds what a method did. K is that of the first that did anything: the others did not scale Q again.
 void DistanceSolver::Workspace::account(const DistanceCounters& of_method) {
-  if (counters.outer_iterations == 0) counters.outer_iterations = of_method.outer_iterations;
-  counters.ray_iterations += of_method.ray_iterations;
-  counters.pivots += of_method.pivots;
-  counters.support_queries += of_method.support_queries;
-  counters.points_priced += of_method.points_priced;
-  counters.refactorisations += of_method.refactorisations;
-  counters.exact_pivots += of_method.exact_pivots;
-  counters.witness_evaluations += of_method.witness_evaluations;
+  const std::int64_t scalings =
+      counters.outer_iterations == 0 ? of_method.outer_iterations : counters.outer_iterations;
+  for (const CounterInfo& counter : kCounters) counters.*counter.member += of_method.*counter.member;
+  counters.outer_iterations = scalings;
 }
 
 void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "engine/methods/counters.h"
 #include "results/exceptions.h"
 
 namespace raygauge {
@@ -43,8 +44,10 @@ void refuse_schema_version(const std::string& file, std::int64_t version) {
 }
 
 // clang-format off
-const std::vector<Column<Record>>& record_columns() {
-  static const std::vector<Column<Record>> kColumns = {
+namespace {
+
+std::vector<Column<Record>> columns_before_counters() {
+  return {
     column("cell", "1", "index of the cell in the experiment's grid: generator slowest, then n, N, tolerance", &Record::cell),
     column("session", "1", "row of /provenance/sessions in which the record was made", &Record::session),
     column("generator", "", "registered name of the instance generator", &Record::generator),
@@ -70,20 +73,34 @@ const std::vector<Column<Record>>& record_columns() {
     later(column("hardness", "1", "how hard the generator's parameters make the instance; nan where it has no such parameter", &Record::hardness), std::numeric_limits<double>::quiet_NaN()),
     status_column(),
     column("agrees", "", "whether the method agrees with all others on the instance; times of records that do not are not to be averaged", &Record::agrees),
-    column("outer_iterations", "1", "K of the paper: scalings of Q", &Record::counters, &DistanceCounters::outer_iterations),
-    column("ray_iterations", "1", "N_rs of the paper: iterations of the ray shooter over all outer iterations", &Record::counters, &DistanceCounters::ray_iterations),
-    column("pivots", "1", "basis changes", &Record::counters, &DistanceCounters::pivots),
-    column("support_queries", "1", "evaluations of a support function over a whole set", &Record::counters, &DistanceCounters::support_queries),
-    column("points_priced", "1", "points whose reduced cost was computed, working sets included", &Record::counters, &DistanceCounters::points_priced),
-    column("refactorisations", "1", "basis inverses computed afresh", &Record::counters, &DistanceCounters::refactorisations),
-    column("exact_pivots", "1", "basis changes in exact arithmetic, where rounding left a doubt", &Record::counters, &DistanceCounters::exact_pivots),
-    column("witness_evaluations", "1", "contact points computed", &Record::counters, &DistanceCounters::witness_evaluations),
+  };
+}
+
+std::vector<Column<Record>> columns_after_counters() {
+  return {
     column("thread", "1", "OpenMP thread that ran the cell", &Record::thread),
     column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),
     column("started_at", "s", "start of the solve, counted from the start of its session", &Record::started_at),
   };
+}
+// clang-format on
+
+std::vector<Column<Record>> make_record_columns() {
+  std::vector<Column<Record>> columns = columns_before_counters();
+  for (const CounterInfo& counter : kCounters)
+    columns.push_back(column(counter.name, "1", counter.description, &Record::counters, counter.member));
+  for (Column<Record>& column : columns_after_counters()) columns.push_back(std::move(column));
+  return columns;
+}
+
+}  // namespace
+
+const std::vector<Column<Record>>& record_columns() {
+  static const std::vector<Column<Record>> kColumns = make_record_columns();
   return kColumns;
 }
+
+// clang-format off
 
 const std::vector<Column<Session>>& session_columns() {
   static const std::vector<Column<Session>> kColumns = {

@@ -17,9 +17,6 @@ constexpr double kShift = 4;          // δR in rounding errors of a combination
 constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
 constexpr int kShortenings = 10;      // of one step, each to kShorter of it
 constexpr double kShorter = 0.4;
-constexpr int kFacetTrials = 6;        // in one solve
-constexpr double kSameNormal = 1e-14;  // of two flat faces: 1 - the cosine of their angle
-constexpr int kTurns = 9;              // between two faces in search of a point of both
 constexpr int kGrowthEvaluations = 24;
 
 // Whether it is worth going on: far from the end the ratio rises while the residual may even grow, close to
@@ -47,20 +44,6 @@ class Progress {
 template <class Real>
 int default_evaluation_limit(int n) {
   return std::is_same_v<Real, double> ? 100 + 10 * n : 60;
-}
-
-// rᵀ(Σ weight_i ∇²h_i)r over the active pieces.
-template <class Real>
-Real curvature_along(const PieceList<Real>& list, const Real* r) {
-  if (!list.curved) return 0;
-  Real sum = 0;
-  for (int a = 0; a < list.active_count; ++a) {
-    const int i = list.active[static_cast<std::size_t>(a)];
-    const Real weight = list.weight[static_cast<std::size_t>(i)];
-    for (int j = 0; j < list.n; ++j)
-      sum += weight * r[j] * dot(list.hessian(i) + std::ptrdiff_t{j} * list.n, r, list.n);
-  }
-  return sum;
 }
 
 // Σ weight_i s_i over the active pieces; returns Σ weight_i |s_i|₁, the scale of its rounding errors.
@@ -96,6 +79,7 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
     buffer->reserve(size);
   }
   lower_ = 0;
+  estimate_ = 0;
   upper_ = kInfinity;
   residual_ = kInfinity;
   combination_.clear(n_);
@@ -172,7 +156,7 @@ bool Newton<Real>::evaluate(Point& point) {
   if (!oracle_A_.evaluate(u, point.A) || !oracle_Q_.evaluate(u, point.Q)) return false;
   if (graded_ && point.A.count + point.Q.count > 2) {
     graded_ = false;  // where pieces meet the system is not definite
-    grow(growing_);
+    set_growing(growing_);
     return evaluate(point);
   }
   point.A.warm = point.Q.warm = false;
@@ -188,6 +172,7 @@ void Newton<Real>::bound_from_below(const Point& point) {
   const double bound = lower_bound(point.A.support, point.Q.support);
   if (!(bound > lower_)) return;
   lower_ = bound;
+  estimate_ = static_cast<double>(point.ratio);
   const Real length = 1 / point.Q.support.value;
   for (int k = 0; k < n_; ++k)
     normal_[static_cast<std::size_t>(k)] = static_cast<double>(point.u[static_cast<std::size_t>(k)] * length);
@@ -292,71 +277,6 @@ void Newton<Real>::keep(bool weights) {
   }
 }
 
-// The normal of a flat face near the way, and at it the point of the face that is nearest to where the other
-// set touches.
-template <class Real>
-bool Newton<Real>::try_facet(const Real* step) {
-  if (growing_ || facets_tried_ >= kFacetTrials) return false;
-  Real* end = linear_.data();
-  for (int k = 0; k < n_; ++k) end[k] = now_->u[static_cast<std::size_t>(k)] + step[k];
-  const bool of_A = oracle_A_.facet_normal(now_->u.data(), end, next_->u.data());
-  if (!of_A && !oracle_Q_.facet_normal(now_->u.data(), end, next_->u.data())) return false;
-  ++facets_tried_;
-  normalize(next_->u.data(), n_, next_->u.data());
-  if (!evaluate(*next_) || !(next_->ratio > 0) || !accepts(*next_)) return false;
-  const bool shared = of_A && shares_facet();
-  if (shared) settle_near_center();
-  settle(of_A);
-  for (int turn = 0; shared && turn < kTurns; ++turn) settle(turn % 2 != 0);
-  keep(false);
-  return true;
-}
-
-// The face of A or Q at next_->u keeps its point nearest to that of the other set.
-template <class Real>
-void Newton<Real>::settle(bool of_A) {
-  const PieceList<Real>& other = of_A ? next_->Q : next_->A;
-  const Real scale = of_A ? next_->ratio : 1 / next_->ratio;
-  const Real* touched = other.point(other.best);
-  Real* target = linear_.data();
-  for (int k = 0; k < n_; ++k) target[k] = scale * touched[k];
-  if (of_A) {
-    oracle_A_.settle_on_facet(next_->u.data(), target, next_->A);
-  } else {
-    oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
-  }
-}
-
-// The face of Q keeps its point nearest to the centre of A, scaled: a beginning from which two discs meet at
-// once.
-template <class Real>
-void Newton<Real>::settle_near_center() {
-  Real* target = linear_.data();
-  for (int k = 0; k < n_; ++k) target[k] = center_[static_cast<std::size_t>(k)] / next_->ratio;
-  oracle_Q_.settle_on_facet(next_->u.data(), target, next_->Q);
-}
-
-// Whether Q has a flat face at next_->u too, as a homothet of A has.
-template <class Real>
-bool Newton<Real>::shares_facet() {
-  Real* normal = descent_.data();
-  const Real* u = next_->u.data();
-  if (!oracle_Q_.facet_normal(now_->u.data(), u, normal)) return false;
-  normalize(normal, n_, normal);
-  return dot(normal, u, n_) > 1 - kSameNormal;
-}
-
-// At the normal of a face φ has a kink that no Hessian describes, but r, with the point of the face nearest
-// to the other set, is its subgradient of least length: -r leads down, as far as the curvature along it says.
-template <class Real>
-const Real* Newton<Real>::leave_facet() {
-  const Real* r = residual_vector_.data();
-  const Real curvature = curvature_along(now_->A, r) + now_->ratio * curvature_along(now_->Q, r);
-  const Real length = curvature > 0 ? residual_ * residual_ / curvature : 1 / residual_;
-  for (int k = 0; k < n_; ++k) descent_[static_cast<std::size_t>(k)] = -length * r[k];
-  return descent_.data();
-}
-
 // next_->u, so far along the step.
 template <class Real>
 void Newton<Real>::move(const Real* step, Real share, bool flat) {
@@ -395,7 +315,7 @@ bool Newton<Real>::advance(const Real* step) {
 }
 
 template <class Real>
-void Newton<Real>::grow(bool growing) {
+void Newton<Real>::set_growing(bool growing) {
   growing_ = growing;
   oracle_A_.grade(graded_ && !growing);
   oracle_Q_.grade(graded_ && !growing);
@@ -403,15 +323,16 @@ void Newton<Real>::grow(bool growing) {
 
 template <class Real>
 DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
-  grow(false);
+  set_growing(false);
   if (!evaluate(*now_)) return DistanceStatus::precision_limit;
-  grow(!(now_->ratio > 0));
+  set_growing(!(now_->ratio > 0));
   if (growing_) now_->ratio = growth_ratio(*now_);
   Progress<Real> progress;
   for (;;) {
     if (lower_ > threshold_) return DistanceStatus::optimal;
     if (unconditional_ && !growing_) {
-      pair_.meet(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A, now_->Q);
+      pair_.move_contact_along_faces(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A,
+                                     now_->Q);
     }
     const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
     if (step == nullptr) return DistanceStatus::precision_limit;
@@ -426,7 +347,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     if (stopwatch.expired()) return DistanceStatus::time_limit;
     if (!advance(step)) return DistanceStatus::precision_limit;
     if (growing_ && now_->A.support.above() < 0) {
-      grow(false);
+      set_growing(false);
       now_->ratio = -shifted_support(*now_) / now_->Q.support.value;
     }
   }
@@ -451,7 +372,7 @@ void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult
   result.status = status;
   result.lower = lower_;
   result.upper = upper_;
-  result.distance = lower_;
+  result.distance = lower_ > 0 ? std::max(lower_, std::min(estimate_, upper_)) : lower_;
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) {
     result.normal[k] = lower_ > 0 ? normal_[static_cast<std::size_t>(k)]

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/certificates/weighted_points.h"
+#include "engine/lp/weighted_points.h"
 #include "engine/methods/newton/power_steps.h"
 #include "engine/methods/newton/quadratic_program.h"
 #include "engine/methods/newton/sqp_oracle.h"
@@ -39,7 +39,8 @@ template <class Real>
 class Newton {
  public:
   /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
-  /// and the caller turns to `direct`. `start`, n doubles: the first direction u, where one is known.
+  /// and the caller hands over to column generation. `start`, n doubles: the first direction u, where one is
+  /// known.
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
              const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
              const double* start = nullptr);
@@ -82,12 +83,12 @@ class Newton {
   typename QuadraticProgram<Real>::Objective objective();
   const Real* leave_facet();
   void move(const Real* step, Real share, bool flat);
-  void grow(bool growing);
+  void set_growing(bool growing);
   bool advance(const Real* step);
   bool try_facet(const Real* step);
-  void settle(bool of_A);
+  void choose_facet_point(bool of_A);
   bool shares_facet();
-  void settle_near_center();
+  void choose_facet_point_near_center();
   bool accepts(const Point& candidate) const;
   void keep(bool weights);
   DistanceStatus iterate(const Stopwatch& stopwatch);
@@ -110,6 +111,7 @@ class Newton {
   double inner_radius_ = 0;  // R
   Real shift_ = 0;           // δ
   double lower_ = 0;
+  double estimate_ = 0;  // the ratio that lower_ is, rounded down
   double upper_ = 0;
   Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
   bool on_facet_ = false;  // now_ is the normal of a flat face

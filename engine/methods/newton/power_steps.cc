@@ -69,8 +69,9 @@ typename PowerSteps<Real>::Coordinate PowerSteps<Real>::coordinate(const Side& s
 }
 
 template <class Real>
-void PowerSteps<Real>::meet(const Real* u, Real ratio, Real shift, const double* shift_direction,
-                            PieceList<Real>& A, PieceList<Real>& Q) {
+void PowerSteps<Real>::move_contact_along_faces(const Real* u, Real ratio, Real shift,
+                                                const double* shift_direction, PieceList<Real>& A,
+                                                PieceList<Real>& Q) {
   Real* x = A.point(A.best);
   Real* y = Q.point(Q.best);
   meeting_ = 0;

@@ -26,8 +26,8 @@ class PowerSteps {
   /// Learns a_k from the greatest pieces at u, and finds the coordinates in which the faces of A - shift and
   /// ρQ across u_k = 0 meet; where u_k = 0, both points are moved to where they do, if they are the only
   /// pieces.
-  void meet(const Real* u, Real ratio, Real shift, const double* shift_direction, PieceList<Real>& A,
-            PieceList<Real>& Q);
+  void move_contact_along_faces(const Real* u, Real ratio, Real shift, const double* shift_direction,
+                                PieceList<Real>& A, PieceList<Real>& Q);
 
   /// Whether faces meet, in some coordinates but not in all.
   bool has_flats() const noexcept { return 0 < meeting_ && meeting_ < n_; }

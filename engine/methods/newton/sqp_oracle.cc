@@ -127,7 +127,7 @@ void SqpOracle<Real>::remember(const double* vertex) {
 }
 
 template <class Real>
-void SqpOracle<Real>::settle_on_facet(const Real* u, const Real* target, PieceList<Real>& list) {
+void SqpOracle<Real>::replace_by_facet_point(const Real* u, const Real* target, PieceList<Real>& list) {
   for (int k = 0; k < n_; ++k) direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
   set_->facet_point_unchecked(direction_.data(), target, list.points.data());
   std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, Real{0});

@@ -40,7 +40,7 @@ class SqpOracle {
   bool evaluate(const Real* u, PieceList<Real>& list);
 
   /// Replaces the pieces at u, the normal of a flat face, by the point of that face nearest to `target`.
-  void settle_on_facet(const Real* u, const Real* target, PieceList<Real>& list);
+  void replace_by_facet_point(const Real* u, const Real* target, PieceList<Real>& list);
 
   /// ConvexSet::facet_normal_unchecked in terms of u.
   bool facet_normal(const Real* u, const Real* v, Real* normal);

@@ -57,6 +57,7 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
   eta_ = scaled_ ? std::ldexp(1.0, scaling_.distance_shift()) : 1.0;  // η_0 = 1 in the sets' own units
   inner_tolerance_ = std::max(0.25 * options.tolerance, kTightestRay);
   lower_ = 0;
+  estimate_ = 0;
   upper_ = kInfinity;
   outer_iterations_ = 0;
   witness_evaluations_ = 0;
@@ -98,6 +99,7 @@ void ZhengYamane::bound_from_below() {
   eta_next_ = h_Q.value > 0 ? -h_A.value / h_Q.value : 0.0;
   if (bound <= lower_ && outer_iterations_ > 1) return;
   lower_ = std::max(bound, lower_);
+  estimate_ = eta_next_;
   const double length = h_Q.value > 0 ? 1.0 / h_Q.value : 1.0;
   for (int k = 0; k < n_; ++k)
     normal_[static_cast<std::size_t>(k)] = Scaling::direction_component(1.0, shooter_.normal()[k]) * length;
@@ -124,7 +126,7 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
   // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
   const bool closed = is_closed(result.lower, result.upper, options_.tolerance);
   if (status_ == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
-  result.distance = result.lower;
+  result.distance = std::max(result.lower, std::min(std::ldexp(estimate_, shift), result.upper));
   result.sigma = sigma_;
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) {

@@ -61,6 +61,7 @@ class ZhengYamane {
   double eta_next_ = 1;
   double inner_tolerance_ = 0;
   double lower_ = 0;
+  double estimate_ = 0;  // the η that lower_ is, rounded down
   double upper_ = 0;
   double sigma_ = 0;
   std::int64_t outer_iterations_ = 0;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/certificates/certified_bounds.h"
+#include "engine/queries/certified_bounds.h"
 
 #include <cmath>
 #include <limits>
