@@ -270,7 +270,9 @@ void register_command_method(MethodRegistry& registry) {
                 "a program of your own: points in, distance out, line by line (docs/baselines.md)",
                 {{"program", std::string(), {}, {}, "what sh is to run, as in 'python3 my_solver.py'", {}},
                  {"load_limit", 60.0, 0.0, 1e6, "seconds for taking the points", {}}},
-                [](const Parameters& parameters) { return std::make_unique<CommandMethod>(parameters); }});
+                [](const Parameters& parameters) { return std::make_unique<CommandMethod>(parameters); },
+                true,
+                Role::baseline});
 }
 
 }  // namespace raygauge

@@ -167,7 +167,7 @@ void print_grid(const Variant& variant, const Effort& effort) {
   Summary published("zheng_yamane / best LP");
   for (int n = 3; n <= 10; n += effort.quick ? 7 : 1) {
     for (int N = 200; N <= 2000; N += effort.quick ? 900 : 200) {
-      const LpCell cell = against_lp({"direct", "zheng_yamane"}, variant, n, N, effort.instances);
+      const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
       direct.add(cell.ours[0] / cell.best_lp, n, N);
       published.add(cell.ours[1] / cell.best_lp, n, N);
       std::printf(
@@ -222,7 +222,7 @@ void print_high(const Variant& variant, const Effort& effort) {
     Summary zheng_yamane("  zheng_yamane");
     for (const int n : dimensions) {
       for (const int N : counts(n)) {
-        const LpCell cell = against_lp({"direct", "zheng_yamane"}, variant, n, N, effort.instances);
+        const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
         std::printf("n = %3d, N = %5d: direct %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
                     cell.ours[0] * 1e3, cell.ours[1] * 1e3, cell.best_name.c_str(), cell.best_lp * 1e3);
         std::fflush(stdout);
@@ -268,7 +268,7 @@ void print_certified(const Variant& variant, const Effort& effort) {
 }
 
 void print_n100(const Variant& variant, const Effort& effort) {
-  const LpCell cell = against_lp({"direct"}, variant, 100, 10000, effort.instances);
+  const LpCell cell = against_lp({"column_generation"}, variant, 100, 10000, effort.instances);
   std::printf("n = 100  N = 10000  direct %.2f ms  / LP %.5f   LP %.1f ms (%s)\n", 1e3 * cell.ours[0],
               cell.ours[0] / cell.best_lp, 1e3 * cell.best_lp, cell.best_name.c_str());
 }
@@ -293,9 +293,9 @@ void print_growth(const Variant& variant, const Effort& effort) {
   std::vector<double> by_N;
   std::vector<double> by_n;
   for (const int N : sizes)
-    by_N.push_back(median_solve_seconds({"direct"}, variant, 10, N, effort.instances)[0]);
+    by_N.push_back(median_solve_seconds({"column_generation"}, variant, 10, N, effort.instances)[0]);
   for (const int n : dimensions) {
-    by_n.push_back(median_solve_seconds({"direct"}, variant, n, 2000, effort.instances)[0]);
+    by_n.push_back(median_solve_seconds({"column_generation"}, variant, n, 2000, effort.instances)[0]);
   }
   for (std::size_t i = 0; i < sizes.size(); ++i)
     std::printf("n = 10  N = %7d  %10.1f us\n", sizes[i], 1e6 * by_N[i]);

@@ -31,7 +31,7 @@ Instance make_instance(const Variant& variant, int n, int N, int repetition);
 const PointSet& points_A(const Instance& instance);
 const PointSet& points_Q(const Instance& instance);
 
-/// "direct", "zheng_yamane" and the linear-programming solvers of this build.
+/// "column_generation", "zheng_yamane" and the linear-programming solvers of this build.
 std::unique_ptr<SolveMethod> make_method(const std::string& name);
 
 /// Those of glpk_primal, glpk_dual, clp_primal and clp_dual that this build has.

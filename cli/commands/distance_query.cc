@@ -14,8 +14,8 @@ namespace raygauge::cli {
 namespace {
 
 std::optional<DistanceMethod> engine_method(const std::string& name) {
-  constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::direct, DistanceMethod::zheng_yamane,
-                                                      DistanceMethod::newton};
+  constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::column_generation,
+                                                      DistanceMethod::zheng_yamane, DistanceMethod::newton};
   for (const DistanceMethod method : kMethods) {
     if (to_string(method) == name) return method;
   }

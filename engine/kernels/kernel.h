@@ -86,7 +86,7 @@ struct SimplexLoop {
   std::int64_t pricings = 0;       ///< out, added to
 };
 
-/// Identities of basic columns in the direct method: points of A are 2i, points of Q are 2j + 1, artificials
+/// Identities of basic columns in the simplex: points of A are 2i, points of Q are 2j + 1, artificials
 /// negative.
 constexpr std::int64_t id_of_A(std::ptrdiff_t i) { return 2 * static_cast<std::int64_t>(i); }
 constexpr std::int64_t id_of_Q(std::ptrdiff_t j) { return 2 * static_cast<std::int64_t>(j) + 1; }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 //
-// The simplex loop of the direct method. Part of kernel_impl.h.
+// The simplex loop of the primal simplex. Part of kernel_impl.h.
 #pragma once
 
 #include "engine/kernels/basis_kernels.h"

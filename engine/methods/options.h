@@ -10,10 +10,11 @@ namespace raygauge {
 
 /// How d_Q(A) is computed. All methods end in the same certificate.
 enum class DistanceMethod : std::uint8_t {
-  direct,  ///< the linear program of Example 2 by column generation over the support mappings: no outer loop
-  zheng_yamane,  ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
-  newton,  ///< Newton steps on the dual with the Hessians of the support functions; `direct` where there are
-           ///< none
+  column_generation,  ///< the linear program of Example 2, its columns from support mappings: no outer loop
+  zheng_yamane,       ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
+  newton,  ///< Newton steps on the dual with the Hessians of the support functions; column generation where
+           ///< there are none
+  direct = column_generation,  ///< the name in earlier versions
 };
 
 std::string_view to_string(DistanceMethod method) noexcept;
@@ -45,7 +46,7 @@ inline constexpr int kMostThreads = 64;
 
 /// Tunables of a DistanceSolver; the defaults below are the only ones.
 struct DistanceOptions {
-  DistanceMethod method = DistanceMethod::direct;
+  DistanceMethod method = DistanceMethod::column_generation;
 
   /// The solve stops when upper - lower <= tolerance * upper. In (0, 1).
   double tolerance = 1e-6;
@@ -60,9 +61,9 @@ struct DistanceOptions {
   /// answer all the same.
   double time_limit = std::numeric_limits<double>::infinity();
 
-  /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `direct` over point sets of 2^17
-  /// coordinates and more; everything else is done by the caller's thread. Leave it at 1 where other solves
-  /// keep the cores busy.
+  /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `column_generation` over point
+  /// sets of 2^17 coordinates and more; everything else is done by the caller's thread. Leave it at 1 where
+  /// other solves keep the cores busy.
   int threads = 1;
 
   /// Kernels to run; anything but `automatic` throws InvalidParameterError where the machine lacks the

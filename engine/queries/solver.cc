@@ -73,7 +73,7 @@ struct DistanceSolver::Workspace {
 
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first = nullptr);
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
-  void solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects);
+  void solve_by_columns(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void account(const DistanceCounters& of_method);
   bool is_unfinished() const;
   bool is_out_of_reach(const ConvexSet& A, const ConvexSet& Q);
@@ -94,7 +94,7 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
   result.origin_weights.clear();
   counters = {};
   if (!solve_iteratively(A, Q, effects, first)) {
-    solve_direct(A, Q, effects);
+    solve_by_columns(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     if (is_unfinished()) refine(A, Q, effects);
     if (concluded == Concluded::support_column_generation) report_contact_by_support(A.dimension(), effects);
@@ -109,7 +109,7 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
   }
 }
 
-// By the method asked for, if that is not `direct`. False where it gives up.
+// By the method asked for, if that is not `column_generation`. False where it gives up.
 bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects,
                                                   const double* first) {
   if (options.method == DistanceMethod::zheng_yamane) {
@@ -140,7 +140,7 @@ void DistanceSolver::Workspace::account(const DistanceCounters& of_method) {
   counters.outer_iterations = scalings;
 }
 
-void DistanceSolver::Workspace::solve_direct(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
+void DistanceSolver::Workspace::solve_by_columns(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   const PointSet* points_A = as_point_set(A);
   const PointSet* points_Q = as_point_set(Q);
   if (points_A != nullptr && points_Q != nullptr) {

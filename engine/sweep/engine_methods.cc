@@ -91,18 +91,18 @@ std::string current_method_name(const std::string& name) {
 }
 
 void register_engine_methods(MethodRegistry& registry) {
-  std::vector<ParameterInfo> direct = common_parameters();
-  direct.push_back({"threads",
-                    std::int64_t{1},
-                    1.0,
-                    static_cast<double>(kMostThreads),
-                    "threads of one solve, for its passes over very large point sets",
-                    {}});
+  std::vector<ParameterInfo> of_column_generation = common_parameters();
+  of_column_generation.push_back({"threads",
+                                  std::int64_t{1},
+                                  1.0,
+                                  static_cast<double>(kMostThreads),
+                                  "threads of one solve, for its passes over very large point sets",
+                                  {}});
   registry.add({kColumnGeneration,
                 "the linear program of Example 2 by column generation over support mappings",
-                std::move(direct),
+                std::move(of_column_generation),
                 [](const Parameters& parameters) {
-                  DistanceOptions options = options_from(DistanceMethod::direct, parameters);
+                  DistanceOptions options = options_from(DistanceMethod::column_generation, parameters);
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
                   return std::make_unique<EngineMethod>(options);
                 },

@@ -10,7 +10,8 @@
 namespace raygauge::python {
 namespace {
 
-constexpr std::array kMethods{DistanceMethod::direct, DistanceMethod::newton, DistanceMethod::zheng_yamane};
+constexpr std::array kMethods{DistanceMethod::column_generation, DistanceMethod::newton,
+                              DistanceMethod::zheng_yamane};
 
 }  // namespace
 

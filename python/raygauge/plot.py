@@ -32,7 +32,6 @@ _LOOKS = {
     "nlopt_mma": ("#7A5C00", "v", ":"),
 }
 _OTHER_COLORS = ("#B15928", "#1B7837", "#5E3C99", "#C51B7D", "#35978F", "#4D4D4D")
-_ENGINE_METHODS = ("column_generation", "newton", "zheng_yamane")
 _SOLVED = ("optimal", "contains_origin", "unreachable")
 _AXIS_LABELS = {"N": "points in each set, N", "n": "dimension n", "tolerance": "tolerance"}
 
@@ -45,19 +44,22 @@ def _letters_of(text: str) -> int:
     return value
 
 
-def _look(method: str) -> dict[str, Any]:
-    """How the curve of a method looks; one that the program does not know has a look drawn from its letters."""
+def _look(method: str, filled: bool) -> dict[str, Any]:
+    """How the curve of a method looks; one that the program does not know has a look drawn from its letters.
+
+    The markers of raygauge's own methods are filled.
+    """
     known = _LOOKS.get(method)
     if known is None:
         letters = _letters_of(method)
         known = (_OTHER_COLORS[letters % 6], "os^Dv"[letters // 7 % 5], ("--", ":", "-.")[letters // 37 % 3])
-    filled = method.startswith(_ENGINE_METHODS)
     look = {"color": known[0], "marker": known[1], "linestyle": known[2]}
     return look if filled else {**look, "markerfacecolor": "none"}
 
 
-def _looks(methods: list[str]) -> dict[str, dict[str, Any]]:
-    return {method: _look(method) for method in methods}
+def _looks(results: Results) -> dict[str, dict[str, Any]]:
+    roles = dict(zip(results.method.values, results.role.values, strict=True))
+    return {method: _look(method, roles[method] == "engine") for method in sorted(roles)}
 
 
 def _current(axes: Axes | None) -> Axes:
@@ -100,8 +102,7 @@ def time(results: Results, by: str = "N", axes: Axes | None = None) -> Axes:
     """Median seconds of a solve against N, n or the tolerance, a curve for each method, with 95 % intervals."""
     here = _current(axes)
     table = medians(results, by)
-    looks = _looks(sorted(set(table["method"])))
-    for method, look in looks.items():
+    for method, look in _looks(results).items():
         curve = table[(table["method"] == method) & np.isfinite(table["median"])]
         high = curve["high"].where(np.isfinite(curve["high"]), curve["median"])
         bars = [curve["median"] - curve["low"], high - curve["median"]]
@@ -124,7 +125,7 @@ def performance_profile(results: Results, axes: Axes | None = None) -> Axes:
     table = frame.pivot_table(index=["cell", "repetition"], columns="method", values="seconds", aggfunc="min")
     fastest = table.min(axis=1)
     ratios = table.div(fastest, axis=0).where(np.isfinite(fastest), np.inf)
-    for method, look in _looks(sorted(ratios.columns)).items():
+    for method, look in _looks(results).items():
         ordered = np.sort(ratios[method].to_numpy())
         finite = ordered[np.isfinite(ordered)]
         share = np.arange(1, len(finite) + 1) / len(ordered)

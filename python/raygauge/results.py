@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from . import older_files
 from .files import ResultsError
 
 
@@ -42,14 +43,28 @@ def _variable(dataset: h5py.Dataset) -> Any:
     return make(("record",), _values(dataset), attributes)
 
 
+def _complete_version_one(variables: dict[str, Any], identity: str) -> None:
+    make: Any = xr.Variable
+    columns = {name: variable.values for name, variable in variables.items()}
+    for name, values in older_files.completed(columns, identity).items():
+        if name in variables:
+            variables[name] = make(("record",), values, variables[name].attrs)
+        else:
+            unit, description = older_files.COLUMNS[name]
+            variables[name] = make(("record",), values, {"units": unit, "description": description})
+
+
 def _dataset(file: h5py.File, path: str) -> Results:
     if file.attrs.get("format") != "raygauge-results":
         raise ResultsError(f"{path}: no results file of raygauge")
     variables = {name: _variable(column) for name, column in file["records"].items()}
+    schema_version = int(file.attrs["schema_version"])
+    if schema_version == 1:
+        _complete_version_one(variables, file["provenance/identity"].asstr()[()])
     attributes = {
         "experiment": file["provenance/experiment"].asstr()[()],
         "raygauge_version": str(file.attrs["raygauge_version"]),
-        "schema_version": int(file.attrs["schema_version"]),
+        "schema_version": schema_version,
     }
     return Results(variables, attrs=attributes)
 

@@ -12,16 +12,13 @@ namespace raygauge {
 /// Fills in what files of schema version 1 do not say, for records without a method_name:
 ///
 ///   method_name              the registered name that `identity` (experiment_identity() of the run) has for
-///   the
-///                            label; without one, the longest registered name of version 1 that the label
+///                            the label; without one, the longest registered name of version 1 that the label
 ///                            begins with, else the label
-///   role                     baseline for names that begin with glpk, clp or nlopt, oracle for exact, engine
-///   for
-///                            the others
+///   role                     baseline for names that begin with glpk, clp, nlopt or command, oracle for
+///                            exact, engine for the others
 ///   exact_distance_rounding  2^-45 for generator example1
 ///   hardness                 by the first parameter named aspect, delta (1/δ), entry, exponent (2^exponent)
-///   or
-///                            offset
+///                            or offset
 ///
 /// and what was called `direct` is column_generation in both names, unless a label of the user's says direct.
 ///

@@ -111,7 +111,7 @@ std::string name_of(const ::testing::TestParamInfo<Case>& instance) {
 
 // N = 200 is priced whole, N = 5000 through a sample.
 INSTANTIATE_TEST_SUITE_P(Sizes, RepeatedSolve,
-                         ::testing::Combine(::testing::Values(DistanceMethod::direct,
+                         ::testing::Combine(::testing::Values(DistanceMethod::column_generation,
                                                               DistanceMethod::zheng_yamane,
                                                               DistanceMethod::newton),
                                             ::testing::Values(200, 5000),
@@ -202,7 +202,7 @@ TEST_P(RepeatedSolve, InQuadruplePrecisionAllocatesNothing) {
 TEST(RepeatedObjectDistance, AllocatesNothing) {
   const Ball A1(Vector::Zero(3), 1), Q(Vector::Zero(3), 1);
   const TruncatedCone A2(Vector::Constant(3, 3), 1, Vector::Constant(3, 5), 0.5);
-  for (const DistanceMethod method : {DistanceMethod::direct, DistanceMethod::newton}) {
+  for (const DistanceMethod method : {DistanceMethod::column_generation, DistanceMethod::newton}) {
     DistanceOptions options;
     options.method = method;
     ObjectDistanceSolver solver(options);

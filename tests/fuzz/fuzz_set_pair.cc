@@ -57,7 +57,8 @@ void expect_status_is_earned(const DistanceResult& result, double tolerance, con
 
 void check_every_method(const ConvexSet& A, const ConvexSet& Q, double tolerance) {
   double lower = 0, upper = kInfinity;
-  for (const auto method : {DistanceMethod::newton, DistanceMethod::direct, DistanceMethod::zheng_yamane}) {
+  for (const auto method :
+       {DistanceMethod::newton, DistanceMethod::column_generation, DistanceMethod::zheng_yamane}) {
     DistanceOptions options;
     options.method = method;
     options.tolerance = tolerance;

@@ -98,7 +98,8 @@ void run(const Settings& settings) {
 }
 
 DistanceMethod method_from(const std::string& name) {
-  for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
+  for (const auto method :
+       {DistanceMethod::column_generation, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
     if (to_string(method) == name) return method;
   }
   throw std::invalid_argument("no such method: " + name);

@@ -58,7 +58,7 @@ TEST_P(UnknownDistance, LiesWithinTheBoundsOfBothMethods) {
       const Instance instance = generate(tested.generator, {2, n, kPoints, repetition}, tested.parameters);
       const ExactLpResult truth = verified_truth(instance);
       EXPECT_NE(truth.status, DistanceStatus::unreachable) << "Q is meant to surround the origin";
-      for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane}) {
+      for (const auto method : {DistanceMethod::column_generation, DistanceMethod::zheng_yamane}) {
         DistanceOptions options;
         options.method = method;
         DistanceSolver solver(options);

@@ -40,7 +40,8 @@ class SmoothCases : public testing::TestWithParam<HardCase> {
     const HardCase& tested = GetParam();
     DistanceOptions options;
     options.tolerance = tolerance;
-    for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
+    for (const auto method :
+         {DistanceMethod::column_generation, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
       options.method = method;
       DistanceSolver solver(options);
       for (const int n : dimensions_of(tested, 20)) {
@@ -65,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Families, SmoothCases, testing::ValuesIn(smooth_hard_ca
                          [](const auto& test) { return label(test.param); });
 
 void expect_out_of_reach(const ConvexSet& A, const ConvexSet& Q) {
-  for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
+  for (const auto method :
+       {DistanceMethod::column_generation, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
     DistanceOptions options;
     options.method = method;
     DistanceSolver solver(options);

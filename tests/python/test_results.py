@@ -11,6 +11,7 @@ import unittest
 import numpy as np
 
 import raygauge as rg
+from raygauge.older_files import completed
 from raygauge.sweeps import toml_text
 
 EXPERIMENT = {
@@ -20,6 +21,52 @@ EXPERIMENT = {
     "generator": [{"name": "example2", "separation": 1.5}],
     "method": [{"name": "column_generation"}, {"name": "zheng_yamane", "label": "paper"}],
 }
+
+
+FILES_OF_VERSION_1 = sorted(pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "tests/results/files").glob("*_v1.h5"))
+
+
+def exported(path, folder):
+    """The rows that `raygauge export` writes of a file."""
+    table = pathlib.Path(folder, path.stem + ".csv")
+    subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "export", path, "--csv", table], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(table, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class OlderFiles(unittest.TestCase):
+    def test_files_of_version_1_have_the_columns_and_values_that_the_program_gives_them(self):
+        self.assertGreaterEqual(len(FILES_OF_VERSION_1), 2)
+        for path in FILES_OF_VERSION_1:
+            results = rg.open(path)
+            self.assertEqual(results.attrs["schema_version"], 1)
+            with tempfile.TemporaryDirectory() as folder:
+                rows = exported(path, folder)
+            self.assertEqual(set(rows[0]), set(results.variables))
+            for name, values in results.variables.items():
+                expected = [row[name] for row in rows]
+                if values.dtype.kind == "f":
+                    np.testing.assert_array_equal(values.values, [float(text) for text in expected], err_msg=name)
+                elif values.dtype.kind == "O":
+                    self.assertEqual(list(values.values), expected, name)
+
+    def test_columns_added_later_are_described_as_in_a_file_of_today(self):
+        with tempfile.TemporaryDirectory() as folder:
+            today = rg.run(EXPERIMENT, pathlib.Path(folder, "today.h5"))
+        for name, values in rg.open(FILES_OF_VERSION_1[0]).variables.items():
+            self.assertEqual(values.attrs, today[name].attrs, name)
+
+    def test_labels_of_the_user_stay_and_direct_is_column_generation(self):
+        identity = "seed = 1\nmethods = [direct as a {x=1, y=2}, glpk_dual as direct, direct]\nn = [3]\n"
+        columns = {"method": ["a", "direct", "column_generation", "clp_dual_2"], "generator": ["example2"] * 4,
+                   "generator_parameters": ["", "delta=0.25 aspect=8", "delta=0.25", "exponent=3"]}
+        values = completed(columns, identity)
+        self.assertEqual(list(values["method"]), ["a", "direct", "column_generation", "clp_dual_2"])
+        self.assertEqual(list(values["method_name"]), ["column_generation", "glpk_dual", "column_generation", "clp_dual"])
+        self.assertEqual(list(values["role"]), ["engine", "baseline", "engine", "baseline"])
+        self.assertEqual(list(values["hardness_label"]), ["", "aspect", "1/δ", "scale"])
+        np.testing.assert_array_equal(values["hardness"], [np.nan, 8, 4, 8])
 
 
 class Results(unittest.TestCase):
@@ -39,11 +86,7 @@ class Results(unittest.TestCase):
         self.assertEqual(set(self.results.n.values), {2, 3})
 
     def test_columns_units_and_values_are_those_of_the_export(self):
-        table = pathlib.Path(self.scratch.name, "mine.csv")
-        subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "export", self.path, "--csv", table], check=True,
-                       stdout=subprocess.DEVNULL)
-        with open(table, encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(file))
+        rows = exported(self.path, self.scratch.name)
         self.assertEqual(set(rows[0]), set(self.results.variables))
         for name in ("seconds", "distance", "lower", "upper"):
             np.testing.assert_array_equal(self.results[name].values, [float(row[name]) for row in rows])

@@ -11,7 +11,7 @@
 namespace raygauge::soak {
 namespace {
 
-constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::newton, DistanceMethod::direct,
+constexpr std::array<DistanceMethod, 3> kMethods = {DistanceMethod::newton, DistanceMethod::column_generation,
                                                     DistanceMethod::zheng_yamane};
 constexpr double kSecondsPerPair = 1;
 

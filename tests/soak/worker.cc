@@ -70,7 +70,8 @@ Tally Worker::take_tally() { return std::exchange(tally_, {}); }
 Worker::Request Worker::draw_request(RandomStream& stream, int n) const {
   constexpr std::array<double, 4> kTolerances = {1e-12, 1e-12, 1e-9, 1e-6};
   Request request;
-  request.options.method = stream.uniform() < 0.7 ? DistanceMethod::direct : DistanceMethod::zheng_yamane;
+  request.options.method =
+      stream.uniform() < 0.7 ? DistanceMethod::column_generation : DistanceMethod::zheng_yamane;
   request.options.tolerance = kTolerances[static_cast<std::size_t>(stream.integer(0, 3))];
   if (n > kPatientDimension) request.options.time_limit = kSecondsPerSolve;
   if (stream.uniform() < 0.1) request.effects = Effects::witness;
@@ -84,7 +85,8 @@ std::optional<Violation> Worker::solve_variant(const ProvenInstance& base, Rando
   const Request request = draw_request(stream, n);
   const PointSet A(variant_.A()), Q(variant_.Q());
   const Truth truth = truth_of(base.truth, variant_.shift());
-  DistanceSolver& solver = request.options.method == DistanceMethod::direct ? direct_ : zheng_yamane_;
+  DistanceSolver& solver =
+      request.options.method == DistanceMethod::column_generation ? direct_ : zheng_yamane_;
   solver.set_options(request.options);
   FamilyTally counts;
   const auto begin = std::chrono::steady_clock::now();

@@ -21,9 +21,10 @@
 
 namespace raygauge {
 
-/// The method `direct` on a pair of point sets. Small sets are priced whole (PrimalSimplex). Of large ones a
-/// sample is solved first; one pass over everything then collects the points that the sample's normal leaves
-/// on the wrong side, and the next pass usually proves the answer (Clarkson's sampling; "sifting").
+/// The method `column_generation` on a pair of point sets. Small sets are priced whole (PrimalSimplex). Of
+/// large ones a sample is solved first; one pass over everything then collects the points that the sample's
+/// normal leaves on the wrong side, and the next pass usually proves the answer (Clarkson's sampling;
+/// "sifting").
 class Sifting {
  public:
   void solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options, const Stopwatch& stopwatch,

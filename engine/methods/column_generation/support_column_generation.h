@@ -15,9 +15,9 @@
 
 namespace raygauge {
 
-/// The method `direct` on any convex sets that are known through their support mappings: the program over the
-/// support points met so far (PrimalSimplex) is solved, its normal asks each set for one more support point,
-/// and the certificates
+/// The method `column_generation` on any convex sets that are known through their support mappings: the
+/// program over the support points met so far (PrimalSimplex) is solved, its normal asks each set for one
+/// more support point, and the certificates
 ///
 ///     -h_A(u) / h_Q(-u)  <=  d_Q(A)  <=  Σβ_j
 ///

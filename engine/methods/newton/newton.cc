@@ -359,7 +359,7 @@ bool Newton<Real>::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceO
                          const double* start) {
   if (!begin(A, Q, options, start)) return false;
   const DistanceStatus status = iterate(stopwatch);
-  // The default limit is a guard: beyond it, and where nothing got better, `direct` has other means.
+  // The default limit is a guard: beyond it, and where nothing got better, column generation has other means.
   const bool limited = status == DistanceStatus::time_limit ||
                        (status == DistanceStatus::iteration_limit && options.max_iterations > 0);
   if (status != DistanceStatus::optimal && !limited) return false;

@@ -15,7 +15,7 @@ constexpr int kPatience = 3;  // outer iterations that do not raise the bound: r
 constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
 
 // Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for
-// rounding, and `direct` is the faster way out.
+// rounding, and column generation is the faster way out.
 std::int64_t default_iteration_limit(int n) { return 500 + 200 * static_cast<std::int64_t>(n); }
 
 }  // namespace

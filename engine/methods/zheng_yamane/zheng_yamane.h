@@ -24,7 +24,7 @@ namespace raygauge {
 ///
 /// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this
 /// does not hold, a ray fails or goes in circles, or rounding keeps the bound from rising, the solve is not
-/// concluded here: solve() returns false and the caller turns to `direct`.
+/// concluded here: solve() returns false and the caller turns to `column_generation`.
 class ZhengYamane {
  public:
   bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,

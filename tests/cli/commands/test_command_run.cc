@@ -111,7 +111,7 @@ TEST_F(RunCommand, DryRunTellsTheGridAndStoresNothing) {
   EXPECT_NE(result.out.find("cells        4\n"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("instances    8 (2 a cell, seed 1)\n"), std::string::npos);
   EXPECT_NE(result.out.find("solves       16 timed"), std::string::npos);
-  EXPECT_NE(result.out.find("methods      direct, zheng_yamane\n"), std::string::npos);
+  EXPECT_NE(result.out.find("methods      column_generation, zheng_yamane\n"), std::string::npos);
   EXPECT_NE(result.out.find("estimate     about "), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_.file("out")));
 }

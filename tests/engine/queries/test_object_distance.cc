@@ -55,7 +55,7 @@ void expect_inside(const ConvexSet& S, const Vector& x, const Vector& u, Random&
 
 class ObjectDistances : public ::testing::TestWithParam<DistanceMethod> {};
 INSTANTIATE_TEST_SUITE_P(Methods, ObjectDistances,
-                         ::testing::Values(DistanceMethod::direct, DistanceMethod::newton),
+                         ::testing::Values(DistanceMethod::column_generation, DistanceMethod::newton),
                          [](const auto& instance) { return std::string(to_string(instance.param)); });
 
 TEST_P(ObjectDistances, OfBoxesAreThePNormOfTheGapsBetweenThem) {

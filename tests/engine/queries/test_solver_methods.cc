@@ -22,7 +22,7 @@ void expect_agreement(int n, int N, Random& random) {
   a.colwise() += 3 * sphere_points(n, 1, random).col(0);
   const PointSet A(a);
   const PointSet Q(sphere_points(n, N, random));
-  const DistanceResult direct = solve(DistanceMethod::direct, A, Q);
+  const DistanceResult direct = solve(DistanceMethod::column_generation, A, Q);
   const DistanceResult published = solve(DistanceMethod::zheng_yamane, A, Q);
   RC_ASSERT(direct.status == published.status);
   RC_ASSERT(direct.lower <= published.upper);

@@ -49,7 +49,7 @@ TEST(Axis, ACuttingDiscIsFoundAtItsTrueDistance) {
   const TruncatedCone cone(Vector::Constant(3, 3), 1, Vector::Constant(3, 5), 0.5);
   const Cylinder cylinder(Vector::Constant(3, 3), Vector::Constant(3, 5), 1);
   for (const DistanceMethod method :
-       {DistanceMethod::direct, DistanceMethod::newton, DistanceMethod::zheng_yamane}) {
+       {DistanceMethod::column_generation, DistanceMethod::newton, DistanceMethod::zheng_yamane}) {
     for (const ConvexSet* A2 :
          {static_cast<const ConvexSet*>(&cone), static_cast<const ConvexSet*>(&cylinder)}) {
       DistanceOptions options;

@@ -35,6 +35,19 @@ std::string text_of(const Table3& table3) {
   return text;
 }
 
+TEST(Table3, ABaselineUnderALabelOfTheUsersIsNoMethodOfOurs) {
+  std::vector<Record> records = sample();
+  for (Record& record : records)
+    if (record.method == "glpk_dual") record.method = "lp";
+  const Table3 table3 = make_table3(records);
+  ASSERT_EQ(table3.methods.size(), 1U);
+  EXPECT_EQ(table3.methods.front().method, "direct");
+  EXPECT_EQ(table3.baselines, (std::vector<std::string>{"glpk_primal", "lp"}));
+
+  // Nor where another baseline is named.
+  EXPECT_EQ(make_table3(records, {}, {"glpk_primal"}).methods.size(), 1U);
+}
+
 TEST(Table3, ReadsAsInThePaperWithItsNumbersBelow) {
   EXPECT_EQ(text_of(make_table3(sample())),
             R"(Table III, direct: median ms of a solve (ratio to the better of glpk_primal, glpk_dual)

@@ -151,7 +151,7 @@ TEST(NewtonMethod, ReachesTwelveDigitsOnBalls) {
   Random random(74);
   for (const int n : {1, 2, 3, 5, 10}) {
     const Vector c = 5 * sphere_points(n, 1, random);
-    for (const DistanceMethod method : {DistanceMethod::newton, DistanceMethod::direct}) {
+    for (const DistanceMethod method : {DistanceMethod::newton, DistanceMethod::column_generation}) {
       DistanceOptions options = newton(1e-12);
       options.method = method;
       const DistanceResult result = DistanceSolver(options).solve(Ball(c, 1), Ball(Vector::Zero(n), 2));
@@ -201,7 +201,7 @@ TEST(NewtonMethod, IsDirectOnPointSets) {
   const PointSet A(a), Q(sphere_points(3, 50, random));
   const DistanceResult by_newton = DistanceSolver(newton(1e-9)).solve(A, Q);
   DistanceOptions direct = newton(1e-9);
-  direct.method = DistanceMethod::direct;
+  direct.method = DistanceMethod::column_generation;
   EXPECT_EQ(by_newton.counters, DistanceSolver(direct).solve(A, Q).counters);
 }
 

@@ -142,7 +142,7 @@ TEST_P(Powers, AreCertifiedByBoundsThatHold) {
   for (int i = 0; i < kPairs; ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const Pair pair = this->pair(random);
-    for (const DistanceMethod method : {DistanceMethod::newton, DistanceMethod::direct}) {
+    for (const DistanceMethod method : {DistanceMethod::newton, DistanceMethod::column_generation}) {
       DistanceSolver solver(options_of(method));
       const DistanceResult& result = solve(solver, pair);
       ASSERT_EQ(result.status, DistanceStatus::optimal)
