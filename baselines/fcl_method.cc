@@ -106,7 +106,8 @@ Component<SolveMethod> component(const std::string& name, const std::string& by,
           [name, solver](const Parameters& /*none*/) -> std::unique_ptr<SolveMethod> {
             return std::make_unique<FclMethod>(name, solver);
           },
-          false};  // Q is a ball
+          false,  // Q is a ball
+          Role::baseline};
 }
 
 }  // namespace

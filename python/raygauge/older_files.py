@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 _METHODS = ("direct", "newton", "zheng_yamane", "glpk_primal", "glpk_dual", "clp_dual", "clp_primal",
-            "nlopt_slsqp", "nlopt_mma", "exact", "command")
-_ROLES = (("exact", "oracle"), ("glpk", "baseline"), ("clp", "baseline"), ("nlopt", "baseline"), ("command", "baseline"))
+            "nlopt_slsqp", "nlopt_mma", "exact", "command", "fcl_libccd", "fcl_indep")
+_ROLES = (("exact", "oracle"), ("glpk", "baseline"), ("clp", "baseline"), ("nlopt", "baseline"), ("fcl", "baseline"),
+          ("command", "baseline"))
 _HARDNESS: tuple[tuple[str, str, Callable[[float], float]], ...] = (
     ("aspect", "aspect", lambda value: value),
     ("delta", "1/δ", lambda value: 1 / value),

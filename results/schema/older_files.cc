@@ -15,9 +15,9 @@ namespace raygauge {
 namespace {
 
 /// The registered names of the methods of version 1.
-constexpr std::array<std::string_view, 11> kMethods = {"direct",    "newton",   "zheng_yamane", "glpk_primal",
-                                                       "glpk_dual", "clp_dual", "clp_primal",   "nlopt_slsqp",
-                                                       "nlopt_mma", "exact",    "command"};
+constexpr std::array<std::string_view, 13> kMethods = {
+    "direct",      "newton",    "zheng_yamane", "glpk_primal", "glpk_dual",  "clp_dual", "clp_primal",
+    "nlopt_slsqp", "nlopt_mma", "exact",        "command",     "fcl_libccd", "fcl_indep"};
 
 /// The generators' parameters of version 1 that measure hardness.
 struct OldHardness {
@@ -91,7 +91,7 @@ std::string method_name_of(const std::string& label, const NamesByLabel& names) 
 
 Role role_of(std::string_view name) {
   if (name.starts_with("exact")) return Role::oracle;
-  for (const std::string_view library : {"glpk", "clp", "nlopt", "command"}) {
+  for (const std::string_view library : {"glpk", "clp", "nlopt", "fcl", "command"}) {
     if (name.starts_with(library)) return Role::baseline;
   }
   return Role::engine;

@@ -14,7 +14,7 @@ namespace raygauge {
 ///   method_name              the registered name that `identity` (experiment_identity() of the run) has for
 ///                            the label; without one, the longest registered name of version 1 that the label
 ///                            begins with, else the label
-///   role                     baseline for names that begin with glpk, clp, nlopt or command, oracle for
+///   role                     baseline for names that begin with glpk, clp, nlopt, fcl or command, oracle for
 ///                            exact, engine for the others
 ///   exact_distance_rounding  2^-45 for generator example1
 ///   hardness                 by the first parameter named aspect, delta (1/δ), entry, exponent (2^exponent)

@@ -38,6 +38,13 @@ TEST(BaselinesRegistry, HoldsTheMethodsOfThisBuild) {
   EXPECT_EQ(baselines().names(), expected);
 }
 
+TEST(BaselinesRegistry, NoMethodHereIsOneOfTheEngines) {
+  const MethodRegistry registry = baselines();
+  for (const std::string& name : registry.names()) {
+    EXPECT_EQ(registry.find(name).role, name == "exact" ? Role::oracle : Role::baseline) << name;
+  }
+}
+
 TEST(BaselinesRegistry, NamesAVersionOfEverySolver) {
   for (const auto& [solver, version] : solver_versions()) {
     EXPECT_FALSE(version.empty()) << solver;
