@@ -28,11 +28,19 @@ TEST(Registries, AMethodTakesPointSetsIfItSaysSo) {
 
 TEST(Registries, PointSetsAreTakenByEveryMethodButNloptsAndFcls) {
   const MethodRegistry methods = all_methods();
-  for (const char* name : {"direct", "newton", "zheng_yamane"}) EXPECT_TRUE(methods.find(name).point_sets);
-  for (const std::string& name : methods.names()) {
-    const bool general = name.starts_with("nlopt") || name.starts_with("fcl");
-    EXPECT_EQ(methods.find(name).point_sets, !general) << name;
-  }
+  for (const char* name : {"column_generation", "newton", "zheng_yamane"})
+    EXPECT_TRUE(methods.find(name).point_sets);
+  for (const std::string& name : methods.names())
+    EXPECT_EQ(methods.find(name).point_sets, !name.starts_with("nlopt") && !name.starts_with("fcl")) << name;
+}
+
+TEST(Registries, ThreeMethodsAreTheEnginesAndDirectIsAnotherNameOfOne) {
+  const MethodRegistry methods = all_methods();
+  std::vector<std::string> engine;
+  for (const std::string& name : methods.names())
+    if (methods.find(name).role == Role::engine) engine.push_back(name);
+  EXPECT_EQ(engine, (std::vector<std::string>{"column_generation", "newton", "zheng_yamane"}));
+  EXPECT_EQ(methods.find("direct").name, "column_generation");
 }
 
 }  // namespace
