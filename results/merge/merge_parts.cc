@@ -14,6 +14,7 @@
 #include "results/run/identity.h"
 #include "results/run/run_directory.h"
 #include "results/schema/encoding.h"
+#include "results/schema/schema.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -59,13 +60,13 @@ class Merge {
     if (is_being_written(path))
       throw RunLockedError(path.string() + ": another process is writing this part");
     const auto first_session = static_cast<int>(summary_.provenance.sessions.size());
-    if (list_parts(path).empty()) {
+    if (list_parts(path).empty() && schema_version_of(path) == kSchemaVersion) {
       add_provenance(path, decode_provenance(path));
       reader_.add_file(path, part, first_session);
     } else {
-      ResultsFile unfinished = read_results(path.string());
-      add_provenance(path, std::move(unfinished.provenance));
-      reader_.add_records(unfinished.records, part, first_session);
+      ResultsFile results = read_results(path.string());  // unfinished, or of an earlier version
+      add_provenance(path, std::move(results.provenance));
+      reader_.add_records(results.records, part, first_session);
     }
   }
 

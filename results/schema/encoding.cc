@@ -127,6 +127,12 @@ Provenance decode_provenance(const std::filesystem::path& path) {
   return provenance;
 }
 
+std::int64_t schema_version_of(const std::filesystem::path& path) {
+  std::int64_t version = 0;
+  hdf5::read_own_file(path, [&](H5::Group& root) { version = check_head(root, path.string()); });
+  return version;
+}
+
 bool is_foreign_hdf5(const std::filesystem::path& path) {
   bool foreign = false;
   try {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ std::string encode_provenance(const Provenance& provenance);  ///< /provenance
 /// The inverses. Throw ResultsError or SchemaVersionError, naming file and place.
 ResultsFile decode_results(const std::filesystem::path& path);
 Provenance decode_provenance(const std::filesystem::path& path);
+
+/// The schema version of such a file, which this raygauge reads. Throws like decode_provenance.
+std::int64_t schema_version_of(const std::filesystem::path& path);
 
 /// Whether `path` is an HDF5 file that can be read and is not one of ours.
 bool is_foreign_hdf5(const std::filesystem::path& path);

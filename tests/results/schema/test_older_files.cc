@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 
+#include "results/merge/merge_parts.h"
 #include "results/run/results_file.h"
 #include "results/schema/encoding.h"
 #include "results/schema/schema.h"
@@ -75,6 +76,18 @@ TEST(OlderFiles, AFileOfVersionOneIsWrittenAgainInThisVersionWithTheSameRecords)
   for (std::size_t i = 0; i < old.records.size(); ++i)
     EXPECT_EQ(testing::fingerprint(again.records[i]), testing::fingerprint(old.records[i]));
   EXPECT_EQ(again.provenance.identity, old.provenance.identity);
+}
+
+TEST(OlderFiles, AFileOfVersionOneIsMergedAsItIsRead) {
+  const ResultsFile old = read_results(kFolder + "points_v1.h5");
+  testing::TemporaryFolder folder;
+  const std::string path = folder.path() + "/merged.h5";
+  EXPECT_EQ(merge_parts({kFolder + "points_v1.h5"}, path, {}).records, old.records.size());
+  const ResultsFile merged = read_results(path);
+  ASSERT_EQ(merged.records.size(), old.records.size());
+  for (std::size_t i = 0; i < old.records.size(); ++i)
+    EXPECT_EQ(testing::fingerprint(merged.records[i]), testing::fingerprint(old.records[i]));
+  EXPECT_EQ(schema_version_of(path), kSchemaVersion);
 }
 
 // killed_v1.h5.parts: what `kill -9` left of a run of version 1.
