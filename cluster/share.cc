@@ -156,7 +156,7 @@ std::string to_text(const Calibration& calibration) {
   std::ostringstream out;
   out << std::setprecision(std::numeric_limits<double>::max_digits10) << calibration.threads << '\n';
   for (const Calibration::Entry& entry : calibration.entries) {
-    out << entry.serial_seconds << ' ' << entry.parallel_seconds << ' ' << entry.inflation << ' '
+    out << entry.serial_seconds << ' ' << entry.parallel_seconds << ' ' << entry.slowdown << ' '
         << entry.method << '\n';
   }
   return out.str();
@@ -167,7 +167,7 @@ Calibration calibration_from_text(const std::string& text) {
   Calibration calibration;
   in >> calibration.threads;
   Calibration::Entry entry;
-  while (in >> entry.serial_seconds >> entry.parallel_seconds >> entry.inflation &&
+  while (in >> entry.serial_seconds >> entry.parallel_seconds >> entry.slowdown &&
          std::getline(in >> std::ws, entry.method)) {
     calibration.entries.push_back(entry);
   }
