@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kRepetitions = 25;
-constexpr const char* kMethods[] = {"direct", "zheng_yamane", "glpk_primal", "glpk_dual"};
+constexpr const char* kMethods[] = {"column_generation", "zheng_yamane", "glpk_primal", "glpk_dual"};
 constexpr const char* kParameters[] = {
     "instruction_set=best max_iterations=1000 stop_rule=relative_gap threads=1 witness=0",
     "max_iterations=1000 safe=1 stop_rule=relative_gap", "presolve=0 pricing=steepest scaling=1",
