@@ -52,7 +52,7 @@ class OtherReaders : public ::testing::Test {
 
 TEST_F(OtherReaders, TheDocumentedPythonPrintsTheMedianOfTheSolvedAndAgreeing) {
   // Of 4 cells × 3 repetitions, the first of each cell is optimal and agrees: seconds = (cell + 1/3) / 7.
-  EXPECT_EQ(python(documented_python()), "direct: 0.261905 s, seed 18446744073709551615\n");
+  EXPECT_EQ(python(documented_python()), "column_generation: 0.261905 s, seed 18446744073709551615\n");
 }
 
 TEST_F(OtherReaders, H5pyFindsEveryColumnWithUnitAndDescription) {
@@ -85,7 +85,7 @@ TEST_F(OtherReaders, H5pyReadsTheExperimentAndTheSessions) {
                    "print(p.attrs['cell_count'], p['sessions/cpu_model'].asstr()[0])\n"
                    "print(dict(zip(p['versions/name'].asstr()[:], p['versions/version'].asstr()[:])))\n"
                    "print(p['calibration/slowdown'][:])\n"),
-            "raygauge-results 1\n" + experiment_.text +
+            "raygauge-results 2\n" + experiment_.text +
                 "4 A processor\n"
                 "{'Eigen': '3.4.0', 'GLPK': '5.0'}\n"
                 "[1.1 1. ]\n");

@@ -34,7 +34,7 @@ TEST(ExperimentIdentity, IsReadable) {
             "N = [100, 101]\n"
             "tolerance = [1e-06]\n"
             "generators = [example2 {separation=1.5}]\n"
-            "methods = [direct, glpk as GLPK, \"primal\" {presolve=true}]\n");
+            "methods = [column_generation, glpk as GLPK, \"primal\" {presolve=true}]\n");
 }
 
 TEST(ExperimentIdentity, ChangesWithWhateverDeterminesTheRecords) {
