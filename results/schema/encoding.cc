@@ -80,8 +80,8 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
   for (const CalibrationRow& row : hdf5::read_table(group, "calibration", calibration_columns(), place)) {
     Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
     calibration.threads = row.threads;
-    calibration.entries.push_back(
-        {current_method_name(row.method), row.serial_seconds, row.parallel_seconds, row.slowdown});
+    const std::string label = version == 1 ? current_method_name(row.method) : row.method;
+    calibration.entries.push_back({label, row.serial_seconds, row.parallel_seconds, row.slowdown});
   }
   return provenance;
 }

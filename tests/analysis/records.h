@@ -16,6 +16,7 @@ inline Record with_facts(Record record) {
   const std::string label = record.method;
   std::vector<Record> records = {std::move(record)};
   records.front().method_name.clear();
+  records.front().exact_distance_rounding = 0;
   complete_older_records(records, "");
   records.front().method = label;
   return records.front();

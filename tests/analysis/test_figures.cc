@@ -137,6 +137,7 @@ std::vector<Record> hard_records() {
       for (auto record = records.end() - 3; record != records.end(); ++record) {
         record->generator = words.substr(0, words.find(' '));
         record->generator_parameters = words.substr(words.find(' ') + 1) + "=" + std::to_string(value);
+        *record = testing::with_facts(*record);
       }
     }
   }
@@ -172,9 +173,8 @@ TEST(Figures, SayWhatTheyNeed) {
   EXPECT_EQ(complaint("ratio_heatmap", records),
             "figure ratio_heatmap needs a method that is a baseline; or name one with --baseline");
   EXPECT_EQ(complaint("true_error", records),
-            "figure true_error needs answers of known truth at two or more values of a generator's parameter "
-            "aspect, "
-            "delta, entry, exponent or offset");
+            "figure true_error needs answers of known truth at two or more values of a generator's measure "
+            "of hardness, as aspect or 1/delta");
   EXPECT_EQ(complaint("time_vs_dimension", records),
             "figure time_vs_dimension needs solved records at two or more values of n");
   EXPECT_EQ(complaint("performance_profile", records),

@@ -97,6 +97,7 @@ TEST(Accuracy, AllowsTheTruthItsOwnRounding) {
   Record solved = solve("direct", 1e-12, 0, 0, 1);
   const auto beyond = [&](double distance, const char* generator) {
     solved.generator = generator;
+    solved = testing::with_facts(solved);
     solved.lower = solved.distance = solved.upper = distance;
     return curves_of({solved})[0].points[0].beyond_gap;
   };

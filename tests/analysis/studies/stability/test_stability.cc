@@ -189,6 +189,7 @@ TEST(IsWrong, AllowsTheTruthItsOwnRounding) {
   Record record = thin("direct", 0, 1);
   const auto is_wrong_at = [&](double point, const char* generator) {
     record.generator = generator;
+    record = testing::with_facts(record);
     record.lower = record.distance = record.upper = point;
     return is_wrong(record, 4);
   };
