@@ -149,7 +149,7 @@ std::map<std::string, MachineUse> machines_of(const ResultsFile& results) {
     use.machine = session.machine;
     ++use.sessions;
     for (const Calibration::Entry& entry : session.calibration.entries) {
-      use.slowdown[entry.method].push_back(entry.inflation);
+      use.slowdown[entry.method].push_back(entry.slowdown);
     }
   }
   for (const Record& record : results.records) {
