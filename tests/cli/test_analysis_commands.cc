@@ -141,7 +141,7 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
             "skipped: figure time_vs_N needs solved records at two or more values of N\n"
             "skipped: figure time_vs_dimension needs solved records at two or more values of n\n"
             "skipped: figure true_error needs answers of known truth at two or more values of a generator's "
-            "parameter aspect, delta, entry, exponent or offset\n"
+            "measure of hardness, as aspect or 1/delta\n"
             "skipped: figure fig5 needs records of generator example1 in its roles at two tolerances\n"
             "skipped: figure fig7 needs records of generator example1 in its roles at two tolerances\n"
             "skipped: figure work_precision needs solves of known truth (a generator that knows it, or "

@@ -193,8 +193,8 @@ TEST_F(RunCommand, BadExperimentsAreRefusedWithFileAndLine) {
             "bad.toml:14: run.time_limit must be a number, got 'long'");
   EXPECT_EQ(refusal_of_text(text + "warmup = -1\n"),
             "bad.toml:14: run.warmup must lie in [0, 2147483647], got -1");
-  EXPECT_TRUE(refusal_of_text(text + "[[method]]\nname = \"directt\"\n")
-                  .starts_with("bad.toml:15: unknown method 'directt'; did you mean 'direct'? (known: "));
+  EXPECT_TRUE(refusal_of_text(text + "[[method]]\nname = \"newtonn\"\n")
+                  .starts_with("bad.toml:15: unknown method 'newtonn'; did you mean 'newton'? (known: "));
   EXPECT_TRUE(refusal_of_text("[[generator]]\nname = \"needel\"\n")
                   .starts_with("bad.toml:2: unknown generator 'needel'; did you mean 'needle'? (known: "));
   EXPECT_TRUE(refusal_of_text("[[generator]]\nname = \"example2\"\nseparation = 0.5\n")
