@@ -52,7 +52,7 @@ results = rg.run(
     {
         "sweep": {"n": [3, 6], "N": [100], "repetitions": 5},
         "generator": [{"name": "rings"}],
-        "method": [{"name": "direct"}, {"name": "highs"}],
+        "method": [{"name": "column_generation"}, {"name": "highs"}],
     },
     sys.argv[1],
     force=True,

@@ -212,6 +212,7 @@ void add_python_method(MethodRegistry& registry, Interpreter& interpreter, py::o
                 answer = SharedObject(answer_of)](const Parameters& parameters) {
     return std::make_unique<PythonMethod>(interpreter, held, answer, parameters);
   };
+  entry.role = Role::baseline;
   registry.add(std::move(entry));
 }
 

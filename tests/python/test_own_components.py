@@ -89,10 +89,10 @@ class OwnComponents(unittest.TestCase):
         return rg.run(experiment, self.path, **options)
 
     def test_a_method_is_timed_and_certified_as_the_others_are(self):
-        results = self.run_with(["direct", "by_raygauge"], ["shifted_cloud", "example2"])
+        results = self.run_with(["column_generation", "by_raygauge"], ["shifted_cloud", "example2"])
         self.assertEqual(results.sizes["record"], 2 * 2 * 3 * 2)
         own = results.isel(record=results.method.values == "by_raygauge")
-        other = results.isel(record=results.method.values == "direct")
+        other = results.isel(record=results.method.values == "column_generation")
         self.assertTrue((own.seconds.values > 0).all() and (own.load_seconds.values > 0).all())
         self.assertTrue(own.agrees.values.all())
         np.testing.assert_array_less(own.lower.values, own.upper.values * (1 + 1e-15))
@@ -118,8 +118,8 @@ class OwnComponents(unittest.TestCase):
         self.assertEqual(set(own.method_parameters.values), {"factor=2"})
 
     def test_instances_depend_on_their_key_alone(self):
-        once = self.run_with(["direct"], ["shifted_cloud"], run={"threads": 1})
-        again = self.run_with(["direct"], ["shifted_cloud"], force=True)
+        once = self.run_with(["column_generation"], ["shifted_cloud"], run={"threads": 1})
+        again = self.run_with(["column_generation"], ["shifted_cloud"], force=True)
         np.testing.assert_array_equal(once.distance.values, again.distance.values)
 
     def test_an_exception_ends_the_sweep_in_one_line_and_the_rest_can_be_resumed(self):
@@ -143,7 +143,7 @@ class OwnComponents(unittest.TestCase):
         for name, instance in instances.items():
             rg.generator(name=name)(functools.partial(lambda given, n: given, instance))
             with self.assertRaisesRegex(rg.ProgramError, name, msg=name):
-                self.run_with(["direct"], [name], force=True)
+                self.run_with(["column_generation"], [name], force=True)
 
     def test_what_cannot_be_called_by_name_is_refused_when_it_is_registered(self):
         for wrong in (lambda A, Q, unknown: 0, lambda A: 0, lambda A, Q, *more: 0, 5, object):
