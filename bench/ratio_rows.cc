@@ -222,7 +222,8 @@ void print_high(const Variant& variant, const Effort& effort) {
     Summary zheng_yamane("  zheng_yamane");
     for (const int n : dimensions) {
       for (const int N : counts(n)) {
-        const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
+        const LpCell cell =
+            against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
         std::printf("n = %3d, N = %5d: direct %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
                     cell.ours[0] * 1e3, cell.ours[1] * 1e3, cell.best_name.c_str(), cell.best_lp * 1e3);
         std::fflush(stdout);

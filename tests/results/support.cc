@@ -38,7 +38,8 @@ Experiment small_experiment(int cell_count, int repetitions) {
   experiment.N.clear();
   for (int i = 0; i < cell_count; ++i) experiment.N.push_back(100 + i);
   experiment.generators = {GeneratorSpec{{"example2", "example2", {{"separation", 1.5}}}}};
-  experiment.methods = {{"column_generation", "column_generation", {}}, {"glpk", "GLPK, \"primal\"", {{"presolve", true}}}};
+  experiment.methods = {{"column_generation", "column_generation", {}},
+                        {"glpk", "GLPK, \"primal\"", {{"presolve", true}}}};
   return experiment;
 }
 
@@ -94,7 +95,8 @@ Session sample_session() {
   session.started_at = "2026-01-31T12:00:00Z";
   session.finished_at = "2026-01-31T12:00:07Z";
   session.versions = {{"Eigen", "3.4.0"}, {"GLPK", "5.0"}};
-  session.calibration = {2, {{"column_generation", 1e-5, 1.1e-5, 1.1}, {"GLPK, \"primal\"", 2e-3, 2e-3, 1.0}}};
+  session.calibration = {2,
+                         {{"column_generation", 1e-5, 1.1e-5, 1.1}, {"GLPK, \"primal\"", 2e-3, 2e-3, 1.0}}};
   return session;
 }
 
