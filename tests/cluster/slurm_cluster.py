@@ -45,6 +45,10 @@ def free_port():
         return probe.getsockname()[1]
 
 
+class NotStarted(RuntimeError):
+    """The daemons of Slurm do not come up on this machine, whatever raygauge does."""
+
+
 class SlurmCluster:
     """with SlurmCluster(folder) as slurm: slurm.run("sinfo")."""
 
@@ -81,6 +85,9 @@ class SlurmCluster:
             self.start("/usr/sbin/slurmctld", "-D", "-c", "-f", str(self.folder / "slurm.conf"))
             self.start("/usr/sbin/slurmd", "-D", "-N", "localhost", "-f", str(self.folder / "slurm.conf"))
             self.wait_for(lambda: "idle" in self.run("sinfo", "-h", "-o", "%T", check=False), "slurmd")
+        except RuntimeError as reason:
+            self.__exit__()
+            raise NotStarted(str(reason)) from reason
         except BaseException:
             self.__exit__()
             raise
