@@ -59,9 +59,7 @@ SupportStructure ObjectPair::do_structure() const noexcept {
 
 // Without extents: a point that was moved along a face would be in no recorded pair.
 bool ObjectPair::do_is_unconditional(double* extent) const {
-  if (!sum_is_unconditional(A2_, A1_, extent)) return false;
-  std::fill_n(extent, dimension(), 0.0);
-  return true;
+  return sum_is_unconditional(A2_, A1_, extent, false);
 }
 
 void ObjectPair::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {

@@ -8,6 +8,7 @@
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/set_sums.h"
 
 namespace raygauge {
 
@@ -124,10 +125,17 @@ bool PosedView::do_touches_origin(double* u) const {
 bool PosedView::do_is_unconditional(double* extent) const {
   const int n = dimension();
   if (!pose_.is_axis_exchange()) return false;
-  Scratch inner(n);
+  Scratch inner(n), center(n);
   if (!S_.is_unconditional_unchecked(inner.data())) return false;
-  turn(inner.data(), 1, extent);
-  for (int k = 0; k < n; ++k) extent[k] = std::fabs(extent[k]);
+  for (int j = 0; j < n; ++j) {
+    const double* column = pose_.rotation_data() + std::ptrdiff_t{j} * n;
+    for (int k = 0; k < n; ++k) {
+      if (column[k] != 0) extent[k] = inner.data()[j];
+    }
+  }
+  S_.center_unchecked(inner.data());
+  turn(inner.data(), 1, center.data());
+  for (int k = 0; k < n; ++k) extent[k] -= rounding_of_sum(center.data()[k], pose_.translation_data()[k]);
   return true;
 }
 

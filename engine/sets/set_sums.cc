@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 
 namespace raygauge {
@@ -76,10 +77,21 @@ void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude) {
   for (int k = 0; k < S.dimension(); ++k) magnitude[k] += of_T.data()[k];
 }
 
-bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent) {
-  Scratch of_T(S.dimension());
+double rounding_of_sum(double a, double b) noexcept {
+  return a == 0 || b == 0 ? 0.0 : 2 * kUnitRoundoff * (std::fabs(a) + std::fabs(b));
+}
+
+bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent, bool with_faces) {
+  const int n = S.dimension();
+  Scratch of_T(n), c_S(n), c_T(n);
   if (!S.is_unconditional_unchecked(extent) || !T.is_unconditional_unchecked(of_T.data())) return false;
-  for (int k = 0; k < S.dimension(); ++k) extent[k] += of_T.data()[k];
+  S.center_unchecked(c_S.data());
+  T.center_unchecked(c_T.data());
+  for (int k = 0; k < n; ++k) {
+    const double e_S = with_faces ? extent[k] : std::min(extent[k], 0.0);
+    const double e_T = with_faces ? of_T.data()[k] : std::min(of_T.data()[k], 0.0);
+    extent[k] = e_S + e_T - rounding_of_sum(e_S, e_T) - rounding_of_sum(c_S.data()[k], c_T.data()[k]);
+  }
   return true;
 }
 

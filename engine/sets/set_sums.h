@@ -20,8 +20,12 @@ void sum_center(const ConvexSet& S, const ConvexSet& T, double sign, double* poi
 /// The magnitudes of S and T added up.
 void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude);
 
-/// Whether S ± T is unconditional because S and T are; its extents are theirs added up.
-bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent);
+/// An upper bound on what a + b loses when it is rounded, with room for one more operation.
+double rounding_of_sum(double a, double b) noexcept;
+
+/// Whether S ± T is unconditional because S and T are. Its extents are theirs added up (or 0, without its
+/// faces), less what rounding may have moved its centre: the intervals lie within the faces of the exact sum.
+bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent, bool with_faces = true);
 
 /// The pieces of S ± T, S's index running slower than T's (add_pieces). Returns how many T has; their
 /// gradients are copied to `of_T` (room for kCapacity points) if that is not null.

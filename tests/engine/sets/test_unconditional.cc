@@ -8,10 +8,12 @@
 #include <limits>
 #include <memory>
 
+#include "engine/numerics/quad.h"
 #include "engine/sets/ellipsoid.h"
 #include "engine/sets/minkowski_difference.h"
 #include "engine/sets/minkowski_sum.h"
 #include "engine/sets/p_norm_ball.h"
+#include "engine/sets/posed_view.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_unconditional {
@@ -68,6 +70,31 @@ TEST(Unconditional, AreSumsAndDifferencesOfSuchSets) {
   EXPECT_NEAR(extent[1], 6, 1e-3);
   const auto tilted = std::make_shared<Ellipsoid>(Vector::Zero(2), Eigen::Matrix2d{{1, 0.5}, {0, 1}});
   EXPECT_FALSE(MinkowskiSum(cube, tilted).is_unconditional_unchecked(extent.data()));
+}
+
+// [c - e, c + e] is within the face of the exact set, although c is a rounded sum.
+TEST(Unconditional, FacesOfSumsAndPosedSetsAllowForARoundedCenter) {
+  Random random(92);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector first = 1e6 * gaussian_points(2, 1, random), second = 1e-3 * gaussian_points(2, 1, random);
+    const auto S = std::make_shared<PNormBall>(first, Vector::Ones(2), 1e9);
+    const auto T = std::make_shared<PNormBall>(second, Vector{{0.5, 4}}, 1e9);
+    Vector e_S(2), e_T(2), extent(2), of_posed(2);
+    ASSERT_TRUE(S->is_unconditional_unchecked(e_S.data()) && T->is_unconditional_unchecked(e_T.data()));
+    const MinkowskiSum sum(S, T);
+    ASSERT_TRUE(sum.is_unconditional_unchecked(extent.data()));
+    const Pose pose(Eigen::Matrix2d{{0, -1}, {1, 0}}, second);
+    const PosedView posed(*S, pose);
+    ASSERT_TRUE(posed.is_unconditional_unchecked(of_posed.data()));
+    const Vector turned{{-first[1], first[0]}};
+    for (int k = 0; k < 2; ++k) {
+      const Quad exact = Quad{first[k]} + second[k], moved = Quad{turned[k]} + second[k];
+      const Quad off = elementary::fabs(exact - sum.center()[k]);
+      EXPECT_LE(off + extent[k], Quad{e_S[k]} + e_T[k]);
+      EXPECT_GE(extent[k], (e_S[k] + e_T[k]) * (1 - 1e-8));
+      EXPECT_LE(elementary::fabs(moved - posed.center()[k]) + of_posed[k], Quad{e_S[1 - k]});
+    }
+  }
 }
 
 TEST(Unconditional, IsNotKnownOfPolytopesAndOfOtherSets) {
