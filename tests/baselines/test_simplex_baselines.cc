@@ -23,7 +23,8 @@ MethodRegistry baselines() {
 
 std::vector<std::string> simplex_names() {
   std::vector<std::string> names = baselines().names();
-  std::erase_if(names, [](const std::string& name) { return name == "exact" || name.starts_with("nlopt"); });
+  std::erase_if(
+      names, [](const std::string& name) { return !name.starts_with("glpk") && !name.starts_with("clp"); });
   return names;
 }
 
