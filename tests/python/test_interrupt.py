@@ -48,14 +48,15 @@ class Interrupt(unittest.TestCase):
 
     def test_a_handler_that_does_not_raise_leaves_the_answer(self):
         generator = np.random.default_rng(1)
-        A, Q = generator.normal(size=(2, 1000, 100))
+        A, Q = generator.normal(size=(2, 2000, 200))
         alone = rg.distance(A + 0.2, Q).distance
         heard = []
         before = signal.signal(signal.SIGALRM, lambda *_: heard.append(True))
         self.addCleanup(signal.signal, signal.SIGALRM, before)
         signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
         self.addCleanup(signal.setitimer, signal.ITIMER_REAL, 0)
-        self.assertEqual(rg.distance(A + 0.2, Q).distance, alone)
+        for _ in range(20):  # a fast machine may end a call before the first signal
+            self.assertEqual(rg.distance(A + 0.2, Q).distance, alone)
         self.assertTrue(heard)
 
 
