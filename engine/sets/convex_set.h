@@ -165,9 +165,9 @@ class ConvexSet {
   }
 
   /// True for a `smooth` set known to be unconditional about its centre c: with c + x it has every c +
-  /// diag(±1, ..., ±1) x. Writes the extents e_k >= 0 of its faces along the axes, for large p those of a
-  /// p-norm ball: if u_k = 0 and s is on the face across u, it is with any s_k in [c_k - e_k, c_k + e_k], but
-  /// for less than a rounding error of Quad.
+  /// diag(±1, ..., ±1) x. Writes the extents e_k of its faces along the axes, for large p those of a
+  /// p-norm ball, negative where rounding of c leaves none: if u_k = 0 and s is on the face across u, it is
+  /// with any s_k in [c_k - e_k, c_k + e_k], but for less than a rounding error of Quad.
   bool is_unconditional_unchecked(double* extent) const { return do_is_unconditional(extent); }
 
   /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
