@@ -3,11 +3,10 @@
 #include "engine/methods/spatial/nearest_on_simplex.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace raygauge {
 namespace {
-
-using std::sqrt;
 
 template <class Real>
 using Points = const BasicVector3<Real>* const*;
@@ -73,20 +72,33 @@ SimplexFace<Real> triangle_face(Points<Real> points, int ia, int ib, int ic) {
                 segment_face<Real>(points, ia, ic));
 }
 
-// Whether the origin is on the inner side of all four facets.
+double high(double value) { return value; }
+double high(const DoubleDouble& value) { return value.high; }
+
+// What one operation may lose.
+template <class Real>
+constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
+
+// Whether the origin is on the inner side of all four facets, for certain: n = e x f is off by at most 6
+// units of |e||f|, which in a flat triangle is much of it, and n·x by at most 10 units of |e||f||x|. 16 are
+// allowed for.
 template <class Real>
 bool contains_origin(Points<Real> points, SimplexFace<Real>& face) {
   constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const auto size = [](const BasicVector3<Real>& v) { return std::sqrt(high(dot(v, v))); };
   Real sum{};
   for (int f = 0; f < 4; ++f) {
     const BasicVector3<Real>& a = *points[kFacets[f][0]];
-    const BasicVector3<Real> n = cross(*points[kFacets[f][1]] - a, *points[kFacets[f][2]] - a);
-    const Real opposite = dot(n, *points[f] - a);
+    const BasicVector3<Real> first = *points[kFacets[f][1]] - a, second = *points[kFacets[f][2]] - a;
+    const BasicVector3<Real> n = cross(first, second), rest = *points[f] - a;
+    const Real opposite = dot(n, rest);
     const Real origin = -dot(n, a);
-    const Real square = dot(n, n);
     const bool inside = (opposite > Real{0} && origin > Real{0}) || (opposite < Real{0} && origin < Real{0});
-    if (!inside || !(square > Real{0})) return false;
-    const Real away = (origin < Real{0} ? -origin : origin) / sqrt(square);
+    if (!inside) return false;
+    const double lost = 16 * kUnit<Real> * size(first) * size(second);
+    const double certain = std::fabs(high(origin)) * (1 - 0x1p-50) - lost * size(a);
+    if (!(certain > 0) || !(std::fabs(high(opposite)) > lost * size(rest))) return false;
+    const double away = certain / (size(n) + lost) * (1 - 0x1p-50);
     if (f == 0 || away < face.depth) face.depth = away;
     face.corner[f] = f;
     face.weight[f] = origin / opposite;

@@ -15,12 +15,12 @@ struct SimplexFace {
   Real weight[4] = {};  ///< barycentric coordinates of that point
   BasicVector3<Real> v;
   Real square{};
-  Real depth{};  ///< the origin is inside, so far from the nearest facet; 0: it is not inside
+  double depth = 0;  ///< the ball of this radius about the origin is inside, proven; 0: nothing is
 };
 
 /// Of `count` <= 4 points. Where the origin is inside four points, all of them with its coordinates and
 /// depth. Rounding may choose another face: what is concluded from one must not rely on its being the
-/// nearest.
+/// nearest. The depth is a lower bound, rounding included.
 template <class Real>
 SimplexFace<Real> nearest_face(const BasicVector3<Real>* const* points, int count);
 

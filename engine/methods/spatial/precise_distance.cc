@@ -227,7 +227,7 @@ bool PreciseDescent::step() {
   const SimplexFace<DoubleDouble> face = reduce();
   const PreciseVector3 v = combine(face);
   const double size = std::sqrt(dot(v, v).high);
-  if (face.depth.high > 2 * precise_.error() || precise_.balls_meet(size * kUp)) {
+  if (face.depth > 2 * precise_.error() || precise_.balls_meet(size * kUp)) {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
@@ -260,7 +260,7 @@ bool PreciseDescent::surrounds_origin(const TangentMetric& metric, double depth)
   for (int i = 0; i < 3; ++i)
     corner[i] = precise_.support(metric.tilted(u_, tilt * kAround[i][0], tilt * kAround[i][1]), height).s;
   corner[3] = precise_.support(-u_, height).s;
-  return nearest_face(corners, 4).depth.high > 2 * precise_.error();
+  return nearest_face(corners, 4).depth > 2 * precise_.error();
 }
 
 // A step of the sequential quadratic program  minimize h(u) + |u|²/2:  with H the Hessian of the cores and λ
