@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "bench/pair_times.h"
+#include "bench/program.h"
 
 namespace raygauge::bench {
 namespace {
@@ -106,10 +106,5 @@ int run(int argc, char** argv) {
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  try {
-    return raygauge::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "raygauge_pairs: %s\n", error.what());
-    return 2;
-  }
+  return raygauge::bench::run_program("raygauge_pairs", raygauge::bench::run, argc, argv);
 }

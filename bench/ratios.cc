@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/program.h"
 #include "bench/ratio_rows.h"
 #include "engine/kernels/kernel.h"
 
@@ -57,10 +57,5 @@ int run(int argc, char** argv) {
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  try {
-    return raygauge::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "raygauge_ratios: %s\n", error.what());
-    return 1;
-  }
+  return raygauge::bench::run_program("raygauge_ratios", raygauge::bench::run, argc, argv);
 }

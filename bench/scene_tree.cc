@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/program.h"
 #include "bench/timed_medians.h"
 #include "engine/scene/scene_run.h"
 #include "engine/sets/box.h"
@@ -227,10 +227,5 @@ int run(int argc, char** argv) {
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  try {
-    return raygauge::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "raygauge_scene_tree: %s\n", error.what());
-    return 2;
-  }
+  return raygauge::bench::run_program("raygauge_scene_tree", raygauge::bench::run, argc, argv);
 }

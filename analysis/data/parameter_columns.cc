@@ -59,13 +59,6 @@ std::pair<std::set<std::string>, std::set<std::string>> names_in(const std::vect
   return {names_of(generators), names_of(methods)};
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 /// "generator example2 separation": sorts and compares as one text.
 std::string owned_name(const char* kind, const std::string& owner, const std::string& name) {
   return std::string(kind) + '\n' + owner + '\n' + name;
@@ -180,21 +173,18 @@ VaryingParameters::VaryingParameters(const std::vector<Record>& records) {
 }
 
 std::string VaryingParameters::of_generator(const Record& record) const {
-  std::string text;
-  for (const auto& [name, value] : split_parameters(record.generator_parameters)) {
-    if (!std::binary_search(varying_.begin(), varying_.end(),
-                            owned_name("generator", record.generator, name)))
-      continue;
-    text += (text.empty() ? "" : " ") + name + "=" + quoted_where_needed(value);
-  }
-  return text;
+  return varying_of("generator", record.generator, record.generator_parameters);
 }
 
 std::string VaryingParameters::of_method(const Record& record) const {
+  return varying_of("method", record.method, record.method_parameters);
+}
+
+std::string VaryingParameters::varying_of(const char* kind, const std::string& owner,
+                                          const std::string& parameters) const {
   std::string text;
-  for (const auto& [name, value] : split_parameters(record.method_parameters)) {
-    if (!std::binary_search(varying_.begin(), varying_.end(), owned_name("method", record.method, name)))
-      continue;
+  for (const auto& [name, value] : split_parameters(parameters)) {
+    if (!std::binary_search(varying_.begin(), varying_.end(), owned_name(kind, owner, name))) continue;
     text += (text.empty() ? "" : " ") + name + "=" + quoted_where_needed(value);
   }
   return text;
@@ -218,7 +208,7 @@ std::string tidy_csv(const std::vector<Record>& records) {
   for (const Record& record : records) {
     text += csv_rows({record});
     text.pop_back();
-    for (const std::string& name : names) text += "," + csv_field(parameter_text(record, name));
+    for (const std::string& name : names) text += "," + csv_text_field(parameter_text(record, name));
     text += '\n';
   }
   return text;

@@ -38,6 +38,8 @@ class VaryingParameters {
   std::string of_method(const Record& record) const;
 
  private:
+  std::string varying_of(const char* kind, const std::string& owner, const std::string& parameters) const;
+
   std::vector<std::string> varying_;  ///< generator GENERATOR NAME and method LABEL NAME, sorted
 };
 

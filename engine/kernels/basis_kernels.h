@@ -4,6 +4,8 @@
 // Basis changes: one column enters, one leaves, the explicit inverse is updated. Part of kernel_impl.h.
 #pragma once
 
+#include <type_traits>
+
 #include "engine/kernels/pack.h"
 
 namespace raygauge::RAYGAUGE_ISA {
@@ -13,11 +15,6 @@ namespace {
 constexpr double kPivotTolerance = 1e-10;
 // Harris: how far a basic variable may be pushed below zero for a better pivot.
 constexpr double kHarrisTolerance = 1e-11;
-
-template <int kValue>
-struct Constant {
-  static constexpr int value = kValue;
-};
 
 // Number of packs in a padded row vector: known at compile time for V > 0.
 template <int V>
@@ -59,9 +56,9 @@ inline void ftran_pending(BasisView* basis, const double* column) {
     for (int p = 0; p < kCount; ++p) store(basis->w + (first + p) * kWidth, sum[p]);
   };
   int first = 0;
-  for (; first + kChunk <= total; first += kChunk) rows_from(first, Constant<kChunk>{});
-  for (; first + 2 <= total; first += 2) rows_from(first, Constant<2>{});
-  for (; first < total; ++first) rows_from(first, Constant<1>{});
+  for (; first + kChunk <= total; first += kChunk) rows_from(first, std::integral_constant<int, kChunk>{});
+  for (; first + 2 <= total; first += 2) rows_from(first, std::integral_constant<int, 2>{});
+  for (; first < total; ++first) rows_from(first, std::integral_constant<int, 1>{});
 }
 
 // R -= G ρᵀ over kPacks packs of rows from `first` and kColumns columns from k.

@@ -9,15 +9,19 @@
 
 namespace raygauge::python {
 
-Pose pose_of_rows(const double* matrix, int n, const char* name) {
+RigidParts parts_of_rows(const double* matrix, int n, const char* name) {
   using Homogeneous = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const Homogeneous> T(matrix, n + 1, n + 1);
   if (!T.row(n).head(n).isZero(0) || T(n, n) != 1) {
     throw InvalidParameterError(std::string(name) +
                                 ": the last row of a homogeneous matrix is to be 0 ... 0 1");
   }
-  const Vector translation = T.col(n).head(n);
-  return {T.topLeftCorner(n, n), translation};
+  return {T.topLeftCorner(n, n), T.col(n).head(n)};
+}
+
+Pose pose_of_rows(const double* matrix, int n, const char* name) {
+  const RigidParts parts = parts_of_rows(matrix, n, name);
+  return {parts.rotation, parts.translation};
 }
 
 std::optional<Pose> as_pose(py::handle object, int n, const char* name) {

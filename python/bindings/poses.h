@@ -11,8 +11,17 @@
 
 namespace raygauge::python {
 
-/// The pose of a homogeneous matrix of (n+1)² numbers in C order, the last row being 0 ... 0 1. Throws
-/// InvalidParameterError and what Pose throws.
+/// R and t of a homogeneous matrix of R^n, unchecked.
+struct RigidParts {
+  Eigen::MatrixXd rotation;
+  Eigen::VectorXd translation;
+};
+
+/// Of a homogeneous matrix of (n+1)² numbers in C order, the last row being 0 ... 0 1. Throws
+/// InvalidParameterError if it is another.
+RigidParts parts_of_rows(const double* matrix, int n, const char* name);
+
+/// The pose of such a matrix. Throws InvalidParameterError and what Pose throws.
 Pose pose_of_rows(const double* matrix, int n, const char* name);
 
 /// A pose for a query: none for None, else that of an array of shape (n+1, n+1). Throws

@@ -28,14 +28,8 @@ using py::literals::operator""_a;
 
 /// The placement that a homogeneous matrix of R^n describes.
 Placement placement_of_rows(const double* matrix, int n, const char* name) {
-  using Homogeneous = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::Map<const Homogeneous> T(matrix, n + 1, n + 1);
-  if (!T.row(n).head(n).isZero(0) || T(n, n) != 1) {
-    throw InvalidParameterError(std::string(name) +
-                                ": the last row of a homogeneous matrix is to be 0 ... 0 1");
-  }
-  const Vector translation = T.col(n).head(n);
-  return make_placement(T.topLeftCorner(n, n), translation);
+  const RigidParts parts = parts_of_rows(matrix, n, name);
+  return make_placement(parts.rotation, parts.translation);
 }
 
 Placement placement(py::handle object, int n) {

@@ -10,6 +10,15 @@
 #include "results/schema/schema.h"
 
 namespace raygauge {
+
+std::string csv_text_field(const std::string& text) {
+  // The # that begins a comment to many readers is quoted too.
+  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 namespace {
 
 constexpr int kAllDigits = 17;
@@ -23,20 +32,12 @@ std::string real_field(double value, int digits) {
   return {buffer.data(), end};
 }
 
-std::string text_field(const std::string& text) {
-  // The # that begins a comment to many readers is quoted too.
-  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 /// A value of a column as it stands in CSV.
 struct Field {
   int digits = kAllDigits;
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(double value) const { return real_field(value, digits); }
-  std::string operator()(const std::string& text) const { return text_field(text); }
+  std::string operator()(const std::string& text) const { return csv_text_field(text); }
   template <class Integer>
   std::string operator()(Integer value) const {
     return std::to_string(value);

@@ -13,11 +13,18 @@ inline Eigen::MatrixXd points_of(const std::shared_ptr<const ConvexSet>& set) {
   return dynamic_cast<const PointSet&>(*set).points();
 }
 
+inline const GeneratorRegistry& all_generators() {
+  static const GeneratorRegistry registry = [] {
+    GeneratorRegistry made("generator");
+    register_generators(made);
+    return made;
+  }();
+  return registry;
+}
+
 /// The instance that the registered generator `name` makes for `key`.
 inline Instance generate(const std::string& name, const InstanceKey& key, const Parameters& parameters = {}) {
-  GeneratorRegistry registry("generator");
-  register_generators(registry);
-  return registry.make(name, parameters)->generate(key);
+  return all_generators().make(name, parameters)->generate(key);
 }
 
 }  // namespace raygauge

@@ -6,19 +6,10 @@
 #include <cmath>
 
 #include "generators/component.h"
-#include "generators/registry.h"
+#include "tests/generators/points_of.h"
 
 namespace raygauge::test_generator_promises {
 namespace {
-
-const GeneratorRegistry& all_generators() {
-  static const GeneratorRegistry registry = [] {
-    GeneratorRegistry made("generator");
-    register_generators(made);
-    return made;
-  }();
-  return registry;
-}
 
 /// The defaults, and them with one parameter at another of its choices.
 std::vector<Parameters> variants_of(const Component<Generator>& component) {

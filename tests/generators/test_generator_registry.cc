@@ -15,15 +15,6 @@
 namespace raygauge::test_generator_registry {
 namespace {
 
-const GeneratorRegistry& all_generators() {
-  static const GeneratorRegistry registry = [] {
-    GeneratorRegistry made("generator");
-    register_generators(made);
-    return made;
-  }();
-  return registry;
-}
-
 /// Bit for bit; sets that are no point sets by their support points in 50 directions.
 bool same_set(const std::shared_ptr<const ConvexSet>& one, const std::shared_ptr<const ConvexSet>& other) {
   if (dynamic_cast<const PointSet*>(one.get()) != nullptr) return points_of(one) == points_of(other);
