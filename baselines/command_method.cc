@@ -51,7 +51,13 @@ class Child {
     std::string shell = "sh";
     std::string option = "-c";
     std::array<char*, 4> arguments = {shell.data(), option.data(), text.data(), nullptr};
-    const int error = ::posix_spawn(&process_, "/bin/sh", &actions, nullptr, arguments.data(), environ);
+    // A process group of its own: what the program starts in its turn ends with it.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    const int error = ::posix_spawn(&process_, "/bin/sh", &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     socket_ = ends[0];
@@ -61,7 +67,7 @@ class Child {
   }
   ~Child() {
     ::close(socket_);
-    ::kill(process_, SIGKILL);
+    ::kill(-process_, SIGKILL);
     ::waitpid(process_, nullptr, 0);
   }
   Child(const Child&) = delete;

@@ -3,9 +3,14 @@
 #include "baselines/command_method.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
 
 #include "engine/exceptions.h"
 #include "engine/sets/point_set.h"
@@ -83,6 +88,30 @@ TEST(CommandMethod, EndsAtTheTimeLimitAndIsStartedAnew) {
     EXPECT_EQ(solver->result().status, DistanceStatus::time_limit);
     EXPECT_LT(seconds, 5) << "and not 30";
   }
+}
+
+/// Whether the process has ended; one that nobody has waited for yet has.
+bool has_ended(const std::string& process) {
+  std::ifstream file("/proc/" + process + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.empty() || text.find(") Z ") != std::string::npos;
+}
+
+// Left running it would take a core from all solves that are timed after it.
+TEST(CommandMethod, WhatAProgramHasStartedEndsWithIt) {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("raygauge_child_" + std::to_string(::getpid()));
+  const auto solver = method(answering("sleep 30 & echo $! >" + path.string() + "; wait; echo 3.5"));
+  solver->load(triangle());
+  solver->solve({1e-6, 0.5});
+  EXPECT_EQ(solver->result().status, DistanceStatus::time_limit);
+  std::string process;
+  std::ifstream(path) >> process;
+  std::filesystem::remove(path);
+  ASSERT_FALSE(process.empty());
+  for (int look = 0; look < 500 && !has_ended(process); ++look)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(has_ended(process));
 }
 
 TEST(CommandMethod, AProgramThatEndsHasNotSolved) {
