@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "baselines/gauge_lp.h"
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

@@ -17,7 +17,7 @@
 
 #include "baselines/certify.h"
 #include "baselines/gauge_lp.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::clp {
 namespace {

@@ -25,7 +25,7 @@
 
 #include "baselines/certify.h"
 #include "baselines/gauge_lp.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 

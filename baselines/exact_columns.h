@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "baselines/exact_number.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

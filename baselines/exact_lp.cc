@@ -11,8 +11,8 @@
 #include "baselines/exact_basis.h"
 #include "baselines/exact_columns.h"
 #include "baselines/float_start.h"
-#include "engine/exceptions.h"
 #include "engine/numerics/floating_point.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "baselines/exact_number.h"
-#include "engine/methods/result.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -6,7 +6,7 @@
 
 #include "baselines/exact_lp.h"
 #include "baselines/gauge_lp.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 

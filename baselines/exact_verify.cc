@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/floating_point.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/sets/hull_3d.h"
-#include "engine/sets/prepared_set.h"
-#include "engine/sets/spatial_shape.h"
+#include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

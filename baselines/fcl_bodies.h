@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "baselines/fcl_bodies.h"
-#include "engine/exceptions.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/minkowski_difference.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/minkowski_difference.h"
 
 namespace raygauge::fcl_baseline {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/gauge_lp.h"
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

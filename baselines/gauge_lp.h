@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/sets/point_set.h"
-#include "engine/sweep/instance.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

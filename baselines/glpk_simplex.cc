@@ -13,7 +13,7 @@
 #include "baselines/certify.h"
 #include "baselines/gauge_lp.h"
 #include "baselines/glpk_environment.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::glpk {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "baselines/cone_program.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::nlopt_baseline {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 

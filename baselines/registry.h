@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 

@@ -10,7 +10,7 @@
 
 #include "bench/streaming_pass.h"
 #include "bench/workload.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 
 namespace {
 double calls = 0;

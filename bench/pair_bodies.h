@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sets/pose.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge::bench {
 

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "bench/timed_medians.h"
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/sets/ball.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/ball.h"
 
 #ifdef RAYGAUGE_HAS_FCL
 #include "baselines/fcl_bodies.h"

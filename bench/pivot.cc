@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/workload.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge::bench {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 
 namespace {
 

@@ -15,8 +15,8 @@
 
 #include "bench/streaming_pass.h"
 #include "bench/timed_medians.h"
-#include "engine/queries/solver.h"
 #include "engine/sweep/order_statistics.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge::bench {
 namespace {

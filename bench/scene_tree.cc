@@ -18,11 +18,11 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
-#include "engine/scene/scene_run.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
+#include "raygauge/scene/scene_run.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
 
 namespace raygauge::bench {
 namespace {

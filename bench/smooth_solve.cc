@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::bench {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::bench {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/sweep/order_statistics.h"
-#include "engine/sweep/timed_solve.h"
+#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge::bench {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/sets/point_set.h"
-#include "engine/sweep/instance.h"
-#include "engine/sweep/method.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/instance.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::bench {
 

@@ -42,13 +42,14 @@ if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
-# Usage requirements of our own code only; never exported to users of the package.
-add_library(raygauge_warnings INTERFACE)
-target_compile_options(raygauge_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi
+# Usage requirements of our own code only, never those of a user of the library: headers of rooms, and warnings.
+add_library(raygauge_own_code INTERFACE)
+target_include_directories(raygauge_own_code INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(raygauge_own_code INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi
                        $<$<BOOL:${RAYGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms of GCC 12 inside std::string (its bug 105651 and the like) and Eigen; AddressSanitizer finds the real ones.
-  target_compile_options(raygauge_warnings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+  target_compile_options(raygauge_own_code INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
                          -Wno-maybe-uninitialized)
 endif()
 
@@ -66,8 +67,7 @@ function(raygauge_room name)
   endif()
   add_library(raygauge_${name} STATIC ${_room_SOURCES} ${_room_UNPARSED_ARGUMENTS})
   add_library(raygauge::${name} ALIAS raygauge_${name})
-  target_include_directories(raygauge_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
-  target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_warnings>)
+  target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_own_code>)
   target_precompile_headers(raygauge_${name} PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
                                                      <Eigen/Core>)
 endfunction()

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 #include <algorithm>
 #include <numeric>

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/instance.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/truncated_cone.h"
 #include "generators/component.h"
 #include "generators/random.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::example1 {
 namespace {

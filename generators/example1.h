@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sweep/instance.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

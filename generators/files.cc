@@ -6,9 +6,9 @@
 #include <mutex>
 #include <utility>
 
-#include "engine/exceptions.h"
-#include "engine/sets/affine_image.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/sets/pose.h"
-#include "engine/sweep/instance.h"
+#include "raygauge/sets/pose.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

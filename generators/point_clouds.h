@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "engine/sweep/instance.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

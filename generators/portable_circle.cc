@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/exceptions.h"
 #include "generators/portable_log.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

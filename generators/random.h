@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/sweep/instance.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

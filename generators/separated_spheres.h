@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-#include "engine/sweep/instance.h"
 #include "generators/point_clouds.h"
 #include "generators/random.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

@@ -7,7 +7,7 @@
 
 #include "analysis/constants.h"
 #include "analysis/render/number_text.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/schema.h"
 
 namespace raygauge {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/sweep/agreement.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/schema/column.h"
 
 namespace raygauge {

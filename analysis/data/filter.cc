@@ -12,8 +12,8 @@
 #include "analysis/data/columns.h"
 #include "analysis/data/filter_tokens.h"
 #include "analysis/data/parameter_columns.h"
-#include "engine/exceptions.h"
-#include "engine/sweep/method.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {

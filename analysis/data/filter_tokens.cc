@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/render/number_text.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 
 namespace raygauge {

@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "engine/exceptions.h"
 #include "engine/sweep/parameter_text.h"
+#include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
 
 namespace raygauge {

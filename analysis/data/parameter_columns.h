@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/data/columns.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 

@@ -11,7 +11,7 @@
 #include "analysis/render/formats/markdown_table.h"
 #include "analysis/render/formats/text_table.h"
 #include "analysis/render/number_text.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -13,7 +13,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/data/outliers.h"
 #include "analysis/statistics/statistics.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

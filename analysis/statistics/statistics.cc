@@ -8,7 +8,7 @@
 #include <string>
 
 #include "analysis/constants.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 

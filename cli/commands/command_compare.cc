@@ -19,7 +19,7 @@
 #include "cli/commands/rerun.h"
 #include "cli/output/json_text.h"
 #include "cli/output/terminal.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 
 namespace raygauge::cli {

@@ -19,7 +19,7 @@
 #include "cli/input/set_source.h"
 #include "cli/input/shapes.h"
 #include "cli/output/distance_report.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/dataset.h"
 
 namespace raygauge::cli {

@@ -6,7 +6,7 @@
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
 #include "results/scene/scene_file.h"
 

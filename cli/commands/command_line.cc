@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

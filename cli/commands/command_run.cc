@@ -14,9 +14,9 @@
 #include "cli/interrupt.h"
 #include "cli/output/progress.h"
 #include "cluster/ranks.h"
-#include "engine/exceptions.h"
 #include "engine/sweep/estimate.h"
-#include "engine/sweep/sweep.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sweep/sweep.h"
 
 namespace raygauge::cli {
 namespace {

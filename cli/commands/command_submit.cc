@@ -13,7 +13,7 @@
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
 #include "cluster/slurm.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/run/atomic_file.h"
 #include "results/run/output_place.h"
 

@@ -20,7 +20,7 @@
 #include "cli/output/output_file.h"
 #include "cli/output/scene_text.h"
 #include "cli/output/terminal.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <optional>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {

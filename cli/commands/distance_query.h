@@ -5,8 +5,8 @@
 #include <string>
 
 #include "cli/output/distance_report.h"
-#include "engine/methods/options.h"
-#include "engine/sweep/method.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/sweep/estimate.h"
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 namespace raygauge::cli {
 

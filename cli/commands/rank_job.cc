@@ -5,8 +5,8 @@
 #include <exception>
 #include <string>
 
-#include "engine/exceptions.h"
-#include "engine/sweep/thread_pin.h"
+#include "engine/threads/thread_pin.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 

@@ -18,7 +18,7 @@
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
 #include "cli/interrupt.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/run/atomic_file.h"
 #include "results/run/results_file.h"
 

@@ -15,8 +15,8 @@
 #include "cli/interrupt.h"
 #include "cli/output/progress.h"
 #include "cluster/share.h"
-#include "engine/exceptions.h"
-#include "engine/sweep/thread_pin.h"
+#include "engine/threads/thread_pin.h"
+#include "raygauge/exceptions.h"
 #include "results/run/rank_journal.h"
 
 namespace raygauge::cli {

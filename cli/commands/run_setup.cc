@@ -13,7 +13,7 @@
 #include "cli/output/counted.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/exceptions.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"

@@ -12,7 +12,7 @@
 
 #include "cli/input/file_pairs.h"
 #include "cli/input/toml_values.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/instance.h"
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/instance.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::cli {
 

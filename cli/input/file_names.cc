@@ -8,7 +8,7 @@
 #include <set>
 
 #include "cli/input/input_file.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/dataset.h"
 
 namespace raygauge::cli {

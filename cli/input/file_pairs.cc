@@ -13,8 +13,8 @@
 #include "cli/input/text_table.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
-#include "engine/exceptions.h"
 #include "generators/files.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/input/toml_source.h"
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/instance.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge::cli {
 

@@ -10,8 +10,8 @@
 #include "cli/input/set_source.h"
 #include "cli/input/toml_keys.h"
 #include "cli/input/toml_values.h"
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "cli/input/input_file.h"
 #include "cli/input/vertex_reader.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "cli/input/input_file.h"
 #include "cli/input/point_file.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

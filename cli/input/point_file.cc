@@ -13,7 +13,7 @@
 
 #include "cli/input/input_file.h"
 #include "cli/output/counted.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "cli/input/mesh_file.h"
 #include "cli/input/point_file.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/dataset.h"
 
 namespace raygauge::cli {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "engine/sweep/instance.h"
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/instance.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::cli {
 

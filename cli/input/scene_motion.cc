@@ -10,7 +10,7 @@
 #include "cli/input/number_table.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

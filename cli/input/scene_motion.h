@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/input/toml_source.h"
-#include "engine/scene/joint_motion.h"
-#include "engine/sets/pose.h"
+#include "raygauge/scene/joint_motion.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge::cli {
 

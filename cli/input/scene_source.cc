@@ -15,10 +15,10 @@
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
 #include "cli/input/urdf_file.h"
-#include "engine/exceptions.h"
 #include "engine/numerics/floating_point.h"
-#include "engine/scene/timeline.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/scene/timeline.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {

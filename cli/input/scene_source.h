@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge::cli {
 

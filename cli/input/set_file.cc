@@ -8,7 +8,7 @@
 #include "cli/input/input_file.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include "cli/input/input_file.h"
 #include "cli/input/point_source.h"
 #include "cli/input/set_file.h"
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
 #include "generators/random.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {

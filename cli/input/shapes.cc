@@ -6,21 +6,21 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/exceptions.h"
-#include "engine/sets/affine_image.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/contact_wrenches.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/minkowski_difference.h"
-#include "engine/sets/minkowski_sum.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/simplex.h"
-#include "engine/sets/truncated_cone.h"
-#include "engine/sets/union_hull.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/contact_wrenches.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/simplex.h"
+#include "raygauge/sets/truncated_cone.h"
+#include "raygauge/sets/union_hull.h"
 
 namespace raygauge::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge::cli {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "cli/input/input_file.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

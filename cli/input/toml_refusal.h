@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/input/toml_source.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 

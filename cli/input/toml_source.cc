@@ -10,8 +10,8 @@
 
 #include "cli/input/input_file.h"
 #include "cli/input/toml_keys.h"
-#include "engine/exceptions.h"
-#include "engine/sweep/method.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::cli {
 namespace {

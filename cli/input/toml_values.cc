@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/output/counted.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/input/toml_source.h"
-#include "engine/sweep/registry.h"
+#include "raygauge/sweep/registry.h"
 
 namespace raygauge::cli {
 

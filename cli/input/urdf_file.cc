@@ -14,12 +14,12 @@
 
 #include "cli/input/input_file.h"
 #include "cli/input/mesh_file.h"
-#include "engine/exceptions.h"
-#include "engine/sets/affine_image.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {

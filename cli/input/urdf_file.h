@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/input/shapes.h"
-#include "engine/scene/joint_motion.h"
+#include "raygauge/scene/joint_motion.h"
 
 namespace raygauge::cli {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "baselines/registry.h"
 #include "cli/input/registries.h"
 #include "cli/input/shapes.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "results/provenance/provenance.h"
 
 namespace raygauge::cli {

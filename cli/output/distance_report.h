@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/output/json_text.h"
-#include "engine/methods/result.h"
-#include "engine/queries/origin_in_interior.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/queries/origin_in_interior.h"
 
 namespace raygauge::cli {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/sweep.h"
 
 namespace raygauge::cli {
 

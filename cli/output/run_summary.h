@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/record.h"
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/record.h"
+#include "raygauge/sweep/sweep.h"
 
 namespace raygauge::cli {
 

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "engine/scene/timeline.h"
+#include "raygauge/scene/timeline.h"
 
 namespace raygauge::cli {
 namespace {

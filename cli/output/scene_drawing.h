@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/scene/scene.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge::cli {
 

@@ -165,7 +165,7 @@ def write_sources(folder):
 
 def run_doxygen(output):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
-    settings += f"\nINPUT = {ROOT / 'engine'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
+    settings += f"\nINPUT = {ROOT / 'include'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
     settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
 

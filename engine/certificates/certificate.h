@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/kernels/kernel.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

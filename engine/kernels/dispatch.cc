@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/kernels/kernel.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/methods/options.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "engine/lp/integer_scaling.h"
-#include "engine/methods/result.h"
 #include "engine/numerics/big_integer.h"
 #include "engine/numerics/stopwatch.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

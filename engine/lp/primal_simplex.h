@@ -10,9 +10,9 @@
 #include "engine/lp/basis.h"
 #include "engine/lp/column_pool.h"
 #include "engine/lp/weighted_points.h"
-#include "engine/methods/result.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

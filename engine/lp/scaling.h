@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/methods/options.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/kernels/kernel.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

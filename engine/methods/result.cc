@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "engine/exceptions.h"
-#include "engine/methods/options.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 namespace {

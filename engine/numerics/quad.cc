@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/numerics/quad.h"
+#include "raygauge/numerics/quad.h"
 
 #ifdef __SIZEOF_FLOAT128__
 // GCC's quadruple precision library; its header <quadmath.h> is out of other compilers' reach.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/numerics/quad.h"
+#include "raygauge/numerics/quad.h"
 
 namespace raygauge {
 

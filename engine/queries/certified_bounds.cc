@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/certificates/certificate.h"
-#include "engine/exceptions.h"
 #include "engine/methods/column_generation/sifting.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/gradient.h"
+#include "raygauge/queries/gradient.h"
 
 #include <cmath>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

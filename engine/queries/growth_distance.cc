@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/growth_distance.h"
+#include "raygauge/queries/growth_distance.h"
 
 #include <algorithm>
 #include <limits>

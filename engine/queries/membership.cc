@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/membership.h"
+#include "raygauge/queries/membership.h"
 
 #include "engine/queries/growth_body.h"
-#include "engine/queries/solver.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge {
 namespace {

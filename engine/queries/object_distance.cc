@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/object_distance.h"
+#include "raygauge/queries/object_distance.h"
 
 #include <cmath>
 #include <utility>
 
 #include "engine/lp/weighted_points.h"
 #include "engine/queries/object_pair.h"
-#include "engine/queries/solver.h"
 #include "engine/queries/spatial_query.h"
 #include "engine/sets/posed_view.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/set_sums.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/origin_in_interior.h"
+#include "raygauge/queries/origin_in_interior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/stopwatch.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge {
 namespace {

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/lp/scaling.h"
 #include "engine/lp/weighted_points.h"
 #include "engine/methods/column_generation/sifting.h"
@@ -17,6 +16,7 @@
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/methods/options.h"
 #include "engine/methods/spatial/spatial_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/queries/warm_start.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/warm_start.h"
 
 namespace raygauge {
 

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/body.h"
+#include "raygauge/scene/body.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/prepared_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/continuous.h"
+#include "raygauge/scene/continuous.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/scene/scene_plan.h"
-#include "engine/scene/scene_record.h"
-#include "engine/scene/timeline.h"
+#include "raygauge/scene/scene_plan.h"
+#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/timeline.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/joint_motion.h"
+#include "raygauge/scene/joint_motion.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/pair_solver.h"
+#include "raygauge/scene/pair_solver.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
-#include "engine/sets/ball.h"
+#include "raygauge/sets/ball.h"
 
 namespace raygauge {
 namespace {

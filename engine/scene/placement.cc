@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/placement.h"
+#include "raygauge/scene/placement.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/scene.h"
+#include "raygauge/scene/scene.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

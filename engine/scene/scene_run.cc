@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/scene_run.h"
+#include "raygauge/scene/scene_run.h"
 
 #include <omp.h>
 
@@ -10,10 +10,10 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/scene/continuous.h"
 #include "engine/scene/instant_run.h"
 #include "engine/scene/nearest_run.h"
-#include "engine/sweep/team.h"
+#include "engine/threads/team.h"
+#include "raygauge/scene/continuous.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/timeline.h"
+#include "raygauge/scene/timeline.h"
 
 #include <algorithm>
 #include <cmath>

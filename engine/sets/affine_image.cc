@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/affine_image.h"
+#include "raygauge/sets/affine_image.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/axis.h"
+#include "raygauge/sets/axis.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/ball.h"
+#include "raygauge/sets/ball.h"
 
 #include "engine/numerics/exact_sum.h"
 #include "engine/numerics/vector_kernels.h"

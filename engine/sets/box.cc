@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/box.h"
+#include "raygauge/sets/box.h"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/capsule.h"
+#include "raygauge/sets/capsule.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/contact_wrenches.h"
+#include "raygauge/sets/contact_wrenches.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

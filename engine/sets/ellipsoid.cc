@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/ellipsoid.h"
+#include "raygauge/sets/ellipsoid.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sets/spatial_shape.h"
+#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/p_norm_ball.h"
+#include "raygauge/sets/p_norm_ball.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

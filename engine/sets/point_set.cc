@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <new>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/place_shape.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/pose.h"
+#include "raygauge/sets/pose.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/sets/parameters.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

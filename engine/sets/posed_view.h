@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "engine/sets/pose.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge {
 

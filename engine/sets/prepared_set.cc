@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/prepared_set.h"
+#include "raygauge/sets/prepared_set.h"
 
 #include <algorithm>
 #include <cmath>

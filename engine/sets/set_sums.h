@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/simplex.h"
+#include "raygauge/sets/simplex.h"
 
 #include <algorithm>
 #include <cmath>

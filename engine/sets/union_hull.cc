@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/union_hull.h"
+#include "raygauge/sets/union_hull.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "engine/exceptions.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

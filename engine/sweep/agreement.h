@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

@@ -13,7 +13,7 @@
 #include "engine/sweep/order_statistics.h"
 #include "engine/sweep/repetitions.h"
 #include "engine/sweep/schedule.h"
-#include "engine/sweep/team.h"
+#include "engine/threads/team.h"
 
 namespace raygauge {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "engine/sweep/sweep.h"
 #include "engine/sweep/sweep_plan.h"
+#include "raygauge/sweep/sweep.h"
 
 namespace raygauge {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "engine/sweep/pieces.h"
-#include "engine/sweep/record.h"
-#include "engine/sweep/sweep.h"
 #include "engine/sweep/sweep_plan.h"
-#include "engine/sweep/timed_solve.h"
+#include "raygauge/sweep/record.h"
+#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/queries/solver.h"
-#include "engine/sweep/method.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {

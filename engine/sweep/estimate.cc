@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/sweep/schedule.h"
-#include "engine/sweep/sweep.h"
 #include "engine/sweep/sweep_plan.h"
-#include "engine/sweep/timed_solve.h"
+#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge {
 namespace {

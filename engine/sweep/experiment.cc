@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 namespace raygauge {
 

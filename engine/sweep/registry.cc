@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/registry.h"
+#include "raygauge/sweep/registry.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

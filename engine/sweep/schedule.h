@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 namespace raygauge {
 

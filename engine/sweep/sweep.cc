@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/sweep.h"
 
 #include <omp.h>
 
@@ -16,9 +16,9 @@
 #include "engine/sweep/cell_runner.h"
 #include "engine/sweep/schedule.h"
 #include "engine/sweep/share.h"
-#include "engine/sweep/team.h"
-#include "engine/sweep/thread_pin.h"
-#include "engine/sweep/timed_solve.h"
+#include "engine/threads/team.h"
+#include "engine/threads/thread_pin.h"
+#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/truncated_cone.h"
 #include "generators/component.h"
 #include "generators/hard/homothets.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/similarities.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "engine/exceptions.h"
 #include "generators/component.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/polytopes.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sets/point_set.h"
 #include "generators/hard/maps.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/exceptions.h"
 #include "generators/component.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/polytopes.h"
 #include "generators/portable_circle.h"
 #include "generators/separated_spheres.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

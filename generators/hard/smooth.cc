@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/sets/ball.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
 #include "generators/component.h"
 #include "generators/hard/homothets.h"
 #include "generators/hard/maps.h"
 #include "generators/hard/similarities.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {

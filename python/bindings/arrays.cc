@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::python {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge::python {
 

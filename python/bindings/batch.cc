@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exceptions.h"
-#include "engine/queries/solver.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/batch_docs.h"
 #include "python/bindings/bindings.h"
@@ -21,6 +19,8 @@
 #include "python/bindings/results.h"
 #include "python/bindings/solving.h"
 #include "python/bindings/workers.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge::python {
 namespace {

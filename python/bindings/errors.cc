@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/pybind11.h>
 
-#include "engine/exceptions.h"
 #include "python/bindings/bindings.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::python {
 

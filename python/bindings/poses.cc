@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "engine/exceptions.h"
 #include "python/bindings/bindings.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::python {
 

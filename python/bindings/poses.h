@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "engine/queries/warm_start.h"
-#include "engine/sets/pose.h"
 #include "python/bindings/arrays.h"
+#include "raygauge/queries/warm_start.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge::python {
 

@@ -4,17 +4,17 @@
 #include <memory>
 #include <string>
 
-#include "engine/exceptions.h"
-#include "engine/queries/gradient.h"
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/queries/origin_in_interior.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/interrupt.h"
 #include "python/bindings/poses.h"
 #include "python/bindings/query_docs.h"
 #include "python/bindings/solving.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/gradient.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/origin_in_interior.h"
 
 namespace raygauge::python {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/result_docs.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
 
 namespace raygauge::python {
 namespace {

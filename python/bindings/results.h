@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge::python {
 

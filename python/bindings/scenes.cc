@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exceptions.h"
-#include "engine/scene/scene_run.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/interrupt.h"
 #include "python/bindings/poses.h"
 #include "python/bindings/workers.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/scene/scene_run.h"
 
 namespace raygauge::python {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "engine/exceptions.h"
-#include "engine/sweep/method.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::python {
 namespace {

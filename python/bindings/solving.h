@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/methods/options.h"
-#include "engine/queries/solver.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge::python {
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::python {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "baselines/certify.h"
 #include "baselines/gauge_lp.h"
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
 #include "python/bindings/arrays.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::python {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <pybind11/pybind11.h>
 
-#include "engine/sweep/instance.h"
-#include "engine/sweep/method.h"
-#include "engine/sweep/timed_solve.h"
 #include "python/sweeps/turn.h"
+#include "raygauge/sweep/instance.h"
+#include "raygauge/sweep/method.h"
+#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge::python {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/sweeps/turn.h"
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::python {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/run/atomic_file.h"
 
 namespace raygauge {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/schema/column.h"
 
 namespace raygauge {

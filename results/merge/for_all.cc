@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/sweep/thread_pin.h"
+#include "engine/threads/thread_pin.h"
 
 namespace raygauge {
 namespace {

@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/schema/column.h"
 
 namespace raygauge {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/sweep.h"
 #include "results/provenance/machine.h"
 
 namespace raygauge {

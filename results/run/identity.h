@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 namespace raygauge {
 

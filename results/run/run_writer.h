@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/record.h"
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/record.h"
+#include "raygauge/sweep/sweep.h"
 #include "results/journal/cell_journal.h"
 #include "results/provenance/provenance.h"
 #include "results/run/results_file.h"

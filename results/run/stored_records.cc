@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/schema.h"
 
 namespace raygauge {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

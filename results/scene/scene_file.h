@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene_run.h"
+#include "raygauge/scene/scene_run.h"
 #include "results/provenance/provenance.h"
 #include "results/schema/column.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/encoding.h"
 
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/method.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"
 #include "results/schema/older_files.h"

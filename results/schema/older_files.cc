@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/sweep/method.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/schema/older_files.h"
 
 namespace raygauge::testing {

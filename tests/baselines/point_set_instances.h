@@ -8,8 +8,8 @@
 #include <memory>
 #include <random>
 
-#include "engine/sets/point_set.h"
-#include "engine/sweep/instance.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge::testing {
 

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <thread>
 
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::test_command_method {
 namespace {

@@ -8,12 +8,12 @@
 #include <memory>
 #include <random>
 
-#include "engine/exceptions.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_cone_program {
 namespace {

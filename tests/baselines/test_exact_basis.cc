@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_exact_basis {
 namespace {

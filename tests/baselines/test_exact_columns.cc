@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/baselines/point_set_instances.h"
 
 namespace raygauge::testing::test_exact_columns {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "baselines/exact_verify.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
 namespace raygauge::testing::test_exact_lp {

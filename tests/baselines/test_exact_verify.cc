@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
 namespace raygauge::testing::test_exact_verify {

@@ -10,17 +10,17 @@
 #include <random>
 
 #include "baselines/fcl_bodies.h"
-#include "engine/exceptions.h"
-#include "engine/queries/object_distance.h"
-#include "engine/queries/solver.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/minkowski_difference.h"
-#include "engine/sets/prepared_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_fcl_method {
 namespace {

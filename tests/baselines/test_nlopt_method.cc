@@ -7,10 +7,10 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/exceptions.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
 #include "generators/registry.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
 #include "tests/baselines/point_set_instances.h"
 
 namespace raygauge::test_nlopt_method {

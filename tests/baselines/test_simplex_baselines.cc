@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "baselines/registry.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
 // What every simplex of this build is held to; what only one of them has is tested in its own file.

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sets/point_set.h"
-#include "engine/sweep/sweep.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/sweep.h"
 
 namespace raygauge::testing {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/methods/options.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 

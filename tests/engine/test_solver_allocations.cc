@@ -9,12 +9,12 @@
 #include <string>
 #include <tuple>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/prepared_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/set_text.h"
 

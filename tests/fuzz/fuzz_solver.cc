@@ -9,7 +9,7 @@
 
 #include "baselines/exact_lp.h"
 #include "baselines/exact_verify.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/point_sets_input.h"

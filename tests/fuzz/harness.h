@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::fuzz {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::fuzz {
 

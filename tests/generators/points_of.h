@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/sets/point_set.h"
-#include "engine/sweep/instance.h"
 #include "generators/registry.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/exceptions.h"
-#include "engine/queries/solver.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/generators/points_of.h"
 
 namespace raygauge::test_example1 {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_portable_circle {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/linear_algebra.h"
 
 namespace raygauge::test_random {

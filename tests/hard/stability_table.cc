@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 

@@ -8,7 +8,7 @@
 
 #include "baselines/exact_lp.h"
 #include "baselines/exact_verify.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 

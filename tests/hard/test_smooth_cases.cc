@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/both_methods.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"

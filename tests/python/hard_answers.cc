@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/exceptions.h"
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
 #include "generators/registry.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/experiment.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/experiment.h"
+#include "raygauge/sweep/record.h"
 #include "results/run/results_file.h"
 
 namespace raygauge::testing {

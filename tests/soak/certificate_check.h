@@ -5,7 +5,7 @@
 #include <string>
 
 #include "baselines/exact_number.h"
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge::soak {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/sets/ball.h"
+#include "raygauge/sets/ball.h"
 #include "tests/soak/random_set.h"
 
 namespace raygauge::soak {

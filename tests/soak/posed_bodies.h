@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
 
 namespace raygauge::soak {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "baselines/exact_verify.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::soak {
 namespace {

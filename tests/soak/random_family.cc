@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::soak {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/instance.h"
 #include "generators/random.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge::soak {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/sets/convex_set.h"
 #include "generators/random.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge::soak {
 

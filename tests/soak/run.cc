@@ -12,8 +12,8 @@
 #include <sstream>
 #include <thread>
 
-#include "engine/exceptions.h"
 #include "generators/registry.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::soak {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/sets/affine_image.h"
+#include "raygauge/sets/affine_image.h"
 #include "tests/soak/random_set.h"
 
 namespace raygauge::soak {

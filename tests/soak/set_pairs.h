@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge::soak {
 

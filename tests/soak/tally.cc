@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/methods/options.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge::soak {
 namespace {

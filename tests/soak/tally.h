@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "engine/methods/result.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge::soak {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/proven_instance.h"

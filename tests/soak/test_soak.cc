@@ -9,8 +9,8 @@
 #include <random>
 
 #include "baselines/exact_verify.h"
-#include "engine/queries/solver.h"
 #include "generators/registry.h"
+#include "raygauge/queries/solver.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/run.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/tally.h"
 #include "tests/soak/variant.h"

@@ -9,8 +9,8 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/render/gnuplot.h"
-#include "engine/exceptions.h"
-#include "engine/sweep/record.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

@@ -7,7 +7,7 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/data/method_list.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge::figure_style {
 

@@ -10,7 +10,7 @@
 #include "analysis/render/report/page_assets.h"
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/provenance/provenance.h"
 
 namespace raygauge::report {

@@ -12,7 +12,7 @@
 #include "analysis/data/merge.h"
 #include "analysis/data/truth.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge::report {
 

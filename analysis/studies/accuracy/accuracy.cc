@@ -10,7 +10,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/stability/stability.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "analysis/data/method_list.h"
 #include "analysis/data/truth.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

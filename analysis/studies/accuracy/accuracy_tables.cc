@@ -10,7 +10,7 @@
 #include "analysis/data/parameter_columns.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

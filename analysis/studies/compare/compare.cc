@@ -15,8 +15,8 @@
 #include "analysis/render/number_text.h"
 #include "analysis/statistics/rank_tests.h"
 #include "analysis/studies/compare/judge.h"
-#include "engine/exceptions.h"
 #include "engine/sweep/agreement.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

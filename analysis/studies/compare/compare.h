@@ -9,7 +9,7 @@
 #include "analysis/data/filter.h"
 #include "analysis/statistics/paired_ratio.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

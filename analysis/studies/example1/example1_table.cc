@@ -7,7 +7,7 @@
 
 #include "analysis/constants.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

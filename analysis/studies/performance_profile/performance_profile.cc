@@ -8,7 +8,7 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/instances.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 double ProfileCurve::rho(double tau) const {

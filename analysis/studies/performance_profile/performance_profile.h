@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

@@ -11,7 +11,7 @@
 
 #include "analysis/data/columns.h"
 #include "analysis/data/parameter_columns.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

@@ -12,7 +12,7 @@
 #include "analysis/statistics/aggregate.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/schema/column.h"
 
 namespace raygauge {

@@ -11,7 +11,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/table3/cell_ratio.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

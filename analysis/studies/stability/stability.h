@@ -10,7 +10,7 @@
 #include "analysis/data/filter.h"
 #include "analysis/data/truth.h"
 #include "analysis/render/table.h"
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 

@@ -13,7 +13,7 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/columns.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

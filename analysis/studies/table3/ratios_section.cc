@@ -8,7 +8,7 @@
 #include "analysis/studies/sections.h"
 #include "analysis/studies/table3/table3.h"
 #include "analysis/studies/table3/table3_tables.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "analysis/render/number_text.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/table3/paper.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {

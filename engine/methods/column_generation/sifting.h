@@ -14,10 +14,10 @@
 #include "engine/lp/primal_simplex.h"
 #include "engine/lp/refined_basis.h"
 #include "engine/lp/scaling.h"
-#include "engine/methods/options.h"
-#include "engine/methods/result.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

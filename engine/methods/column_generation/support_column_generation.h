@@ -8,10 +8,10 @@
 #include "engine/lp/column_pool.h"
 #include "engine/lp/primal_simplex.h"
 #include "engine/methods/column_generation/support_oracle.h"
-#include "engine/methods/options.h"
-#include "engine/methods/result.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

@@ -8,7 +8,7 @@
 #include "engine/kernels/kernel.h"
 #include "engine/lp/column_pool.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -8,10 +8,10 @@
 #include "engine/methods/newton/power_steps.h"
 #include "engine/methods/newton/quadratic_program.h"
 #include "engine/methods/newton/sqp_oracle.h"
-#include "engine/methods/options.h"
-#include "engine/methods/result.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

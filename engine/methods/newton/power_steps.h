@@ -4,7 +4,7 @@
 
 #include "engine/methods/newton/sqp_oracle.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include "engine/certificates/certificate.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 

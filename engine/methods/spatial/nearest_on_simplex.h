@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/double_double.h"
-#include "engine/numerics/vector3.h"
+#include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
 

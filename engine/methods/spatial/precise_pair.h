@@ -4,7 +4,7 @@
 
 #include "engine/methods/spatial/spatial_distance.h"
 #include "engine/numerics/double_double.h"
-#include "engine/sets/pose.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge {
 

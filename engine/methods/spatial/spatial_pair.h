@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "engine/kernels/kernel.h"
-#include "engine/sets/pose.h"
-#include "engine/sets/spatial_shape.h"
+#include "raygauge/sets/pose.h"
+#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

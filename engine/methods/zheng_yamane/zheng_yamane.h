@@ -5,11 +5,11 @@
 #include "engine/lp/scaling.h"
 #include "engine/methods/column_generation/support_column_generation.h"
 #include "engine/methods/column_generation/support_oracle.h"
-#include "engine/methods/options.h"
-#include "engine/methods/result.h"
 #include "engine/methods/zheng_yamane/ray_shooter.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/schema/schema.h"
 #include "tests/analysis/records.h"
 

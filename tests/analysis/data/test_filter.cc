@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_filter {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "results/exceptions.h"
 #include "results/run/results_file.h"
 #include "tests/analysis/records.h"

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_outliers {
 namespace {

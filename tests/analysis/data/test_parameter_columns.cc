@@ -6,7 +6,7 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/studies/pivot/pivot.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_parameter_columns {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/render/formats/latex_table.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_table {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_aggregate {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_bootstrap {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_paired_ratio {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_statistics {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_mesh_file {

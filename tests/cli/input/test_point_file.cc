@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_point_file {

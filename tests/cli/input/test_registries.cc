@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli::test_registries {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "cli/input/set_source.h"
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_set_file {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/input/toml_source.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_toml_keys {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_gauge_bound {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/certificates/certificate.h"
-#include "engine/exceptions.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 

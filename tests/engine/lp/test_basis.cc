@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"

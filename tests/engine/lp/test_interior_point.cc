@@ -8,7 +8,7 @@
 
 #include "engine/lp/primal_simplex.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/queries/solver.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 

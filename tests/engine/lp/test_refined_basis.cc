@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"

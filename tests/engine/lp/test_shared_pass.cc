@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exceptions.h"
-#include "engine/queries/solver.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/solver.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_shared_pass {

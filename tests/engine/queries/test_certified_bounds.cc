@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/engine/rational.h"
 

@@ -1,18 +1,18 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/growth_distance.h"
+#include "raygauge/queries/growth_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/exceptions.h"
-#include "engine/queries/gradient.h"
 #include "engine/queries/growth_body.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/gradient.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_growth_distance {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/object_distance.h"
+#include "raygauge/queries/object_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,14 @@
 #include <limits>
 #include <memory>
 
-#include "engine/exceptions.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_object_distance {

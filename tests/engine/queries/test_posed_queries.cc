@@ -9,18 +9,18 @@
 #include <random>
 #include <vector>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/queries/solver.h"
-#include "engine/sets/affine_image.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_posed_queries {
 namespace {

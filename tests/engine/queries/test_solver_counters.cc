@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/sets/ellipsoid.h"
+#include "raygauge/sets/ellipsoid.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/linear_algebra.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/queries/object_distance.h"
+#include "raygauge/queries/object_distance.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 

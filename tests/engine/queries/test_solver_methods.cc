@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_solver_methods {

@@ -10,15 +10,15 @@
 #include <random>
 #include <vector>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/prepared_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_spatial_query {
 namespace {

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene_run.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/scene/scene_run.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge::random_scenes {
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/motion.h"
+#include "raygauge/scene/motion.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
-#include "engine/scene/joint_motion.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/scene/joint_motion.h"
 #include "tests/engine/scene/random_scenes.h"
 
 namespace raygauge::test_motion {

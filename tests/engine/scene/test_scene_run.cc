@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/scene/scene_run.h"
+#include "raygauge/scene/scene_run.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <tuple>
 
-#include "engine/exceptions.h"
-#include "engine/sets/prepared_set.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/prepared_set.h"
 #include "tests/engine/scene/random_scenes.h"
 
 namespace raygauge::test_scene_run {

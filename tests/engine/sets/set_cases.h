@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge {

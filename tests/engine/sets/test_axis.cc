@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "engine/queries/object_distance.h"
-#include "engine/sets/axis.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/axis.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_axis {
 namespace {

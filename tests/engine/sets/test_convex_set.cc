@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/convex_set.h"
+#include "raygauge/sets/convex_set.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_convex_set {
 namespace {

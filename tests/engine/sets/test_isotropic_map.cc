@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/isotropic_map.h"
+#include "raygauge/sets/isotropic_map.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/linear_algebra.h"
 

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/queries/membership.h"
+#include "raygauge/queries/membership.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/exceptions.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_membership {

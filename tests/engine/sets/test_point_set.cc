@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/point_set.h"
+#include "raygauge/sets/point_set.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_point_set {

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/pose.h"
+#include "raygauge/sets/pose.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "engine/exceptions.h"
 #include "engine/sets/posed_view.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_pose {
 namespace {

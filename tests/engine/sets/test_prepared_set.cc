@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sets/prepared_set.h"
+#include "raygauge/sets/prepared_set.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "engine/exceptions.h"
 #include "engine/sets/hull_climb.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge::test_prepared_set {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "engine/numerics/vector_kernels.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_quad_pieces {

@@ -9,9 +9,9 @@
 #include "engine/kernels/kernel.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/vector_kernels.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_set_gauges {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sets/bounded_inverse.h"
+#include "raygauge/sets/bounded_inverse.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_set_pieces {

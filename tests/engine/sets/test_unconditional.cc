@@ -8,12 +8,12 @@
 #include <limits>
 #include <memory>
 
-#include "engine/numerics/quad.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/minkowski_difference.h"
-#include "engine/sets/minkowski_sum.h"
-#include "engine/sets/p_norm_ball.h"
 #include "engine/sets/posed_view.h"
+#include "raygauge/numerics/quad.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/p_norm_ball.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_unconditional {

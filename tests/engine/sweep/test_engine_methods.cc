@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
-#include "engine/sweep/method.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::test_engine_methods {
 namespace {

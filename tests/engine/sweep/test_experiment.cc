@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/experiment.h"
+#include "raygauge/sweep/experiment.h"
 
 #include <gtest/gtest.h>
 

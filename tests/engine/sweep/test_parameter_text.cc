@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/sweep/registry.h"
+#include "raygauge/sweep/registry.h"
 
 namespace raygauge::test_parameter_text {
 namespace {

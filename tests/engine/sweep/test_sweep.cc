@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/sweep.h"
+#include "raygauge/sweep/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sets/ball.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/generators/hard/brute_force.h"
 #include "tests/generators/points_of.h"
 #include "tests/linear_algebra.h"

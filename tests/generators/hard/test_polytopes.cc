@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/exceptions.h"
 #include "generators/random.h"
+#include "raygauge/exceptions.h"
 #include "tests/generators/hard/brute_force.h"
 
 namespace raygauge::test_polytopes {

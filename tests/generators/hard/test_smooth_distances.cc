@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/exceptions.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
 #include "generators/hard/similarities.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
 #include "tests/generators/hard/smooth_truth.h"
 #include "tests/generators/points_of.h"
 #include "tests/hard/hard_cases.h"

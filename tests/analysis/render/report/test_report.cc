@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/render/report/deflate.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_report {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "analysis/studies/accuracy/accuracy_tables.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_accuracy {

@@ -14,7 +14,7 @@
 #include "analysis/statistics/rank_tests.h"
 #include "analysis/studies/compare/compare_circumstances.h"
 #include "analysis/studies/compare/compare_tables.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_compare {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "analysis/studies/pivot/pivot_table.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_pivot {

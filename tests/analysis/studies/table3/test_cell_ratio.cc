@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_cell_ratio {

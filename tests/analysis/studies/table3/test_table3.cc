@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/studies/table3/table3_tables.h"
-#include "engine/exceptions.h"
+#include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_table3 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_point_set_direct {

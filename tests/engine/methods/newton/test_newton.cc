@@ -8,13 +8,13 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/truncated_cone.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/linear_algebra.h"
 

@@ -8,13 +8,13 @@
 #include <memory>
 #include <vector>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/minkowski_sum.h"
-#include "engine/sets/point_set.h"
-#include "engine/sets/simplex.h"
-#include "engine/sets/union_hull.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/simplex.h"
+#include "raygauge/sets/union_hull.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_newton_limits {

@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/queries/solver.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/p_norm_ball.h"
-#include "engine/sets/point_set.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/linear_algebra.h"
 

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/queries/growth_distance.h"
-#include "engine/queries/object_distance.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/ellipsoid.h"
-#include "engine/sets/prepared_set.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/prepared_set.h"
 #include "tests/engine/rational.h"
 
 namespace raygauge::test_precise_distance {

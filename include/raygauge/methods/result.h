@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "raygauge/methods/options.h"
+#include "raygauge/sets/convex_set.h"
+
+namespace raygauge {
+
+/// Numerical outcomes of a solve. In every case lower <= d_Q(A) <= upper holds.
+enum class DistanceStatus : std::uint8_t {
+  optimal,          ///< upper - lower <= tolerance * upper
+  contains_origin,  ///< 0 in A, proven: d = 0
+  unreachable,      ///< no multiple of Q meets A, proven by a Farkas direction (normal): d = +infinity
+  precision_limit,  ///< the bounds hold but could not be brought within the tolerance
+  iteration_limit,  ///< stopped by DistanceOptions::max_iterations
+  time_limit,       ///< stopped by DistanceOptions::time_limit
+};
+
+/// "optimal", "contains_origin", …: the names used in JSON and in results files.
+std::string_view to_string(DistanceStatus status) noexcept;
+
+/// The inverse of to_string. Throws UnknownNameError.
+DistanceStatus distance_status_from_string(std::string_view name);
+
+/// What a solve did, all methods together where one handed over to another. Effects that were not asked for
+/// leave their counters at zero.
+struct DistanceCounters {
+  std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1 but for `zheng_yamane`)
+  std::int64_t ray_iterations =
+      0;                    ///< N_rs of the paper: iterations of the ray shooter, all outer ones together
+  std::int64_t pivots = 0;  ///< basis changes
+  std::int64_t support_queries = 0;      ///< evaluations of h_A or h_Q over a whole set
+  std::int64_t points_priced = 0;        ///< points whose reduced cost was computed, working sets included
+  std::int64_t refactorisations = 0;     ///< basis inverses computed afresh
+  std::int64_t exact_pivots = 0;         ///< basis changes in exact arithmetic, where rounding left a doubt
+  std::int64_t witness_evaluations = 0;  ///< contact points computed
+  friend bool operator==(const DistanceCounters&, const DistanceCounters&) = default;
+};
+
+/// A point of a set, by its index, with its weight in a convex combination.
+struct PointWeight {
+  std::ptrdiff_t index = 0;
+  double weight = 0;
+};
+
+/// The answer to one distance query. Values that were not computed are NaN or empty.
+struct DistanceResult {
+  static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
+  double distance =
+      kUnset;  ///< d_Q(A) of (5): within [lower, upper]; 0 for contains_origin, +inf for unreachable
+  double lower = kUnset;  ///< certified: -h_A(u)/h_Q(-u) of (10) at u = normal, rounded down; where
+                          ///< quadruple precision proved it, the normal is the u of doubles nearest to it
+  double upper = kUnset;  ///< certified: Σβ_j of a feasible combination, rounded up
+  DistanceStatus status = DistanceStatus::precision_limit;
+  double sigma = kUnset;    ///< `zheng_yamane`: the last σ_k of (8)
+  double seconds = kUnset;  ///< wall time of the solve, where a time limit was set; otherwise unset
+
+  /// Normal n_k of the hyperplane that separates A from d·Q, pointing to the side of d·Q, scaled so that
+  /// h_Q(-normal) = 1 (for `unreachable`: the Farkas direction, h_A(normal) < 0 and h_Q(-normal) <= 0; or
+  /// h_A(normal) <= 0 and -normal·q < 0 for every point q of Q but the origin, which is not in A).
+  Vector normal;
+  Vector contact_point;  ///< v of (15): a point of A ∩ dQ; only with Effects::witness
+
+  /// `contains_origin` of a point set: what proves it. These points of A are affinely independent, and the
+  /// one solution of Σ_i α_i a_i = 0, Σ_i α_i = 1 over them has α >= 0; the weights are that solution,
+  /// rounded.
+  std::vector<PointWeight> origin_weights;
+
+  DistanceCounters counters;
+
+  /// Room for a contact point of n doubles if it is asked for and `upper` proves that there is one; otherwise
+  /// nullptr, and there is none.
+  double* room_for_contact(Effects effects, int n) {
+    const bool wanted = has_effect(effects, Effects::witness) && upper <= std::numeric_limits<double>::max();
+    if (contact_point.size() != (wanted ? n : 0)) contact_point.resize(wanted ? n : 0);
+    return wanted ? contact_point.data() : nullptr;
+  }
+};
+
+}  // namespace raygauge

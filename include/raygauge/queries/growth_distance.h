@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "raygauge/queries/solver.h"
+
+namespace raygauge {
+
+class SpatialQuery;
+
+enum class Separation : std::uint8_t {
+  separated,     ///< a plane lies between the objects, proven
+  intersecting,  ///< the objects share a point, proven
+  undecided,     ///< they touch to within the tolerance, or a limit was reached first
+};
+
+/// The answer of a separation test.
+struct SeparationResult {
+  Separation outcome = Separation::undecided;
+
+  /// For `separated`: u with max u·x over A2 below min u·x over A1. Otherwise empty.
+  Vector normal;
+
+  /// Bounds on the growth distance of the two objects about their centres, as far as they were needed.
+  double lower = DistanceResult::kUnset;
+  double upper = DistanceResult::kUnset;
+  DistanceCounters counters;
+};
+
+/// Computes the growth distance of Ong & Gilbert, equation (8) of Zheng & Yamane with η_k = 1: A scaled about
+/// its centre a_c and Q scaled about the origin touch at
+///
+///     σ = min{σ >= 0 : (a_c + σ(A - a_c)) ∩ σQ ≠ ∅} = d_B({a_c}),      B = Q - (A - a_c).
+///
+/// σ > 1 for separated sets, σ < 1 for penetrating ones. One solver per thread; a repeated solve of the same
+/// size allocates nothing.
+class GrowthDistanceSolver {
+ public:
+  ~GrowthDistanceSolver();
+  GrowthDistanceSolver(GrowthDistanceSolver&&) noexcept;
+  GrowthDistanceSolver& operator=(GrowthDistanceSolver&&) noexcept;
+
+  /// `newton` is the default method here: B has second-order information wherever A and Q do. Throws
+  /// InvalidParameterError for an option outside its range.
+  explicit GrowthDistanceSolver(const DistanceOptions& options = newton_options());
+
+  /// See DistanceSolver::set_stop.
+  void set_stop(std::function<bool()> stop) { solver_.set_stop(std::move(stop)); }
+
+  /// σ with bounds; 0 and contains_origin where a_c = 0. The result belongs to the solver and lives until its
+  /// next solve or test. Throws DimensionMismatchError.
+  const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q);
+
+  /// The same for sets in poses: solve({A, pose_A}, {Q, pose_Q}). `warm` is what the last solve of this pair
+  /// left, and is brought up to date; nullptr: every solve is a first one.
+  const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
+
+  /// The growth distance of two objects, each scaled about its own centre.
+  const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
+
+  /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
+  /// bound that is on one side of 1. Throws DimensionMismatchError.
+  const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
+
+  /// The same for objects in poses, with what the last test of this pair left.
+  const SeparationResult& separation(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
+
+ private:
+  static DistanceOptions newton_options();
+  const DistanceResult& solve_about(const Posed& A, const Posed& Q, bool about_origin, double threshold,
+                                    WarmStart* warm);
+
+  DistanceSolver solver_;
+  std::unique_ptr<SpatialQuery> spatial_;
+  DistanceResult spatial_result_;
+  SeparationResult separation_;
+  std::vector<double> center_A_, center_Q_, ray_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/queries/warm_start.h"
+#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/pose.h"
+
+namespace raygauge {
+
+/// What to compute of two objects besides their distance. What is not asked for costs nothing.
+enum class ObjectEffects : std::uint8_t {
+  none = 0,
+  closest_points = 1,  ///< of (18)
+  gradient = 2,        ///< of the distance when either object moves
+};
+
+constexpr ObjectEffects operator|(ObjectEffects a, ObjectEffects b) noexcept {
+  return static_cast<ObjectEffects>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+constexpr bool has_effect(ObjectEffects asked, ObjectEffects effect) noexcept {
+  return (static_cast<unsigned>(asked) & static_cast<unsigned>(effect)) != 0;
+}
+
+/// The distance of two objects. Vectors that were not asked for, or that there are none of (the objects meet,
+/// the metric does not reach), are empty.
+struct ObjectDistance {
+  DistanceResult
+      distance;  ///< d_Q(A2 - A1) with its bounds; 0 with status contains_origin if the objects meet
+  Vector closest_point_1;  ///< in A1 ...
+  Vector closest_point_2;  ///< ... and in A2: their difference has the gauge `distance`, to the gap
+  Vector gradient_1;       ///< of the distance, with respect to a translation of A1: the normal u
+  Vector gradient_2;       ///< ... of A2: -u
+  std::int64_t closest_point_evaluations = 0;  ///< pairs of closest points computed: 0 or 1
+  std::int64_t gradient_evaluations = 0;       ///< pairs of gradients computed: 0 or 1
+};
+
+/// Computes the distance from object A1 to object A2 in the metric of Q, section III-C of Zheng & Yamane,
+///
+///     d_Q(A2 - A1) = min{gauge_Q(a2 - a1) : a1 in A1, a2 in A2},
+///
+/// and the closest points (18): with the support points s_l = s_A2(u_l) - s_A1(-u_l) and the weights c_l of
+/// the combination that proves the upper bound,  a1 = Σ c_l s_A1(-u_l),  a2 = Σ c_l s_A2(u_l).
+///
+/// The distance is that of the p-norm for Q = PNormBall(0, 1, p). One solver per thread; a repeated solve of
+/// the same size allocates nothing.
+class ObjectDistanceSolver {
+ public:
+  /// Throws InvalidParameterError for an option outside its range.
+  explicit ObjectDistanceSolver(const DistanceOptions& options = {});
+  ~ObjectDistanceSolver();
+  ObjectDistanceSolver(ObjectDistanceSolver&&) noexcept;
+  ObjectDistanceSolver& operator=(ObjectDistanceSolver&&) noexcept;
+
+  /// See DistanceSolver::set_stop.
+  void set_stop(std::function<bool()> stop);
+
+  /// The result belongs to the solver and lives until its next solve. Throws DimensionMismatchError.
+  const ObjectDistance& solve(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
+                              ObjectEffects effects = ObjectEffects::none);
+
+  /// The same for objects in poses: solve({A1, pose_1}, {A2, pose_2}, Q). `warm` is what the last solve of
+  /// this pair left, and is brought up to date; nullptr: every solve is a first one.
+  const ObjectDistance& solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
+                              ObjectEffects effects = ObjectEffects::none, WarmStart* warm = nullptr);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace raygauge

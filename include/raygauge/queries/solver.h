@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "raygauge/methods/options.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/queries/warm_start.h"
+#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/pose.h"
+
+namespace raygauge {
+
+class WeightedPoints;
+
+/// Computes the generalized distance of Zheng & Yamane, equation (5),
+///
+///     d_Q(A) = min{λ >= 0 : A ∩ λQ ≠ ∅},
+///
+/// with certified bounds lower <= d <= upper. One solver per thread: it owns the workspace, so that a
+/// repeated solve of the same size allocates nothing. Every solve is independent of the ones before it but
+/// for the WarmStart that the caller hands over.
+class DistanceSolver {
+ public:
+  /// Throws InvalidParameterError for an option outside its range.
+  explicit DistanceSolver(const DistanceOptions& options = {});
+  ~DistanceSolver();
+  DistanceSolver(DistanceSolver&&) noexcept;
+  DistanceSolver& operator=(DistanceSolver&&) noexcept;
+
+  const DistanceOptions& options() const noexcept;
+  void set_options(const DistanceOptions& options);
+
+  /// From now on `stop`, unless it is empty, is asked from the solving thread whenever the time limit would
+  /// be looked at, every few milliseconds of a long solve: true ends the solve with time_limit and the bounds
+  /// known by then.
+  void set_stop(std::function<bool()> stop);
+
+  /// The distance of A in the gauge of Q. The result belongs to the solver and lives until its next solve;
+  /// copy it to keep it. Throws DimensionMismatchError.
+  const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q, Effects effects = Effects::none);
+
+  /// The same for sets in poses, {R x + t : x in A} and Q likewise: solve({A, pose_A}, {Q, pose_Q}). `warm`
+  /// is what the last solve of this pair left, and is brought up to date; nullptr: every solve is a first
+  /// one.
+  const DistanceResult& solve(const Posed& A, const Posed& Q, Effects effects = Effects::none,
+                              WarmStart* warm = nullptr);
+
+ private:
+  friend class ObjectDistanceSolver;
+  friend class GrowthDistanceSolver;
+
+  /// From now on, whether solves of general sets keep what contact_combination() gives.
+  void keep_combination(bool keep);
+
+  /// The points of A and their weights in the combination that proves the upper bound of the last solve;
+  /// false if none was kept.
+  bool contact_combination(WeightedPoints& combination) const;
+
+  /// From now on solves of general sets also end, as `optimal`, when the bounds exclude this value; NaN:
+  /// none.
+  void set_threshold(double threshold);
+
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "raygauge/sets/convex_set.h"
+
+namespace raygauge {
+
+/// What one query leaves for the next one of the same pair, a frame later. The caller keeps one per pair and
+/// hands it to every solve; what is in it is the methods' business. It is a hint and never trusted: an empty,
+/// stale, foreign or corrupt one costs time, and the answer is certified as without it.
+struct WarmStart {
+  /// Nothing is known of the pair.
+  void clear() noexcept { dimension = 0; }
+
+  int dimension = 0;                      ///< n of the solve that wrote it, 0 for none
+  std::array<double, 3> normal{};         ///< its normal, for n <= 3 ...
+  std::vector<double> long_normal;        ///< ... and for n > 3
+  int count = 0;                          ///< support points of the last solve that are recorded below
+  std::array<std::int32_t, 4> point_A{};  ///< their indices in A ...
+  std::array<std::int32_t, 4> point_Q{};  ///< ... and in Q, for prepared sets of R^3
+};
+
+/// The normal that is recorded for R^n, if it can be one (n doubles, finite, not all zero); otherwise
+/// nullptr.
+const double* recorded_normal(const WarmStart& warm, int n) noexcept;
+
+/// Records `normal`, or that there is none.
+void record_normal(const Vector& normal, WarmStart& warm);
+
+}  // namespace raygauge

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raygauge/scene/pair_solver.h"
+
+namespace raygauge {
+
+/// The first contact of two bodies over an interval of time, proven between the instants too.
+struct ImpactResult {
+  enum class Outcome : std::uint8_t {
+    free,       ///< no contact in the interval, proven
+    contact,    ///< no contact before `lower`; at `upper` a distance of at most the contact distance
+    undecided,  ///< no contact before `lower`; then steps or precision ran out
+  };
+  Outcome outcome = Outcome::undecided;
+  double lower = 0;
+  double upper = 0;
+  PairAnswer at_upper;  ///< of contact: the distance at `upper`; closest points where there are some
+  std::int64_t steps = 0;
+};
+
+/// The least distance of two bodies over an interval of time: at every moment it is at least `lower`, proven;
+/// at `time` it is at most `upper`.
+struct ClearanceResult {
+  double lower = 0;
+  double upper = 0;
+  double time = 0;
+  bool touches = false;  ///< at `time` the bodies share a point, proven
+  PairAnswer at_time;
+  std::int64_t steps = 0;
+};
+
+/// How a query over an interval of time is answered.
+struct ContinuousOptions {
+  double from = 0;
+  double to = 0;
+  double contact = 1e-6;    ///< a distance of at most this is a contact
+  double tolerance = 1e-3;  ///< clearance: upper - lower <= tolerance * upper
+  std::int64_t max_steps = 1'000'000;
+};
+
+/// Conservative advancement: from a certified distance L with normal u there is no contact for L over the
+/// speed at which the pair can close along u, bounded over the time ahead and rounded up.
+/// Contact is a matter of Euclidean distance, whatever the metric. `solver` is bound anew.
+ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
+                            const ContinuousOptions& options);
+
+/// Branch and bound on intervals of time: between two moments the distance is at least what it is at either,
+/// less the speed times the time from there. `metric_body` is the body that the metric follows, or nullptr.
+ClearanceResult clearance(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
+                          const Body* metric_body, const ContinuousOptions& options);
+
+}  // namespace raygauge

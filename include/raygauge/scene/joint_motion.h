@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raygauge/scene/motion.h"
+
+namespace raygauge {
+
+enum class JointKind : std::uint8_t { fixed, revolute, prismatic };
+
+/// A link of a robot and the joint that it hangs on: its frame is that of the parent, moved by `origin`, then
+/// turned about, or shifted along, `axis` by q = scale * (joint value) + offset.
+struct TreeLink {
+  int parent = -1;  ///< a link before this one; -1: the base
+  Placement origin;
+  JointKind kind = JointKind::fixed;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of unit length
+  int joint = -1;                                   ///< whose value it is; -1 of a fixed one
+  double scale = 1;                                 ///< of a joint that mimics another
+  double offset = 0;
+};
+
+/// The links of a robot, parents first.
+struct KinematicTree {
+  std::vector<TreeLink> links;
+};
+
+/// Joint values over time, linear between the times.
+struct JointTrajectory {
+  std::vector<double> times;  ///< rising
+  Eigen::MatrixXd values;     ///< one row a joint, one column a time
+};
+
+/// The motion of one link of a robot whose joints follow a trajectory (forward kinematics).
+class LinkMotion final : public Motion {
+ public:
+  /// Throws InvalidParameterError (no such link, a parent after its child, an axis not of unit length, fewer
+  /// than two times or times that do not rise, a joint without values) or NonFiniteError.
+  LinkMotion(std::shared_ptr<const KinematicTree> tree, std::shared_ptr<const JointTrajectory> trajectory,
+             Placement base, int link);
+
+ private:
+  /// The joints between the base and the link, the base's first, where they are at one moment.
+  struct Chain {
+    std::vector<Placement> frames;      ///< of each link
+    std::vector<Eigen::Vector3d> axes;  ///< in the space of the scene
+  };
+
+  void check() const;
+  std::size_t piece_of(double t) const;
+  double value(const TreeLink& link, double t) const;
+  double rate(const TreeLink& link, std::size_t piece) const;
+  Chain chain_at(double t) const;
+  Placement do_at(double t) const override;
+  MotionBound do_bound(double from, double to) const override;
+  double do_next_break(double t) const override;
+  bool do_is_static() const noexcept override { return false; }
+
+  std::shared_ptr<const KinematicTree> tree_;
+  std::shared_ptr<const JointTrajectory> trajectory_;
+  Placement base_;
+  std::vector<int> path_;      ///< links from the base to the link itself
+  std::vector<double> reach_;  ///< of each: no farther is the link's origin from that joint's, ever
+};
+
+}  // namespace raygauge

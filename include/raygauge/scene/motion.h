@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "raygauge/scene/placement.h"
+
+namespace raygauge {
+
+/// What is proven of a motion over an interval of time: at every moment of it
+///
+///     |velocity of the body's origin - velocity| <= velocity_error,
+///     |angular velocity - spin| <= spin_error        (in the plane spin = (0, 0, ω)).
+struct MotionBound {
+  SmallVector velocity;
+  double velocity_error = 0;
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  double spin_error = 0;
+
+  /// How fast, at most, points of the body within `reach` of its origin move along u: an upper bound on their
+  /// velocities times u, below zero where all of them move back. Rounded up.
+  double speed_along(const SmallVector& u, double reach) const;
+
+  /// How fast, at most, such points move at all. Rounded up.
+  double speed(double reach) const;
+};
+
+/// t ↦ placement of a body, continuous. Immutable; shared between bodies and threads.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  int dimension() const noexcept { return dimension_; }
+
+  /// The interval of times for which the motion is known.
+  double start() const noexcept { return start_; }
+  double stop() const noexcept { return stop_; }
+
+  /// The placement at t. Throws InvalidParameterError outside [start, stop].
+  Placement at(double t) const;
+
+  /// Bounds that hold over [from, to], which must lie within one piece: no break in its interior.
+  MotionBound bound(double from, double to) const { return do_bound(from, to); }
+
+  /// The end of the piece that begins at, or holds, t: where velocities may jump. +infinity after the last.
+  double next_break(double t) const { return do_next_break(t); }
+
+  /// True where the body never moves.
+  bool is_static() const noexcept { return do_is_static(); }
+
+ protected:
+  explicit Motion(int dimension, double start = -std::numeric_limits<double>::infinity(),
+                  double stop = std::numeric_limits<double>::infinity())
+      : dimension_(dimension), start_(start), stop_(stop) {}
+
+ private:
+  virtual Placement do_at(double t) const = 0;
+  virtual MotionBound do_bound(double from, double to) const = 0;
+  virtual double do_next_break(double t) const;
+  virtual bool do_is_static() const noexcept { return false; }
+
+  int dimension_;
+  double start_;
+  double stop_;
+};
+
+using MotionPointer = std::shared_ptr<const Motion>;
+
+/// A body that stands still.
+class StaticMotion final : public Motion {
+ public:
+  explicit StaticMotion(Placement where) : Motion(where.dimension()), where_(std::move(where)) {}
+
+ private:
+  Placement do_at(double) const override { return where_; }
+  MotionBound do_bound(double, double) const override;
+  bool do_is_static() const noexcept override { return true; }
+
+  Placement where_;
+};
+
+/// Placements at given times; between two of them the origin moves along the straight line at constant speed,
+/// and the body turns about a fixed axis at constant speed, the shorter way (slerp).
+class KeyframeMotion final : public Motion {
+ public:
+  /// Times must rise and be finite, two of them at least; rotations in 2 and 3 dimensions only. Throws
+  /// InvalidParameterError, NonFiniteError or DimensionMismatchError.
+  KeyframeMotion(std::vector<double> times, std::vector<Placement> frames);
+
+ private:
+  std::size_t piece_of(double t) const;
+  Placement do_at(double t) const override;
+  MotionBound do_bound(double from, double to) const override;
+  double do_next_break(double t) const override;
+
+  std::vector<double> times_;
+  std::vector<Placement> frames_;
+  std::vector<Eigen::Vector3d> turns_;  ///< of each piece, the rotation vector in the space of the scene
+};
+
+/// A body that turns at a constant angular velocity ω (in the plane (0, 0, ω)) while its origin moves with
+/// velocity v + a (t - t0): uniform motion, and a free fall. t0 is `start`.
+class TwistMotion final : public Motion {
+ public:
+  struct Rates {
+    SmallVector velocity;
+    SmallVector acceleration;
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  };
+
+  /// Throws InvalidParameterError (spin in the plane not along the third axis, spin above 3 dimensions, start
+  /// not finite), DimensionMismatchError or NonFiniteError.
+  TwistMotion(Placement first, Rates rates, double start,
+              double stop = std::numeric_limits<double>::infinity());
+
+ private:
+  Placement do_at(double t) const override;
+  MotionBound do_bound(double from, double to) const override;
+
+  Placement first_;
+  Rates rates_;
+};
+
+}  // namespace raygauge

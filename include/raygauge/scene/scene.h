@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "raygauge/scene/body.h"
+
+namespace raygauge {
+
+/// What a query asks for. What no query asks for is not computed.
+enum class SceneEffects : std::uint8_t {
+  none = 0,
+  separated = 1,        ///< yes or no
+  distance = 2,         ///< in the metric of the query
+  closest_points = 4,   ///< of the distance
+  gradient = 8,         ///< of the distance, with respect to a translation of the first body
+  growth = 16,          ///< growth distance about the centres: below 1 for bodies that overlap
+  time_of_impact = 32,  ///< the first contact, at any moment
+  clearance = 64,       ///< the least distance, at any moment
+};
+
+constexpr SceneEffects operator|(SceneEffects a, SceneEffects b) noexcept {
+  return static_cast<SceneEffects>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr SceneEffects operator&(SceneEffects a, SceneEffects b) noexcept {
+  return static_cast<SceneEffects>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
+}
+constexpr bool has_effect(SceneEffects asked, SceneEffects effect) noexcept {
+  return (asked & effect) != SceneEffects::none;
+}
+
+inline constexpr SceneEffects kInstantEffects = SceneEffects::separated | SceneEffects::distance |
+                                                SceneEffects::closest_points | SceneEffects::gradient |
+                                                SceneEffects::growth;
+inline constexpr SceneEffects kContinuousEffects = SceneEffects::time_of_impact | SceneEffects::clearance;
+
+/// The unit ball Q of a distance, 0 in its interior; d(a, b) = gauge_Q(b - a).
+struct SceneMetric {
+  std::shared_ptr<const ConvexSet> Q;  ///< null: the Euclidean ball
+  int body = -1;                       ///< the body whose rotation Q follows; -1: none
+
+  bool euclidean() const noexcept { return Q == nullptr; }
+  friend bool operator==(const SceneMetric&, const SceneMetric&) = default;
+};
+
+/// A question about pairs of bodies, asked at every instant of a scene or, for continuous effects, over the
+/// whole of its time.
+struct SceneQuery {
+  std::string name;
+  std::vector<int> group_1, group_2;  ///< bodies; every pair of one of each, but for pairs ignored
+  SceneMetric metric;
+  SceneEffects effects = SceneEffects::distance;
+
+  /// Only pairs whose distance is at most this are of interest; of others it is proven that it is more.
+  double within = std::numeric_limits<double>::infinity();
+
+  /// Only so many nearest pairs of an instant are of interest; 0: all.
+  int nearest = 0;
+
+  /// Distances are certified to upper - lower <= tolerance * upper.
+  double tolerance = 1e-6;
+
+  /// Time of impact: a distance of at most this counts as contact (and is stated as such).
+  double contact = 1e-6;
+
+  /// Clearance: upper - lower <= clearance_tolerance * upper, or both at most `contact`.
+  double clearance_tolerance = 1e-3;
+
+  /// `separated` is recorded at the first instant and where it changes; true: at every instant.
+  bool every_instant = false;
+};
+
+/// Bodies, the instants at which they are looked at, and what is asked of them.
+struct Scene {
+  std::string name;
+  std::vector<Body> bodies;
+  std::vector<double> instants;              ///< rising; the first and the last span the time of the scene
+  std::vector<std::pair<int, int>> ignored;  ///< pairs of bodies that no query is about, as links that join
+  std::vector<SceneQuery> queries;
+
+  int dimension() const { return bodies.front().dimension(); }
+};
+
+/// Two bodies of a scene, a < b.
+struct BodyPair {
+  int a = 0;
+  int b = 0;
+  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// The pairs that a query is about, sorted.
+std::vector<BodyPair> pairs_of(const Scene& scene, const SceneQuery& query);
+
+/// Throws InvalidParameterError, DimensionMismatchError or NonFiniteError for what cannot be answered: no
+/// body, dimensions that differ, instants that do not rise or at which a motion is not known, bodies that do
+/// not exist, options outside their range, effects that do not go together.
+void check_scene(const Scene& scene);
+
+}  // namespace raygauge

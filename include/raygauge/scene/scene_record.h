@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "raygauge/scene/pair_solver.h"
+
+namespace raygauge {
+
+/// How an answer came about.
+enum class SceneDecision : std::uint8_t {
+  solved,       ///< by a solve at this instant
+  broad_phase,  ///< by bounding balls, of this instant or of one before and how far the balls have come since
+  coherence,    ///< by a plane or a distance of an instant before and how far the bodies have come since
+  standing,     ///< neither body has moved since the answer that is given again
+};
+
+std::string_view to_string(SceneDecision decision) noexcept;
+
+/// What a row of results is about.
+enum class SceneRowKind : std::uint8_t { instant, time_of_impact, clearance };
+
+std::string_view to_string(SceneRowKind kind) noexcept;
+
+/// The outcome of a row.
+enum class SceneStatus : std::uint8_t {
+  separated,     ///< proven apart
+  intersecting,  ///< proven to share a point
+  undecided,     ///< so close to touching that the bounds do not tell, or a limit of precision
+  contact,       ///< time of impact: there is one, between time_lower and time_upper
+  free,          ///< time of impact: proven that there is none
+};
+
+std::string_view to_string(SceneStatus status) noexcept;
+
+/// One answer. NaN: not asked for, or there is none.
+struct SceneRecord {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  std::int32_t query = 0;
+  std::int32_t body_a = 0, body_b = 0;
+  std::int32_t part_a = -1, part_b = -1;  ///< the nearest parts; -1: not looked for
+  SceneRowKind kind = SceneRowKind::instant;
+  std::int64_t instant = -1;  ///< -1: of the whole time
+  double time = kNone;        ///< of the instant; of the least clearance; of the contact, as time_upper
+  double time_lower = kNone;  ///< no contact before it, proven
+  double time_upper = kNone;  ///< a contact at it, proven
+  SceneStatus status = SceneStatus::undecided;
+  SceneDecision decided = SceneDecision::solved;
+  double distance = kNone, lower = kNone, upper = kNone;
+  double growth = kNone, growth_lower = kNone, growth_upper = kNone;
+  SmallVector point_a, point_b, gradient;  ///< empty: none
+  std::int64_t solves = 0;  ///< pairs of convex parts solved for this row, and for rows that share its solve
+  double seconds = 0;       ///< of those solves
+};
+
+/// How often the answers to one query came about in each way.
+struct SceneTally {
+  std::int64_t asked = 0;  ///< pairs × instants; pairs for continuous effects
+  std::int64_t solved = 0;
+  std::int64_t broad_phase = 0;
+  std::int64_t coherence = 0;
+  std::int64_t standing = 0;
+  std::int64_t shared = 0;  ///< of those solved: the solve was another query's
+
+  void count(SceneDecision decision, std::int64_t times = 1) noexcept;
+  SceneTally& operator+=(const SceneTally& other);
+  friend bool operator==(const SceneTally&, const SceneTally&) = default;
+};
+
+/// What the work on one cell of a scene gave.
+struct SceneCellResult {
+  std::uint64_t cell = 0;
+  std::vector<SceneRecord> records;
+  std::vector<SceneTally> tallies;  ///< by query
+  SceneCounters counters;
+  double seconds = 0;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+
+#include "raygauge/scene/scene_plan.h"
+#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/timeline.h"
+
+namespace raygauge {
+
+/// Where the cells of a scene go. Called by many threads at once.
+class SceneSink {
+ public:
+  virtual ~SceneSink() = default;
+  virtual void store(const SceneCellResult& cell) = 0;
+};
+
+struct SceneProgress {
+  std::uint64_t cells_done = 0;  ///< of this run
+  std::uint64_t cells_total = 0;
+  double seconds = 0;
+};
+
+struct SceneHooks {
+  std::function<bool()> stop;  ///< true: take no further cell
+  /// Deals out the numbers 0, 1, … of the cells that are left to the threads of several processes, which all
+  /// have the same `done`; empty: this process does them all. Thread safe.
+  std::function<std::uint64_t()> next;
+  std::function<void(const SceneProgress&)> progress;  ///< after each cell; never by two threads at once
+};
+
+struct SceneSummary {
+  std::uint64_t cells_done = 0;
+  bool stopped = false;
+  double wall_seconds = 0;
+  int threads = 1;
+};
+
+/// Answers the queries of a scene, cell by cell on `threads` threads (0: one a core), but for the cells in
+/// `done`. A cell's result depends on the scene alone. Rethrows the first exception, when all have ended.
+SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
+                       const std::set<std::uint64_t>& done, SceneSink& sink, const SceneHooks& hooks = {});
+
+/// The work on one cell.
+SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
+                               std::uint64_t cell);
+
+}  // namespace raygauge

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "raygauge/scene/scene.h"
+
+namespace raygauge {
+
+/// Where every body of a scene is at every instant, and how far it has come: computed once, shared by all
+/// pairs and threads.
+///
+/// Of two instants j < k, no point of a body is farther at k from where it was at j than moved(b, k) -
+/// moved(b, j), and the middle of its bounding ball no farther than shifted(b, k) - shifted(b, j). Rounded
+/// up.
+class Timeline {
+ public:
+  explicit Timeline(const Scene& scene);
+
+  std::size_t size() const noexcept { return size_; }
+
+  Placement placement(int body, std::size_t k) const;
+
+  /// The middle of the body's bounding ball, as many numbers as there are dimensions.
+  const double* center(int body, std::size_t k) const {
+    return centers_.data() + index(body, k) * static_cast<std::size_t>(dimension_);
+  }
+
+  double moved(int body, std::size_t k) const { return moved_[index(body, k)]; }
+  double shifted(int body, std::size_t k) const { return shifted_[index(body, k)]; }
+
+  /// The greatest k >= from such that both bodies together have moved less than `budget` at every instant
+  /// from `from` on; with `balls`, that the middles of their balls have shifted so. At least `from`.
+  std::size_t last_within(BodyPair pair, std::size_t from, double budget, bool balls) const;
+
+ private:
+  std::size_t index(int body, std::size_t k) const { return static_cast<std::size_t>(body) * size_ + k; }
+
+  int dimension_;
+  std::size_t size_;
+  std::vector<double> placements_;  // R by columns, then t
+  std::vector<double> centers_;
+  std::vector<double> moved_, shifted_;
+};
+
+}  // namespace raygauge

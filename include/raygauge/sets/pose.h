@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "raygauge/sets/convex_set.h"
+
+namespace raygauge {
+
+/// A rigid motion x -> R x + t of R^n, the pose of a body in the world. It is checked once, here; queries
+/// trust it. R is taken as it is given: a set in this pose is {R x + t : x in S} for these very numbers, so
+/// that what RᵀR lacks to the identity is no error of a query.
+///
+/// Poses of R^2 and R^3 hold their numbers inside; a pose of a larger space allocates when it is made.
+class Pose {
+ public:
+  /// The identity of R^n. Throws InvalidParameterError unless n >= 1.
+  explicit Pose(int n);
+
+  /// Throws DimensionMismatchError (R not n × n for n = size of t), NonFiniteError, or InvalidParameterError
+  /// unless RᵀR = 1 to 1e-12 and det R > 0.
+  Pose(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
+
+  /// The rotation of q/|q|. Throws NonFiniteError, or InvalidParameterError for |q| = 0.
+  Pose(const Eigen::Quaterniond& q, const Eigen::Vector3d& t);
+
+  /// The same checks as for a matrix; implicit, as these are poses already.
+  Pose(const Eigen::Isometry3d& pose);  // NOLINT(google-explicit-constructor)
+  Pose(const Eigen::Isometry2d& pose);  // NOLINT(google-explicit-constructor)
+
+  int dimension() const noexcept { return dimension_; }
+
+  /// R, n × n, by columns; t, n doubles.
+  const double* rotation_data() const noexcept { return dimension_ <= 3 ? small_.data() : large_.data(); }
+  const double* translation_data() const noexcept {
+    return dimension_ <= 3 ? small_.data() + 9
+                           : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
+  }
+  Eigen::MatrixXd rotation() const { return Eigen::MatrixXd::Map(rotation_data(), dimension_, dimension_); }
+  Vector translation() const { return Vector::Map(translation_data(), dimension_); }
+
+  /// R x + t. Throws DimensionMismatchError or NonFiniteError.
+  Vector apply(const ConstVectorRef& x) const;
+
+  /// The pose x -> (*this)(inner(x)). Throws DimensionMismatchError.
+  Pose after(const Pose& inner) const;
+
+  /// x -> Rᵀ(x - t), the inverse but for the defect.
+  Pose inverse() const;
+
+  /// An upper bound on ‖RᵀR - 1‖ in the spectral norm, rounding errors included.
+  double defect() const noexcept { return defect_; }
+
+  /// Whether R only exchanges axes and turns them about: all its entries are 0 and ±1.
+  bool is_axis_exchange() const noexcept { return axis_exchange_; }
+
+ private:
+  double* rotation_data() noexcept { return dimension_ <= 3 ? small_.data() : large_.data(); }
+  double* translation_data() noexcept {
+    return dimension_ <= 3 ? small_.data() + 9
+                           : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
+  }
+  void assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
+  void measure();
+
+  int dimension_;
+  bool axis_exchange_ = true;
+  double defect_ = 0;
+  std::array<double, 12> small_{};  // R, then t, for n <= 3
+  std::vector<double> large_;       // the same for n > 3
+};
+
+/// A set in a pose, for the time of a query: solve({A, pose_A}, {Q, pose_Q}). Nothing is copied; both must
+/// outlive the call. A set alone stands where it is.
+struct Posed {
+  Posed(const ConvexSet& S) : set(S) {}  // NOLINT(google-explicit-constructor): a set is a posed set
+  Posed(const ConvexSet& S, const Pose& where) : set(S), pose(&where) {}
+
+  const ConvexSet& set;
+  const Pose* pose = nullptr;  ///< nullptr: the identity
+
+  int dimension() const noexcept { return set.dimension(); }
+};
+
+}  // namespace raygauge

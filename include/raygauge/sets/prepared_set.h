@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/spatial_shape.h"
+
+namespace raygauge {
+
+/// conv{p_1, …, p_N}, prepared once for many queries; immutable and shared between threads.
+///
+/// In R^3, where the library is built with Qhull and the points are not flat, points deep inside the hull are
+/// dropped, and the vertices that are left know their neighbours: the steps of a solve climb from the last
+/// vertex, or from one that a table has for the direction, and one pass over the points that are left proves
+/// the last of them. Without Qhull, in other dimensions and for flat sets this is a PointSet of the same
+/// points.
+///
+/// The answer is that of a PointSet of the same points: the maximum over all of them, to rounding.
+class PreparedSet final : public ConvexSet {
+ public:
+  /// `points` is n × N, one point a column. Throws as PointSet does.
+  explicit PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points);
+  explicit PreparedSet(const PointSet& points);
+
+  /// Whether this build has hulls with adjacency.
+  static bool has_hulls() noexcept;
+
+  /// The points that are left, in their order. Indices in results count these.
+  const PointSet& points() const noexcept { return *points_; }
+
+  /// Vertices with neighbours; 0 where there is no graph.
+  std::ptrdiff_t vertex_count() const noexcept { return vertex_count_; }
+
+  /// Bytes that this set holds.
+  std::ptrdiff_t memory() const noexcept;
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
+  SupportStructure do_structure() const noexcept override;
+
+  void keep(const Eigen::MatrixXd& points);
+  void fill_start_table();
+
+  std::unique_ptr<const PointSet> points_;
+  Vector center_;            // of all points given
+  double inner_radius_ = 0;  // about it
+  double extent_ = 0;
+  std::ptrdiff_t vertex_count_ = 0;
+  std::vector<double> vertices_;  // 4 numbers each
+  std::vector<std::int32_t> first_, neighbours_, start_;
+  HullGraph graph_;
+};
+
+}  // namespace raygauge

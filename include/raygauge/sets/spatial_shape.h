@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "raygauge/numerics/vector3.h"
+
+namespace raygauge {
+
+/// The hull of points in R^3 as a graph. Views into a PreparedSet.
+struct HullGraph {
+  const double* vertices = nullptr;     ///< 4 numbers each: x, y, z and nothing
+  const std::int32_t* first = nullptr;  ///< where the neighbours of vertex i begin; one more at the end
+  const std::int32_t* neighbours = nullptr;
+  const std::int32_t* start = nullptr;  ///< a vertex for each cell of a cube of directions ...
+  int cells = 0;                        ///< ... of cells × cells on each of its six faces
+};
+
+/// What fixed-size code needs of a set in R^2 or R^3: a core whose support function is evaluated in line, and
+/// the radius of a ball that is added to it. Made afresh for every query, from the set's own numbers.
+struct SpatialShape {
+  enum class Kind : std::uint8_t {
+    point,      ///< the centre
+    segment,    ///< centre ± axis.column[0]
+    box,        ///< centre ± half edges, axis.column[0] = (half edges)
+    ellipsoid,  ///< centre + axis z, |z| <= 1
+    frustum,    ///< hull of two discs across the unit vector axis.column[0]
+    points,     ///< the hull of points in PointSet's layout
+  };
+
+  Kind kind = Kind::point;
+  Vector3 center;           ///< ConvexSet::center
+  double radius = 0;        ///< of the ball added
+  double extent = 0;        ///< at least |x| for every point of the core, and for what they are computed from
+  double inner_radius = 0;  ///< of a ball about the centre inside the set, proven; 0 where none is known
+  Matrix3 axis;
+  Vector3 base,
+      top;  ///< centres of the discs; ends of the segment, corners of the box, both without rounding
+  double base_radius = 0, top_radius = 0;
+  const double* blocks = nullptr;  ///< PointSet::data() ...
+  int coordinates = 3;             ///< ... and its dimension
+  std::ptrdiff_t block_count = 0;
+  std::ptrdiff_t size = 0;
+  const HullGraph* graph = nullptr;  ///< of a prepared set
+};
+
+}  // namespace raygauge

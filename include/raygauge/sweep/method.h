@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "raygauge/methods/result.h"
+#include "raygauge/sweep/instance.h"
+#include "raygauge/sweep/registry.h"
+
+namespace raygauge {
+
+/// What a sweep asks of one solve.
+struct SolveRequest {
+  double tolerance = 1e-6;
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
+};
+
+/// A way to compute the distance, ours or a competitor's. One object a thread; it may keep a workspace. A
+/// sweep calls
+///
+///     load (timed as load_seconds)  →  solve, once or several times (timed as seconds)  →  result (not
+///     timed)
+///
+/// Every solve starts cold: it must not profit from the one before.
+class SolveMethod {
+ public:
+  virtual ~SolveMethod() = default;
+
+  /// Builds the model of `instance`, which outlives the solves that follow. Throws InvalidParameterError
+  /// where the method cannot take such sets (the message says what it takes).
+  virtual void load(const Instance& instance) = 0;
+
+  /// Solves the loaded model from a cold start.
+  virtual void solve(const SolveRequest& request) = 0;
+
+  /// The outcome of the last solve. Bounds are certified by raygauge where the method itself offers none:
+  /// `lower` from its dual by weak duality, `upper` from its primal; NaN where it left nothing to certify.
+  virtual DistanceResult result() = 0;
+};
+
+using MethodRegistry = Registry<SolveMethod>;
+
+/// The registered name of a method that had `name` in an earlier version; `name` itself for all others.
+/// `column_generation` was `direct`, which to users of NLopt is another algorithm (DIRECT).
+std::string current_method_name(const std::string& name);
+
+/// Adds `column_generation`, `newton` and `zheng_yamane`.
+void register_engine_methods(MethodRegistry& registry);
+
+}  // namespace raygauge

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "raygauge/methods/result.h"
+#include "raygauge/sweep/registry.h"
+
+namespace raygauge {
+
+/// One row of a results file: one method on one instance at one tolerance. The file's columns bear these
+/// names.
+struct Record {
+  std::uint64_t cell = 0;            ///< index of the cell in the experiment's grid
+  std::string generator;             ///< registered name
+  std::string generator_parameters;  ///< "separation=1.5": every parameter, defaults included
+  std::string method;                ///< the label of the experiment ([[method]] label, or else its name)
+  std::string method_parameters;
+  std::string method_name;   ///< registered name
+  Role role = Role::engine;  ///< whose the method is
+  int n = 0;
+  int N = 0;
+  double tolerance = 0;
+  std::uint64_t seed = 0;
+  int repetition = 0;
+
+  double seconds = 0;         ///< one solve: total time of the inner repetitions / their number
+  int inner_repetitions = 1;  ///< solves timed together, because one alone is too short for the clock
+  double load_seconds = 0;    ///< building the model (for engine methods: choosing the sets, next to nothing)
+
+  double distance = 0;
+  double lower = 0;  ///< NaN where nothing could be certified
+  double upper = 0;
+  double exact_distance = 0;           ///< the generator's truth; NaN where unknown
+  double exact_distance_rounding = 0;  ///< its relative error; 0: it is that of the very doubles
+  std::string hardness_label;          ///< what `hardness` is, as in "1/δ"; empty where there is none
+  double hardness = std::numeric_limits<double>::quiet_NaN();  ///< see Hardness
+  DistanceStatus status = DistanceStatus::optimal;
+
+  /// Whether this method's interval [lower, upper] meets those of all other methods on the instance, and the
+  /// distance lies within the tolerance of them. Times of records that disagree are not averaged in.
+  bool agrees = true;
+
+  DistanceCounters counters;  ///< outer_iterations is K, ray_iterations is N_rs
+
+  int thread = 0;         ///< OpenMP thread that ran it
+  int concurrency = 1;    ///< threads that were solving during this run
+  double started_at = 0;  ///< seconds since the session began
+  int session = 0;        ///< which session of a resumed run made the record, from 0; set where it is stored
+};
+
+/// All records of one cell: the unit of scheduling, storing and resuming.
+struct CellResult {
+  std::uint64_t cell = 0;
+  std::vector<Record> records;
+};
+
+/// Where finished cells go. Called from several threads; implementations lock.
+class RecordSink {
+ public:
+  virtual ~RecordSink() = default;
+
+  /// Takes a finished cell; when it returns, the cell survives a kill. Throws Error when it cannot be stored.
+  virtual void store(const CellResult& cell) = 0;
+};
+
+}  // namespace raygauge
