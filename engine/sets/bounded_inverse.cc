@@ -13,7 +13,7 @@ constexpr double kLargestDefect = 1e-3;  // of an inverse that is worth anything
 
 }  // namespace
 
-BoundedInverse::BoundedInverse(const Eigen::MatrixXd& L) {
+BoundedInverse::BoundedInverse(const DenseMatrix& L) {
   const Eigen::Index n = L.rows();
   if (n != L.cols()) return;
   inverse_ = L.partialPivLu().inverse();

@@ -14,7 +14,7 @@ namespace raygauge {
 namespace {
 
 // M⁻¹b or M⁻ᵀb in place of b, by Gaussian elimination with row exchanges; false for a singular M.
-bool solve_in_quad(const Eigen::MatrixXd& M, bool transposed, Quad* b) {
+bool solve_in_quad(const DenseMatrix& M, bool transposed, Quad* b) {
   const auto n = static_cast<int>(M.rows());
   BasicScratch<Quad> rows(n * n);
   const auto entry = [&](int i, int j) -> Quad& { return rows.data()[i * n + j]; };

@@ -86,8 +86,8 @@ Vector PointSet::point(std::ptrdiff_t i) const {
   return out;
 }
 
-Eigen::MatrixXd PointSet::points() const {
-  Eigen::MatrixXd all(dimension(), size_);
+DenseMatrix PointSet::points() const {
+  DenseMatrix all(dimension(), size_);
   for (std::ptrdiff_t i = 0; i < size_; ++i) copy_point(i, all.col(i).data());
   return all;
 }

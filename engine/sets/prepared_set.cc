@@ -79,7 +79,7 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   fill_start_table();
 }
 
-void PreparedSet::keep(const Eigen::MatrixXd& points) {
+void PreparedSet::keep(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   points_ = std::make_unique<const PointSet>(points);
   extent_ = points.colwise().norm().maxCoeff() * kRadiusRounding;
   if (dimension() != 3) return;

@@ -43,7 +43,7 @@ class AffineImage final : public ConvexSet {
   void map(const double* x, double* image) const noexcept;
 
   std::shared_ptr<const ConvexSet> S_;
-  Eigen::MatrixXd M_;
+  DenseMatrix M_;
   Vector t_;
   BoundedInverse inverse_;  // of M
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include "raygauge/numerics/dense.h"
 
 namespace raygauge {
 
@@ -15,7 +15,7 @@ class BoundedInverse {
   BoundedInverse() = default;
 
   /// Proves nothing if L is not square, or is singular to working precision.
-  explicit BoundedInverse(const Eigen::MatrixXd& L);
+  explicit BoundedInverse(const DenseMatrix& L);
 
   /// A lower bound on min |L z|/|z|, the least singular value of L; 0 where nothing is proven.
   double least_stretch() const noexcept { return least_stretch_; }
@@ -24,10 +24,10 @@ class BoundedInverse {
   double image_length(const double* p, const double* q) const noexcept;
 
   /// X, empty where nothing is proven.
-  const Eigen::MatrixXd& inverse() const noexcept { return inverse_; }
+  const DenseMatrix& inverse() const noexcept { return inverse_; }
 
  private:
-  Eigen::MatrixXd inverse_;
+  DenseMatrix inverse_;
   double norm_ = 0;    // of X, Frobenius
   double defect_ = 1;  // e
   double least_stretch_ = 0;

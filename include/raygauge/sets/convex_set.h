@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raygauge/numerics/dense.h"
 #include "raygauge/numerics/quad.h"
 
 namespace raygauge {
 
-using Vector = Eigen::VectorXd;
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using VectorRef = Eigen::Ref<Eigen::VectorXd>;
 

@@ -18,7 +18,7 @@ class Ellipsoid final : public ConvexSet {
   /// NonFiniteError.
   Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen::MatrixXd>& factor);
 
-  const Eigen::MatrixXd& factor() const noexcept { return factor_; }
+  const DenseMatrix& factor() const noexcept { return factor_; }
 
  private:
   double do_support(const double* u, double* point) const override;
@@ -39,8 +39,8 @@ class Ellipsoid final : public ConvexSet {
   void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
   Vector center_;
-  Eigen::MatrixXd factor_;
-  Eigen::MatrixXd shape_;   // L Lᵀ in double precision, for Hessians alone: no bound depends on it
+  DenseMatrix factor_;
+  DenseMatrix shape_;   // L Lᵀ in double precision, for Hessians alone: no bound depends on it
   BoundedInverse inverse_;  // of L, where L is square
 };
 

@@ -5,13 +5,15 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "raygauge/numerics/dense.h"
+
 namespace raygauge {
 
 /// A linear map that brings a set of points into isotropic position: with the second moments
 /// Σ = (1/N) Σ_i p_i p_iᵀ = F Fᵀ about the origin, those of the points F⁻¹ p_i are the identity.
 struct IsotropicMap {
-  Eigen::MatrixXd F;        ///< n × n, lower triangular
-  Eigen::MatrixXd inverse;  ///< F⁻¹
+  DenseMatrix F;        ///< n × n, lower triangular
+  DenseMatrix inverse;  ///< F⁻¹
 };
 
 /// The isotropic map of `points` (n × N; of a large set, of 4096 of them). Empty where the points are nearly

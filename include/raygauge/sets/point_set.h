@@ -40,7 +40,7 @@ class PointSet final : public ConvexSet {
   Vector point(std::ptrdiff_t i) const;
 
   /// All points, n × N, one a column.
-  Eigen::MatrixXd points() const;
+  DenseMatrix points() const;
 
   /// Number of 8-point blocks, ceil(N / 8), and the blocked coordinates (64-byte aligned).
   std::ptrdiff_t block_count() const noexcept { return block_count_; }
@@ -96,9 +96,9 @@ class PointSet final : public ConvexSet {
   std::ptrdiff_t block_count_;
   std::unique_ptr<double[], AlignedDelete> data_;
   std::unique_ptr<float[], AlignedDelete> single_data_;
-  Eigen::VectorXd magnitude_;
-  Eigen::VectorXd smallest_magnitude_;
-  Eigen::VectorXd center_;
+  Vector magnitude_;
+  Vector smallest_magnitude_;
+  Vector center_;
   double spacing_;
   std::optional<IsotropicMap> isotropic_;
 };

@@ -40,7 +40,7 @@ class Pose {
     return dimension_ <= 3 ? small_.data() + 9
                            : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
   }
-  Eigen::MatrixXd rotation() const { return Eigen::MatrixXd::Map(rotation_data(), dimension_, dimension_); }
+  DenseMatrix rotation() const { return DenseMatrix::Map(rotation_data(), dimension_, dimension_); }
   Vector translation() const { return Vector::Map(translation_data(), dimension_); }
 
   /// R x + t. Throws DimensionMismatchError or NonFiniteError.

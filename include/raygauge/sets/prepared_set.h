@@ -46,7 +46,7 @@ class PreparedSet final : public ConvexSet {
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
 
-  void keep(const Eigen::MatrixXd& points);
+  void keep(const Eigen::Ref<const Eigen::MatrixXd>& points);
   void fill_start_table();
 
   std::unique_ptr<const PointSet> points_;
