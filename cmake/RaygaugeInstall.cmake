@@ -4,8 +4,29 @@ include(GNUInstallDirs)
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/raygauge)
 
-target_include_directories(raygauge_engine PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-install(TARGETS raygauge_engine raygauge_sweep EXPORT raygauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# The library is one shared object, engine and sweeps, behind a list of what it shows: the names of namespace raygauge. Its
+# copies of Eigen's functions stay inside, so that a caller's own, compiled with other flags, never take their place. Its
+# binary interface is promised within a minor version (docs/promises.md), which is why its SONAME carries one.
+file(WRITE ${PROJECT_BINARY_DIR}/shared_library.cc "")
+add_library(raygauge_shared SHARED ${PROJECT_BINARY_DIR}/shared_library.cc)
+target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_engine,raygauge_sweep>
+                                      INTERFACE Eigen3::Eigen)
+target_link_options(raygauge_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
+                                            -Wl,--no-undefined)
+target_include_directories(raygauge_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_features(raygauge_shared INTERFACE cxx_std_20)
+set_target_properties(raygauge_shared PROPERTIES
+  OUTPUT_NAME raygauge EXPORT_NAME raygauge LINK_LIBRARY_OVERRIDE_raygauge_engine WHOLE_ARCHIVE
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+  LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
+  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/shared)
+add_library(raygauge_sweep_shared INTERFACE)  # the same object, as its users name it
+set_target_properties(raygauge_sweep_shared PROPERTIES EXPORT_NAME sweep)
+target_link_libraries(raygauge_sweep_shared INTERFACE raygauge_shared)
+
+install(TARGETS raygauge_shared EXPORT raygauge LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+                                                        NAMELINK_COMPONENT development)
+install(TARGETS raygauge_sweep_shared EXPORT raygauge)
 install(EXPORT raygauge FILE raygaugeTargets.cmake NAMESPACE raygauge:: DESTINATION ${_package})
 
 # The public headers are those of include/raygauge/; the engine's inner ones stay at home.

@@ -1,19 +1,5 @@
-# The shared library, the manual, and what `cpack -G DEB` makes: libraygauge0.1, libraygauge-dev, raygauge,
+# The manual, and what `cpack -G DEB` makes: libraygauge0.1, libraygauge-dev, raygauge,
 # raygauge-mpi, python3-raygauge.
-
-# The shared library is the static one behind a list of what it shows: the names of namespace raygauge. Its binary
-# interface is promised within a minor version (docs/promises.md), which is why its SONAME carries one.
-file(WRITE ${PROJECT_BINARY_DIR}/shared_library.cc "")
-add_library(raygauge_shared SHARED ${PROJECT_BINARY_DIR}/shared_library.cc)
-target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_engine>)
-target_link_options(raygauge_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
-                                            -Wl,--no-undefined)
-set_target_properties(raygauge_shared PROPERTIES
-  OUTPUT_NAME raygauge VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-  LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
-  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/shared)
-install(TARGETS raygauge_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
-                                        NAMELINK_COMPONENT development)
 
 # The manual and the completion are made from the program's own help, where help2man is installed.
 find_program(RAYGAUGE_HELP2MAN help2man)
@@ -44,9 +30,9 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libraygauge${PROJECT_VERSION_MAJOR}.${PROJ
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libraygauge-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libeigen3-dev, libqhull-dev, libgomp1")
+    "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libeigen3-dev")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "shared library")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers, static library and CMake package")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers and CMake package")
 if(RAYGAUGE_BUILD_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME raygauge)
