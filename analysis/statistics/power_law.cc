@@ -32,56 +32,75 @@ double t_quantile(std::size_t points, double confidence) {
   return boost::math::quantile(distribution, (1 + confidence) / 2);
 }
 
-}  // namespace
-
-PowerLaw fit_power_law(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
+void check(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
   if (x.size() != y.size()) {
     throw DimensionMismatchError("power law: " + std::to_string(x.size()) + " values of x, " +
                                  std::to_string(y.size()) + " of y");
   }
   if (!(confidence > 0 && confidence < 1))
     throw InvalidParameterError("confidence of a power law must lie in (0, 1)");
-  const std::vector<double> u = logarithms(x, "x");
-  const std::vector<double> v = logarithms(y, "y");
-  const std::size_t count = u.size();
-  if (count < 2) throw InvalidParameterError("power law: at least two points are needed");
-  const double u_mean = mean(u);
-  const double v_mean = mean(v);
-  double s_uu = 0;
-  double s_uv = 0;
-  double s_vv = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    s_uu += (u[i] - u_mean) * (u[i] - u_mean);
-    s_uv += (u[i] - u_mean) * (v[i] - v_mean);
-    s_vv += (v[i] - v_mean) * (v[i] - v_mean);
-  }
-  if (s_uu == 0) throw InvalidParameterError("power law: all x are equal");
+  if (x.size() < 2) throw InvalidParameterError("power law: at least two points are needed");
+}
 
-  PowerLaw fit;
-  fit.points = count;
-  fit.exponent = s_uv / s_uu;
-  const double intercept = v_mean - fit.exponent * u_mean;
-  fit.factor = std::exp(intercept);
-  double rss = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double error = v[i] - intercept - fit.exponent * u[i];
-    rss += error * error;
+/// Means of two samples, and sums of products of deviations from them.
+struct Moments {
+  Moments(const std::vector<double>& u, const std::vector<double>& v) : u_mean(mean(u)), v_mean(mean(v)) {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      uu += (u[i] - u_mean) * (u[i] - u_mean);
+      uv += (u[i] - u_mean) * (v[i] - v_mean);
+      vv += (v[i] - v_mean) * (v[i] - v_mean);
+    }
   }
-  fit.residual = count > 2 ? std::sqrt(rss / static_cast<double>(count - 2)) : 0;
-  fit.r_squared = s_vv > 0 ? 1 - rss / s_vv : 1;
+  double u_mean, v_mean;
+  double uu = 0, uv = 0, vv = 0;
+};
 
-  const double t = t_quantile(count, confidence);
+/// The sum of squares that the line v = intercept + slope u leaves.
+double residual_sum(const std::vector<double>& u, const std::vector<double>& v, double intercept,
+                    double slope) {
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double error = v[i] - intercept - slope * u[i];
+    sum += error * error;
+  }
+  return sum;
+}
+
+/// Student's intervals of the exponent and of the factor.
+void add_intervals(PowerLaw& fit, const Moments& moments, double intercept, double confidence) {
+  const double t = t_quantile(fit.points, confidence);
   if (std::isinf(t)) {
     fit.exponent_interval = {-t, t, confidence};
     fit.factor_interval = {0, t, confidence};
-    return fit;
+    return;
   }
-  const double slope_half = t * fit.residual / std::sqrt(s_uu);
+  const double of_mean = 1 / static_cast<double>(fit.points);
+  const double slope_half = t * fit.residual / std::sqrt(moments.uu);
   const double intercept_half =
-      t * fit.residual * std::sqrt(1 / static_cast<double>(count) + u_mean * u_mean / s_uu);
+      t * fit.residual * std::sqrt(of_mean + moments.u_mean * moments.u_mean / moments.uu);
   fit.exponent_interval = {fit.exponent - slope_half, fit.exponent + slope_half, confidence};
   fit.factor_interval = {std::exp(intercept - intercept_half), std::exp(intercept + intercept_half),
                          confidence};
+}
+
+}  // namespace
+
+PowerLaw fit_power_law(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
+  check(x, y, confidence);
+  const std::vector<double> u = logarithms(x, "x");
+  const std::vector<double> v = logarithms(y, "y");
+  const Moments moments(u, v);
+  if (moments.uu == 0) throw InvalidParameterError("power law: all x are equal");
+
+  PowerLaw fit;
+  fit.points = u.size();
+  fit.exponent = moments.uv / moments.uu;
+  const double intercept = moments.v_mean - fit.exponent * moments.u_mean;
+  fit.factor = std::exp(intercept);
+  const double rss = residual_sum(u, v, intercept, fit.exponent);
+  fit.residual = fit.points > 2 ? std::sqrt(rss / static_cast<double>(fit.points - 2)) : 0;
+  fit.r_squared = moments.vv > 0 ? 1 - rss / moments.vv : 1;
+  add_intervals(fit, moments, intercept, confidence);
   return fit;
 }
 

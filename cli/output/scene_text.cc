@@ -146,33 +146,47 @@ Json scene_info_json(const std::string& path, const SceneFile& file) {
   return json;
 }
 
+namespace {
+
+/// What the table says of one pair under one query.
+struct PairLine {
+  std::int64_t rows = 0, contacts = 0;
+  double least = std::numeric_limits<double>::infinity();  ///< distance, or growth where there is none
+  double lower = 0, time = 0, seconds = 0, widest_gap = 0;
+
+  void add(const SceneRecord& record) {
+    ++rows;
+    seconds += record.seconds;
+    if (record.status == SceneStatus::intersecting) ++contacts;
+    const bool distance = !std::isnan(record.distance);
+    const double value = distance ? record.distance : record.growth;
+    if (distance && record.upper > 0)
+      widest_gap = std::max(widest_gap, (record.upper - record.lower) / record.upper);
+    if (!(value < least)) return;
+    least = value;
+    lower = distance ? record.lower : record.growth_lower;
+    time = record.time;
+  }
+
+  std::string text() const {
+    const bool valued = std::isfinite(least);
+    return std::to_string(rows) + ", " + std::to_string(contacts) +
+           (valued ? ", " + number(least) + ", " + number(lower) + ", " + number(time) : ", , , ") + ", " +
+           number(widest_gap) + ", " + number(seconds);
+  }
+};
+
+}  // namespace
+
 std::string scene_table_text(const SceneFile& file) {
-  struct Line {
-    std::int64_t rows = 0, contacts = 0;
-    double least = std::numeric_limits<double>::infinity();
-    double lower = 0, time = 0, seconds = 0, widest_gap = 0;
-  };
-  std::map<std::tuple<int, int, int>, Line> lines;
+  std::map<std::tuple<int, int, int>, PairLine> lines;
   std::string events;
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
-    if (record.kind != SceneRowKind::instant) {
+    if (record.kind == SceneRowKind::instant)
+      lines[{record.query, record.body_a, record.body_b}].add(record);
+    else
       events += continuous_text(file, record);
-      continue;
-    }
-    Line& line = lines[{record.query, record.body_a, record.body_b}];
-    ++line.rows;
-    line.seconds += record.seconds;
-    if (record.status == SceneStatus::intersecting) ++line.contacts;
-    const bool distance = !std::isnan(record.distance);
-    const double value = distance ? record.distance : record.growth;
-    if (distance && record.upper > 0) {
-      line.widest_gap = std::max(line.widest_gap, (record.upper - record.lower) / record.upper);
-    }
-    if (!(value < line.least)) continue;
-    line.least = value;
-    line.lower = distance ? record.lower : record.growth_lower;
-    line.time = record.time;
   }
   std::string text;
   if (!lines.empty()) {
@@ -183,11 +197,7 @@ std::string scene_table_text(const SceneFile& file) {
   for (const auto& [key, line] : lines) {
     const auto& [query, a, b] = key;
     text += query_name(file, query) + ", " + body_name(file, a) + " – " + body_name(file, b) + ", " +
-            std::to_string(line.rows) + ", " + std::to_string(line.contacts);
-    const bool valued = std::isfinite(line.least);
-    text +=
-        valued ? ", " + number(line.least) + ", " + number(line.lower) + ", " + number(line.time) : ", , , ";
-    text += ", " + number(line.widest_gap) + ", " + number(line.seconds) + "\n";
+            line.text() + "\n";
   }
   return text + events;
 }

@@ -76,6 +76,56 @@ std::string counted(std::size_t count, const char* word) {
   return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
+std::size_t standing_pairs(const Scene& scene, const std::vector<BodyPair>& pairs) {
+  const auto stands = [&](int body) {
+    return scene.bodies[static_cast<std::size_t>(body)].motion->is_static();
+  };
+  return static_cast<std::size_t>(std::count_if(
+      pairs.begin(), pairs.end(), [&](const BodyPair& pair) { return stands(pair.a) && stands(pair.b); }));
+}
+
+/// Pairs of the query that an earlier query solves as well.
+std::size_t shared_pairs(const ScenePlan& plan, int query) {
+  return static_cast<std::size_t>(
+      std::count_if(plan.instant_tasks.begin(), plan.instant_tasks.end(), [&](const InstantTask& task) {
+        const bool member = std::find(task.queries.begin(), task.queries.end(), query) != task.queries.end();
+        return member && task.queries.front() != query;
+      }));
+}
+
+/// How the pairs of a query at instants are answered; empty for effects that need no line.
+std::string means_at_instants(const SceneQuery& query) {
+  if (query.nearest > 0) {
+    return "nearest " + std::to_string(query.nearest) +
+           ": pairs in the order of their bounding balls, until the next ball is farther than the worst";
+  }
+  if (std::isfinite(query.within)) {
+    return "within " + std::to_string(query.within) +
+           ": solved only where neither balls nor a plane of before prove that the pair is farther";
+  }
+  if (query.effects == SceneEffects::separated)
+    return "separated: one test where neither balls nor a plane of before prove it; no distance";
+  const bool measured = has_effect(
+      query.effects, SceneEffects::distance | SceneEffects::closest_points | SceneEffects::gradient);
+  return measured ? "distance: one solve an instant for each pair that has moved" : "";
+}
+
+/// The names of the effects that the query does not ask for, with commas.
+std::string effects_not_asked_for(const SceneQuery& query) {
+  const std::pair<SceneEffects, const char*> effects[] = {{SceneEffects::separated, "separated"},
+                                                          {SceneEffects::distance, "distance"},
+                                                          {SceneEffects::closest_points, "closest_points"},
+                                                          {SceneEffects::gradient, "gradient"},
+                                                          {SceneEffects::growth, "growth"},
+                                                          {SceneEffects::time_of_impact, "time_of_impact"},
+                                                          {SceneEffects::clearance, "clearance"}};
+  std::string names;
+  for (const auto& [effect, name] : effects) {
+    if (!has_effect(query.effects, effect)) names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 ScenePlan plan_scene(const Scene& scene) {
@@ -96,59 +146,24 @@ ScenePlan plan_scene(const Scene& scene) {
 std::vector<std::string> explain_query(const Scene& scene, const ScenePlan& plan, int number) {
   const SceneQuery& query = scene.queries[static_cast<std::size_t>(number)];
   const std::vector<BodyPair> pairs = pairs_of(scene, query);
-  std::vector<std::string> lines;
-  std::size_t standing = 0;
-  for (const BodyPair pair : pairs) {
-    const auto& bodies = scene.bodies;
-    if (bodies[static_cast<std::size_t>(pair.a)].motion->is_static() &&
-        bodies[static_cast<std::size_t>(pair.b)].motion->is_static()) {
-      ++standing;
-    }
-  }
-  std::size_t shared = 0;
-  for (const InstantTask& task : plan.instant_tasks) {
-    const bool member = std::find(task.queries.begin(), task.queries.end(), number) != task.queries.end();
-    if (member && task.queries.front() != number) ++shared;
-  }
   const bool instants = has_effect(query.effects, kInstantEffects);
-  lines.push_back(counted(pairs.size(), "pair") +
-                  (instants ? " at " + counted(scene.instants.size(), "instant") : " over the whole time"));
-  if (standing > 0 && instants)
-    lines.push_back(counted(standing, "pair") + " of bodies that stand still: once");
-  if (shared > 0)
-    lines.push_back(counted(shared, "pair") + " shared with a query before: no solves of their own");
-  if (instants && query.nearest > 0) {
-    lines.push_back(
-        "nearest " + std::to_string(query.nearest) +
-        ": pairs in the order of their bounding balls, until the next ball is farther than the worst");
-  } else if (instants && std::isfinite(query.within)) {
-    lines.push_back("within " + std::to_string(query.within) +
-                    ": solved only where neither balls nor a plane of before prove that the pair is farther");
-  } else if (instants && query.effects == SceneEffects::separated) {
-    lines.push_back("separated: one test where neither balls nor a plane of before prove it; no distance");
-  } else if (instants && has_effect(query.effects, SceneEffects::distance | SceneEffects::closest_points |
-                                                       SceneEffects::gradient)) {
-    lines.push_back("distance: one solve an instant for each pair that has moved");
-  }
-  if (has_effect(query.effects, SceneEffects::time_of_impact)) {
-    lines.push_back(
-        "time of impact: conservative advancement, from certified distance to certified distance");
-  }
-  if (has_effect(query.effects, SceneEffects::clearance)) {
-    lines.push_back("clearance: branch and bound over time");
-  }
-  const std::pair<SceneEffects, const char*> effects[] = {{SceneEffects::separated, "separated"},
-                                                          {SceneEffects::distance, "distance"},
-                                                          {SceneEffects::closest_points, "closest_points"},
-                                                          {SceneEffects::gradient, "gradient"},
-                                                          {SceneEffects::growth, "growth"},
-                                                          {SceneEffects::time_of_impact, "time_of_impact"},
-                                                          {SceneEffects::clearance, "clearance"}};
-  std::string never;
-  for (const auto& [effect, name] : effects) {
-    if (!has_effect(query.effects, effect)) never += (never.empty() ? "" : ", ") + std::string(name);
-  }
-  if (!never.empty()) lines.push_back("never: " + never + " (not asked for)");
+  std::vector<std::string> lines;
+  const auto add = [&](bool applies, const std::string& line) {
+    if (applies) lines.push_back(line);
+  };
+  add(true, counted(pairs.size(), "pair") +
+                (instants ? " at " + counted(scene.instants.size(), "instant") : " over the whole time"));
+  const std::size_t standing = standing_pairs(scene, pairs);
+  add(standing > 0 && instants, counted(standing, "pair") + " of bodies that stand still: once");
+  const std::size_t shared = shared_pairs(plan, number);
+  add(shared > 0, counted(shared, "pair") + " shared with a query before: no solves of their own");
+  const std::string means = instants ? means_at_instants(query) : "";
+  add(!means.empty(), means);
+  add(has_effect(query.effects, SceneEffects::time_of_impact),
+      "time of impact: conservative advancement, from certified distance to certified distance");
+  add(has_effect(query.effects, SceneEffects::clearance), "clearance: branch and bound over time");
+  const std::string never = effects_not_asked_for(query);
+  add(!never.empty(), "never: " + never + " (not asked for)");
   return lines;
 }
 

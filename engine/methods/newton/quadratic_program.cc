@@ -123,7 +123,7 @@ void QuadraticProgram<Real>::add_differences(const PieceList<Real>& list, int si
 }
 
 // Where edges of A and Q are parallel, as those of homothets are, their rows are dependent: a little slack on
-// each makes the weights unique. In quadruple precision it is too little to be spared.
+// each makes the weights unique. It stays in quadruple precision, where it is far below any tolerance.
 template <class Real>
 bool QuadraticProgram<Real>::solve_system(const Real* u, const Objective& objective, PieceList<Real>& A,
                                           PieceList<Real>& Q) {
