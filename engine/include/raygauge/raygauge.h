@@ -11,6 +11,7 @@
 #include "engine/queries/membership.h"
 #include "engine/queries/object_distance.h"
 #include "engine/queries/origin_in_interior.h"
+#include "engine/queries/pair_batch.h"
 #include "engine/queries/solver.h"
 #include "engine/queries/warm_start.h"
 #include "engine/scene/continuous.h"
