@@ -14,6 +14,9 @@
 #ifdef RAYGAUGE_HAS_NLOPT
 #include "baselines/nlopt_method.h"
 #endif
+#ifdef RAYGAUGE_HAS_LIBSVM
+#include "baselines/libsvm_method.h"
+#endif
 #ifdef RAYGAUGE_HAS_FCL
 #include "baselines/fcl_bodies.h"
 #include "baselines/fcl_method.h"
@@ -34,6 +37,9 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
 #ifdef RAYGAUGE_HAS_NLOPT
   register_nlopt_methods(registry);
 #endif
+#ifdef RAYGAUGE_HAS_LIBSVM
+  register_libsvm_methods(registry);
+#endif
 #ifdef RAYGAUGE_HAS_FCL
   register_fcl_methods(registry);
 #endif
@@ -52,6 +58,9 @@ std::vector<std::pair<std::string, std::string>> solver_versions() {
 #endif
 #ifdef RAYGAUGE_HAS_NLOPT
   versions.emplace_back("NLopt", nlopt_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_LIBSVM
+  versions.emplace_back("LIBSVM", libsvm_library_version());
 #endif
 #ifdef RAYGAUGE_HAS_FCL
   versions.emplace_back("FCL", fcl_library_version());

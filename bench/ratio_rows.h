@@ -22,6 +22,8 @@ void print_n50(const Variant& variant, const Effort& effort);    ///< direct / p
 void print_high(const Variant& variant, const Effort& effort);
 /// Share of solves proven to 1e-6, 1e-9 and 1e-12 at n = 20 … 200, N = n + 2 … 10 n.
 void print_certified(const Variant& variant, const Effort& effort);
+/// The Euclidean distance of two point sets: default method / libsvm_smo; n = 3 … 200, N = 2 n … 2000.
+void print_euclidean(const Variant& variant, const Effort& effort);
 void print_n100(const Variant& variant, const Effort& effort);  ///< direct / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10

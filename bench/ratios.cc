@@ -18,9 +18,10 @@ namespace {
 
 using PrintRow = void (*)(const Variant&, const Effort&);
 const std::vector<std::pair<std::string, PrintRow>> kRows = {
-    {"grid", print_grid},       {"large", print_large},   {"n50", print_n50},
-    {"n100", print_n100},       {"high", print_high},     {"certified", print_certified},
-    {"threads", print_threads}, {"memory", print_memory}, {"growth", print_growth}};
+    {"grid", print_grid},           {"large", print_large},     {"n50", print_n50},
+    {"n100", print_n100},           {"high", print_high},       {"certified", print_certified},
+    {"euclidean", print_euclidean}, {"threads", print_threads}, {"memory", print_memory},
+    {"growth", print_growth}};
 
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;

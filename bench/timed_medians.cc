@@ -24,6 +24,8 @@ double seconds_of(const std::function<void()>& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+double cold_solve_seconds(SolveMethod& method) { return time_solve(method, {}, kMinSeconds).seconds; }
+
 std::vector<double> median_solve_seconds(const std::vector<std::string>& methods, const Variant& variant,
                                          int n, int N, int instances) {
   std::vector<std::unique_ptr<SolveMethod>> solvers;
@@ -35,7 +37,7 @@ std::vector<double> median_solve_seconds(const std::vector<std::string>& methods
       const std::size_t m = (turn + static_cast<std::size_t>(repetition)) % methods.size();
       SolveMethod& solver = *solvers[m];
       solver.load(instance);
-      seconds[m].push_back(time_solve(solver, {}, kMinSeconds).seconds);
+      seconds[m].push_back(cold_solve_seconds(solver));
     }
   }
   std::vector<double> medians;

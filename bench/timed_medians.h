@@ -13,6 +13,10 @@ namespace raygauge::bench {
 /// Seconds of one call.
 double seconds_of(const std::function<void()>& call);
 
+/// Seconds of a cold solve of the loaded model at the default request: solved once before, then the median of
+/// three; short solves are repeated.
+double cold_solve_seconds(SolveMethod& method);
+
 /// Median seconds of the solve call of each method over the instances 0 … instances - 1 of a cell. On every
 /// instance the methods take turns, each beginning in turn; a model is loaded and solved once before its
 /// solves are timed, and the median of three stands for the instance.

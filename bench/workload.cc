@@ -56,13 +56,19 @@ Instance make_instance(const Variant& variant, int n, int N, int repetition) {
 const PointSet& points_A(const Instance& instance) { return dynamic_cast<const PointSet&>(*instance.A); }
 const PointSet& points_Q(const Instance& instance) { return dynamic_cast<const PointSet&>(*instance.Q); }
 
-std::unique_ptr<SolveMethod> make_method(const std::string& name) { return methods().make(name, {}); }
+std::unique_ptr<SolveMethod> make_method(const std::string& name, const Parameters& parameters) {
+  return methods().make(name, parameters);
+}
+
+bool has_method(const std::string& name) {
+  const std::vector<std::string> known = methods().names();
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
 
 std::vector<std::string> lp_methods() {
-  const std::vector<std::string> known = methods().names();
   std::vector<std::string> present;
   for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual"}) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) present.emplace_back(name);
+    if (has_method(name)) present.emplace_back(name);
   }
   return present;
 }

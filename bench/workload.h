@@ -32,7 +32,10 @@ const PointSet& points_A(const Instance& instance);
 const PointSet& points_Q(const Instance& instance);
 
 /// "column_generation", "zheng_yamane" and the linear-programming solvers of this build.
-std::unique_ptr<SolveMethod> make_method(const std::string& name);
+std::unique_ptr<SolveMethod> make_method(const std::string& name, const Parameters& parameters = {});
+
+/// Whether this build has a method of that name.
+bool has_method(const std::string& name);
 
 /// Those of glpk_primal, glpk_dual, clp_primal and clp_dual that this build has.
 std::vector<std::string> lp_methods();

@@ -93,7 +93,9 @@ struct DistanceArguments {
   bool json = false;
 };
 
-void check_method(const std::string& name, const MethodRegistry& methods) { methods.find(name); }
+void check_method(const std::string& name, const MethodRegistry& methods) {
+  if (name != to_string(DistanceMethod::automatic)) methods.find(name);
+}
 
 void check_options(const DistanceOptions& options) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
@@ -179,7 +181,8 @@ void add_distance_command(Command& app, int& status) {
       .type_name("EPS");
   command
       .add_option("--method", arguments->query.method,
-                  "One of " + joined(all_methods().names()) +
+                  "automatic (newton where Q is smooth, column_generation otherwise) or one of " +
+                      joined(all_methods().names()) +
                       "; glpk stands for glpk_dual; any set: column_generation (once called direct), "
                       "newton, zheng_yamane")
       .type_name("NAME");

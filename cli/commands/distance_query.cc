@@ -86,7 +86,9 @@ ReportedSet reported(const ConvexSet& set) {
 
 DistanceReport answer(const DistanceQuery& query, const Instance& instance, const MethodRegistry& methods) {
   DistanceReport report;
-  report.method = methods.find(query.method).name;
+  report.method = query.method == to_string(DistanceMethod::automatic)
+                      ? std::string(to_string(method_for(*instance.Q)))
+                      : methods.find(query.method).name;
   report.tolerance = query.options.tolerance;
   report.n = instance.A->dimension();
   report.A = reported(*instance.A);

@@ -12,9 +12,9 @@ namespace raygauge::cli {
 
 /// A distance query by any method of the program.
 struct DistanceQuery {
-  std::string method = "column_generation";  ///< a name or alias of a method
-  DistanceOptions options;                   ///< `method` of it is set from the name
-  bool engine_options_set = false;  ///< whether an option was chosen that only the engine's methods have
+  std::string method = "automatic";  ///< a name or alias of a method, or "automatic": what suits the sets
+  DistanceOptions options;           ///< `method` of it is set from the name
+  bool engine_options_set = false;   ///< whether an option was chosen that only the engine's methods have
   bool witness = false;
 };
 

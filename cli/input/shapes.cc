@@ -14,6 +14,7 @@
 #include "raygauge/sets/contact_wrenches.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -21,6 +22,7 @@
 #include "raygauge/sets/simplex.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/zonotope.h"
 
 namespace raygauge::cli {
 namespace {
@@ -80,6 +82,10 @@ Shape shape(const char* name, const char* description, const Typed<Reads>&... pa
 
 SetPointer point_set(const Eigen::MatrixXd& rows) { return std::make_shared<PointSet>(rows.transpose()); }
 
+SetPointer zonotope(const Vector& center, const Eigen::MatrixXd& rows) {
+  return std::make_shared<Zonotope>(center, rows.transpose());
+}
+
 SetPointer itself(const SetPointer& set) { return set; }
 
 }  // namespace
@@ -98,6 +104,10 @@ const std::vector<Shape>& shapes() {
       shape<Box>("box", "{x : lower <= x <= upper}", vector("lower"), vector("upper", ">= lower")),
       shape<Simplex>("simplex", "conv{corner, corner + legs_1 e_1, …, corner + legs_n e_n}", vector("corner"),
                      vector("legs", "of either sign")),
+      shape<HPolytope>("h_polytope", "{x : G x <= g}, bounded", matrix("G", "one inequality a row"),
+                       vector("g")),
+      made_by(zonotope, "zonotope", "{center + Σ t_i g_i : |t_i| <= 1}", vector("center"),
+              matrix("generators", "one generator g_i a row")),
       shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),
                      vector("q"), number("radius", ">= 0")),
       shape<Cylinder>("cylinder", "the cylinder around the segment from p to q", vector("p"),

@@ -172,6 +172,17 @@ struct Kernels {
   /// points of weight 0 cost nothing. Layout: gram_rows.
   void (*add_gram)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
                    double* scratch, double* M);
+
+  /// p -= Q Qᵀp for `count` orthonormal columns Q, by modified Gram-Schmidt; Qᵀp is added to `coefficients`.
+  /// Columns and p have ld = padded_rows(·) entries, padding zero, here and in rotate.
+  void (*project_out)(const double* Q, std::ptrdiff_t ld, int count, double* p, double* coefficients);
+
+  /// (a, b) becomes (c a + s b, c b - s a): a Givens rotation of two vectors.
+  void (*rotate)(double* a, double* b, std::ptrdiff_t length, double cosine, double sine);
+
+  /// Solves R x = x for an upper triangular R of `count` rows, kept by rows of ld entries, zeros left of the
+  /// diagonal.
+  void (*back_substitute)(const double* R, std::ptrdiff_t ld, int count, double* x);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

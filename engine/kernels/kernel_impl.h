@@ -9,13 +9,16 @@
 
 #include "engine/kernels/certificate_kernels.h"
 #include "engine/kernels/gram_kernels.h"
+#include "engine/kernels/orthogonal_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
 #include "engine/kernels/twofold_kernels.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,  price_single,   best_of_lanes,    collect,       pivot, simplex_loop, norms,
-                          refine, refine_twofold, residual_twofold, duals_twofold, duals, add_gram};
+const Kernels kKernels = {price,          price_single,     best_of_lanes, collect,
+                          pivot,          simplex_loop,     norms,         refine,
+                          refine_twofold, residual_twofold, duals_twofold, duals,
+                          add_gram,       project_out,      rotate,        back_substitute};
 
 }  // namespace raygauge::RAYGAUGE_ISA

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kStatusNames = {"optimal",         "contains_origin", "unreachable",
                                                           "precision_limit", "iteration_limit", "time_limit"};
-constexpr std::array<std::string_view, 3> kMethodNames = {"column_generation", "zheng_yamane", "newton"};
+constexpr std::array<std::string_view, 4> kMethodNames = {"automatic", "column_generation", "zheng_yamane",
+                                                          "newton"};
 constexpr std::array<std::string_view, 4> kInstructionSetNames = {"automatic", "baseline", "avx2", "avx512"};
 
 }  // namespace

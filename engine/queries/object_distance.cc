@@ -94,7 +94,10 @@ const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Po
   result.distance = workspace.solver.solve(Posed(pair), Posed(Q), Effects::none, warm);
   result.closest_point_evaluations = result.gradient_evaluations = 0;
   const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
-  if (closest_points && apart && workspace.solver.contact_combination(workspace.combination)) {
+  if (closest_points && apart &&
+      workspace.solver.nearest_points(result.closest_point_1, result.closest_point_2)) {
+    ++result.closest_point_evaluations;
+  } else if (closest_points && apart && workspace.solver.contact_combination(workspace.combination)) {
     workspace.find_closest_points(n);
   } else {
     result.closest_point_1.resize(0);

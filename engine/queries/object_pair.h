@@ -32,6 +32,9 @@ class ObjectPair final : public ConvexSet {
  public:
   ObjectPair(const ConvexSet& A2, const ConvexSet& A1, SupportPairs* pairs);
 
+  const ConvexSet& A2() const noexcept { return A2_; }
+  const ConvexSet& A1() const noexcept { return A1_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

@@ -11,12 +11,15 @@
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/methods/column_generation/support_column_generation.h"
 #include "engine/methods/counters.h"
+#include "engine/methods/nearest_point/nearest_point.h"
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/queries/object_pair.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/minkowski_difference.h"
 
 namespace raygauge {
 namespace {
@@ -42,13 +45,32 @@ void check_options(const DistanceOptions& options) {
   kernels_for(options.instruction_set);
 }
 
+// A = S - T, as far as A knows; T is nullptr for {0}.
+struct Difference {
+  const ConvexSet* S;
+  const ConvexSet* T;
+};
+
+Difference difference(const ConvexSet& A) {
+  if (const auto* sets = dynamic_cast<const MinkowskiDifference*>(&A))
+    return {sets->A2().get(), sets->A1().get()};
+  if (const auto* pair = dynamic_cast<const ObjectPair*>(&A)) return {&pair->A2(), &pair->A1()};
+  return {&A, nullptr};
+}
+
 }  // namespace
+
+DistanceMethod method_for(const ConvexSet& Q) noexcept {
+  return Q.structure() == SupportStructure::smooth ? DistanceMethod::newton
+                                                   : DistanceMethod::column_generation;
+}
 
 struct DistanceSolver::Workspace {
   enum class Concluded : std::uint8_t {
     sifting,
     support_column_generation,
     zheng_yamane,
+    nearest_point,
     newton,
     quad_newton
   };
@@ -62,9 +84,11 @@ struct DistanceSolver::Workspace {
   SupportOracle oracle_Q;
   Scaling scaling;  // of the oracles
   ZhengYamane zheng_yamane;
+  NearestPoint nearest_point;
   Newton<double> newton;
   Newton<Quad> quad_newton;
   Concluded concluded = Concluded::sifting;
+  DistanceMethod chosen = DistanceMethod::column_generation;  // the method of this solve
 
   AlignedBuffer<double> start;
 
@@ -73,6 +97,7 @@ struct DistanceSolver::Workspace {
 
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first = nullptr);
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
+  bool solve_by_nearest_point(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
   void solve_by_columns(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void account(const DistanceCounters& of_method);
   bool is_unfinished() const;
@@ -93,6 +118,7 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
   result.sigma = DistanceResult::kUnset;
   result.origin_weights.clear();
   counters = {};
+  chosen = options.method == DistanceMethod::automatic ? method_for(Q) : options.method;
   if (!solve_iteratively(A, Q, effects, first)) {
     solve_by_columns(A, Q, effects);
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
@@ -112,13 +138,14 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
 // By the method asked for, if that is not `column_generation`. False where it gives up.
 bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects,
                                                   const double* first) {
-  if (options.method == DistanceMethod::zheng_yamane) {
+  if (chosen == DistanceMethod::zheng_yamane) {
     concluded = Concluded::zheng_yamane;
     const bool done = zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
     account(zheng_yamane.counters());
     return done;
   }
-  if (options.method == DistanceMethod::newton) {
+  if (chosen == DistanceMethod::newton) {
+    if (solve_by_nearest_point(A, Q, effects, first)) return true;
     concluded = Concluded::newton;
     bool done = newton.solve(A, Q, options, stopwatch, effects, result, first);
     account(newton.counters());
@@ -130,6 +157,17 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
     return done;
   }
   return false;
+}
+
+// The Euclidean distance of polytopes. False where it is another question, or was not answered.
+bool DistanceSolver::Workspace::solve_by_nearest_point(const ConvexSet& A, const ConvexSet& Q,
+                                                       Effects effects, const double* first) {
+  const Difference sets = difference(A);
+  if (!NearestPoint::suits(*sets.S, sets.T, Q)) return false;
+  concluded = Concluded::nearest_point;
+  const bool done = nearest_point.solve(*sets.S, sets.T, Q, options, stopwatch, effects, result, first);
+  account(nearest_point.counters());
+  return done;
 }
 
 // Adds what a method did. K is that of the first that did anything: the others did not scale Q again.
@@ -197,7 +235,7 @@ bool DistanceSolver::Workspace::is_unfinished() const {
 // is known and from nothing.
 void DistanceSolver::Workspace::refine(const ConvexSet& A, const ConvexSet& Q, Effects effects) {
   if (is_out_of_reach(A, Q)) return;
-  if (options.method != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
+  if (chosen != DistanceMethod::newton && refine_by(newton, nullptr, A, Q, effects)) {
     concluded = Concluded::newton;
   }
   const int n = A.dimension();
@@ -290,6 +328,8 @@ bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
     case Workspace::Concluded::zheng_yamane:
       workspace_->zheng_yamane.contact_combination(combination);
       break;
+    case Workspace::Concluded::nearest_point:
+      break;
     case Workspace::Concluded::newton:
       workspace_->newton.contact_combination(combination);
       break;
@@ -300,7 +340,17 @@ bool DistanceSolver::contact_combination(WeightedPoints& combination) const {
   return combination.count() > 0;
 }
 
+bool DistanceSolver::nearest_points(Vector& of_A1, Vector& of_A2) const {
+  if (workspace_->concluded != Workspace::Concluded::nearest_point) return false;
+  const auto n = workspace_->result.normal.size();
+  of_A1.resize(n);
+  of_A2.resize(n);
+  workspace_->nearest_point.nearest_points(of_A2.data(), of_A1.data());
+  return true;
+}
+
 void DistanceSolver::set_threshold(double threshold) {
+  workspace_->nearest_point.set_threshold(threshold);
   workspace_->newton.set_threshold(threshold);
   workspace_->quad_newton.set_threshold(threshold);
   workspace_->support_column_generation.set_threshold(threshold);

@@ -99,7 +99,8 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   const double radius = radius_of_metric(metric);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
   begin(warm);
-  SpatialAnswer answer = spatial_distance(pair_, options.tolerance, start_);
+  SpatialAnswer& answer = answer_;
+  spatial_distance(pair_, options.tolerance, start_, answer);
   if (answer.end == SpatialEnd::open) {
     precise_distance(pair_, A1, A2, kernels_for(options.instruction_set), options.tolerance, answer);
   }
@@ -136,7 +137,8 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   if (!bind(Q, A, options)) return false;
   if (about_origin && !pair_.scale_first_about_origin(Q)) return false;
   begin(warm);
-  const SpatialAnswer answer = spatial_growth(pair_, options.tolerance, threshold, start_);
+  const SpatialAnswer& answer = answer_;
+  spatial_growth(pair_, options.tolerance, threshold, start_, answer_);
   if (answer.end == SpatialEnd::open) return false;
   result.status = DistanceStatus::optimal;
   result.lower = answer.lower;

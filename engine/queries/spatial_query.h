@@ -30,6 +30,7 @@ class SpatialQuery {
 
   SpatialPair pair_;
   SpatialStart start_;
+  SpatialAnswer answer_;
 };
 
 }  // namespace raygauge

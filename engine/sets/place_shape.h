@@ -19,7 +19,7 @@ bool place(SpatialShape& shape, const Eigen::MatrixBase<Derived>& center, int n)
   if (n != 2 && n != 3) return false;
   shape.center = spatial(center, n);
   shape.radius = shape.inner_radius = 0;
-  shape.graph = nullptr;
+  shape.table = nullptr;
   return true;
 }
 

@@ -4,29 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <typeinfo>
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/hull_3d.h"
-#include "engine/sets/hull_climb.h"
 
 namespace raygauge {
 namespace {
 
 constexpr int kLanes = PointSet::kLanes;
-constexpr std::ptrdiff_t kFewest = 16;  // points that a graph is worth having for
-constexpr int kMostCells = 16;          // per edge of the cube of directions
+constexpr int kCells = 16;  // of directions, per edge of the cube, that points are sorted by
 constexpr double kRadiusRounding = 1 + 1e-12;
 
 using Order = std::vector<std::ptrdiff_t>;
 
-// Points that are seen from the centre in nearby directions stand nearby in memory: a climb stays in few
-// cache lines.
+// Points that are seen from the centre in nearby directions stand nearby in memory.
 void sort_by_direction(const Eigen::Ref<const Eigen::MatrixXd>& points, const Vector& center, Order& order) {
   const auto cell = [&](std::ptrdiff_t i) {
     const Vector v = points.col(i) - center;
-    return direction_cell({v[0], v[1], v[2]}, kMostCells);
+    return DirectionTable::cell({v[0], v[1], v[2]}, kCells);
   };
   std::vector<int> cells(static_cast<std::size_t>(points.cols()));
   for (const std::ptrdiff_t i : order) cells[static_cast<std::size_t>(i)] = cell(i);
@@ -46,7 +44,7 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   const PointSet checked(points);
   center_ = checked.center();
   Hull3 hull;
-  if (dimension() == 3 && points.cols() >= kFewest) hull = hull_3d(points, center_);
+  if (dimension() == 3 && points.cols() > 4) hull = hull_3d(points, center_);
   inner_radius_ = hull.inner_radius;
   Order order(hull.kept);
   if (!hull.found) {
@@ -57,62 +55,21 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   keep(points(Eigen::all, order));
   if (!hull.found) return;
 
-  std::vector<std::int32_t> place(static_cast<std::size_t>(points.cols()), -1);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    place[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
-  std::vector<std::vector<std::int32_t>> around(order.size());
-  for (const auto& [from, to] : hull.edges) {
-    around[static_cast<std::size_t>(place[static_cast<std::size_t>(from)])].push_back(
-        place[static_cast<std::size_t>(to)]);
+  for (auto edge = hull.edges.begin(); edge != hull.edges.end(); ++edge) {
+    const bool next = edge == hull.edges.begin() || std::prev(edge)->first != edge->first;
+    vertex_count_ += next ? 1 : 0;
   }
-  const std::int32_t some_vertex = place[static_cast<std::size_t>(hull.edges.front().first)];
-  first_.push_back(0);
-  for (auto& neighbours : around) {
-    if (neighbours.empty()) {
-      neighbours.push_back(some_vertex);  // near a face, no vertex: a way back to the graph
-    } else {
-      ++vertex_count_;
-    }
-    neighbours_.insert(neighbours_.end(), neighbours.begin(), neighbours.end());
-    first_.push_back(static_cast<std::int32_t>(neighbours_.size()));
-  }
-  fill_start_table();
 }
 
 void PreparedSet::keep(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   points_ = std::make_unique<const PointSet>(points);
   extent_ = points.colwise().norm().maxCoeff() * kRadiusRounding;
   if (dimension() != 3) return;
-  vertices_.assign(static_cast<std::size_t>(points.cols()) * 4, 0.0);
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    Eigen::Vector3d::Map(&vertices_[static_cast<std::size_t>(i) * 4]) = points.col(i);
-}
-
-void PreparedSet::fill_start_table() {
-  graph_.vertices = vertices_.data();
-  graph_.first = first_.data();
-  graph_.neighbours = neighbours_.data();
-  const double spread = std::sqrt(static_cast<double>(vertex_count_) / 6);
-  graph_.cells = std::clamp(static_cast<int>(spread), 2, kMostCells);
-  const int cells = graph_.cells;
-  std::int32_t vertex = neighbours_.front();
-  const auto cells_of_a_face = static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells);
-  start_.resize(6 * cells_of_a_face);
-  auto entry = start_.begin();
-  for (int face = 0; face < 6; ++face) {
-    for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        const double first = (i + 0.5) * 2 / cells - 1, second = (j + 0.5) * 2 / cells - 1;
-        const double sign = face % 2 == 0 ? 1 : -1;
-        const Vector3 v = face < 2   ? Vector3{sign, first, second}
-                          : face < 4 ? Vector3{first, sign, second}
-                                     : Vector3{first, second, sign};
-        vertex = climb(graph_, v, vertex);
-        *entry++ = vertex;
-      }
-    }
-  }
-  graph_.start = start_.data();
+  points_->spatial_shape_unchecked(shape_);
+  shape_.center = {center_[0], center_[1], center_[2]};
+  shape_.extent = extent_;
+  shape_.inner_radius = inner_radius_;
+  table_ = DirectionTable(points);
 }
 
 double PreparedSet::do_support(const double* u, double* point) const {
@@ -131,28 +88,18 @@ double PreparedSet::do_inner_radius(const double* c) const {
 SupportStructure PreparedSet::do_structure() const noexcept { return points_->structure(); }
 
 bool PreparedSet::do_spatial_shape(SpatialShape& shape) const {
-  const int n = dimension();
-  if (n != 3) return points_->spatial_shape_unchecked(shape);
-  shape.kind = SpatialShape::Kind::points;
-  shape.center = {center_[0], center_[1], center_[2]};
-  shape.extent = extent_;
-  shape.inner_radius = inner_radius_;
-  shape.coordinates = 3;
-  shape.blocks = points_->data();
-  shape.block_count = points_->block_count();
-  shape.size = points_->size();
-  if (vertex_count_ > 0) shape.graph = &graph_;
+  if (dimension() != 3) return points_->spatial_shape_unchecked(shape);
+  shape = shape_;
+  shape.table = &table_;
   return true;
 }
 
 std::ptrdiff_t PreparedSet::memory() const noexcept {
-  const auto numbers =
-      static_cast<std::ptrdiff_t>(vertices_.size()) + points_->block_count() * kLanes * dimension();
-  const auto indices = static_cast<std::ptrdiff_t>(first_.size() + neighbours_.size() + start_.size());
+  const std::ptrdiff_t numbers = points_->block_count() * kLanes * dimension();
   const std::ptrdiff_t single = points_->single_data() == nullptr
                                     ? 0
                                     : points_->single_block_count() * PointSet::kSingleLanes * dimension();
-  return numbers * 8 + (indices + single) * 4;
+  return numbers * 8 + single * 4 + static_cast<std::ptrdiff_t>(table_.memory());
 }
 
 const PointSet* as_point_set(const ConvexSet& S) noexcept {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The whole public interface of the library: sets, what is asked of them, and scenes. Sweeps: raygauge/sweep.h.
+// The whole public interface of the library: sets, what is asked of them, and scenes. Sweeps:
+// raygauge/sweep.h.
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
@@ -11,6 +12,7 @@
 #include "raygauge/queries/membership.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/origin_in_interior.h"
+#include "raygauge/queries/pair_batch.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/queries/warm_start.h"
 #include "raygauge/scene/continuous.h"
@@ -25,6 +27,7 @@
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -35,3 +38,4 @@
 #include "raygauge/sets/support_mapping_set.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/zonotope.h"

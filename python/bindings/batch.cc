@@ -328,8 +328,8 @@ void bind_batches(py::module_& module) {
         return "<raygauge.Distances of " + std::to_string(batch.distance.size()) + " problems>";
       });
   module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a, "tolerance"_a = 1e-9,
-             "method"_a = "column_generation", py::kw_only(), "poses_A"_a = py::none(),
-             "poses_Q"_a = py::none(), "witness"_a = false, "along_path"_a = false,
+             "method"_a = "automatic", py::kw_only(), "poses_A"_a = py::none(), "poses_Q"_a = py::none(),
+             "witness"_a = false, "along_path"_a = false,
              "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
 }
 

@@ -113,13 +113,13 @@ py::object contains_origin_inside(py::handle Q, double time_limit) {
 
 void bind_queries(py::module_& module) {
   module.def("distance", &distance, kDistanceDoc, "A"_a, "Q"_a, "tolerance"_a = kTolerance,
-             "method"_a = "column_generation", py::kw_only(), "pose_A"_a = py::none(),
-             "pose_Q"_a = py::none(), "warm"_a = py::none(), "witness"_a = false, "time_limit"_a = kNoLimit,
-             "max_iterations"_a = 0, "threads"_a = 1);
+             "method"_a = "automatic", py::kw_only(), "pose_A"_a = py::none(), "pose_Q"_a = py::none(),
+             "warm"_a = py::none(), "witness"_a = false, "time_limit"_a = kNoLimit, "max_iterations"_a = 0,
+             "threads"_a = 1);
   module.def("object_distance", &object_distance, kObjectDistanceDoc, "A1"_a, "A2"_a, "Q"_a,
-             "tolerance"_a = kTolerance, "method"_a = "column_generation", py::kw_only(),
-             "pose_1"_a = py::none(), "pose_2"_a = py::none(), "warm"_a = py::none(),
-             "closest_points"_a = false, "gradient"_a = false, "time_limit"_a = kNoLimit);
+             "tolerance"_a = kTolerance, "method"_a = "automatic", py::kw_only(), "pose_1"_a = py::none(),
+             "pose_2"_a = py::none(), "warm"_a = py::none(), "closest_points"_a = false, "gradient"_a = false,
+             "time_limit"_a = kNoLimit);
   module.def("growth_distance", &growth_distance, kGrowthDistanceDoc, "A"_a, "Q"_a,
              "tolerance"_a = kTolerance, "method"_a = "newton", py::kw_only(), "pose_A"_a = py::none(),
              "pose_Q"_a = py::none(), "warm"_a = py::none(), "time_limit"_a = kNoLimit);

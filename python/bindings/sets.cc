@@ -135,7 +135,7 @@ void bind_prepared(py::module_& module) {
            "points"_a)
       .def_static("has_hulls", &PreparedSet::has_hulls, "Whether this build prepares hulls (Qhull).")
       .def_property_readonly("vertex_count", &PreparedSet::vertex_count,
-                             "Vertices with neighbours; 0 where there is no graph.")
+                             "Vertices of the hull; 0 where Qhull did not find it.")
       .def_property_readonly("memory", &PreparedSet::memory, "Bytes that the set holds.")
       .def_property_readonly(
           "points", [](const PreparedSet& set) { return points_of(set.points()); },

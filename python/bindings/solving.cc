@@ -10,8 +10,8 @@
 namespace raygauge::python {
 namespace {
 
-constexpr std::array kMethods{DistanceMethod::column_generation, DistanceMethod::newton,
-                              DistanceMethod::zheng_yamane};
+constexpr std::array kMethods{DistanceMethod::automatic, DistanceMethod::column_generation,
+                              DistanceMethod::newton, DistanceMethod::zheng_yamane};
 
 }  // namespace
 

@@ -11,7 +11,7 @@ __version__: str
 
 Array: TypeAlias = NDArray[np.float64]
 SetLike: TypeAlias = ConvexSet | ArrayLike
-Method: TypeAlias = Literal["column_generation", "direct", "newton", "zheng_yamane"]
+Method: TypeAlias = Literal["automatic", "column_generation", "direct", "newton", "zheng_yamane"]
 
 class Error(ValueError): ...
 class DimensionMismatchError(Error): ...
@@ -220,7 +220,7 @@ def distance(
     A: SetLike,
     Q: SetLike,
     tolerance: float = 1e-9,
-    method: Method = "column_generation",
+    method: Method = "automatic",
     *,
     pose_A: ArrayLike | None = None,
     pose_Q: ArrayLike | None = None,
@@ -234,7 +234,7 @@ def distances(
     A: SetLike | Sequence[SetLike],
     Q: SetLike | Sequence[SetLike],
     tolerance: float = 1e-9,
-    method: Method = "column_generation",
+    method: Method = "automatic",
     *,
     poses_A: ArrayLike | None = None,
     poses_Q: ArrayLike | None = None,
@@ -248,7 +248,7 @@ def object_distance(
     A2: SetLike,
     Q: SetLike,
     tolerance: float = 1e-9,
-    method: Method = "column_generation",
+    method: Method = "automatic",
     *,
     pose_1: ArrayLike | None = None,
     pose_2: ArrayLike | None = None,

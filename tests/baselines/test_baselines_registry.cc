@@ -32,6 +32,9 @@ TEST(BaselinesRegistry, HoldsTheMethodsOfThisBuild) {
 #ifdef RAYGAUGE_HAS_GLPK
   expected.insert(expected.end(), {"glpk_dual", "glpk_primal"});
 #endif
+#ifdef RAYGAUGE_HAS_LIBSVM
+  expected.emplace_back("libsvm_smo");
+#endif
 #ifdef RAYGAUGE_HAS_NLOPT
   expected.insert(expected.end(), {"nlopt_mma", "nlopt_slsqp"});
 #endif

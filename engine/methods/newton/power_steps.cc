@@ -12,7 +12,8 @@ namespace {
 // A step that makes a coordinate this much smaller takes it to the face across u_k = 0.
 constexpr double kAtFace = 1e-6;
 
-// A step away from that face is too short if ln |s_k - c_k| rises by less than this: many of them would be needed.
+// A step away from that face is too short if ln |s_k - c_k| rises by less than this: many of them would be
+// needed.
 constexpr double kCreeping = 1;
 
 constexpr double kFarthest = 4;  // of a coordinate of what was a unit vector

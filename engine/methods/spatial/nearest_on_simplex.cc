@@ -12,64 +12,71 @@ template <class Real>
 using Points = const BasicVector3<Real>* const*;
 
 template <class Real>
-SimplexFace<Real> point_face(Points<Real> points, int a) {
-  SimplexFace<Real> face;
-  face.count = 1;
-  face.corner[0] = a;
-  face.weight[0] = Real{1};
-  face.v = *points[a];
-  face.square = dot(face.v, face.v);
-  return face;
+void take(Points<Real> points, int a, const Real& square, SimplexFace<Real>& best) {
+  best.count = 1;
+  best.corner[0] = a;
+  best.weight[0] = Real{1};
+  best.v = *points[a];
+  best.square = square;
 }
 
 template <class Real>
-SimplexFace<Real> segment_face(Points<Real> points, int a, int b) {
+void take_if_nearer(Points<Real> points, int a, SimplexFace<Real>& best) {
+  const Real square = dot(*points[a], *points[a]);
+  if (best.count == 0 || square < best.square) take<Real>(points, a, square, best);
+}
+
+// The nearest point of a segment, if it is nearer than `best`.
+template <class Real>
+void try_segment(Points<Real> points, int a, int b, SimplexFace<Real>& best) {
   const BasicVector3<Real>& s = *points[a];
   const BasicVector3<Real> edge = *points[b] - s;
   const Real along = -dot(s, edge);
-  const Real square = dot(edge, edge);
-  if (!(along > Real{0})) return point_face<Real>(points, a);
-  if (!(along < square)) return point_face<Real>(points, b);
-  const Real t = along / square;
-  SimplexFace<Real> face;
-  face.count = 2;
-  face.corner[0] = a;
-  face.corner[1] = b;
-  face.weight[0] = Real{1} - t;
-  face.weight[1] = t;
+  const Real edge_square = dot(edge, edge);
+  if (!(along > Real{0})) return take_if_nearer<Real>(points, a, best);
+  if (!(along < edge_square)) return take_if_nearer<Real>(points, b, best);
+  const Real t = along / edge_square;
   // From the nearer end, so that a short way is not the difference of two long ones.
-  face.v = t < Real{0.5} ? s + edge * t : *points[b] - edge * (Real{1} - t);
-  face.square = dot(face.v, face.v);
-  return face;
+  const BasicVector3<Real> v = t < Real{0.5} ? s + edge * t : *points[b] - edge * (Real{1} - t);
+  const Real square = dot(v, v);
+  if (best.count != 0 && !(square < best.square)) return;
+  best.count = 2;
+  best.corner[0] = a;
+  best.corner[1] = b;
+  best.weight[0] = Real{1} - t;
+  best.weight[1] = t;
+  best.v = v;
+  best.square = square;
 }
 
+// The nearest point of a triangle, if it is nearer than `best`. It is on an edge that the origin is beyond,
+// or inside.
 template <class Real>
-const SimplexFace<Real>& nearer(const SimplexFace<Real>& one, const SimplexFace<Real>& two) {
-  return two.square < one.square ? two : one;
-}
-
-template <class Real>
-SimplexFace<Real> triangle_face(Points<Real> points, int ia, int ib, int ic) {
+void try_triangle(Points<Real> points, int ia, int ib, int ic, SimplexFace<Real>& best) {
   const BasicVector3<Real>&a = *points[ia], &b = *points[ib], &c = *points[ic];
   const BasicVector3<Real> n = triangle_normal(a, b, c);
-  const Real square = dot(n, n);
+  const Real normal_square = dot(n, n);
   const Real wa = dot(n, cross(b, c)), wb = dot(n, cross(c, a)), wc = dot(n, cross(a, b));
-  const Real sum = wa + wb + wc;
-  if (square > Real{0} && wa > Real{0} && wb > Real{0} && wc > Real{0} && sum > Real{0}) {
-    SimplexFace<Real> face;
-    face.count = 3;
-    face.corner[0] = ia;
-    face.corner[1] = ib;
-    face.corner[2] = ic;
-    face.weight[0] = wa / sum;
-    face.weight[1] = wb / sum;
-    face.weight[2] = wc / sum;
-    face.v = n * (dot(n, a) / square);
-    face.square = dot(face.v, face.v);
-    return face;
-  }
-  return nearer(nearer(segment_face<Real>(points, ia, ib), segment_face<Real>(points, ib, ic)),
-                segment_face<Real>(points, ia, ic));
+  const bool flat = !(normal_square > Real{0}) || !(wa + wb + wc > Real{0});
+  const bool beyond_a = flat || !(wa > Real{0}), beyond_b = flat || !(wb > Real{0}),
+             beyond_c = flat || !(wc > Real{0});
+  if (beyond_a) try_segment<Real>(points, ib, ic, best);
+  if (beyond_b) try_segment<Real>(points, ia, ic, best);
+  if (beyond_c) try_segment<Real>(points, ia, ib, best);
+  if (beyond_a || beyond_b || beyond_c) return;
+  const BasicVector3<Real> v = n * (dot(n, a) / normal_square);
+  const Real square = dot(v, v);
+  if (best.count != 0 && !(square < best.square)) return;
+  const Real share = Real{1} / (wa + wb + wc);
+  best.count = 3;
+  best.corner[0] = ia;
+  best.corner[1] = ib;
+  best.corner[2] = ic;
+  best.weight[0] = wa * share;
+  best.weight[1] = wb * share;
+  best.weight[2] = wc * share;
+  best.v = v;
+  best.square = square;
 }
 
 double high(double value) { return value; }
@@ -79,34 +86,68 @@ double high(const DoubleDouble& value) { return value.high; }
 template <class Real>
 constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
 
-// Whether the origin is on the inner side of all four facets, for certain: n = e x f is off by at most 6
-// units of |e||f|, which in a flat triangle is much of it, and n·x by at most 10 units of |e||f||x|. 16 are
-// allowed for.
+constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};  // and the corner opposite
+
+// A facet f with its normal n: n·x above the facet's plane, for the corner opposite and for the origin.
 template <class Real>
-bool contains_origin(Points<Real> points, SimplexFace<Real>& face) {
-  constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+struct FacetSide {
+  BasicVector3<Real> n;
+  Real opposite, origin;
+
+  bool inside() const {
+    return (opposite > Real{0} && origin > Real{0}) || (opposite < Real{0} && origin < Real{0});
+  }
+};
+
+template <class Real>
+FacetSide<Real> side_of(Points<Real> points, int f) {
+  const BasicVector3<Real>& a = *points[kFacets[f][0]];
+  const BasicVector3<Real> n = cross(*points[kFacets[f][1]] - a, *points[kFacets[f][2]] - a);
+  return {n, dot(n, *points[f] - a), -dot(n, a)};
+}
+
+// The origin is inside all four facets; whether that is certain: n = e x f is off by at most 6 units of
+// |e||f|, which in a flat triangle is much of it, and n·x by at most 10 units of |e||f||x|. 16 are allowed
+// for.
+template <class Real>
+bool is_deep(Points<Real> points, const FacetSide<Real>* sides, SimplexFace<Real>& face) {
   const auto size = [](const BasicVector3<Real>& v) { return std::sqrt(high(dot(v, v))); };
   Real sum{};
   for (int f = 0; f < 4; ++f) {
+    const FacetSide<Real>& side = sides[f];
     const BasicVector3<Real>& a = *points[kFacets[f][0]];
     const BasicVector3<Real> first = *points[kFacets[f][1]] - a, second = *points[kFacets[f][2]] - a;
-    const BasicVector3<Real> n = cross(first, second), rest = *points[f] - a;
-    const Real opposite = dot(n, rest);
-    const Real origin = -dot(n, a);
-    const bool inside = (opposite > Real{0} && origin > Real{0}) || (opposite < Real{0} && origin < Real{0});
-    if (!inside) return false;
     const double lost = 16 * kUnit<Real> * size(first) * size(second);
-    const double certain = std::fabs(high(origin)) * (1 - 0x1p-50) - lost * size(a);
-    if (!(certain > 0) || !(std::fabs(high(opposite)) > lost * size(rest))) return false;
-    const double away = certain / (size(n) + lost) * (1 - 0x1p-50);
+    const double certain = std::fabs(high(side.origin)) * (1 - 0x1p-50) - lost * size(a);
+    if (!(certain > 0) || !(std::fabs(high(side.opposite)) > lost * size(*points[f] - a))) return false;
+    const double away = certain / (size(side.n) + lost) * (1 - 0x1p-50);
     if (f == 0 || away < face.depth) face.depth = away;
     face.corner[f] = f;
-    face.weight[f] = origin / opposite;
+    face.weight[f] = side.origin / side.opposite;
     sum = sum + face.weight[f];
   }
   for (Real& weight : face.weight) weight = weight / sum;
   face.count = 4;
   return true;
+}
+
+// The nearest point of a simplex is on a facet that the origin is beyond.
+template <class Real>
+SimplexFace<Real> nearest_of_four(Points<Real> points) {
+  FacetSide<Real> sides[4];
+  bool inside[4];
+  for (int f = 0; f < 4; ++f) {
+    sides[f] = side_of<Real>(points, f);
+    inside[f] = sides[f].inside();
+  }
+  const bool all = inside[0] && inside[1] && inside[2] && inside[3];
+  SimplexFace<Real> face;
+  if (all && is_deep<Real>(points, sides, face)) return face;
+  face.depth = 0;
+  for (int f = 0; f < 4; ++f) {
+    if (all || !inside[f]) try_triangle<Real>(points, kFacets[f][0], kFacets[f][1], kFacets[f][2], face);
+  }
+  return face;
 }
 
 }  // namespace
@@ -122,21 +163,12 @@ BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVecto
 
 template <class Real>
 SimplexFace<Real> nearest_face(const BasicVector3<Real>* const* points, int count) {
-  switch (count) {
-    case 1:
-      return point_face<Real>(points, 0);
-    case 2:
-      return segment_face<Real>(points, 0, 1);
-    case 3:
-      return triangle_face<Real>(points, 0, 1, 2);
-    default:
-      break;
-  }
-  SimplexFace<Real> inside;
-  if (contains_origin<Real>(points, inside)) return inside;
-  // The last point is new: the nearest face has it, but for rounding.
-  return nearer(nearer(triangle_face<Real>(points, 3, 0, 1), triangle_face<Real>(points, 3, 1, 2)),
-                nearer(triangle_face<Real>(points, 3, 0, 2), triangle_face<Real>(points, 0, 1, 2)));
+  if (count == 4) return nearest_of_four<Real>(points);
+  SimplexFace<Real> face;
+  if (count == 1) take<Real>(points, 0, dot(*points[0], *points[0]), face);
+  if (count == 2) try_segment<Real>(points, 0, 1, face);
+  if (count == 3) try_triangle<Real>(points, 0, 1, 2, face);
+  return face;
 }
 
 template Vector3 triangle_normal(const Vector3& a, const Vector3& b, const Vector3& c);

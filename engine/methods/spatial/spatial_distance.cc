@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/methods/spatial/spatial_distance.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
 
@@ -33,65 +33,62 @@ bool holds(const SpatialCombination& simplex, const SpatialPoint& w) {
   return false;
 }
 
-void add(SpatialCombination& simplex, const SpatialPoint& w) {
-  simplex.point[simplex.count] = w;
-  simplex.weight[simplex.count++] = 1;
-}
-
-void begin(SpatialPair& pair, const SpatialStart& start, SpatialCombination& simplex) {
-  for (int i = 0; i < start.count; ++i) {
-    SpatialPoint point;
-    if (pair.vertex(start.index_1[i], start.index_2[i], point) && !holds(simplex, point)) add(simplex, point);
+// Leaves of the simplex what its nearest point needs, in the order it is in.
+void keep(SimplexFace<double>& face, SpatialCombination& simplex) {
+  for (int i = 1; i < face.count; ++i) {
+    for (int k = i; k > 0 && face.corner[k] < face.corner[k - 1]; --k) {
+      std::swap(face.corner[k], face.corner[k - 1]);
+      std::swap(face.weight[k], face.weight[k - 1]);
+    }
   }
-  if (simplex.count == 0) {
-    const Vector3 u = start.has_normal ? start.normal : pair.between_centers();
-    add(simplex, pair.support(dot(u, u) > 0 ? u : Vector3{1, 0, 0}, false));
-  }
-}
-
-// Leaves of the simplex what its nearest point needs; the depth of the origin in it.
-double reduce(SpatialCombination& simplex) {
-  const Vector3* points[4];
-  for (int i = 0; i < simplex.count; ++i) points[i] = &simplex.point[i].s;
-  const SimplexFace<double> face = nearest_face(points, simplex.count);
-  SpatialPoint kept[4];
-  for (int i = 0; i < face.count; ++i) kept[i] = simplex.point[face.corner[i]];
   for (int i = 0; i < face.count; ++i) {
-    simplex.point[i] = kept[i];
+    if (face.corner[i] != i) simplex.point[i] = simplex.point[face.corner[i]];
     simplex.weight[i] = face.weight[i];
   }
   simplex.count = face.count;
-  return face.depth;
 }
 
 class Descent {
  public:
-  Descent(SpatialPair& pair, double tolerance) : pair_(pair), tolerance_(tolerance) {}
+  Descent(SpatialPair& pair, double tolerance, SpatialAnswer& answer)
+      : pair_(pair), tolerance_(tolerance), answer_(answer), simplex_(answer.combination) {}
 
-  SpatialAnswer run(const SpatialStart& start);
+  void run(const SpatialStart& start);
 
  private:
   bool is_closed() const {
     return answer_.lower > 0 && answer_.upper - answer_.lower <= tolerance_ * answer_.upper;
   }
+  void begin(const SpatialStart& start);
+  double reduce();
   bool step(double depth);
-  void bound_from_above(const Vector3& v, double size);
   void bound_from_below(const Vector3& v, double along, double size);
 
   SpatialPair& pair_;
   double tolerance_;
-  SpatialAnswer answer_;
-  SpatialCombination simplex_;
+  SpatialAnswer& answer_;
+  SpatialCombination& simplex_;
   double best_hope_ = -1e300;
-  Vector3 v_;
 };
 
-void Descent::bound_from_above(const Vector3& v, double size) {
-  const double upper = (size + pair_.error()) * kRounding - pair_.radius();
-  if (!(upper < answer_.upper)) return;
-  answer_.upper = upper;
-  answer_.combination = simplex_;
-  v_ = v;
+void Descent::begin(const SpatialStart& start) {
+  for (int i = 0; i < start.count; ++i) {
+    SpatialPoint& point = simplex_.point[simplex_.count];
+    if (pair_.vertex(start.index_1[i], start.index_2[i], point) && !holds(simplex_, point)) ++simplex_.count;
+  }
+  if (simplex_.count > 0) return;
+  const Vector3 u = start.has_normal ? start.normal : pair_.between_centers();
+  pair_.support(dot(u, u) > 0 ? u : Vector3{1, 0, 0}, simplex_.point[0]);
+  simplex_.count = 1;
+}
+
+// The depth of the origin in the simplex.
+double Descent::reduce() {
+  const Vector3* points[4];
+  for (int i = 0; i < simplex_.count; ++i) points[i] = &simplex_.point[i].s;
+  SimplexFace<double> face = nearest_face(points, simplex_.count);
+  keep(face, simplex_);
+  return face.depth;
 }
 
 // `along` is v·w for the support point w: what is certain of it, after its rounding error.
@@ -106,46 +103,43 @@ void Descent::bound_from_below(const Vector3& v, double along, double size) {
 bool Descent::step(double depth) {
   const Vector3 v = combine(simplex_);
   const double size = length(v);
-  bound_from_above(v, size);
+  answer_.upper = (size + pair_.error()) * kRounding - pair_.radius();
   if (depth > 2 * pair_.error() || answer_.upper < 0) {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
   if (simplex_.count == 4 || !(size > pair_.error())) return false;
-  SpatialPoint w = pair_.support(-v, false);
+  SpatialPoint& w = simplex_.point[simplex_.count];
+  pair_.support(-v, w);
   const double along = dot(v, w.s);
-  // Only what may end the solve is worth a proof.
   const double hopeful = along / size - pair_.error() - pair_.radius();
   if (hopeful > best_hope_) {
     best_hope_ = hopeful;
     answer_.hint = -v;
   }
-  const bool drowned = answer_.upper - hopeful <= kNoise * pair_.error();
-  if (answer_.upper - hopeful <= tolerance_ * answer_.upper || drowned || holds(simplex_, w)) {
-    if (pair_.climbs()) w = pair_.support(-v, true);
-    bound_from_below(v, dot(v, w.s), size);
-    if (is_closed()) {
-      answer_.end = SpatialEnd::closed;
-      return false;
-    }
-    if (drowned || holds(simplex_, w)) return false;
+  bound_from_below(v, along, size);
+  if (is_closed()) {
+    answer_.end = SpatialEnd::closed;
+    return false;
   }
-  add(simplex_, w);
+  // A gap that is rounding, or a point that is known.
+  if (answer_.upper - hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
+  simplex_.weight[simplex_.count++] = 1;
   return true;
 }
 
-SpatialAnswer Descent::run(const SpatialStart& start) {
+void Descent::run(const SpatialStart& start) {
   answer_.upper = 1e300;
-  begin(pair_, start, simplex_);
-  while (answer_.iterations++ < kMostIterations && step(reduce(simplex_))) {
+  begin(start);
+  while (answer_.iterations++ < kMostIterations && step(reduce())) {
   }
-  return answer_;
 }
 
 }  // namespace
 
-SpatialAnswer spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start) {
-  return Descent(pair, tolerance).run(start);
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, SpatialAnswer& answer) {
+  answer.reset();
+  Descent(pair, tolerance, answer).run(start);
 }
 
 }  // namespace raygauge

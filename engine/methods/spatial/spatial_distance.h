@@ -25,6 +25,14 @@ struct SpatialAnswer {
   Vector3 hint;    ///< the best normal met, though it may prove nothing: where to go on from
   SpatialCombination combination;  ///< proves `upper`
   int iterations = 0;
+
+  /// Nothing is known. The numbers of the combination stay, for nobody to read.
+  void reset() noexcept {
+    end = SpatialEnd::open;
+    lower = upper = 0;
+    normal = hint = {};
+    combination.count = iterations = 0;
+  }
 };
 
 /// Where a solve begins: with the vertices of the last one, or with its direction.
@@ -43,6 +51,6 @@ struct SpatialStart {
 ///
 /// both with SpatialPair::error() outward. `intersecting` is proven by a v shorter than the balls, or by four
 /// support points whose hull contains the origin deeper than that error.
-SpatialAnswer spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start);
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, SpatialAnswer& answer);
 
 }  // namespace raygauge

@@ -14,30 +14,37 @@ namespace {
 constexpr int kMostExchanges = 80;
 constexpr int kMostDiscoveries = 40;
 constexpr int kMostNewtonSteps = 12;
+constexpr double kFirstTilt = 1.5, kLargestTilt = 1e4;  // shares of the angle that would do for a ball
+constexpr double kLeastTilt = 0.02;                     // radians
+constexpr double kSmall = 1e-12;                        // of a length: rounding
 constexpr double kUp = 1 + 0x1p-46,
                  kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
 constexpr double kInfinity = __builtin_inf();
 
 class Growth {
  public:
-  Growth(SpatialPair& pair, double tolerance, double threshold)
+  Growth(SpatialPair& pair, double tolerance, double threshold, SpatialAnswer& answer)
       : pair_(pair),
         tolerance_(tolerance),
         threshold_(threshold),
         p_(pair.between_centers()),
-        size_(length(p_)) {
+        size_(length(p_)),
+        answer_(answer),
+        portal_(answer.combination.point) {
     inner_radius_ = kDown * pair.inner_radius() - 2 * pair.error();
   }
 
-  SpatialAnswer run(const SpatialStart& start);
+  void run(const SpatialStart& start);
 
  private:
-  SpatialPoint support(const Vector3& u, bool proven);
+  SpatialPoint support(const Vector3& u);
   bool is_done();
   void bound_from_below(const Vector3& u, const SpatialPoint& w);
   void bound_from_above(const SpatialPoint* corner, int count, const double* weight);
   double price_of_residual(const Vector3& r, double weights) const;
   bool newton(Vector3 u);
+  Vector3 way_to_ray(int known, const Vector3& u, double h);
+  bool adopt(const SpatialPoint& w, int known);
   bool discover(Vector3 u);
   bool recall(const SpatialStart& start);
   void refine();
@@ -50,13 +57,14 @@ class Growth {
   Vector3 p_;
   double size_;
   double inner_radius_;
-  SpatialPoint portal_[3];
-  SpatialAnswer answer_;
+  SpatialAnswer& answer_;
+  SpatialPoint* portal_;  // three, in the answer
 };
 
 // s_B(u), balls included.
-SpatialPoint Growth::support(const Vector3& u, bool proven) {
-  SpatialPoint w = pair_.support(u, proven);
+SpatialPoint Growth::support(const Vector3& u) {
+  SpatialPoint w;
+  pair_.support(u, w);
   w.s = w.s + p_;
   if (pair_.radius() > 0) w.s = w.s + u * (pair_.radius() / length(u));
   ++answer_.iterations;
@@ -119,7 +127,7 @@ bool Growth::newton(Vector3 u) {
   constexpr double kLongestStep = 0.7;
   Matrix3 H;
   u = u * (1 / length(u));
-  SpatialPoint w = support(u, true);
+  SpatialPoint w = support(u);
   double ratio = dot(u, p_) / dot(u, w.s);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     bound_from_below(u, w);
@@ -143,7 +151,7 @@ bool Growth::newton(Vector3 u) {
     for (int trial = 0; trial < trials; ++trial) {
       next = u + step * share;
       next = next * (1 / length(next));
-      at_next = support(next, true);
+      at_next = support(next);
       higher = dot(next, p_) / dot(next, at_next.s);
       if (higher >= ratio * (1 - 1e-14)) break;
       share *= 0.35;
@@ -177,28 +185,73 @@ bool Growth::weigh(double* weight, double* uncertainty) const {
   return true;
 }
 
-// Three support points whose cone holds p; false where none are found, as for a B without an interior.
-bool Growth::discover(Vector3 u) {
-  portal_[0] = support(u, false);
-  Vector3 n = cross(portal_[0].s, p_);
-  if (!(length(n) > 1e-12 * length(portal_[0].s) * size_)) n = any_orthogonal(p_);
-  portal_[1] = support(n, false);
-  for (int i = 0; i < kMostDiscoveries; ++i) {
-    n = cross(portal_[0].s, portal_[1].s);
-    if (!(dot(n, n) > 0)) n = cross(p_, any_orthogonal(p_));
-    if (dot(n, p_) < 0) {
+// The way from what is known of the portal, one support point or two, to the ray of p, at the height of the
+// plane u·x = h; not shorter than kLeastTilt h.
+Vector3 Growth::way_to_ray(int known, const Vector3& u, double h) {
+  const Vector3 at = p_ * (h / dot(u, p_));
+  Vector3 way;
+  double size = 0;
+  if (known == 1) {
+    way = at - portal_[0].s;
+    size = length(way);
+    if (!(size > kSmall * length(at))) return any_orthogonal(p_) * (kLeastTilt * h);
+  } else {
+    way = cross(portal_[0].s, portal_[1].s);
+    if (dot(way, p_) < 0) {
       std::swap(portal_[0], portal_[1]);
-      n = -n;
+      way = -way;
     }
-    portal_[2] = support(n, false);
-    const SpatialPoint& w = portal_[2];
-    if (dot(p_, cross(w.s, portal_[0].s)) < 0) {
-      portal_[1] = w;
-    } else if (dot(p_, cross(portal_[1].s, w.s)) < 0) {
-      portal_[0] = w;
-    } else {
-      return dot(n, w.s) > 0;
+    way = way * (1 / length(way));
+    size = dot(way, at);
+    if (!(size > kLeastTilt * h)) return way * (kLeastTilt * h);
+    way = way * size;
+  }
+  return size < kLeastTilt * h ? way * (kLeastTilt * h / size) : way;
+}
+
+// A point across the ray from the `known` ones. True when the cone of all three holds p; otherwise it takes
+// the place of the one that is no longer needed.
+bool Growth::adopt(const SpatialPoint& w, int known) {
+  if (known == 1 || dot(p_, cross(w.s, portal_[0].s)) < 0) {
+    portal_[1] = w;
+  } else if (dot(p_, cross(portal_[1].s, w.s)) < 0) {
+    portal_[0] = w;
+  } else {
+    portal_[2] = w;
+    return true;
+  }
+  return false;
+}
+
+// Three support points whose cone holds p, near each other; false where none are found, as for a B without an
+// interior. The first is that of u. The next ones are those of u tilted to where the ray is, by the angle
+// that would do for a ball; by more, up to a right angle, where that finds nothing new.
+bool Growth::discover(Vector3 u) {
+  u = u * (1 / length(u));
+  portal_[0] = support(u);
+  double h = dot(u, portal_[0].s);
+  if (!(h > 0) || !(dot(u, p_) > 0)) return false;
+  int known = 1;
+  double tilt = kFirstTilt;
+  for (int i = 0; i < kMostDiscoveries; ++i) {
+    const Vector3 way = way_to_ray(known, u, h);
+    Vector3 next = u + way * (tilt / h);
+    next = next * (1 / length(next));
+    const SpatialPoint w = support(next);
+    const double beyond = dot(way, w.s - portal_[0].s), size = length(way) * length(w.s);
+    if (!(beyond > kSmall * size)) {
+      if (tilt > kLargestTilt) return false;
+      tilt *= 8;
+      continue;
     }
+    const double height = dot(next, w.s);
+    if (height > 0 && dot(next, p_) * h > dot(u, p_) * height) {
+      u = next;
+      h = height;
+    }
+    tilt = std::max(kFirstTilt, tilt / 16);
+    if (adopt(w, known)) return true;
+    known = 2;
   }
   return false;
 }
@@ -220,7 +273,7 @@ bool Growth::recall(const SpatialStart& start) {
 // Where the bodies know of no ball: the origin is deep inside some four support points, which are found as
 // the nearest point of B to the origin is looked for.
 void Growth::find_inner_radius() {
-  Vector3 corner[4] = {portal_[0].s, portal_[1].s, portal_[2].s, support(-p_, false).s};
+  Vector3 corner[4] = {portal_[0].s, portal_[1].s, portal_[2].s, support(-p_).s};
   for (int i = 0; i < kMostDiscoveries; ++i) {
     const Vector3* corners[4] = {&corner[0], &corner[1], &corner[2], &corner[3]};
     const SimplexFace<double> face = nearest_face(corners, 4);
@@ -231,7 +284,7 @@ void Growth::find_inner_radius() {
     Vector3 kept[4];
     for (int k = 0; k < face.count; ++k) kept[k] = corner[face.corner[k]];
     const Vector3 u = face.square > 0 ? -face.v : -p_;
-    for (int k = face.count; k < 4; ++k) kept[k] = support(u, false).s;
+    for (int k = face.count; k < 4; ++k) kept[k] = support(u).s;
     std::copy_n(kept, 4, corner);
   }
 }
@@ -242,15 +295,11 @@ void Growth::refine() {
     if (dot(n, p_) < 0) n = -n;
     const double plane = dot(n, portal_[0].s);
     if (!(plane > 0)) return;
-    SpatialPoint w = support(n, false);
+    SpatialPoint w = support(n);
     const double hopeful = plane / dot(n, w.s);  // lower/upper, but for rounding
     const bool may_end = hopeful >= 1 - tolerance_;
     if (may_end || !std::isnan(threshold_)) {
-      if (may_end && pair_.climbs()) w = support(n, true);
-      if (may_end || dot(n, p_) > threshold_ * dot(n, w.s)) {
-        if (!may_end && pair_.climbs()) w = support(n, true);
-        bound_from_below(n, w);
-      }
+      if (may_end || dot(n, p_) > threshold_ * dot(n, w.s)) bound_from_below(n, w);
       double weight[3], uncertainty[3];
       if (weigh(weight, uncertainty)) {
         bound_from_above(portal_, 3, weight);
@@ -278,30 +327,29 @@ void Growth::refine() {
   }
 }
 
-SpatialAnswer Growth::run(const SpatialStart& start) {
+void Growth::run(const SpatialStart& start) {
   answer_.upper = kInfinity;
-  if (!(size_ > 4 * pair_.error())) return answer_;
+  if (!(size_ > 4 * pair_.error())) return;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
   Matrix3 H;
-  if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return answer_;
+  if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return;
   if (!std::isnan(threshold_)) {
     const Vector3 u = steered ? start.normal : p_;
-    bound_from_below(u, support(u, true));
-    if (is_done()) return answer_;
+    bound_from_below(u, support(u));
+    if (is_done()) return;
   }
   const Vector3 u = answer_.lower > 0 ? answer_.normal : steered ? start.normal : p_;
-  if (!recall(start) && !discover(u)) return answer_;
+  if (!recall(start) && !discover(u)) return;
   refine();
   answer_.combination.count = 3;
-  for (int i = 0; i < 3; ++i) answer_.combination.point[i] = portal_[i];
-  return answer_;
 }
 
 }  // namespace
 
-SpatialAnswer spatial_growth(SpatialPair& pair, double tolerance, double threshold,
-                             const SpatialStart& start) {
-  return Growth(pair, tolerance, threshold).run(start);
+void spatial_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
+                    SpatialAnswer& answer) {
+  answer.reset();
+  Growth(pair, tolerance, threshold, answer).run(start);
 }
 
 }  // namespace raygauge

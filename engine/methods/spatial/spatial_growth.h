@@ -12,8 +12,8 @@ namespace raygauge {
 ///     σ = gauge_B(p) = max_u u·p / h_B(u).
 ///
 /// Three support points whose cone holds p are exchanged, one at a time, for the support point across their
-/// plane (the simplex method on 3 × 3 bases, found as in Minkowski portal refinement). Smooth bodies begin
-/// with Newton steps
+/// plane (the simplex method on 3 × 3 bases, as in Minkowski portal refinement). The first three are found
+/// near the ray of p, by normals tilted towards it. Smooth bodies begin with Newton steps
 ///  H δ = p/σ - s(u), δ ⊥ u, on the condition s(u) ∥ p. The bounds at any time:
 ///
 ///     u·p / h_B(u) <= σ <= Σ c_l + (|p - Σ c_l s_l| + error)/R,      R the radius of a ball about 0 inside
@@ -22,7 +22,7 @@ namespace raygauge {
 /// without a known R the exact weights are enclosed instead: where all of them are positive, they prove the
 /// bound. The solve ends early (`separated`, `intersecting`) when `threshold` is outside the bounds; NaN:
 /// never.
-SpatialAnswer spatial_growth(SpatialPair& pair, double tolerance, double threshold,
-                             const SpatialStart& start);
+void spatial_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
+                    SpatialAnswer& answer);
 
 }  // namespace raygauge

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sets/hull_climb.h"
+#include "raygauge/sets/direction_table.h"
 
 namespace raygauge {
 namespace {
@@ -155,8 +155,6 @@ bool SpatialPair::bind(const Posed& first, const Posed& second, const Kernels& k
   error_ = size * (kRounding + 2 * (one.defect + two.defect));
   height_ = dimension_ == 2 ? size : 0.0;
   vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
-  last_[0] = last_[1] = -1;
-  climbs_ = shape_[0].graph != nullptr || shape_[1].graph != nullptr;
   queries_ = 0;
   return true;
 }
@@ -172,16 +170,18 @@ bool SpatialPair::scale_first_about_origin(const Posed& first) {
   return anchor_radius_ > 0;
 }
 
-std::int32_t SpatialPair::highest(int i, const Vector3& v, bool proven) {
-  const SpatialShape& shape = shape_[i];
-  if (shape.graph != nullptr && !proven) return last_[i] = climb(*shape.graph, v, last_[i]);
+std::int32_t SpatialPair::highest(const SpatialShape& shape, const Vector3& v) const {
+  if (shape.table != nullptr) {
+    const std::int32_t listed = shape.table->highest(v);
+    if (listed >= 0) return listed;
+  }
   const double u[3] = {v.x, v.y, v.z};
   std::ptrdiff_t index = 0;
   kernels_->price(shape.blocks, shape.block_count, shape.coordinates, u, &index);
   return static_cast<std::int32_t>(std::min(index, shape.size - 1));
 }
 
-Vector3 SpatialPair::support_of(int i, const Vector3& v, bool proven, std::int32_t& index) {
+Vector3 SpatialPair::support_of(int i, const Vector3& v, std::int32_t& index) {
   const SpatialShape& shape = shape_[i];
   ++queries_;
   switch (shape.kind) {
@@ -199,7 +199,7 @@ Vector3 SpatialPair::support_of(int i, const Vector3& v, bool proven, std::int32
     case Kind::frustum:
       return frustum_support(shape, v, index);
     case Kind::points:
-      index = highest(i, v, proven);
+      index = highest(shape, v);
       Vector3 x;
       vertex_of(shape, index, x);
       return x;
@@ -207,13 +207,12 @@ Vector3 SpatialPair::support_of(int i, const Vector3& v, bool proven, std::int32
   return shape.center;
 }
 
-SpatialPoint SpatialPair::support(const Vector3& u, bool proven) {
-  SpatialPoint point;
-  point.a1 = support_of(0, u, proven, point.index_1);
-  point.a2 = R_ * support_of(1, R_.transposed_times(-u), proven, point.index_2) + t_;
+void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
+  point.index_1 = point.index_2 = -1;
+  point.a1 = support_of(0, u, point.index_1);
+  point.a2 = R_ * support_of(1, R_.transposed_times(-u), point.index_2) + t_;
   point.s = point.a1 - point.a2;
   if (height_ > 0) point.s.z += u.z < 0 ? -height_ : height_;
-  return point;
 }
 
 bool SpatialPair::vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {

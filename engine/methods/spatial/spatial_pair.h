@@ -37,14 +37,11 @@ class SpatialPair {
   /// too.
   bool scale_first_about_origin(const Posed& first);
 
-  /// s_D(u): of the cores. A vertex that is highest among its neighbours will do until `proven` is asked for.
-  SpatialPoint support(const Vector3& u, bool proven);
+  /// s_D(u): of the cores.
+  void support(const Vector3& u, SpatialPoint& point);
 
   /// The difference of two vertices by their indices; false if there are no such vertices.
   bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const;
-
-  /// Whether a support point that was not asked to be proven may have to be asked for again.
-  bool climbs() const noexcept { return climbs_; }
 
   /// Whether neither core has an edge: ellipsoids and points.
   bool is_smooth() const noexcept { return is_smooth(shape_[0].kind) && is_smooth(shape_[1].kind); }
@@ -89,8 +86,8 @@ class SpatialPair {
   }
   static constexpr double kRounding = 256 * 0x1p-53;
 
-  Vector3 support_of(int i, const Vector3& v, bool proven, std::int32_t& index);
-  std::int32_t highest(int i, const Vector3& v, bool proven);
+  Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
+  std::int32_t highest(const SpatialShape& shape, const Vector3& v) const;
 
   SpatialShape shape_[2];
   Matrix3 R_;  // second frame to first
@@ -100,12 +97,10 @@ class SpatialPair {
   Matrix3 W_;                 // first frame to world
   Vector3 w_;
   const Kernels* kernels_ = nullptr;
-  std::int32_t last_[2] = {-1, -1};  // where the last climb ended
   double error_ = 0;
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;
-  bool climbs_ = false;
   std::int64_t queries_ = 0;
 };
 

@@ -10,10 +10,11 @@ namespace raygauge {
 
 /// How d_Q(A) is computed. All methods end in the same certificate.
 enum class DistanceMethod : std::uint8_t {
+  automatic,          ///< one of those below, by the sets: method_for()
   column_generation,  ///< the linear program of Example 2, its columns from support mappings: no outer loop
   zheng_yamane,       ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
-  newton,  ///< Newton steps on the dual with the Hessians of the support functions; column generation where
-           ///< there are none
+  newton,  ///< Newton steps on the dual with the Hessians of the support functions, Wolfe's steps where A is
+           ///< a polytope and Q a ball about the origin; column generation where there are none
   direct = column_generation,  ///< the name in earlier versions
 };
 
@@ -46,7 +47,7 @@ inline constexpr int kMostThreads = 64;
 
 /// Tunables of a DistanceSolver; the defaults below are the only ones.
 struct DistanceOptions {
-  DistanceMethod method = DistanceMethod::column_generation;
+  DistanceMethod method = DistanceMethod::automatic;
 
   /// The solve stops when upper - lower <= tolerance * upper. In (0, 1).
   double tolerance = 1e-6;

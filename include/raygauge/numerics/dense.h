@@ -9,10 +9,10 @@
 
 namespace raygauge {
 
-/// A dense vector or matrix of Eigen's type `Plain` whose numbers are in a std::vector. It stands in every expression of
-/// Eigen, and converts to `Plain` and to Eigen::Ref. Eigen's own matrices allocate and free by rules that depend on
-/// compiler flags (-march=native, -fsanitize=address); these may be made by the library and freed by a caller with other
-/// flags, or the other way round.
+/// A dense vector or matrix of Eigen's type `Plain` whose numbers are in a std::vector. It stands in every
+/// expression of Eigen, and converts to `Plain` and to Eigen::Ref. Eigen's own matrices allocate and free by
+/// rules that depend on compiler flags (-march=native, -fsanitize=address); these may be made by the library
+/// and freed by a caller with other flags, or the other way round.
 template <class Plain>
 class Dense : public Eigen::Map<Plain> {
   using View = Eigen::Map<Plain>;
@@ -23,11 +23,14 @@ class Dense : public Eigen::Map<Plain> {
   Dense() : View(nullptr, 0, Plain::ColsAtCompileTime == 1 ? 1 : 0) {}
 
   /// rows × cols numbers, all zero. Vectors have one column.
-  explicit Dense(Index rows, Index cols = 1) : View(nullptr, 0, cols), storage_(rows * cols) { point_at(rows, cols); }
+  explicit Dense(Index rows, Index cols = 1) : View(nullptr, 0, cols), storage_(rows * cols) {
+    point_at(rows, cols);
+  }
 
   /// The values of any expression of Eigen.
   template <class Expression>
-  Dense(const Eigen::EigenBase<Expression>& values) : Dense(values.rows(), values.cols()) {  // NOLINT: as Eigen does
+  Dense(const Eigen::EigenBase<Expression>& values)
+      : Dense(values.rows(), values.cols()) {  // NOLINT: as Eigen does
     View::operator=(values.derived());
   }
   Dense(const Dense& other) : View(nullptr, 0, other.cols()), storage_(other.storage_) {
@@ -48,8 +51,8 @@ class Dense : public Eigen::Map<Plain> {
     return *this;
   }
 
-  /// An expression of the same size is written in place, by Eigen's rules for aliasing; any other may refer to the old
-  /// values.
+  /// An expression of the same size is written in place, by Eigen's rules for aliasing; any other may refer
+  /// to the old values.
   template <class Expression>
   Dense& operator=(const Eigen::EigenBase<Expression>& values) {
     if (values.rows() == this->rows() && values.cols() == this->cols()) {
@@ -85,12 +88,16 @@ class Dense : public Eigen::Map<Plain> {
 
   static Eigen::Map<const Plain> Map(const double* values, Index size) { return {values, size}; }
   static Eigen::Map<Plain> Map(double* values, Index size) { return {values, size}; }
-  static Eigen::Map<const Plain> Map(const double* values, Index rows, Index cols) { return {values, rows, cols}; }
+  static Eigen::Map<const Plain> Map(const double* values, Index rows, Index cols) {
+    return {values, rows, cols};
+  }
   static Eigen::Map<Plain> Map(double* values, Index rows, Index cols) { return {values, rows, cols}; }
 
  private:
   // Eigen's documented way to let a Map look elsewhere.
-  void point_at(Index rows, Index cols) noexcept { ::new (static_cast<View*>(this)) View(storage_.data(), rows, cols); }
+  void point_at(Index rows, Index cols) noexcept {
+    ::new (static_cast<View*>(this)) View(storage_.data(), rows, cols);
+  }
 
   std::vector<double> storage_;
 };

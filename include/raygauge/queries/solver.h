@@ -15,6 +15,9 @@ namespace raygauge {
 
 class WeightedPoints;
 
+/// What DistanceMethod::automatic stands for: newton where Q is smooth, column_generation otherwise.
+DistanceMethod method_for(const ConvexSet& Q) noexcept;
+
 /// Computes the generalized distance of Zheng & Yamane, equation (5),
 ///
 ///     d_Q(A) = min{λ >= 0 : A ∩ λQ ≠ ∅},
@@ -58,6 +61,10 @@ class DistanceSolver {
   /// The points of A and their weights in the combination that proves the upper bound of the last solve;
   /// false if none was kept.
   bool contact_combination(WeightedPoints& combination) const;
+
+  /// For A = A2 - A1: the nearest points of the last solve, where its method knows them apart; false where
+  /// not.
+  bool nearest_points(Vector& of_A1, Vector& of_A2) const;
 
   /// From now on solves of general sets also end, as `optimal`, when the bounds exclude this value; NaN:
   /// none.

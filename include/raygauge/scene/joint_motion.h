@@ -33,7 +33,7 @@ struct KinematicTree {
 /// Joint values over time, linear between the times.
 struct JointTrajectory {
   std::vector<double> times;  ///< rising
-  DenseMatrix values;     ///< one row a joint, one column a time
+  DenseMatrix values;         ///< one row a joint, one column a time
 };
 
 /// The motion of one link of a robot whose joints follow a trajectory (forward kinematics).

@@ -40,7 +40,7 @@ class Ellipsoid final : public ConvexSet {
 
   Vector center_;
   DenseMatrix factor_;
-  DenseMatrix shape_;   // L Lᵀ in double precision, for Hessians alone: no bound depends on it
+  DenseMatrix shape_;       // L Lᵀ in double precision, for Hessians alone: no bound depends on it
   BoundedInverse inverse_;  // of L, where L is square
 };
 

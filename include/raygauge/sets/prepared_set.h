@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "raygauge/sets/direction_table.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/spatial_shape.h"
 
@@ -13,11 +14,10 @@ namespace raygauge {
 
 /// conv{p_1, …, p_N}, prepared once for many queries; immutable and shared between threads.
 ///
-/// In R^3, where the library is built with Qhull and the points are not flat, points deep inside the hull are
-/// dropped, and the vertices that are left know their neighbours: the steps of a solve climb from the last
-/// vertex, or from one that a table has for the direction, and one pass over the points that are left proves
-/// the last of them. Without Qhull, in other dimensions and for flat sets this is a PointSet of the same
-/// points.
+/// In R^3 a DirectionTable lists, for each small cell of directions, the few points that can be highest
+/// there: a support query of fixed-size code compares these alone, and its answer is proven. Where the
+/// library is built with Qhull and the points are not flat, points deep inside the hull are dropped, and a
+/// ball inside it is known. In other dimensions this is a PointSet of the same points.
 ///
 /// The answer is that of a PointSet of the same points: the maximum over all of them, to rounding.
 class PreparedSet final : public ConvexSet {
@@ -32,7 +32,7 @@ class PreparedSet final : public ConvexSet {
   /// The points that are left, in their order. Indices in results count these.
   const PointSet& points() const noexcept { return *points_; }
 
-  /// Vertices with neighbours; 0 where there is no graph.
+  /// Vertices of the hull; 0 where Qhull did not find it.
   std::ptrdiff_t vertex_count() const noexcept { return vertex_count_; }
 
   /// Bytes that this set holds.
@@ -47,16 +47,14 @@ class PreparedSet final : public ConvexSet {
   SupportStructure do_structure() const noexcept override;
 
   void keep(const Eigen::Ref<const Eigen::MatrixXd>& points);
-  void fill_start_table();
 
   std::unique_ptr<const PointSet> points_;
   Vector center_;            // of all points given
   double inner_radius_ = 0;  // about it
   double extent_ = 0;
   std::ptrdiff_t vertex_count_ = 0;
-  std::vector<double> vertices_;  // 4 numbers each
-  std::vector<std::int32_t> first_, neighbours_, start_;
-  HullGraph graph_;
+  DirectionTable table_;
+  SpatialShape shape_;  // for n = 3
 };
 
 }  // namespace raygauge

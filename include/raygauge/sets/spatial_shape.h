@@ -9,14 +9,7 @@
 
 namespace raygauge {
 
-/// The hull of points in R^3 as a graph. Views into a PreparedSet.
-struct HullGraph {
-  const double* vertices = nullptr;     ///< 4 numbers each: x, y, z and nothing
-  const std::int32_t* first = nullptr;  ///< where the neighbours of vertex i begin; one more at the end
-  const std::int32_t* neighbours = nullptr;
-  const std::int32_t* start = nullptr;  ///< a vertex for each cell of a cube of directions ...
-  int cells = 0;                        ///< ... of cells × cells on each of its six faces
-};
+class DirectionTable;
 
 /// What fixed-size code needs of a set in R^2 or R^3: a core whose support function is evaluated in line, and
 /// the radius of a ball that is added to it. Made afresh for every query, from the set's own numbers.
@@ -43,7 +36,7 @@ struct SpatialShape {
   int coordinates = 3;             ///< ... and its dimension
   std::ptrdiff_t block_count = 0;
   std::ptrdiff_t size = 0;
-  const HullGraph* graph = nullptr;  ///< of a prepared set
+  const DirectionTable* table = nullptr;  ///< of a prepared set
 };
 
 }  // namespace raygauge

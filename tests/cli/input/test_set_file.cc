@@ -60,6 +60,8 @@ std::map<std::string, Described> described_shapes() {
       {"p_norm_ball", {"center = [0, 0]\nsemi_axes = [3, 2]\np = inf", 3 + 4}},
       {"box", {"lower = [-1, -2]\nupper = [3, 5]", 3 + 10}},
       {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
+      {"h_polytope", {"G = [[1, 0], [0, 1], [-1, -1]]\ng = [3, 4, 5]", 3 + 8}},
+      {"zonotope", {"center = [1, 1]\ngenerators = [[1, 0], [0, 2], [1, -1]]", 3 + 1 + 4 + 1}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
       {"cylinder", {"p = [0, 0]\nq = [3, 0]\nradius = 2", 3 + 4}},
       {"contact_wrenches", {"p = [0, 0, 1]\nn = [2, 0, 0]\nmu = 0.5\nfacets = 0", 1 + 0.5 * 2}},

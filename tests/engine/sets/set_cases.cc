@@ -12,6 +12,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -20,6 +21,7 @@
 #include "raygauge/sets/support_mapping_set.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/zonotope.h"
 #include "tests/linear_algebra.h"
 
 namespace raygauge {
@@ -200,6 +202,33 @@ SetCase union_hull(int n, Random& random) {
           [=](const Vector& x) { return segment_distance(x, p, q) - 0.5; }};
 }
 
+// The simplex and the parallelepiped-like bodies of 2n + 3 planes that all touch a ball, off the origin.
+SetCase h_polytope(int n, Random& random) {
+  const Vector c = gaussian(n, random);
+  Eigen::MatrixXd G(2 * n + 3, n);
+  G << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n),
+      gaussian_points(n, 3, random).transpose();
+  const Vector g = G * c + G.rowwise().norm();
+  return {"h_polytope", std::make_shared<HPolytope>(G, g),
+          [=](Random& r) -> Vector {
+            const Vector direction = on_sphere(n, r);
+            return c + direction / (G * direction).cwiseQuotient(G.rowwise().norm()).maxCoeff();
+          },
+          [=](const Vector& x) { return ((G * x - g).array() / G.rowwise().norm().array()).maxCoeff(); }};
+}
+
+// n generators, so that the coefficients of a point are unique.
+SetCase zonotope(int n, Random& random) {
+  const Vector c = gaussian(n, random);
+  const Eigen::MatrixXd G = gaussian_points(n, n, random) + 2 * Eigen::MatrixXd::Identity(n, n);
+  return {"zonotope", std::make_shared<Zonotope>(c, G),
+          [=](Random& r) -> Vector {
+            const Vector direction = on_sphere(n, r);
+            return c + G * direction / direction.lpNorm<Eigen::Infinity>();
+          },
+          [=](const Vector& x) { return solution(G, x - c).lpNorm<Eigen::Infinity>() - 1; }};
+}
+
 SetCase own_mapping(int n, Random& random) {
   const Vector c = gaussian(n, random);
   const auto mapping = [c](const double* u, double* point) {
@@ -228,6 +257,8 @@ std::vector<SetCase> set_cases() {
                                        flat_ellipsoid(n, random),
                                        box(n, false, random),
                                        simplex(n, random),
+                                       h_polytope(n, random),
+                                       zonotope(n, random),
                                        capsule("capsule", n, 2, 0.5, random),
                                        capsule("capsule_radius_is_half_length", n, 2, 1, random),
                                        capsule("capsule_without_length", n, 0, 1, random),

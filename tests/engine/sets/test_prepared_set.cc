@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "engine/sets/hull_climb.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/direction_table.h"
 
 namespace raygauge::test_prepared_set {
 namespace {
@@ -77,24 +77,51 @@ TEST(PreparedSet, HasTheMaximumOverAllPoints) {
   }
 }
 
-// From the table, from the last vertex and from any vertex. Without Qhull there is no graph to climb.
-TEST(PreparedSet, ClimbsToTheHighestVertexFromAnywhere) {
+// What fixed-size code asks: the highest of the points listed for a cell is the highest of all.
+TEST(PreparedSet, ListsTheHighestPointOfEveryDirection) {
   Random random(12);
-  for (const int N : {20, 200, 1500}) {
-    Eigen::MatrixXd points = gaussian(3, N, random);
-    if (N == 200) points.colwise().normalize();
-    const PreparedSet prepared(points);
-    ASSERT_EQ(prepared.vertex_count() > 0, PreparedSet::has_hulls());
+  for (const Cloud& cloud : clouds(random)) {
+    const PreparedSet prepared(cloud.points);
     SpatialShape shape;
     ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
-    if (shape.graph == nullptr) continue;
-    std::int32_t last = -1;
+    ASSERT_NE(shape.table, nullptr);
+    const Eigen::Vector3d magnitude = cloud.points.cwiseAbs().rowwise().maxCoeff();
     for (const Eigen::Vector3d& u : directions(random)) {
-      const Vector3 v{u.x(), u.y(), u.z()};
-      const double highest = (u.transpose() * points).maxCoeff();
-      last = climb(*shape.graph, v, last);
-      for (const std::int32_t end : {last, climb(*shape.graph, v, -1), climb(*shape.graph, v, 3)}) {
-        EXPECT_NEAR(u.dot(prepared.points().point(end)), highest, 1e-14 * (1 + highest));
+      const std::int32_t listed = shape.table->highest({u.x(), u.y(), u.z()});
+      if (listed < 0) continue;  // a long list is not kept
+      const double highest = (u.transpose() * cloud.points).maxCoeff();
+      const double rounding = 2 * ConvexSet::rounding_error(3) * u.cwiseAbs().dot(magnitude);
+      EXPECT_GE(u.dot(prepared.points().point(listed)), highest - rounding) << cloud.name;
+    }
+  }
+}
+
+// Of points on a sphere few are listed, so that no direction needs a pass over all points.
+TEST(PreparedSet, ListsFewPointsOfASphere) {
+  Random random(15);
+  for (const int N : {8, 200, 2000}) {
+    const PreparedSet prepared(gaussian(3, N, random).colwise().normalized());
+    SpatialShape shape;
+    ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+    for (const Eigen::Vector3d& u : directions(random))
+      EXPECT_GE(shape.table->highest({u.x(), u.y(), u.z()}), 0);
+    EXPECT_LT(prepared.memory(), 30000 + 200 * N);
+  }
+}
+
+// A direction on the border of two cells, to rounding, is at home in both.
+TEST(DirectionTable, ListsTheHighestPointOnTheBordersOfCells) {
+  Random random(16);
+  const Eigen::Matrix3Xd points = gaussian(3, 200, random).colwise().normalized();
+  const DirectionTable table(points);
+  for (int i = -16; i <= 16; ++i) {
+    for (const double near : {-1e-16, 0.0, 1e-16}) {
+      for (const Eigen::Vector3d& u :
+           {Eigen::Vector3d(1, i / 16.0 + near, 0.3), Eigen::Vector3d(i / 8.0 + near, -1, 1),
+            Eigen::Vector3d(-1 + near, i / 16.0, 1)}) {
+        const std::int32_t listed = table.highest({u.x(), u.y(), u.z()});
+        ASSERT_GE(listed, 0);
+        EXPECT_NEAR(u.dot(points.col(listed)), (u.transpose() * points).maxCoeff(), 1e-15);
       }
     }
   }

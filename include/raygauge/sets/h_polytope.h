@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/inequality_simplex.h"
+
+namespace raygauge {
+
+/// {x : G x <= g}, a bounded polytope given by its m inequalities (an H-polytope); it may be flat.
+///
+///     h(u) = max{u·x : G x <= g},   s(u) a vertex: one linear program, by InequalitySimplex from a stored
+///     vertex; gauge(x) = max(0, max_i (G_i·x) / g_i)   where g > 0, that is where the origin is inside.
+///
+/// Its centre is that of a largest ball inside (Chebyshev). A support query takes O(m n) a basis change and,
+/// other than those of the closed forms, allocates room for an n × n matrix.
+class HPolytope final : public ConvexSet {
+ public:
+  /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded), EmptySetError,
+  /// DimensionMismatchError or NonFiniteError.
+  HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
+
+  /// The inequalities, each multiplied by a power of two.
+  const InequalitySimplex::RowMatrix& G() const noexcept { return program_.G(); }
+  const Vector& g() const noexcept { return program_.g(); }
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  double do_gauge(const double* x, double* normal) const override;
+  SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
+
+  void find_center();
+  void find_extent();
+
+  InequalitySimplex program_;
+  InequalitySimplex::Vertex start_;
+  Vector center_;
+  Vector magnitude_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "raygauge/sets/convex_set.h"
+
+namespace raygauge {
+
+/// The linear program  maximize u·x subject to G x <= g  by the primal simplex on the inequalities: at a
+/// vertex n of them are active, B x = g_B; the multipliers of u = Bᵀ λ say which of them to leave, and the
+/// first inequality that the edge -B⁻¹e_i meets takes its place. Rows of -1 in `active` are the unit vectors:
+/// planes through a start that is no vertex, which are left in either direction.
+class InequalitySimplex {
+ public:
+  using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  struct Vertex {
+    Vector x;
+    std::vector<int> active;  ///< a row for each column of `edges`, or -1
+    DenseMatrix edges;        ///< B⁻¹
+  };
+  enum class End : std::uint8_t {
+    optimal,
+    unbounded,  ///< an edge meets no inequality
+    stalled,    ///< rounding defeated it; the point is good, perhaps not the best
+  };
+
+  InequalitySimplex() = default;
+  /// Every row and its bound are multiplied by a power of two first, which changes nothing.
+  InequalitySimplex(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
+
+  /// Where a point with G x <= g begins.
+  Vertex start_at(const Vector& x) const;
+
+  /// From `at`, which is left at the maximiser.
+  End maximise(const ConstVectorRef& u, Vertex& at) const;
+
+  const RowMatrix& G() const noexcept { return G_; }
+  const Vector& g() const noexcept { return g_; }
+
+ private:
+  struct Edge {
+    int leaving = -1;    ///< a column of `edges`; -1: none leads up
+    double sign = -1.0;  ///< of the column, so that it leads up
+  };
+  Edge choose_edge(const Vector& multipliers, const Vertex& at, bool bland) const;
+  int first_met(const Vector& direction, const Vector& slack, bool bland, double& step) const;
+  void exchange(Vertex& at, int leaving, int row) const;
+  bool factorise(Vertex& at) const;
+  Vector multipliers(const ConstVectorRef& u, const Vertex& at) const;
+
+  RowMatrix G_;
+  Vector g_;
+};
+
+}  // namespace raygauge

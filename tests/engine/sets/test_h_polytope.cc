@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "raygauge/sets/h_polytope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/membership.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/simplex.h"
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge {
+namespace {
+
+HPolytope cube(int n, double half = 1) {
+  Eigen::MatrixXd G(2 * n, n);
+  G << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+  return {G, Vector::Constant(2 * n, half)};
+}
+
+// {x : Σ|x_k| <= 1} by its 2^n inequalities.
+HPolytope cross_polytope(int n) {
+  Eigen::MatrixXd G(1 << n, n);
+  for (int i = 0; i < 1 << n; ++i) {
+    for (int k = 0; k < n; ++k) G(i, k) = (i >> k & 1) == 1 ? 1 : -1;
+  }
+  return {G, Vector::Ones(1 << n)};
+}
+
+// {x : x >= 0, Σ x_k <= 1}.
+HPolytope corner_simplex(int n) {
+  Eigen::MatrixXd G(n + 1, n);
+  G << -Eigen::MatrixXd::Identity(n, n), Eigen::RowVectorXd::Ones(n);
+  return {G, Vector::Unit(n + 1, n)};
+}
+
+TEST(HPolytope, HasTheSupportFunctionsOfCubesCrossPolytopesAndSimplices) {
+  Random random(1);
+  for (const int n : {1, 2, 3, 6, 9}) {
+    const HPolytope box = cube(n, 2), cross = cross_polytope(n), simplex = corner_simplex(n);
+    for (int trial = 0; trial < 40; ++trial) {
+      const Vector u = gaussian_points(n, 1, random);
+      EXPECT_NEAR(box.support_function(u), 2 * u.lpNorm<1>(), 1e-13 * u.lpNorm<1>()) << n;
+      EXPECT_NEAR(cross.support_function(u), u.lpNorm<Eigen::Infinity>(), 1e-13 * u.lpNorm<1>()) << n;
+      EXPECT_NEAR(simplex.support_function(u), std::max(0.0, u.maxCoeff()), 1e-13 * u.lpNorm<1>()) << n;
+    }
+  }
+}
+
+TEST(HPolytope, HasTheSupportPointsOfADegenerateVertexInManyDimensions) {
+  const int n = 60;
+  const HPolytope box = cube(n);
+  for (int k = 0; k < n; k += 7) EXPECT_DOUBLE_EQ(box.support_function(Vector::Unit(n, k)), 1);
+  EXPECT_DOUBLE_EQ(box.support_function(Vector::Ones(n)), n);
+}
+
+TEST(HPolytope, KnowsItsGaugeAndTheBallsInside) {
+  const HPolytope box = cube(3, 2);
+  const Vector x{{1, -3, 0.5}};
+  Vector normal(3);
+  EXPECT_NEAR(box.gauge_unchecked(x.data(), normal.data()), 1.5, 1e-14);
+  EXPECT_GE(box.gauge_unchecked(x.data(), normal.data()), 1.5);
+  EXPECT_EQ(normal.normalized(), (Vector{{0, -1, 0}}));
+  const Vector off{{1, 0, 0}}, origin = Vector::Zero(3);
+  EXPECT_NEAR(box.inner_radius_unchecked(origin.data()), 2, 1e-13);
+  EXPECT_LE(box.inner_radius_unchecked(origin.data()), 2);
+  EXPECT_NEAR(box.inner_radius_unchecked(off.data()), 1, 1e-13);
+  EXPECT_NEAR(cross_polytope(4).inner_radius_unchecked(Vector::Zero(4).eval().data()), 0.5, 1e-13);
+  const HPolytope simplex = corner_simplex(3);
+  EXPECT_EQ(simplex.gauge_unchecked(x.data(), normal.data()), std::numeric_limits<double>::infinity());
+}
+
+TEST(HPolytope, HasACentreInside) {
+  EXPECT_LT(cube(5).center().norm(), 1e-12);
+  const Vector c = corner_simplex(3).center();
+  EXPECT_GT(c.minCoeff(), 0.2);
+  EXPECT_LT(c.sum(), 0.8);
+}
+
+TEST(HPolytope, IsGaugeBodyAndObjectAsTheBoxIs) {
+  Random random(3);
+  for (const int n : {2, 3, 5, 8}) {
+    const HPolytope polytope = cube(n);
+    const Box box(-Vector::Ones(n), Vector::Ones(n));
+    Eigen::MatrixXd points = gaussian_points(n, 3 * n, random);
+    points.row(0).array() += 6;
+    const PointSet A(points);
+    DistanceSolver solver;
+    const double expected = solver.solve(A, box).distance;
+    const DistanceResult as_Q = solver.solve(A, polytope);
+    EXPECT_EQ(as_Q.status, DistanceStatus::optimal) << n;
+    EXPECT_NEAR(as_Q.distance, expected, 2e-6 * expected) << n;
+    Eigen::MatrixXd around = sphere_points(n, 8 * n, random);
+    const PointSet Q((Eigen::MatrixXd(n, 10 * n) << around, Eigen::MatrixXd::Identity(n, n),
+                      -Eigen::MatrixXd::Identity(n, n))
+                         .finished());
+    const Vector shift = 9 * Vector::Unit(n, 0);
+    Eigen::MatrixXd G(2 * n, n);
+    G << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+    const HPolytope moved(G, G * shift + Vector::Ones(2 * n));
+    const DistanceResult as_A = solver.solve(moved, Q);
+    const DistanceResult of_box = solver.solve(Box(shift - Vector::Ones(n), shift + Vector::Ones(n)), Q);
+    EXPECT_EQ(as_A.status, of_box.status) << n;
+    EXPECT_NEAR(as_A.lower, of_box.lower, 2e-6 * of_box.lower) << n;
+  }
+}
+
+TEST(HPolytope, ContainsWhatItsInequalitiesAllow) {
+  const HPolytope simplex = corner_simplex(3);
+  EXPECT_EQ(contains(simplex, Vector{{0.2, 0.3, 0.1}}), Membership::inside);
+  EXPECT_EQ(contains(simplex, Vector{{0.5, 0.6, 0.1}}), Membership::outside);
+  EXPECT_EQ(contains(simplex, Vector{{0.5, -0.1, 0.1}}), Membership::outside);
+}
+
+TEST(HPolytope, MayBeFlatOrAPoint) {
+  Eigen::MatrixXd G(6, 2);
+  G << 1, 0, -1, 0, 0, 1, 0, -1, 1, 1, -1, -1;
+  const HPolytope segment(G, Vector{{2, 2, 2, 2, 1, -1}});  // x + y = 1
+  EXPECT_NEAR(segment.support_function(Vector{{1, 0}}), 2, 1e-12);
+  EXPECT_NEAR(segment.support_function(Vector{{1, 1}}), 1, 1e-12);
+  EXPECT_NEAR(segment.support_function(Vector{{0, -1}}), 1, 1e-12);
+  const HPolytope point(G.topRows(4), Vector{{3, -3, 4, -4}});
+  EXPECT_NEAR(point.support_function(Vector{{1, 1}}), 7, 1e-12);
+}
+
+TEST(HPolytope, RefusesWhatIsEmptyUnboundedOrMisshapen) {
+  const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(2, 2);
+  Eigen::MatrixXd strip(2, 2);
+  strip << 1, 0, -1, 0;
+  EXPECT_THROW(HPolytope(I, Vector::Ones(2)), InvalidParameterError);
+  EXPECT_THROW(HPolytope(strip, Vector::Ones(2)), InvalidParameterError);
+  Eigen::MatrixXd square(4, 2);
+  square << I, -I;
+  EXPECT_THROW(HPolytope(square, Vector{{1, 1, -2, 1}}), EmptySetError);
+  EXPECT_THROW(HPolytope(I, Vector::Ones(3)), DimensionMismatchError);
+  EXPECT_THROW(HPolytope(Eigen::MatrixXd::Zero(1, 2), Vector::Ones(1)), InvalidParameterError);
+  EXPECT_THROW(HPolytope(Eigen::MatrixXd::Zero(0, 2), Vector::Zero(0)), InvalidParameterError);
+  EXPECT_THROW(HPolytope(I, Vector::Constant(2, std::numeric_limits<double>::quiet_NaN())), NonFiniteError);
+}
+
+}  // namespace
+}  // namespace raygauge
