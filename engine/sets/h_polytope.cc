@@ -40,7 +40,7 @@ const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eig
 }
 
 // Σ_k |G_ik x_k|, to which rounding errors of G_i·x are relative.
-double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const Eigen::Map<const Vector>& x) {
+double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const Eigen::Map<const Eigen::VectorXd>& x) {
   return G.row(i).cwiseAbs().dot(x.cwiseAbs());
 }
 
@@ -81,7 +81,7 @@ void HPolytope::find_extent() {
 }
 
 double HPolytope::do_support(const double* u, double* point) const {
-  const Eigen::Map<const Vector> direction(u, dimension());
+  const Eigen::Map<const Eigen::VectorXd> direction(u, dimension());
   InequalitySimplex::Vertex at = start_;
   program_.maximise(direction, at);
   Vector::Map(point, dimension()) = at.x;
@@ -93,7 +93,7 @@ void HPolytope::do_center(double* point) const { Vector::Map(point, dimension())
 void HPolytope::do_magnitude(double* magnitude) const { Vector::Map(magnitude, dimension()) = magnitude_; }
 
 double HPolytope::do_inner_radius(const double* c) const {
-  const Eigen::Map<const Vector> x(c, dimension());
+  const Eigen::Map<const Eigen::VectorXd> x(c, dimension());
   const double relative = 2 * (dimension() + 4) * kUnitRoundoff;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < G().rows(); ++i) {
@@ -104,7 +104,7 @@ double HPolytope::do_inner_radius(const double* c) const {
 }
 
 double HPolytope::do_gauge(const double* x, double* normal) const {
-  const Eigen::Map<const Vector> at(x, dimension());
+  const Eigen::Map<const Eigen::VectorXd> at(x, dimension());
   const double relative = 2 * (dimension() + 4) * kUnitRoundoff;
   double gauge = 0;
   Vector::Map(normal, dimension()) = G().row(0);

@@ -84,7 +84,7 @@ int as_dimension(py::ssize_t size, const char* name) {
 Vector as_vector(py::handle object, const char* name) {
   const Doubles array = as_doubles(object, name);
   if (array.ndim() != 1) refuse(array, name, "an array of shape (n,)");
-  return Eigen::Map<const Vector>(array.data(), as_dimension(array.shape(0), name));
+  return Eigen::Map<const Eigen::VectorXd>(array.data(), as_dimension(array.shape(0), name));
 }
 
 Eigen::MatrixXd as_matrix(py::handle object, const char* name) {

@@ -151,7 +151,7 @@ struct BatchOutput {
 
  private:
   void store_vector(const Vector& vector, double* row) const {
-    Eigen::Map<Vector> target(row, n);
+    Eigen::Map<Eigen::VectorXd> target(row, n);
     if (vector.size() == n) {
       target = vector;
     } else {

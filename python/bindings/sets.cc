@@ -60,7 +60,7 @@ SupportMappingSet::Mapping mapping_of(py::object callable, int n) {
       throw DimensionMismatchError("what the mapping returned: " + std::to_string(n) +
                                    " coordinates are needed, got " + std::to_string(support.size()));
     }
-    Eigen::Map<Vector>(point, n) = support;
+    Eigen::Map<Eigen::VectorXd>(point, n) = support;
   };
 }
 

@@ -18,7 +18,7 @@ constexpr double kLargest = 0x1p500;
 bool in_range(double x) { return x == 0 || (std::fabs(x) > kSmallest && std::fabs(x) < kLargest); }
 
 // Whether u·x + constant < 0 beyond doubt: the terms carry n + 3 roundings of 2^-52 each at most.
-bool is_certainly_negative(const Vector& u, const Eigen::Ref<const Vector>& x, double sign, double constant) {
+bool is_certainly_negative(const Vector& u, const Eigen::Ref<const Eigen::VectorXd>& x, double sign, double constant) {
   double sum = constant;
   double size = std::fabs(constant);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -39,12 +39,12 @@ std::vector<bool> carriers(const std::vector<ExactWeight>& weights, Eigen::Index
 
 }  // namespace
 
-bool ProvenInstance::may_join_A(const Eigen::Ref<const Vector>& a) const {
+bool ProvenInstance::may_join_A(const Eigen::Ref<const Eigen::VectorXd>& a) const {
   if (truth.status == DistanceStatus::contains_origin) return true;  // no distance is below 0
   return dual_is_rounded && is_certainly_negative(u, a, 1, t);
 }
 
-bool ProvenInstance::may_join_Q(const Eigen::Ref<const Vector>& q) const {
+bool ProvenInstance::may_join_Q(const Eigen::Ref<const Eigen::VectorXd>& q) const {
   if (truth.status == DistanceStatus::contains_origin) return true;
   return dual_is_rounded &&
          is_certainly_negative(u, q, -1, truth.status == DistanceStatus::unreachable ? 0 : -1);

@@ -22,8 +22,8 @@ struct ProvenInstance {
   /// Whether u·a <= -t - margin, resp. -u·q <= 1 - margin (0 - margin for unreachable), is certain in double
   /// precision for a point: then the dual half of the proof allows it in A, resp. Q. The margin is the
   /// rounding error of the test itself.
-  bool may_join_A(const Eigen::Ref<const Vector>& a) const;
-  bool may_join_Q(const Eigen::Ref<const Vector>& q) const;
+  bool may_join_A(const Eigen::Ref<const Eigen::VectorXd>& a) const;
+  bool may_join_Q(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 
   Vector u;                      ///< truth.u, rounded
   double t = 0;                  ///< truth.t, rounded

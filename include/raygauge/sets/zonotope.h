@@ -21,7 +21,7 @@ class Zonotope final : public ConvexSet {
   /// NonFiniteError.
   Zonotope(const ConstVectorRef& center, const Eigen::Ref<const Eigen::MatrixXd>& generators);
 
-  const Eigen::MatrixXd& generators() const noexcept { return generators_; }
+  const DenseMatrix& generators() const noexcept { return generators_; }
 
  private:
   double do_support(const double* u, double* point) const override;

@@ -110,8 +110,8 @@ TEST(Basis, InvertsItsColumns) {
     const double tolerance = 1e-15 * m * R.norm() * B.norm();
     EXPECT_LE((R * B - Matrix::Identity(m, m)).norm(), tolerance * R.norm() * B.norm());
     const BasisView& view = basis.view();
-    EXPECT_LE((Eigen::Map<const Vector>(view.x(), m) - R * b).norm(), tolerance * (1 + b.norm()));
-    EXPECT_LE((B.transpose() * Eigen::Map<const Vector>(view.y, m) - cost).norm(),
+    EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(view.x(), m) - R * b).norm(), tolerance * (1 + b.norm()));
+    EXPECT_LE((B.transpose() * Eigen::Map<const Eigen::VectorXd>(view.y, m) - cost).norm(),
               tolerance * (1 + cost.norm()));
     EXPECT_NEAR(view.objective, cost.dot(R * b), tolerance * cost.norm() * (1 + b.norm()));
   }
@@ -150,11 +150,11 @@ TEST_P(BasisOnEveryKernel, KeepsItsInverseThroughManyChanges) {
     column.reserve(static_cast<std::size_t>(view.P));
     std::fill_n(column.data(), view.P, 0.0);
     for (std::int64_t change = 0; change < 53; ++change) {
-      Eigen::Map<Vector> entering(column.data(), m);
+      Eigen::Map<Eigen::VectorXd> entering(column.data(), m);
       entering = gaussian_points(m, 1, random) / std::sqrt(m) + Vector::Unit(m, change % m);
       const double cost = 0.01 * static_cast<double>(change);
       const auto enter = [&] {
-        const double reduced_cost = cost - entering.dot(Eigen::Map<const Vector>(view.y, m));
+        const double reduced_cost = cost - entering.dot(Eigen::Map<const Eigen::VectorXd>(view.y, m));
         std::int64_t left = -1;
         return kernels.pivot(&view, column.data(), cost, reduced_cost, m + change, false, &left);
       };
@@ -165,10 +165,10 @@ TEST_P(BasisOnEveryKernel, KeepsItsInverseThroughManyChanges) {
     EXPECT_EQ(view.pivots, 53);
     EXPECT_LE(basis_.drift(), 1e-8) << "m = " << m;
     const Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> B(view.B, m, m, Eigen::OuterStride<>(view.P));
-    const Eigen::Map<const Vector> costs(view.cost, m);
-    const Eigen::Map<const Vector> x(view.x(), m);
-    const double size = Eigen::Map<const Vector>(view.y, m).norm() + 1;
-    EXPECT_LE((B.transpose() * Eigen::Map<const Vector>(view.y, m) - costs).norm(), 1e-8 * size)
+    const Eigen::Map<const Eigen::VectorXd> costs(view.cost, m);
+    const Eigen::Map<const Eigen::VectorXd> x(view.x(), m);
+    const double size = Eigen::Map<const Eigen::VectorXd>(view.y, m).norm() + 1;
+    EXPECT_LE((B.transpose() * Eigen::Map<const Eigen::VectorXd>(view.y, m) - costs).norm(), 1e-8 * size)
         << "m = " << m;
     EXPECT_NEAR(view.objective, costs.dot(x), 1e-8 * (1 + costs.norm() * x.norm())) << "m = " << m;
     EXPECT_LE(basis_.residual_share(), 1e-6) << "m = " << m;

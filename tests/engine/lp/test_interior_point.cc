@@ -71,7 +71,7 @@ TEST(InteriorPoint, SeparatesWhatNoMultipleReaches) {
     ASSERT_EQ(
         method.solve(problem.pool_A, problem.pool_Q, n, problem.guess.data(), best_kernels(), stopwatch),
         InteriorPoint::End::separated);
-    const Eigen::Map<const Vector> u(method.normal(), n);
+    const Eigen::Map<const Eigen::VectorXd> u(method.normal(), n);
     EXPECT_LT((u.transpose() * Problem::random_A(n, n + 2, static_cast<unsigned>(n))).maxCoeff(), 0);
     EXPECT_GT((u.transpose() * Problem::random_Q(n, n + 2, static_cast<unsigned>(n))).minCoeff(), 0);
   }

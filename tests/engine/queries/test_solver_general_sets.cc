@@ -19,8 +19,8 @@ class Ball final : public ConvexSet {
 
  private:
   double do_support(const double* u, double* point) const override {
-    const Eigen::Map<const Vector> direction(u, dimension());
-    Eigen::Map<Vector> maximiser(point, dimension());
+    const Eigen::Map<const Eigen::VectorXd> direction(u, dimension());
+    Eigen::Map<Eigen::VectorXd> maximiser(point, dimension());
     const double length = direction.norm();
     maximiser = center_;
     if (length > 0) maximiser += radius_ / length * direction;

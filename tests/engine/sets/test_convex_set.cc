@@ -18,7 +18,7 @@ class Ball final : public ConvexSet {
 
  private:
   double do_support(const double* u, double* point) const override {
-    const double length = Eigen::Map<const Vector>(u, dimension()).norm();
+    const double length = Eigen::Map<const Eigen::VectorXd>(u, dimension()).norm();
     for (int k = 0; k < dimension(); ++k) point[k] = length > 0 ? radius_ / length * u[k] : 0.0;
     return radius_ * length;
   }
