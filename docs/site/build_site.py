@@ -18,12 +18,13 @@ import sys
 import urllib.parse
 
 HERE = pathlib.Path(__file__).resolve().parent
+AWESOME = pathlib.Path("/usr/share/doxygen-awesome-css")  # the C++ API's look, where that package is
 ROOT = HERE.parent.parent
 
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
     "Tutorials": ["tutorials", "user-guide", "python", "pandas"],
-    "How-to": ["experiments", "analysis", "scenes", "clusters", "contributing"],
+    "How-to": ["experiments", "analysis", "scenes", "scaling", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],
@@ -167,6 +168,9 @@ def run_doxygen(output):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
     settings += f"\nINPUT = {ROOT / 'engine'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
     settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
+    styles = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css"]
+    if all(style.exists() for style in styles):
+        settings += f"HTML_EXTRA_STYLESHEET = {' '.join(map(str, styles))}\n"
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
 
 
