@@ -166,7 +166,9 @@ def write_sources(folder):
 
 def run_doxygen(output):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
-    settings += f"\nINPUT = {ROOT / 'engine'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
+    first = HERE / "cpp.md"
+    settings += f"\nINPUT = {ROOT / 'engine'} {first}\nUSE_MDFILE_AS_MAINPAGE = {first}\n"
+    settings += f"FILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
     settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
     styles = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css"]
     if all(style.exists() for style in styles):
