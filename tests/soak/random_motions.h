@@ -24,8 +24,8 @@ struct MotionTally {
 
 /// Random pairs of moving bodies of R^2 and R^3, all kinds of sets, many of them spinning fast, over the time
 /// [0, 1]. Their time of impact is compared with cold distances at single moments: on a grid, around the
-/// grid's least distance, and where they overlap, at the first moment of a bisection. Of every fiftieth motion
-/// the general methods compute them.
+/// grid's least distance, and where they overlap, at the first moment of a bisection. Of every fiftieth
+/// motion the general methods compute them.
 class RandomMotions {
  public:
   explicit RandomMotions(std::uint64_t seed);
