@@ -153,6 +153,8 @@ main() {
       install_packages build python
       configure
       build --target raygauge_python
+      # Sweeps with methods in Python need the program's libraries: of use where the program has been built.
+      if [[ -x $root/build/$preset/raygauge ]]; then build --target raygauge_sweeps; fi
       install_python
       ;;
     docs)

@@ -34,7 +34,7 @@ class BuildByCMake(build_ext):
         subprocess.run(["cmake", "--build", str(folder), "--parallel", str(os.cpu_count() or 1), "--target", "raygauge_python"], check=True)
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        # _sweeps is there where the program has been built in that folder.
+        # _sweeps is there where ./run.sh python found the program built.
         for built in (pathlib.Path(folder) / "python" / "raygauge").glob("_*.so"):
             shutil.copy(built, target.parent / built.name)
 

@@ -187,6 +187,7 @@ void print_n50(const Variant& variant, const Effort& effort) {
 void print_high(const Variant& variant, const Effort& effort) {
   std::vector<int> dimensions = {20, 50, 100};
   if (!effort.quick) dimensions.insert(dimensions.end(), {150, 200, 400, 500});
+  if (!effort.dimensions.empty()) dimensions = effort.dimensions;
   const auto print_part = [&](const char* what, const std::function<std::vector<int>(int)>& counts) {
     Summary direct(what);
     Summary zheng_yamane("  zheng_yamane");
@@ -204,7 +205,11 @@ void print_high(const Variant& variant, const Effort& effort) {
     direct.print();
     zheng_yamane.print();
   };
-  print_part("direct, many points", [](int n) { return std::vector<int>{3 * n, 10 * n}; });
+  print_part("direct, many points", [&](int n) {
+    std::vector<int> counts = {3 * n, 10 * n};
+    if (!effort.quick && 100 * n <= 20000) counts.push_back(100 * n);
+    return counts;
+  });
   print_part("direct, few points", [](int n) { return std::vector<int>{n + 2, 3 * n / 2, 2 * n}; });
 }
 
@@ -260,7 +265,8 @@ void print_growth(const Variant& variant, const Effort& effort) {
   const std::vector<int> sizes = effort.quick
                                      ? std::vector<int>{200, 2000, 20000, 200000}
                                      : std::vector<int>{200, 700, 2000, 7000, 20000, 70000, 200000, 1000000};
-  const std::vector<int> dimensions = {3, 5, 10, 20, 50, 100};
+  std::vector<int> dimensions = {3, 5, 10, 20, 50, 100};
+  if (!effort.quick) dimensions.insert(dimensions.end(), {200, 300, 400, 500});
   std::vector<double> by_N;
   std::vector<double> by_n;
   for (const int N : sizes)

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "bench/workload.h"
 
 namespace raygauge::bench {
 
 /// How much is measured.
 struct Effort {
-  bool quick = false;  ///< fewer cells
-  int instances = 20;  ///< per cell
+  bool quick = false;           ///< fewer cells
+  int instances = 20;           ///< per cell
+  std::vector<int> dimensions;  ///< of the row `high`; none: its own
 };
 
 /// Each prints one row of the table of speed targets to standard output: its cells, geometric mean and worst
@@ -17,8 +20,8 @@ struct Effort {
 void print_grid(const Variant& variant, const Effort& effort);  ///< direct / LP, zheng_yamane / LP; Table III
 void print_large(const Variant& variant, const Effort& effort);  ///< direct / pass; N = 2e4, 2e5, 1e6
 void print_n50(const Variant& variant, const Effort& effort);    ///< direct / pass; n = 50, N = 2e4
-/// direct / LP and zheng_yamane / LP at n = 20 … 500, N = 3 n, 10 n, and N = n + 2, 1.5 n, 2 n. `quick`: to
-/// n = 100.
+/// direct / LP and zheng_yamane / LP at n = 20 … 500, N = 3 n, 10 n, 100 n (to 2·10^4), and N = n + 2, 1.5 n,
+/// 2 n. `quick`: to n = 100, without 100 n.
 void print_high(const Variant& variant, const Effort& effort);
 /// Share of solves proven to 1e-6, 1e-9 and 1e-12 at n = 20 … 200, N = n + 2 … 10 n.
 void print_certified(const Variant& variant, const Effort& effort);

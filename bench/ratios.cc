@@ -40,6 +40,10 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember(row_names));
   app.add_option("--variant", variant, "kind of instances")->check(CLI::IsMember(variant_names));
   app.add_option("--instances", effort.instances, "instances a cell")->check(CLI::Range(1, 10000));
+  app.add_option("--dimensions", effort.dimensions,
+                 "dimensions of the row high, separated by commas; none: its own")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 2000));
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;

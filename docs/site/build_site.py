@@ -18,12 +18,13 @@ import sys
 import urllib.parse
 
 HERE = pathlib.Path(__file__).resolve().parent
+AWESOME = pathlib.Path("/usr/share/doxygen-awesome-css")  # the C++ API's look, where that package is
 ROOT = HERE.parent.parent
 
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
     "Tutorials": ["tutorials", "user-guide", "python", "pandas"],
-    "How-to": ["experiments", "analysis", "scenes", "clusters", "contributing"],
+    "How-to": ["experiments", "analysis", "scenes", "scaling", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],
@@ -165,8 +166,13 @@ def write_sources(folder):
 
 def run_doxygen(output):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
-    settings += f"\nINPUT = {ROOT / 'include'}\nFILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
+    first = HERE / "cpp.md"
+    settings += f"\nINPUT = {ROOT / 'include'} {first}\nUSE_MDFILE_AS_MAINPAGE = {first}\n"
+    settings += f"FILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
     settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
+    styles = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css"]
+    if all(style.exists() for style in styles):
+        settings += f"HTML_EXTRA_STYLESHEET = {' '.join(map(str, styles))}\n"
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
 
 

@@ -6,17 +6,18 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/spatial_growth.h"
 
 namespace raygauge {
 namespace {
 
+constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
 
 // The radius of a ball about the origin; 0 for every other set.
-double radius_of_metric(const ConvexSet& Q) {
-  SpatialShape shape;
+double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
   if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
   return shape.center.x == 0 && shape.center.y == 0 && shape.center.z == 0 ? shape.radius : 0.0;
 }
@@ -36,7 +37,7 @@ void set_counters(const SpatialPair& pair, const SpatialAnswer& answer, Distance
 bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceOptions& options) {
   const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0 &&
                     options.time_limit == std::numeric_limits<double>::infinity();
-  return open && pair_.bind(first, second, kernels_for(options.instruction_set));
+  return open && pair_.bind(first, second, options.instruction_set);
 }
 
 void SpatialQuery::begin(const WarmStart* warm) {
@@ -46,9 +47,8 @@ void SpatialQuery::begin(const WarmStart* warm) {
   if (const double* normal = recorded_normal(*warm, pair_.dimension())) {
     start_.has_normal = true;
     start_.normal = -pair_.to_body(normal);
-    const double size = length(start_.normal);
-    start_.has_normal = size > 0 && size < std::numeric_limits<double>::infinity();
-    if (start_.has_normal) start_.normal = start_.normal * (1 / size);
+    const double square = dot(start_.normal, start_.normal);
+    start_.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
   }
   if (!pair_.has_vertices()) return;
   start_.count = std::clamp(warm->count, 0, 4);
@@ -72,16 +72,12 @@ void SpatialQuery::record(const SpatialAnswer& answer, const Vector& normal, War
 void SpatialQuery::closest_points(const SpatialAnswer& answer, ObjectDistance& result) const {
   const SpatialCombination& combination = answer.combination;
   Vector3 a1, a2;
-  double sum = 0;
   for (int i = 0; i < combination.count; ++i) {
     a1 = a1 + combination.point[i].a1 * combination.weight[i];
     a2 = a2 + combination.point[i].a2 * combination.weight[i];
-    sum += combination.weight[i];
   }
-  a1 = a1 * (1 / sum);
-  a2 = a2 * (1 / sum);
   const Vector3 way = a2 - a1;
-  const double size = length(way);
+  const double size = pair_.radius() > 0 ? length(way) : 0.0;
   if (size > 0) {
     a1 = a1 + way * (pair_.shape(0).radius / size);
     a2 = a2 - way * (pair_.shape(1).radius / size);
@@ -96,7 +92,7 @@ void SpatialQuery::closest_points(const SpatialAnswer& answer, ObjectDistance& r
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
-  const double radius = radius_of_metric(metric);
+  const double radius = radius_of_metric(metric, metric_);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
   begin(warm);
   SpatialAnswer& answer = answer_;

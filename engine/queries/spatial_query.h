@@ -31,6 +31,7 @@ class SpatialQuery {
   SpatialPair pair_;
   SpatialStart start_;
   SpatialAnswer answer_;
+  SpatialShape metric_;
 };
 
 }  // namespace raygauge

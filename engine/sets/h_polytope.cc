@@ -40,7 +40,8 @@ const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eig
 }
 
 // Σ_k |G_ik x_k|, to which rounding errors of G_i·x are relative.
-double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const Eigen::Map<const Eigen::VectorXd>& x) {
+double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i,
+               const Eigen::Map<const Eigen::VectorXd>& x) {
   return G.row(i).cwiseAbs().dot(x.cwiseAbs());
 }
 

@@ -53,6 +53,7 @@ void perform(const std::function<void()>& work, Outcome& outcome) {
 bool SignalWatch::look() {
   if (raised_) return true;
   const auto now = std::chrono::steady_clock::now();
+  if (last_look_ == std::chrono::steady_clock::time_point()) last_look_ = now;
   if (now - last_look_ < kBetweenLooks) return false;
   last_look_ = now;
   const py::gil_scoped_acquire acquire;

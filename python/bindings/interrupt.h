@@ -40,7 +40,7 @@ class SignalWatch {
  private:
   bool look();
 
-  std::chrono::steady_clock::time_point last_look_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_look_;  // the epoch: the solve has not asked yet
   std::optional<pybind11::error_already_set> raised_;
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 #include <memory>
-#include <string>
+#include <string_view>
+#include <utility>
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
@@ -13,6 +14,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/membership.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/origin_in_interior.h"
 
@@ -24,7 +26,7 @@ using py::literals::operator""_a;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kTolerance = 1e-9;
 
-DistanceResult distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
+DistanceResult distance(py::handle A, py::handle Q, double tolerance, std::string_view method,
                         py::handle pose_A, py::handle pose_Q, py::handle warm, bool witness,
                         double time_limit, std::int64_t max_iterations, int threads) {
   const SetPointer a = as_set(A, "A");
@@ -45,8 +47,8 @@ DistanceResult distance(py::handle A, py::handle Q, double tolerance, const std:
 }
 
 ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, double tolerance,
-                               const std::string& method, py::handle pose_1, py::handle pose_2,
-                               py::handle warm, bool closest_points, bool gradient, double time_limit) {
+                               std::string_view method, py::handle pose_1, py::handle pose_2, py::handle warm,
+                               bool closest_points, bool gradient, double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
   const SetPointer metric = as_set(Q, "Q");
@@ -65,7 +67,7 @@ ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, doubl
   });
 }
 
-DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, const std::string& method,
+DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, std::string_view method,
                                py::handle pose_A, py::handle pose_Q, py::handle warm, double time_limit) {
   const SetPointer a = as_set(A, "A");
   const SetPointer q = as_set(Q, "Q");
@@ -79,7 +81,7 @@ DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, con
       [&] { return DistanceResult(solver.solve(posed(*a, a_pose), posed(*q, q_pose), kept)); });
 }
 
-SeparationResult separation(py::handle A1, py::handle A2, double tolerance, const std::string& method,
+SeparationResult separation(py::handle A1, py::handle A2, double tolerance, std::string_view method,
                             py::handle pose_1, py::handle pose_2, py::handle warm, double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
@@ -109,6 +111,26 @@ py::object contains_origin_inside(py::handle Q, double time_limit) {
   return py::bool_(answer == OriginInInterior::Answer::holds);
 }
 
+std::pair<double, double> gauge_bounds(py::handle S, py::handle x, double tolerance) {
+  const SetPointer set = as_set(S, "S");
+  const Vector point = as_vector(x, "x");
+  const py::gil_scoped_release release;
+  const GaugeBounds bounds = gauge(*set, point, tolerance);
+  return {bounds.lower, bounds.upper};
+}
+
+py::object whether_contains(py::handle S, py::handle x, double tolerance) {
+  const SetPointer set = as_set(S, "S");
+  const Vector point = as_vector(x, "x");
+  Membership membership{};
+  {
+    const py::gil_scoped_release release;
+    membership = contains(*set, point, tolerance);
+  }
+  if (membership == Membership::undecided) return py::none();
+  return py::bool_(membership == Membership::inside);
+}
+
 }  // namespace
 
 void bind_queries(py::module_& module) {
@@ -128,6 +150,8 @@ void bind_queries(py::module_& module) {
              "warm"_a = py::none(), "time_limit"_a = kNoLimit);
   module.def("origin_in_interior", &contains_origin_inside, kOriginInInteriorDoc, "Q"_a, py::kw_only(),
              "time_limit"_a = kNoLimit);
+  module.def("gauge", &gauge_bounds, kGaugeDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance);
+  module.def("contains", &whether_contains, kContainsDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance);
   module.def(
       "gradient_moving_A", [](const DistanceResult& r) { return readonly_array(gradient_moving_A(r)); },
       kGradientMovingADoc, "result"_a);

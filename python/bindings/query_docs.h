@@ -73,6 +73,25 @@ Q: an array of shape (N, n) or a PointSet. Returns True or False, both proven, o
 True
 )";
 
+inline constexpr const char* kGaugeDoc =
+    R"(The gauge of a set at a point, min{t >= 0 : x in t S}, as proven bounds (lower, upper).
+
+S: a set or an array (N, n); x: an array (n,); inf where no multiple of S has x. tolerance: relative gap.
+
+>>> lower, upper = rg.gauge(rg.Ball([0, 0], 2), [3, 4])
+>>> round(lower, 6), round(upper, 6)
+(2.5, 2.5)
+)";
+
+inline constexpr const char* kContainsDoc =
+    R"(Whether a point lies in a set: True or False, both proven, or None for a point too near to the boundary.
+
+S: a set or an array (N, n); x: an array (n,). tolerance: how near, relative to the way from the set's center.
+
+>>> rg.contains(rg.Box([0, 0], [2, 1]), [1.5, 0.5]), rg.contains([[0, 0], [2, 0], [0, 2]], [1.5, 1.5])
+(True, False)
+)";
+
 inline constexpr const char* kGradientMovingADoc =
     R"(The gradient of d_Q(A + t) with respect to t at 0, shape (n,).
 

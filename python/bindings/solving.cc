@@ -3,6 +3,8 @@
 #include "python/bindings/solving.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sweep/method.h"
@@ -15,16 +17,18 @@ constexpr std::array kMethods{DistanceMethod::automatic, DistanceMethod::column_
 
 }  // namespace
 
-DistanceMethod method_of(const std::string& name) {
+DistanceMethod method_of(std::string_view name) {
   for (const DistanceMethod method : kMethods) {
-    if (current_method_name(name) == to_string(method)) return method;
+    if (name == to_string(method)) return method;
   }
+  const std::string current = current_method_name(std::string(name));
+  if (current != name) return method_of(current);
   std::vector<std::string> names;
   for (const DistanceMethod method : kMethods) names.emplace_back(to_string(method));
-  throw UnknownNameError("method", name, names);
+  throw UnknownNameError("method", current, names);
 }
 
-DistanceOptions options_of(const std::string& method, double tolerance, double time_limit) {
+DistanceOptions options_of(std::string_view method, double tolerance, double time_limit) {
   DistanceOptions options;
   options.method = method_of(method);
   options.tolerance = tolerance;

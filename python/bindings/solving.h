@@ -5,7 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,11 +15,11 @@
 namespace raygauge::python {
 
 /// The method of that name. Throws UnknownNameError.
-DistanceMethod method_of(const std::string& name);
+DistanceMethod method_of(std::string_view name);
 
 /// Options of every query. Throws UnknownNameError; ranges are the solver's to
 /// check.
-DistanceOptions options_of(const std::string& method, double tolerance, double time_limit);
+DistanceOptions options_of(std::string_view method, double tolerance, double time_limit);
 
 /// A solver of this thread, for the time of one call: a set of the user's own may call back into raygauge
 /// while it is being solved for, and then gets another.

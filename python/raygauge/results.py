@@ -54,7 +54,26 @@ def _complete_version_one(variables: dict[str, Any], identity: str) -> None:
             variables[name] = make(("record",), values, {"units": unit, "description": description})
 
 
+def _scene(file: h5py.File) -> Results:
+    """The answers of a scene, with the names of bodies and queries instead of their numbers."""
+    make: Any = xr.Variable
+    variables = {name: _variable(column) for name, column in file["records"].items()}
+    for column, table in (("query", "queries"), ("body_a", "bodies"), ("body_b", "bodies")):
+        names = _values(file[table]["name"])[variables[column].values]
+        description = str(file[table]["name"].attrs["description"])
+        variables[column] = make(("record",), names, {"units": "", "description": description})
+    attributes = {
+        "name": file["name"].asstr()[()],
+        "scene": file["scene"].asstr()[()],
+        "raygauge_version": str(file.attrs["raygauge_version"]),
+        "schema_version": int(file.attrs["schema_version"]),
+    }
+    return Results(variables, attrs=attributes)
+
+
 def _dataset(file: h5py.File, path: str) -> Results:
+    if file.attrs.get("format") == "raygauge-scene":
+        return _scene(file)
     if file.attrs.get("format") != "raygauge-results":
         raise ResultsError(f"{path}: no results file of raygauge")
     variables = {name: _variable(column) for name, column in file["records"].items()}

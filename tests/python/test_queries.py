@@ -56,6 +56,19 @@ class Distances(unittest.TestCase):
             self.assertAlmostEqual(shape.support_function(u), value, places=12, msg=repr(shape))
             self.assertAlmostEqual(shape.support_mapping(u) @ u, value, places=12, msg=repr(shape))
 
+    def test_gauge_and_membership_have_their_closed_forms(self):
+        ellipsoid = rg.Ellipsoid([0, 0, 0], np.diag([1.0, 2.0, 4.0]))
+        lower, upper = rg.gauge(ellipsoid, [0, 3, 0])
+        self.assertTrue(lower <= 1.5 <= upper and upper - lower <= 1e-8)
+        self.assertEqual(rg.gauge(SQUARE, [0.25, -0.25]), rg.gauge(rg.PointSet(SQUARE), np.array([0.25, -0.25])))
+        self.assertEqual(rg.gauge([[1, 0], [2, 1]], [0, 5])[0], np.inf)
+        self.assertIs(rg.contains(TRIANGLE, [3, 0.1]), True)
+        self.assertIs(rg.contains(TRIANGLE, [1.9, 0.0]), False)
+        self.assertIsNone(rg.contains(rg.Ball([0, 0], 5), [3, 4]))
+        self.assertIs(rg.contains(rg.SupportMappingSet(np.zeros(2), np.sign), [0.5, -0.9]), True)
+        self.assertRaises(rg.DimensionMismatchError, rg.gauge, SQUARE, [1, 2, 3])
+        self.assertRaises(rg.NonFiniteError, rg.contains, SQUARE, [np.nan, 0])
+
     def test_a_set_of_ones_own_gives_the_answer_of_the_set_that_it_is(self):
         def ball(u):
             length = np.linalg.norm(u)

@@ -129,6 +129,20 @@ class Results(unittest.TestCase):
             with self.assertRaises(rg.ResultsError):
                 rg.open(path)
 
+    def test_answers_of_a_scene_are_those_of_the_export_with_names(self):
+        source = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "scenes", "two_vehicles.toml")
+        path = pathlib.Path(self.scratch.name, "two_vehicles.h5")
+        subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "scene", "run", source, "-q", "-o", path], check=True)
+        answers = rg.open(path)
+        rows = exported(path, self.scratch.name)
+        self.assertEqual(set(rows[0]), set(answers.variables))
+        np.testing.assert_array_equal(answers["lower"].values, [float(row["lower"]) for row in rows])
+        self.assertEqual(set(answers["query"].values), {"room", "walls", "crash"})
+        self.assertEqual(set(answers["body_a"].values) | set(answers["body_b"].values), {"ego", "other", "wall"})
+        self.assertIn("metric_body", answers.attrs["scene"])
+        self.assertEqual(str(answers.to_dataframe().dtypes["status"]), "category")
+        self.assertEqual(answers["time"].attrs["units"], "s")
+
     def test_dicts_become_toml_that_reads_back(self):
         import tomllib
 

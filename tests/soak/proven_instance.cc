@@ -18,7 +18,8 @@ constexpr double kLargest = 0x1p500;
 bool in_range(double x) { return x == 0 || (std::fabs(x) > kSmallest && std::fabs(x) < kLargest); }
 
 // Whether u·x + constant < 0 beyond doubt: the terms carry n + 3 roundings of 2^-52 each at most.
-bool is_certainly_negative(const Vector& u, const Eigen::Ref<const Eigen::VectorXd>& x, double sign, double constant) {
+bool is_certainly_negative(const Vector& u, const Eigen::Ref<const Eigen::VectorXd>& x, double sign,
+                           double constant) {
   double sum = constant;
   double size = std::fabs(constant);
   for (Eigen::Index k = 0; k < x.size(); ++k) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets` solves random pairs of convex sets by every method: docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `motions` and `scenes` check random pairs of convex sets, posed bodies,
+// moving bodies and scenes: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -12,6 +13,8 @@
 
 #include "results/provenance/provenance.h"
 #include "tests/soak/posed_bodies.h"
+#include "tests/soak/random_motions.h"
+#include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 
@@ -125,8 +128,9 @@ CLI::App* declare(CLI::App& app, const std::string& name, const std::string& des
                   PairsCommandLine& asked) {
   CLI::App* command = app.add_subcommand(name, description);
   command->option_defaults()->always_capture_default();
-  command->add_option("--pairs", asked.pairs, "how many")->check(CLI::PositiveNumber);
-  command->add_option("--first", asked.first, "number of the first pair")->check(CLI::NonNegativeNumber);
+  command->add_option("--pairs", asked.pairs, "how many pairs, motions or scenes")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--first", asked.first, "number of the first one")->check(CLI::NonNegativeNumber);
   command->add_option("--seed", asked.seed, "seed of all random numbers");
   return command;
 }
@@ -146,12 +150,19 @@ int main(int count, char** arguments) {
   const CLI::App* bodies = raygauge::soak::declare(
       app, "bodies", "Random posed bodies of R^2 and R^3, warm and cold, against the general methods.",
       asked_pairs);
+  const CLI::App* motions = raygauge::soak::declare(
+      app, "motions", "Times of impact of random moving bodies, against distances at single moments.",
+      asked_pairs);
+  const CLI::App* scenes = raygauge::soak::declare(
+      app, "scenes", "Random scenes with every effect, against brute force.", asked_pairs);
   CLI11_PARSE(app, count, arguments);
   std::signal(SIGINT, raygauge::soak::note_interrupt);
   std::signal(SIGTERM, raygauge::soak::note_interrupt);
   try {
     if (*sets) return raygauge::soak::soak_pairs<raygauge::soak::SetPairs>(asked_pairs);
     if (*bodies) return raygauge::soak::soak_pairs<raygauge::soak::PosedBodies>(asked_pairs);
+    if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
+    if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);
     return raygauge::soak::soak(asked);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raygauge_soak: %s\n", error.what());

@@ -13,6 +13,8 @@
 #include "raygauge/queries/solver.h"
 #include "tests/soak/certificate_check.h"
 #include "tests/soak/posed_bodies.h"
+#include "tests/soak/random_motions.h"
+#include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 #include "tests/soak/variant.h"
@@ -184,6 +186,24 @@ TEST(Soak, FindsNoContradictionInTenThousandPairsOfSets) {
     ASSERT_FALSE(violation) << *violation;
   }
   EXPECT_EQ(pairs.tally().pairs, 10000);
+}
+
+TEST(Soak, TimesOfImpactAreThoseOfBisections) {
+  soak::RandomMotions motions(1);
+  for (std::int64_t i = 0; i < 300; ++i) {
+    ASSERT_EQ(motions.check(i).value_or(""), "");
+  }
+  EXPECT_GT(motions.tally().contacts, 50);
+  EXPECT_GT(motions.tally().free, 50);
+  EXPECT_GT(motions.tally().grazing, 20);
+}
+
+TEST(Soak, ScenesHaveTheAnswersOfBruteForce) {
+  soak::RandomScenes scenes(1);
+  for (std::int64_t i = 0; i < 20; ++i) {
+    ASSERT_EQ(scenes.check(i).value_or(""), "");
+  }
+  EXPECT_GT(scenes.tally().records, 1000);
 }
 
 TEST(Soak, PosedBodiesHaveBoundsThatTheGeneralMethodsDoNotContradict) {

@@ -12,7 +12,7 @@ template <class Real>
 struct SimplexFace {
   int count = 0;
   int corner[4] = {0, 0, 0, 0};
-  Real weight[4] = {};  ///< barycentric coordinates of that point
+  Real weight[4] = {};  ///< barycentric coordinates of that point; their sum is 1 to 8 rounding units
   BasicVector3<Real> v;
   Real square{};
   double depth = 0;  ///< the ball of this radius about the origin is inside, proven; 0: nothing is

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/spatial_distance.h"
 #include "engine/numerics/double_double.h"
 #include "raygauge/sets/pose.h"

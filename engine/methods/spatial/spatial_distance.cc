@@ -13,16 +13,12 @@ constexpr int kMostIterations = 64;
 constexpr double kNoise = 4;  // a gap of so many error(), two of which are the bounds' own, is rounding
 constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
-// Σ c_l s_l of the weights as they are, which are not negative and add up to one: its length is an upper
-// bound, and what nearest_face says of v is not used.
+// Σ c_l s_l of the weights as they are, which are not negative and add up to one, to 8 rounding units: its
+// length is an upper bound, and what nearest_face says of v is not used.
 Vector3 combine(const SpatialCombination& simplex) {
-  double sum = 0;
-  Vector3 v;
-  for (int i = 0; i < simplex.count; ++i) {
-    v = v + simplex.point[i].s * simplex.weight[i];
-    sum += simplex.weight[i];
-  }
-  return v * (1 / sum);
+  Vector3 v = simplex.point[0].s * simplex.weight[0];
+  for (int i = 1; i < simplex.count; ++i) v = v + simplex.point[i].s * simplex.weight[i];
+  return v;
 }
 
 bool holds(const SpatialCombination& simplex, const SpatialPoint& w) {
@@ -62,7 +58,7 @@ class Descent {
   void begin(const SpatialStart& start);
   double reduce();
   bool step(double depth);
-  void bound_from_below(const Vector3& v, double along, double size);
+  void bound_from_below(const Vector3& u, double along);
 
   SpatialPair& pair_;
   double tolerance_;
@@ -91,12 +87,12 @@ double Descent::reduce() {
   return face.depth;
 }
 
-// `along` is v·w for the support point w: what is certain of it, after its rounding error.
-void Descent::bound_from_below(const Vector3& v, double along, double size) {
-  const double lower = (along / size - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+// `along` is u·w for the support point w for u: what is certain of it, after its rounding error.
+void Descent::bound_from_below(const Vector3& u, double along) {
+  const double lower = (-along - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
   if (!(lower > answer_.lower)) return;
   answer_.lower = lower;
-  answer_.normal = -v;
+  answer_.normal = u;
 }
 
 // One support point more. False where there is nothing to be gained.
@@ -110,14 +106,15 @@ bool Descent::step(double depth) {
   }
   if (simplex_.count == 4 || !(size > pair_.error())) return false;
   SpatialPoint& w = simplex_.point[simplex_.count];
-  pair_.support(-v, w);
-  const double along = dot(v, w.s);
-  const double hopeful = along / size - pair_.error() - pair_.radius();
+  const Vector3 u = v * (-1 / size);
+  pair_.support(u, w);
+  const double along = dot(u, w.s);
+  const double hopeful = -along - pair_.error() - pair_.radius();
   if (hopeful > best_hope_) {
     best_hope_ = hopeful;
-    answer_.hint = -v;
+    answer_.hint = u;
   }
-  bound_from_below(v, along, size);
+  bound_from_below(u, along);
   if (is_closed()) {
     answer_.end = SpatialEnd::closed;
     return false;

@@ -21,7 +21,7 @@ struct SpatialAnswer {
   SpatialEnd end = SpatialEnd::open;
   double lower = 0;
   double upper = 0;
-  Vector3 normal;  ///< outer normal of what touches the difference D, not a unit vector: it proves `lower`
+  Vector3 normal;  ///< outer normal of what touches the difference D, of any length: it proves `lower`
   Vector3 hint;    ///< the best normal met, though it may prove nothing: where to go on from
   SpatialCombination combination;  ///< proves `upper`
   int iterations = 0;

@@ -28,7 +28,6 @@ class Growth {
         tolerance_(tolerance),
         threshold_(threshold),
         p_(pair.between_centers()),
-        size_(length(p_)),
         answer_(answer),
         portal_(answer.combination.point) {
     inner_radius_ = kDown * pair.inner_radius() - 2 * pair.error();
@@ -49,13 +48,14 @@ class Growth {
   bool recall(const SpatialStart& start);
   void refine();
   void find_inner_radius();
-  bool weigh(double* weight, double* uncertainty) const;
+  bool weigh(double* weight) const;
+  void enclose_weights(const double* weight);
+  void bound_by_portal(bool may_end);
 
   SpatialPair& pair_;
   double tolerance_;
   double threshold_;
   Vector3 p_;
-  double size_;
   double inner_radius_;
   SpatialAnswer& answer_;
   SpatialPoint* portal_;  // three, in the answer
@@ -110,12 +110,13 @@ void Growth::bound_from_above(const SpatialPoint* corner, int count, const doubl
   answer_.upper = upper;
 }
 
-// A solve of the 3 × 3 system K x = b for a symmetric K; false where K is singular to working precision.
+// A solve of the 3 × 3 system K x = b for a positive definite K; false where it is singular to working
+// precision, against the third power of its trace.
 bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
   const Vector3 c0 = cross(K.column[1], K.column[2]);
   const double determinant = dot(K.column[0], c0);
-  const double scale = length(K.column[0]) * length(K.column[1]) * length(K.column[2]);
-  if (!(std::fabs(determinant) > 1e-13 * scale)) return false;
+  const double scale = K.column[0].x + K.column[1].y + K.column[2].z;
+  if (!(determinant > 1e-15 * scale * scale * scale)) return false;
   x = Vector3{dot(b, c0), dot(b, cross(K.column[2], K.column[0])), dot(b, cross(K.column[0], K.column[1]))} *
       (1 / determinant);
   return true;
@@ -164,25 +165,36 @@ bool Growth::newton(Vector3 u) {
   return false;
 }
 
-// The weights of the portal in p, and bounds on their errors where it is a basis.
-bool Growth::weigh(double* weight, double* uncertainty) const {
-  double determinant = 0, rows[3];
-  for (int i = 0; i < 3; ++i) {
-    const Vector3 n = cross(portal_[(i + 1) % 3].s, portal_[(i + 2) % 3].s);
-    if (i == 0) determinant = dot(n, portal_[0].s);
-    if (!(std::fabs(determinant) > 0)) return false;
-    weight[i] = std::max(0.0, dot(n, p_) / determinant);
-    rows[i] = length(n) / std::fabs(determinant);
-  }
-  Vector3 r = p_;
-  for (int i = 0; i < 3; ++i) r = r - portal_[i].s * weight[i];
-  const double sum = weight[0] + weight[1] + weight[2];
-  const double residual = length(r) + 4 * pair_.error() * (1 + sum);
-  // The exact inverse differs from the computed one by a share of error times its norm, which must be small.
-  const double norm = rows[0] + rows[1] + rows[2];
-  const double share = 8 * norm * pair_.error();
-  for (int i = 0; i < 3; ++i) uncertainty[i] = share < 0.25 ? 2 * norm * residual : kInfinity;
+// The weights of the portal in p; false where it is flat.
+bool Growth::weigh(double* weight) const {
+  const Vector3 n0 = cross(portal_[1].s, portal_[2].s);
+  const double determinant = dot(n0, portal_[0].s);
+  if (!(std::fabs(determinant) > 0)) return false;
+  const double share = 1 / determinant;
+  weight[0] = std::max(0.0, dot(n0, p_) * share);
+  weight[1] = std::max(0.0, dot(cross(portal_[2].s, portal_[0].s), p_) * share);
+  weight[2] = std::max(0.0, dot(cross(portal_[0].s, portal_[1].s), p_) * share);
   return true;
+}
+
+// Without a ball inside B: the exact weights, if they are positive for certain, prove their sum. The exact
+// inverse of the portal differs from the computed one by a share of error times its norm, which must be
+// small.
+void Growth::enclose_weights(const double* weight) {
+  double norm = 0;
+  Vector3 r = p_;
+  const double determinant = std::fabs(dot(cross(portal_[0].s, portal_[1].s), portal_[2].s));
+  for (int i = 0; i < 3; ++i) {
+    norm += length(cross(portal_[(i + 1) % 3].s, portal_[(i + 2) % 3].s)) / determinant;
+    r = r - portal_[i].s * weight[i];
+  }
+  if (!(8 * norm * pair_.error() < 0.25)) return;
+  const double sum = weight[0] + weight[1] + weight[2];
+  const double uncertainty = 2 * norm * (length(r) + 4 * pair_.error() * (1 + sum));
+  const double upper = (sum + 3 * uncertainty) * kUp;
+  if (weight[0] >= uncertainty && weight[1] >= uncertainty && weight[2] >= uncertainty &&
+      upper < answer_.upper)
+    answer_.upper = upper;
 }
 
 // The way from what is known of the portal, one support point or two, to the ray of p, at the height of the
@@ -289,6 +301,18 @@ void Growth::find_inner_radius() {
   }
 }
 
+// The upper bound of the portal, by what proves it with the least work.
+void Growth::bound_by_portal(bool may_end) {
+  double weight[3];
+  if (!weigh(weight)) return;
+  bound_from_above(portal_, 3, weight);
+  if (is_done()) return;
+  enclose_weights(weight);
+  if (!may_end || is_done() || inner_radius_ > 0) return;
+  find_inner_radius();
+  bound_from_above(portal_, 3, weight);
+}
+
 void Growth::refine() {
   for (int i = 0; i < kMostExchanges; ++i) {
     Vector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
@@ -300,18 +324,7 @@ void Growth::refine() {
     const bool may_end = hopeful >= 1 - tolerance_;
     if (may_end || !std::isnan(threshold_)) {
       if (may_end || dot(n, p_) > threshold_ * dot(n, w.s)) bound_from_below(n, w);
-      double weight[3], uncertainty[3];
-      if (weigh(weight, uncertainty)) {
-        bound_from_above(portal_, 3, weight);
-        const bool positive =
-            weight[0] >= uncertainty[0] && weight[1] >= uncertainty[1] && weight[2] >= uncertainty[2];
-        const double sum = (weight[0] + weight[1] + weight[2] + uncertainty[0] * 3) * kUp;
-        if (positive && sum < answer_.upper) answer_.upper = sum;
-        if (may_end && !positive && !(inner_radius_ > 0)) {
-          find_inner_radius();
-          bound_from_above(portal_, 3, weight);
-        }
-      }
+      bound_by_portal(may_end);
       if (is_done()) return;
       if (hopeful >= 1 - 1e-15) return;
     }
@@ -329,7 +342,7 @@ void Growth::refine() {
 
 void Growth::run(const SpatialStart& start) {
   answer_.upper = kInfinity;
-  if (!(size_ > 4 * pair_.error())) return;
+  if (!(dot(p_, p_) > 16 * pair_.error() * pair_.error())) return;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
   Matrix3 H;
   if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/kernels/kernel.h"
 #include "raygauge/sets/direction_table.h"
 
 namespace raygauge {
@@ -69,6 +70,14 @@ Vector3 box_vertex(const SpatialShape& shape, std::int32_t index) {
                                 (index & 4) != 0 ? -half.z : half.z};
 }
 
+// Point `index`, which there is, of points.
+Vector3 point_of(const SpatialShape& shape, std::int32_t index) {
+  if (shape.table != nullptr) return shape.table->point(index);
+  const int n = shape.coordinates;
+  const double* p = shape.blocks + std::ptrdiff_t{index / kLanes} * n * kLanes + index % kLanes;
+  return {p[0], p[kLanes], n == 3 ? p[std::ptrdiff_t{2} * kLanes] : 0.0};
+}
+
 bool vertex_of(const SpatialShape& shape, std::int32_t index, Vector3& x) {
   switch (shape.kind) {
     case Kind::point:
@@ -80,13 +89,10 @@ bool vertex_of(const SpatialShape& shape, std::int32_t index, Vector3& x) {
     case Kind::box:
       x = box_vertex(shape, index);
       return index >= 0 && index < 8;
-    case Kind::points: {
+    case Kind::points:
       if (index < 0 || index >= shape.size) return false;
-      const int n = shape.coordinates;
-      const double* p = shape.blocks + std::ptrdiff_t{index / kLanes} * n * kLanes + index % kLanes;
-      x = {p[0], p[kLanes], n == 3 ? p[std::ptrdiff_t{2} * kLanes] : 0.0};
+      x = point_of(shape, index);
       return true;
-    }
     default:
       return false;
   }
@@ -103,43 +109,14 @@ void add_projector(double w, const Vector3& a, const Vector3& b, Matrix3& H) {
   H.column[2] = H.column[2] + Vector3{0, 0, w} - a * (w * a.z) - b * (w * b.z);
 }
 
-// The Hessian of the core's support function at v, added to H.
-void add_hessian(const SpatialShape& shape, const Vector3& v, Matrix3& H) {
-  if (shape.kind == Kind::ellipsoid) {
-    const Matrix3& L = shape.axis;
-    const Vector3 z = L.transposed_times(v);
-    const double size = length(z);
-    if (!(size > 0)) return;
-    const Vector3 unit = z * (1 / size);
-    Matrix3 P{};
-    add_projector(1 / size, unit, {}, P);  // then L P Lᵀ
-    const Matrix3 LP{{L * P.column[0], L * P.column[1], L * P.column[2]}};
-    for (int j = 0; j < 3; ++j) {
-      const Vector3 row = j == 0   ? Vector3{L.column[0].x, L.column[1].x, L.column[2].x}
-                          : j == 1 ? Vector3{L.column[0].y, L.column[1].y, L.column[2].y}
-                                   : Vector3{L.column[0].z, L.column[1].z, L.column[2].z};
-      H.column[j] = H.column[j] + LP * row;
-    }
-  } else if (shape.kind == Kind::frustum) {
-    const Vector3& a = shape.axis.column[0];
-    Vector3 w = v - a * dot(v, a);
-    const double across = length(w);
-    if (!(across > kAlongAxis * length(v))) return;
-    w = w * (1 / across);
-    const bool top =
-        dot(v, shape.top) + shape.top_radius * across > dot(v, shape.base) + shape.base_radius * across;
-    add_projector((top ? shape.top_radius : shape.base_radius) / across, a, w, H);
-  }
-}
-
 }  // namespace
 
-bool SpatialPair::bind(const Posed& first, const Posed& second, const Kernels& kernels) {
+bool SpatialPair::bind(const Posed& first, const Posed& second, InstructionSet isa) {
   dimension_ = first.dimension();
   if (dimension_ != 2 && dimension_ != 3) return false;
   if (!first.set.spatial_shape_unchecked(shape_[0]) || !second.set.spatial_shape_unchecked(shape_[1]))
     return false;
-  kernels_ = &kernels;
+  isa_ = isa;
   const Frame one = frame_of(first.pose);
   const Frame two = frame_of(second.pose);
   anchor_ = shape_[0].center;
@@ -155,8 +132,20 @@ bool SpatialPair::bind(const Posed& first, const Posed& second, const Kernels& k
   error_ = size * (kRounding + 2 * (one.defect + two.defect));
   height_ = dimension_ == 2 ? size : 0.0;
   vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
+  between_centers_ = R_ * shape_[1].center + t_ - anchor_;
+  for (int i = 0; i < 2; ++i) {
+    if (shape_[i].kind == Kind::ellipsoid) place_ellipsoid(i);
+  }
   queries_ = 0;
   return true;
+}
+
+void SpatialPair::place_ellipsoid(int i) {
+  Matrix3& L = axis_[i];
+  for (int j = 0; j < 3; ++j) L.column[j] = i == 0 ? shape_[0].axis.column[j] : R_ * shape_[1].axis.column[j];
+  square_[i].column[0] = L * Vector3{L.column[0].x, L.column[1].x, L.column[2].x};
+  square_[i].column[1] = L * Vector3{L.column[0].y, L.column[1].y, L.column[2].y};
+  square_[i].column[2] = L * Vector3{L.column[0].z, L.column[1].z, L.column[2].z};
 }
 
 bool SpatialPair::scale_first_about_origin(const Posed& first) {
@@ -166,6 +155,7 @@ bool SpatialPair::scale_first_about_origin(const Posed& first) {
   error_ = size * (kRounding + 4 * (first.pose == nullptr ? 0.0 : first.pose->defect())) + error_;
   const double c[3] = {origin.x, origin.y, origin.z};
   anchor_ = origin;
+  between_centers_ = R_ * shape_[1].center + t_ - anchor_;
   anchor_radius_ = first.set.inner_radius_unchecked(c);
   return anchor_radius_ > 0;
 }
@@ -177,7 +167,7 @@ std::int32_t SpatialPair::highest(const SpatialShape& shape, const Vector3& v) c
   }
   const double u[3] = {v.x, v.y, v.z};
   std::ptrdiff_t index = 0;
-  kernels_->price(shape.blocks, shape.block_count, shape.coordinates, u, &index);
+  kernels_for(isa_).price(shape.blocks, shape.block_count, shape.coordinates, u, &index);
   return static_cast<std::int32_t>(std::min(index, shape.size - 1));
 }
 
@@ -200,9 +190,7 @@ Vector3 SpatialPair::support_of(int i, const Vector3& v, std::int32_t& index) {
       return frustum_support(shape, v, index);
     case Kind::points:
       index = highest(shape, v);
-      Vector3 x;
-      vertex_of(shape, index, x);
-      return x;
+      return point_of(shape, index);
   }
   return shape.center;
 }
@@ -235,19 +223,39 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   return true;
 }
 
-void SpatialPair::core_hessian(const Vector3& u, Matrix3& H) const {
-  H = {};
-  Matrix3 inner{};
-  add_hessian(shape_[1], R_.transposed_times(-u), inner);
-  const Matrix3 half{{R_ * inner.column[0], R_ * inner.column[1], R_ * inner.column[2]}};
-  const Vector3 rows[3] = {{R_.column[0].x, R_.column[1].x, R_.column[2].x},
-                           {R_.column[0].y, R_.column[1].y, R_.column[2].y},
-                           {R_.column[0].z, R_.column[1].z, R_.column[2].z}};
-  for (int j = 0; j < 3; ++j) H.column[j] = half * rows[j];
-  add_hessian(shape_[0], u, H);
+// The Hessian of the support function of core i at u, added to H, in the first frame: (L Lᵀ - y yᵀ)/|Lᵀu|
+// with y = L Lᵀu/|Lᵀu| for an ellipsoid, that of the disc for a rim of a frustum.
+void SpatialPair::add_hessian(int i, const Vector3& u, Matrix3& H) const {
+  const SpatialShape& shape = shape_[i];
+  if (shape.kind == Kind::ellipsoid) {
+    const Vector3 z = axis_[i].transposed_times(u);
+    const double size = length(z);
+    if (!(size > 0)) return;
+    const double share = 1 / size;
+    const Vector3 y = axis_[i] * (z * share);
+    const Matrix3& S = square_[i];
+    H.column[0] = H.column[0] + (S.column[0] - y * y.x) * share;
+    H.column[1] = H.column[1] + (S.column[1] - y * y.y) * share;
+    H.column[2] = H.column[2] + (S.column[2] - y * y.z) * share;
+  } else if (shape.kind == Kind::frustum) {
+    const Vector3& own = shape.axis.column[0];
+    const Vector3 a = i == 0 ? own : R_ * own;
+    Vector3 w = u - a * dot(u, a);
+    const double across = length(w);
+    if (!(across > kAlongAxis * length(u))) return;
+    w = w * (1 / across);
+    const double along =
+        dot(i == 0 ? u : -u, i == 0 ? shape.top - shape.base : R_ * (shape.top - shape.base));
+    const bool top = along + (shape.top_radius - shape.base_radius) * across > 0;
+    add_projector((top ? shape.top_radius : shape.base_radius) / across, a, w, H);
+  }
 }
 
-Vector3 SpatialPair::between_centers() const noexcept { return R_ * shape_[1].center + t_ - anchor_; }
+void SpatialPair::core_hessian(const Vector3& u, Matrix3& H) const {
+  H = {};
+  add_hessian(0, u, H);
+  add_hessian(1, u, H);
+}
 
 void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {
   const Vector3 v = W_ * vector;

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "engine/kernels/kernel.h"
+#include "raygauge/methods/options.h"
 #include "raygauge/sets/pose.h"
 #include "raygauge/sets/spatial_shape.h"
 
@@ -30,7 +30,7 @@ struct SpatialPoint {
 class SpatialPair {
  public:
   /// False if one of the sets has no shape, or its size is out of the range of squares.
-  bool bind(const Posed& first, const Posed& second, const Kernels& kernels);
+  bool bind(const Posed& first, const Posed& second, InstructionSet isa);
 
   /// From now on the first body is scaled about the origin of the world, not about its centre. False unless
   /// that is known to be inside the body: only then a ball inside the other one is inside the difference,
@@ -65,7 +65,7 @@ class SpatialPair {
   double inner_radius() const noexcept { return anchor_radius_ + shape_[1].inner_radius; }
 
   /// c_2 - c_1 in the frame of the first body, from the centre of the first to that of the second.
-  Vector3 between_centers() const noexcept;
+  const Vector3& between_centers() const noexcept { return between_centers_; }
 
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
   void to_world(const Vector3& vector, double* out) const noexcept;
@@ -87,16 +87,20 @@ class SpatialPair {
   static constexpr double kRounding = 256 * 0x1p-53;
 
   Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
+  void place_ellipsoid(int i);
+  void add_hessian(int i, const Vector3& u, Matrix3& H) const;
   std::int32_t highest(const SpatialShape& shape, const Vector3& v) const;
 
   SpatialShape shape_[2];
-  Matrix3 R_;  // second frame to first
+  Matrix3 axis_[2], square_[2];  // of ellipsoids, in the first frame: L and L Lᵀ
+  Matrix3 R_;                    // second frame to first
   Vector3 t_;
+  Vector3 between_centers_;
   Vector3 anchor_;            // what the first body is scaled about ...
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
   Matrix3 W_;                 // first frame to world
   Vector3 w_;
-  const Kernels* kernels_ = nullptr;
+  InstructionSet isa_ = InstructionSet::automatic;
   double error_ = 0;
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;

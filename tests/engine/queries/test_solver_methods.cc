@@ -43,5 +43,31 @@ RC_GTEST_PROP(Methods, AgreeWhereQMayMissTheOrigin, ()) {
   expect_agreement(n, *rc::gen::inRange(1, 3 * n), random);
 }
 
+TEST(ZhengYamane, FindsOutAtOnceThatFewPointsOfManyDimensionsDoNotReach) {
+  Random random(18);
+  const int n = 160;
+  Eigen::MatrixXd a = sphere_points(n, n + 2, random);
+  a.colwise() += 3 * sphere_points(n, 1, random).col(0);
+  const DistanceResult result =
+      solve(DistanceMethod::zheng_yamane, PointSet(a), PointSet(sphere_points(n, n + 2, random)));
+  EXPECT_EQ(result.status, DistanceStatus::unreachable);
+  EXPECT_LT(result.counters.pivots, 5 * n);
+}
+
+TEST(ZhengYamane, AnswersWhereFewPointsOfManyDimensionsReach) {
+  Random random(18);
+  const int n = 160;
+  Eigen::MatrixXd a = sphere_points(n, n + 2, random);
+  a.colwise() += 3 * sphere_points(n, 1, random).col(0);
+  Eigen::MatrixXd corners(n, 2 * n);
+  corners << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+  const PointSet A(a), Q(corners);
+  const DistanceResult published = solve(DistanceMethod::zheng_yamane, A, Q);
+  const DistanceResult columns = solve(DistanceMethod::column_generation, A, Q);
+  EXPECT_EQ(published.status, DistanceStatus::optimal);
+  EXPECT_LE(published.lower, columns.upper);
+  EXPECT_LE(columns.lower, published.upper);
+}
+
 }  // namespace
 }  // namespace raygauge::test_solver_methods

@@ -18,14 +18,14 @@ class Ball final : public raygauge::ConvexSet {
 
  private:
   double do_support(const double* u, double* point) const override {
-    const auto direction = Eigen::Map<const raygauge::Vector>(u, dimension());
+    const auto direction = Eigen::Map<const Eigen::VectorXd>(u, dimension());
     const double length = direction.norm();
-    auto s = Eigen::Map<raygauge::Vector>(point, dimension());
+    auto s = Eigen::Map<Eigen::VectorXd>(point, dimension());
     s.setZero();
     if (length > 0) s = direction * (radius_ / length);
     return radius_ * length;
   }
-  void do_center(double* point) const override { Eigen::Map<raygauge::Vector>(point, dimension()).setZero(); }
+  void do_center(double* point) const override { Eigen::Map<Eigen::VectorXd>(point, dimension()).setZero(); }
 
   double radius_;
 };

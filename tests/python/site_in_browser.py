@@ -1,0 +1,130 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Opens the documentation site from the disk in headless Chromium, searches it, and looks at the C++ API.
+
+    site_in_browser.py FOLDER [--screenshots FOLDER]     FOLDER: html of the site, built by docs/site/build_site.py
+
+Fails on an error on the console, a request that leaves the disk, a search without the page it is for, a result that leads
+nowhere, or content wider than a phone.
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import urllib.parse
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
+
+# What a reader types, and the page that must be among the results.
+SEARCHES = {
+    "schema version": "file-format.html",
+    "time of impact": "scenes.html",
+    "Minkowski": "sets.html",
+    "PreparedSet": "python-api.html",
+    "warm start": "glossary.html",
+}
+RESULTS = ".md-search-result__item a.md-search-result__link"
+
+
+def start_browser(profile):
+    options = webdriver.ChromeOptions()
+    options.binary_location = shutil.which("chromium")
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     "--window-size=1280,900", "--disable-background-networking", f"--user-data-dir={profile}"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+
+def found_pages(browser, words):
+    """The pages that the site's search lists for these words, without anchors and what is to be highlighted."""
+    field = browser.find_element(By.CSS_SELECTOR, "input.md-search__input")
+    browser.execute_script("arguments[0].focus()", field)
+    field.send_keys(words)
+    WebDriverWait(browser, 120).until(lambda b: b.find_elements(By.CSS_SELECTOR, RESULTS))
+    links = [link.get_attribute("href") for link in browser.find_elements(By.CSS_SELECTOR, RESULTS)]
+    return [urllib.parse.urlparse(link)._replace(query="", fragment="").geturl() for link in links]
+
+
+def check_search(browser, site, start, failures):
+    for words, page in SEARCHES.items():
+        browser.get((site / start).as_uri())
+        pages = found_pages(browser, words)
+        if (site / page).as_uri() not in pages:
+            failures.append(f"{start}: the search for '{words}' finds {len(pages)} results, but not {page}")
+        failures += [f"the search for '{words}' leads to {found}, which is not there" for found in set(pages)
+                     if not pathlib.Path(urllib.parse.unquote(urllib.parse.urlparse(found).path)).exists()]
+
+
+def check_cpp_search(browser, site, failures):
+    """Doxygen's own search finds a class and leads to its page."""
+    browser.get((site / "cpp" / "index.html").as_uri())
+    field = WebDriverWait(browser, 30).until(lambda b: b.find_element(By.ID, "MSearchField"))
+    field.send_keys("DistanceSolver")
+
+    def listed(b):
+        b.switch_to.default_content()
+        frames = b.find_elements(By.ID, "MSearchResults")
+        if frames and frames[0].tag_name == "iframe":
+            b.switch_to.frame(frames[0])
+        return [link.get_attribute("href") for link in b.find_elements(By.CSS_SELECTOR, "a.SRSymbol, .SREntry a")
+                if "DistanceSolver" in (link.get_attribute("href") or "") + link.text]
+
+    try:
+        WebDriverWait(browser, 30).until(listed)
+    except Exception as error:  # selenium's TimeoutException, and what a frame that is replaced raises
+        failures.append(f"the C++ API's search does not find DistanceSolver: {type(error).__name__}")
+    browser.switch_to.default_content()
+
+
+def check_width(browser, site, failures, screenshots):
+    for width in (1280, 390):
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 600})
+        for page in ("index.html", "python-api.html", "gallery.html", "cpp/index.html"):
+            browser.get((site / page).as_uri())
+            if screenshots:
+                browser.save_screenshot(str(screenshots / f"{page.replace('/', '_')[:-5]}_{width}.png"))
+            if browser.execute_script("return document.documentElement.scrollWidth") > width:
+                failures.append(f"{page} is wider than a window of {width} px")
+
+
+def check_silence(browser, failures):
+    failures += [f"console: {entry['message']}" for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+    for entry in browser.get_log("performance"):
+        message = json.loads(entry["message"])["message"]
+        if message["method"] == "Network.requestWillBeSent":
+            url = message["params"]["request"]["url"]
+            if not url.startswith(("file:", "data:", "blob:", "chrome:")):
+                failures.append(f"request to {url[:100]}")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("site", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path)
+    arguments = parser.parse_args()
+    site = arguments.site.resolve()
+    failures = []
+    with tempfile.TemporaryDirectory() as profile:
+        browser = start_browser(profile)
+        try:
+            check_search(browser, site, "index.html", failures)
+            check_search(browser, site, "sets.html", failures)
+            check_cpp_search(browser, site, failures)
+            check_width(browser, site, failures, arguments.screenshots)
+            check_silence(browser, failures)
+        finally:
+            browser.quit()
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
