@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/render/figures/description.h"
 #include "analysis/render/figures/figure.h"
+#include "analysis/render/scene/scene_figure.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
@@ -15,6 +17,10 @@
 
 namespace raygauge::cli {
 namespace {
+
+constexpr const char* kSceneFigure = "timelines";
+constexpr const char* kSceneDescription =
+    "distances of a scene over time with their certified bands, and its contacts";
 
 struct PlotArguments {
   AnalysisArguments analysis;
@@ -93,7 +99,24 @@ void write_all_figures(const PlotArguments& arguments, const FigureOptions& opti
   }
 }
 
+/// A scene's results have one picture.
+int plot_scene(const PlotArguments& arguments) {
+  refuse_filter_of_scene(arguments.analysis);
+  if (!arguments.figure.empty() && arguments.figure != kSceneFigure)
+    throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
+  const ImageFormat format = image_format_of(arguments.output);
+  const OutputRequest output = picture_request(arguments, arguments.output);
+  const SceneFile file = read_scene_file(arguments.analysis.files.front());
+  const Drawing drawing = draw_scene(file, figure_size_from_string(arguments.size));
+  write_to(output, described(draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height), format,
+                             file.name, kSceneDescription));
+  print_path(output);
+  return kAnswered;
+}
+
 int plot(const PlotArguments& arguments) {
+  if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front()))
+    return plot_scene(arguments);
   const FigureOptions options = figure_options(arguments);
   if (arguments.figure.empty()) {
     write_all_figures(arguments, options);
@@ -109,7 +132,7 @@ int plot(const PlotArguments& arguments) {
 std::string figure_help() {
   std::string text = "Default: every one that the records have the data of. One of";
   for (const Figure& figure : figures()) text += "\n  " + figure.name + ": " + figure.description;
-  return text;
+  return text + "\n  " + kSceneFigure + ": of the results of a scene, " + kSceneDescription;
 }
 
 }  // namespace
