@@ -12,6 +12,7 @@
 #include "engine/sets/contact_wrenches.h"
 #include "engine/sets/cylinder.h"
 #include "engine/sets/ellipsoid.h"
+#include "engine/sets/h_polytope.h"
 #include "engine/sets/minkowski_difference.h"
 #include "engine/sets/minkowski_sum.h"
 #include "engine/sets/p_norm_ball.h"
@@ -21,6 +22,7 @@
 #include "engine/sets/support_mapping_set.h"
 #include "engine/sets/truncated_cone.h"
 #include "engine/sets/union_hull.h"
+#include "engine/sets/zonotope.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/set_docs.h"
@@ -196,6 +198,17 @@ void bind_polytopes(py::module_& module) {
              return std::make_shared<Simplex>(o, numbers_of(legs, o.size(), "legs"));
            }),
            "corner"_a, "legs"_a = 1.0);
+  set_class<HPolytope>(module, "HPolytope", kHPolytopeDoc)
+      .def(py::init([](py::handle G, py::handle g) {
+             return std::make_shared<HPolytope>(as_matrix(G, "G"), as_vector(g, "g"));
+           }),
+           "G"_a, "g"_a);
+  set_class<Zonotope>(module, "Zonotope", kZonotopeDoc)
+      .def(py::init([](py::handle center, py::handle generators) {
+             const Eigen::MatrixXd rows = as_matrix(generators, "generators");
+             return std::make_shared<Zonotope>(as_vector(center, "center"), rows.transpose());
+           }),
+           "center"_a, "generators"_a);
 }
 
 void bind_wrenches(py::module_& module) {
