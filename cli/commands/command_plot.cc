@@ -31,7 +31,16 @@ struct PlotArguments {
   bool force = false;
 };
 
+constexpr const char* kStandardOutput = "-";
+
+/// Standard output takes SVG, which is text.
+ImageFormat format_of(const std::string& path) {
+  return path == kStandardOutput ? ImageFormat::svg : image_format_of(path);
+}
+
 OutputRequest picture_request(const PlotArguments& arguments, const std::string& path) {
+  if (path == kStandardOutput)
+    return output_request(path, OutputKind::text, {".svg"}, arguments.analysis, arguments.force);
   return output_request(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis,
                         arguments.force);
 }
@@ -52,7 +61,12 @@ std::string page_path(const std::filesystem::path& path, std::size_t page) {
 
 void write_figure(const PlotArguments& arguments, const Figure& figure, const std::vector<Record>& records,
                   const FigureOptions& options, const OutputRequest& output) {
-  const std::vector<std::string> pages = draw(figure, records, options, image_format_of(output.path));
+  const std::vector<std::string> pages = draw(figure, records, options, format_of(output.path));
+  if (output.path == kStandardOutput && pages.size() > 1) {
+    throw InvalidParameterError("figure " + figure.name + " has " + std::to_string(pages.size()) +
+                                " pages, and standard output takes one: name a file (-o " + figure.name +
+                                ".svg), or choose with --where");
+  }
   for (std::size_t p = 0; p < pages.size(); ++p) {
     const OutputRequest place = p == 0 ? output : picture_request(arguments, page_path(output.path, p + 1));
     write_to(place, pages[p]);
@@ -123,7 +137,7 @@ int plot(const PlotArguments& arguments) {
     return kAnswered;
   }
   const Figure& figure = figure_named(arguments.figure);
-  image_format_of(arguments.output);  // complains before the files are read
+  format_of(arguments.output);  // complains before the files are read
   const OutputRequest output = picture_request(arguments, arguments.output);
   write_figure(arguments, figure, read_files(arguments.analysis).records, options, output);
   return kAnswered;
@@ -143,9 +157,9 @@ void add_plot_command(Command& app, int& status) {
   add_analysis_options(command, arguments->analysis);
   command.add_option("--figure", arguments->figure, figure_help()).type_name("NAME");
   command
-      .add_option(
-          "-o,--output", arguments->output,
-          "File to write, .svg, .png or .pdf; without --figure the folder for all figures, as SVG and PNG")
+      .add_option("-o,--output", arguments->output,
+                  "File to write, .svg, .png or .pdf; - for SVG on standard output; without --figure the "
+                  "folder for all figures, as SVG and PNG")
       .required()
       .type_name("FILE");
   command
