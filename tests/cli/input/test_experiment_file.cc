@@ -303,7 +303,8 @@ TEST_F(ExperimentFile, MalformedOverridesAreRejected) {
   EXPECT_EQ(error(kGeneratorAndMethod, {"sweep.n"}), "--set sweep.n: expected KEY=VALUE, as in sweep.n=3,4");
   EXPECT_EQ(error(kGeneratorAndMethod, {"sweep.n="}), "--set sweep.n=: '' is no TOML value");
   EXPECT_EQ(error(kGeneratorAndMethod, {"sweep.n=3,%"}), "--set sweep.n=3,%: '%' is no TOML value");
-  EXPECT_EQ(error("name = \"x\"\n", {"name.part=3"}), "--set name.part=3: 'name' is a value or a list of values, not a table");
+  EXPECT_EQ(error("name = \"x\"\n", {"name.part=3"}),
+            "--set name.part=3: 'name' is a value or a list of values, not a table");
 }
 
 TEST_F(ExperimentFile, FilesThatCannotBeReadAreNamed) {
