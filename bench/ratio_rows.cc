@@ -28,12 +28,13 @@ struct LpCell {
   std::string best_name;
 };
 
-LpCell against_lp(std::vector<std::string> ours, const Variant& variant, int n, int N, int instances) {
+LpCell against_lp(std::vector<std::string> ours, const Variant& variant, int n, int N, int instances,
+                  Clock clock = Clock::wall) {
   const std::size_t count = ours.size();
   std::vector<std::string> methods = std::move(ours);
   for (const std::string& lp : lp_methods()) methods.push_back(lp);
   if (methods.size() == count) throw std::runtime_error("this build has no LP solver to compare with");
-  const std::vector<double> seconds = median_solve_seconds(methods, variant, n, N, instances);
+  const std::vector<double> seconds = median_solve_seconds(methods, variant, n, N, instances, clock);
   const auto first_lp = seconds.begin() + static_cast<std::ptrdiff_t>(count);
   const auto best = std::min_element(first_lp, seconds.end());
   return {{seconds.begin(), first_lp}, *best, methods[static_cast<std::size_t>(best - seconds.begin())]};
@@ -193,8 +194,8 @@ void print_high(const Variant& variant, const Effort& effort) {
     Summary zheng_yamane("  zheng_yamane");
     for (const int n : dimensions) {
       for (const int N : counts(n)) {
-        const LpCell cell =
-            against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
+        const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances,
+                                       effort.processor_time ? Clock::processor : Clock::wall);
         std::printf("n = %3d, N = %5d: direct %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
                     cell.ours[0] * 1e3, cell.ours[1] * 1e3, cell.best_name.c_str(), cell.best_lp * 1e3);
         std::fflush(stdout);

@@ -12,6 +12,7 @@ namespace raygauge::bench {
 struct Effort {
   bool quick = false;           ///< fewer cells
   int instances = 20;           ///< per cell
+  bool processor_time = false;  ///< of the rows high and euclidean, instead of wall time
   std::vector<int> dimensions;  ///< of the row `high`; none: its own
 };
 

@@ -44,6 +44,8 @@ int run(int argc, char** argv) {
                  "dimensions of the row high, separated by commas; none: its own")
       ->delimiter(',')
       ->check(CLI::Range(2, 2000));
+  app.add_flag("--processor-time", effort.processor_time,
+               "the rows high and euclidean in processor time, for machines that other work keeps busy");
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;

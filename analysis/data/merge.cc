@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/render/number_text.h"
+#include "analysis/render/words.h"
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 
@@ -36,8 +37,7 @@ std::string timing_note(const Provenance& provenance) {
 std::string unfinished_note(const ResultsFile& file) {
   const std::size_t done = file.cells().size();
   if (file.finished()) return "";
-  return "unfinished, " + std::to_string(done) + " of " + std::to_string(file.provenance.cell_count) +
-         " cells";
+  return "unfinished, " + std::to_string(done) + " of " + counted(file.provenance.cell_count, "cell");
 }
 
 /// What tells one run from another.

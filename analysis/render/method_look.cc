@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/method_look.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 namespace raygauge {
 namespace {
@@ -40,7 +42,7 @@ constexpr std::array<KnownMethod, 10> kKnown = {{
      "NLopt's moving asymptotes on the convex program"},
 }};
 
-constexpr std::array<const char*, 6> kOtherColors = {"#B15928", "#1B7837", "#5E3C99",
+constexpr std::array<const char*, 6> kOtherColors = {"#B15928", "#1B7837", "#B2182B",
                                                      "#C51B7D", "#35978F", "#4D4D4D"};
 
 const KnownMethod* known_method(const std::string& name) {
@@ -56,16 +58,45 @@ std::uint32_t letters_of(const std::string& text) {
   return hash;
 }
 
-}  // namespace
-
-MethodLook look_of_method(const std::string& method, const MethodList& methods) {
-  const bool filled = !methods.is_competitor(method);
-  if (const KnownMethod* known = known_method(method))
-    return {known->color, known->dark_color, known->marker, known->dash, filled};
-  const std::uint32_t letters = letters_of(method);
+/// A look from the letters of `text`, beside those of the known methods.
+MethodLook drawn_look(const std::string& text, bool filled) {
+  const std::uint32_t letters = letters_of(text);
   const char* color = kOtherColors.at(letters % kOtherColors.size());
   return {color, color, static_cast<Marker>(letters / 7 % 5), static_cast<Dash>(1 + letters / 37 % 3),
           filled};
+}
+
+/// The methods of one registered name in an order that does not depend on that of the records.
+bool stands_before(const MethodFacts& a, const MethodFacts& b) {
+  return std::tie(a.parameters, a.label) < std::tie(b.parameters, b.label);
+}
+
+/// Of several methods of one registered name the first one has the look of the name.
+bool is_first_of_its_name(const MethodFacts& method, const MethodList& methods) {
+  return std::none_of(methods.begin(), methods.end(), [&](const std::string& label) {
+    const MethodFacts& other = *methods.find(label);
+    return other.name == method.name && stands_before(other, method);
+  });
+}
+
+bool is_there_twice(const MethodFacts& method, const MethodList& methods) {
+  return std::any_of(methods.begin(), methods.end(), [&](const std::string& label) {
+    const MethodFacts& other = *methods.find(label);
+    return other.name == method.name && other.parameters == method.parameters && stands_before(other, method);
+  });
+}
+
+}  // namespace
+
+MethodLook look_of_method(const std::string& label, const MethodList& methods) {
+  const MethodFacts* listed = methods.find(label);
+  const MethodFacts method = listed != nullptr ? *listed : MethodFacts{label, label, "", Role::engine};
+  const bool filled = !method.is_competitor();
+  const KnownMethod* known = known_method(method.name);
+  if (known != nullptr && is_first_of_its_name(method, methods))
+    return {known->color, known->dark_color, known->marker, known->dash, filled};
+  const std::string twin = is_there_twice(method, methods) ? ' ' + label : std::string();
+  return drawn_look(method.name + ' ' + method.parameters + twin, filled);
 }
 
 std::string what_method_is(const std::string& name) {

@@ -20,9 +20,11 @@ struct MethodLook {
   bool filled = true;  ///< competitors have hollow markers
 };
 
-/// The look of a method by its label: filled markers for raygauge's own, by role. The methods of this program
-/// have looks that differ in marker or dash, so that nothing is lost in grey; any other label gets one drawn
-/// from its letters.
+/// The look of a method by the registered name that `methods` has for its label, filled markers for
+/// raygauge's own, by role. What the label says does not matter, but for a label that is not in the list: it
+/// is taken for a name. The methods of this program have looks that differ in marker or dash, so that nothing
+/// is lost in grey. Of several with one name the first by parameters has the look of the name. The others,
+/// and methods that this program does not know, have one drawn from the letters of name and parameters.
 MethodLook look_of_method(const std::string& label, const MethodList& methods);
 
 /// One line on what a method is, by its registered name, for readers of a page; "" for one that this program

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "cli/commands/rerun.h"
 #include "cli/output/json_text.h"
 #include "cli/output/terminal.h"
+#include "engine/sweep/number_text.h"
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 
@@ -173,8 +175,21 @@ void print_comparison(const CompareArguments& arguments, const Comparison& compa
   std::printf("%s\n", comparison_verdict(comparison).c_str());
 }
 
+/// Before the files are read, or two builds are run for hours.
+void check_options(const CompareArguments& arguments) {
+  table_format_from_string(arguments.format);
+  if (!(arguments.threshold >= 0) || std::isinf(arguments.threshold)) {
+    throw InvalidParameterError("--threshold must be a number from 0 on, got " +
+                                rounded_text(arguments.threshold, 6));
+  }
+  if (!(arguments.significance > 0 && arguments.significance < 1)) {
+    throw InvalidParameterError("--significance must lie in (0, 1), got " +
+                                rounded_text(arguments.significance, 6));
+  }
+}
+
 int compare(CompareArguments& arguments) {
-  table_format_from_string(arguments.format);  // complains before the files are read
+  check_options(arguments);
   CompareOptions options;
   options.threshold = arguments.threshold;
   options.significance = arguments.significance;

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "engine/sweep/number_text.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
@@ -119,7 +121,9 @@ Command Command::add_subcommand(const std::string& name, const std::string& desc
 
 template <class T>
 Option Command::add_option(const std::string& names, T& value, const std::string& description) {
-  return Option(*app_->add_option(names, value, description));
+  CLI::Option& option = *app_->add_option(names, value, description);
+  if constexpr (std::is_same_v<T, double>) option.default_str(shortest_text(value));
+  return Option(option);
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&);
 template Option Command::add_option(const std::string&, int&, const std::string&);

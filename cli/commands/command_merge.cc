@@ -32,21 +32,20 @@ int merge(const MergeArguments& arguments) {
   if (is_scene_file(parts.front())) {
     const SceneFile scene = merge_scenes(parts, arguments.output, arguments.options);
     if (arguments.quiet) return kAnswered;
-    std::printf("%s: %zu of %llu cells, %zu records from %s\n", arguments.output.c_str(), scene.cells.size(),
-                static_cast<unsigned long long>(scene.cell_count), scene.records.size(),
-                counted(static_cast<std::int64_t>(parts.size()), "part").c_str());
+    std::printf("%s: %zu of %s, %s from %s\n", arguments.output.c_str(), scene.cells.size(),
+                counted(scene.cell_count, "cell").c_str(), counted(scene.records.size(), "record").c_str(),
+                counted(parts.size(), "part").c_str());
     return kAnswered;
   }
   const MergeSummary summary = merge_parts(parts, arguments.output, arguments.options);
   if (arguments.quiet) return kAnswered;
-  std::printf("%s: %llu of %llu cells, %llu records from %zu %s", arguments.output.c_str(),
+  std::printf("%s: %llu of %s, %s from %s", arguments.output.c_str(),
               static_cast<unsigned long long>(summary.cells),
-              static_cast<unsigned long long>(summary.provenance.cell_count),
-              static_cast<unsigned long long>(summary.records), parts.size(),
-              parts.size() == 1 ? "part" : "parts");
+              counted(summary.provenance.cell_count, "cell").c_str(),
+              counted(summary.records, "record").c_str(), counted(parts.size(), "part").c_str());
   if (summary.repeated > 0) {
-    std::printf("; %llu records that several parts hold are in it once",
-                static_cast<unsigned long long>(summary.repeated));
+    std::printf("; %s that several parts hold %s in it once", counted(summary.repeated, "record").c_str(),
+                summary.repeated == 1 ? "is" : "are");
   }
   std::printf("\n");
   return kAnswered;

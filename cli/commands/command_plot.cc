@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/render/figures/description.h"
 #include "analysis/render/figures/figure.h"
+#include "analysis/render/scene/scene_figure.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
@@ -15,6 +17,10 @@
 
 namespace raygauge::cli {
 namespace {
+
+constexpr const char* kSceneFigure = "timelines";
+constexpr const char* kSceneDescription =
+    "distances of a scene over time with their certified bands, and its contacts";
 
 struct PlotArguments {
   AnalysisArguments analysis;
@@ -25,7 +31,16 @@ struct PlotArguments {
   bool force = false;
 };
 
+constexpr const char* kStandardOutput = "-";
+
+/// Standard output takes SVG, which is text.
+ImageFormat format_of(const std::string& path) {
+  return path == kStandardOutput ? ImageFormat::svg : image_format_of(path);
+}
+
 OutputRequest picture_request(const PlotArguments& arguments, const std::string& path) {
+  if (path == kStandardOutput)
+    return output_request(path, OutputKind::text, {".svg"}, arguments.analysis, arguments.force);
   return output_request(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis,
                         arguments.force);
 }
@@ -46,7 +61,12 @@ std::string page_path(const std::filesystem::path& path, std::size_t page) {
 
 void write_figure(const PlotArguments& arguments, const Figure& figure, const std::vector<Record>& records,
                   const FigureOptions& options, const OutputRequest& output) {
-  const std::vector<std::string> pages = draw(figure, records, options, image_format_of(output.path));
+  const std::vector<std::string> pages = draw(figure, records, options, format_of(output.path));
+  if (output.path == kStandardOutput && pages.size() > 1) {
+    throw InvalidParameterError("figure " + figure.name + " has " + std::to_string(pages.size()) +
+                                " pages, and standard output takes one: name a file (-o " + figure.name +
+                                ".svg), or choose with --where");
+  }
   for (std::size_t p = 0; p < pages.size(); ++p) {
     const OutputRequest place = p == 0 ? output : picture_request(arguments, page_path(output.path, p + 1));
     write_to(place, pages[p]);
@@ -93,14 +113,31 @@ void write_all_figures(const PlotArguments& arguments, const FigureOptions& opti
   }
 }
 
+/// A scene's results have one picture.
+int plot_scene(const PlotArguments& arguments) {
+  refuse_filter_of_scene(arguments.analysis);
+  if (!arguments.figure.empty() && arguments.figure != kSceneFigure)
+    throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
+  const ImageFormat format = image_format_of(arguments.output);
+  const OutputRequest output = picture_request(arguments, arguments.output);
+  const SceneFile file = read_scene_file(arguments.analysis.files.front());
+  const Drawing drawing = draw_scene(file, figure_size_from_string(arguments.size));
+  write_to(output, described(draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height), format,
+                             file.name, kSceneDescription));
+  print_path(output);
+  return kAnswered;
+}
+
 int plot(const PlotArguments& arguments) {
+  if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front()))
+    return plot_scene(arguments);
   const FigureOptions options = figure_options(arguments);
   if (arguments.figure.empty()) {
     write_all_figures(arguments, options);
     return kAnswered;
   }
   const Figure& figure = figure_named(arguments.figure);
-  image_format_of(arguments.output);  // complains before the files are read
+  format_of(arguments.output);  // complains before the files are read
   const OutputRequest output = picture_request(arguments, arguments.output);
   write_figure(arguments, figure, read_files(arguments.analysis).records, options, output);
   return kAnswered;
@@ -109,7 +146,7 @@ int plot(const PlotArguments& arguments) {
 std::string figure_help() {
   std::string text = "Default: every one that the records have the data of. One of";
   for (const Figure& figure : figures()) text += "\n  " + figure.name + ": " + figure.description;
-  return text;
+  return text + "\n  " + kSceneFigure + ": of the results of a scene, " + kSceneDescription;
 }
 
 }  // namespace
@@ -120,9 +157,9 @@ void add_plot_command(Command& app, int& status) {
   add_analysis_options(command, arguments->analysis);
   command.add_option("--figure", arguments->figure, figure_help()).type_name("NAME");
   command
-      .add_option(
-          "-o,--output", arguments->output,
-          "File to write, .svg, .png or .pdf; without --figure the folder for all figures, as SVG and PNG")
+      .add_option("-o,--output", arguments->output,
+                  "File to write, .svg, .png or .pdf; - for SVG on standard output; without --figure the "
+                  "folder for all figures, as SVG and PNG")
       .required()
       .type_name("FILE");
   command

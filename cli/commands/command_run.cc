@@ -12,6 +12,7 @@
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
 #include "cli/interrupt.h"
+#include "cli/output/counted.h"
 #include "cli/output/progress.h"
 #include "cluster/ranks.h"
 #include "engine/sweep/estimate.h"
@@ -39,8 +40,8 @@ SweepSummary sweep_into(const OpenRun& run, const RunArguments& arguments, const
   } catch (const Error& error) {
     const std::uint64_t stored = run.writer->done().size() + cells_done;
     if (stored == 0) throw;
-    throw Error(std::string(error.what()) + " (" + std::to_string(stored) +
-                " cells are safe; --resume continues with the others)");
+    throw Error(std::string(error.what()) + " (" + counted(stored, "cell") + (stored == 1 ? " is" : " are") +
+                " safe; --resume continues with the others)");
   }
 }
 

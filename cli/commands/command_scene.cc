@@ -21,6 +21,7 @@
 #include "cli/commands/run_setup.h"
 #include "cli/input/scene_source.h"
 #include "cli/interrupt.h"
+#include "cli/output/counted.h"
 #include "cli/output/json_text.h"
 #include "cli/output/progress.h"
 #include "cli/output/scene_drawing.h"
@@ -265,9 +266,9 @@ int explain(const SceneArguments& arguments) {
   json["bodies"] = source.scene.bodies.size();
   json["instants"] = source.scene.instants.size();
   json["cells"] = plan.cells.size();
-  std::string text = source.scene.name + ": " + std::to_string(source.scene.bodies.size()) + " bodies, " +
-                     std::to_string(source.scene.instants.size()) + " instants, " +
-                     std::to_string(plan.cells.size()) + " cells of work\n";
+  std::string text = source.scene.name + ": " + counted(source.scene.bodies.size(), "body", "bodies") + ", " +
+                     counted(source.scene.instants.size(), "instant") + ", " +
+                     counted(plan.cells.size(), "cell") + " of work\n";
   for (std::size_t q = 0; q < source.scene.queries.size(); ++q) {
     Json query;
     query["name"] = source.scene.queries[q].name;

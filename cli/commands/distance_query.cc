@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "engine/sweep/limited_load.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
 
@@ -51,12 +52,10 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
         "zheng_yamane and newton; " +
         name + " has no such options");
   }
-  // The model is built within the limit too; what is left of it, however little, is for the solve.
-  constexpr double kShortest = 1e-3;
-  const double limit = query.options.time_limit;
+  const SolveRequest request{query.options.tolerance, query.options.time_limit};
+  limit_load(method, request.time_limit);
   const double loading = seconds_of([&] { method.load(instance); });
-  const double left = std::max(limit - loading, std::min(limit, kShortest));
-  report.seconds = loading + seconds_of([&] { method.solve({query.options.tolerance, left}); });
+  report.seconds = loading + seconds_of([&] { method.solve(request); });
   report.result = method.result();
 }
 

@@ -58,12 +58,9 @@ std::string table_command(const Experiment& experiment, const std::string& path)
 void print_end(const Experiment& experiment, const std::string& path, const SweepSummary& sweep,
                const std::vector<Record>& records) {
   const RunSummary summary = summarise(experiment, records);
-  const auto words = [](std::uint64_t count, const char* noun) {
-    return counted(static_cast<std::int64_t>(count), noun);
-  };
-  std::printf("%s: %s in %s on %s; %s\n", experiment.name.c_str(), words(sweep.cells_done, "cell").c_str(),
+  std::printf("%s: %s in %s on %s; %s\n", experiment.name.c_str(), counted(sweep.cells_done, "cell").c_str(),
               duration_text(sweep.wall_seconds).c_str(), counted(sweep.threads, "thread").c_str(),
-              words(summary.records, "record").c_str());
+              counted(summary.records, "record").c_str());
   std::fputs(summary_text(summary, sweep.calibration).c_str(), stdout);
   std::printf("  results    %s\n  next       %s\n", path.c_str(), table_command(experiment, path).c_str());
 }
@@ -148,8 +145,10 @@ OpenRun open_run(const RunArguments& arguments, const Experiment& experiment, st
 int report_done(const RunArguments& arguments, const Experiment& experiment, OpenRun& run) {
   run.writer->finish();
   if (arguments.quiet) return kAnswered;
-  std::printf("%s: all %zu cells%s are done already\n  results    %s\n  next       %s\n",
-              experiment.name.c_str(), grid_of(experiment).size(), arguments.shard ? " of this shard" : "",
+  const std::size_t cells = grid_of(experiment).size();
+  const std::string all = cells == 1 ? "the only cell" : "all " + counted(cells, "cell");
+  std::printf("%s: %s%s %s done already\n  results    %s\n  next       %s\n", experiment.name.c_str(),
+              all.c_str(), arguments.shard ? " of this shard" : "", cells == 1 ? "is" : "are",
               run.path.c_str(), table_command(experiment, run.path).c_str());
   return kAnswered;
 }
@@ -162,8 +161,10 @@ int report_end(const RunArguments& arguments, const Experiment& experiment, cons
   }
   const std::size_t stored = run.writer->results().cells().size();
   const std::string place = stored == 0 ? "done" : "in " + run.path;
-  std::fprintf(stderr, "interrupted: %zu of %zu cells are %s; continue with\n  %s\n", stored,
-               grid_of(experiment).size(), place.c_str(), resume_command(arguments, stored > 0).c_str());
+  const std::size_t cells = grid_of(experiment).size();
+  std::fprintf(stderr, "interrupted: %zu of %s %s %s; continue with\n  %s\n", stored,
+               counted(cells, "cell").c_str(), cells == 1 ? "is" : "are", place.c_str(),
+               resume_command(arguments, stored > 0).c_str());
   return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
 }
 

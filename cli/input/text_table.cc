@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/input/input_file.h"
+#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
@@ -82,9 +83,8 @@ TextTable read_text_table(const std::string& path) {
     } else if (cells.size() == table.names.size()) {
       table.rows.push_back({place, std::move(cells)});
     } else {
-      throw InvalidParameterError(place + ": " + std::to_string(cells.size()) +
-                                  " cells where the first line names " + std::to_string(table.names.size()) +
-                                  " columns");
+      throw InvalidParameterError(place + ": " + counted(cells.size(), "cell") +
+                                  " where the first line names " + counted(table.names.size(), "column"));
     }
   }
   if (table.rows.empty()) throw InvalidParameterError(path + ": no lines below one that names the columns");

@@ -29,6 +29,13 @@ std::string region_text(const toml::source_region& source) {
   return line_text(source.path ? *source.path : std::string(), source.begin.line);
 }
 
+/// Where a node stands. A table that --set has made stands where its first value does.
+const toml::source_region& source_of(const toml::node& node) {
+  const toml::table* table = node.as_table();
+  const bool is_made = !node.source().path && table != nullptr && !table->empty();
+  return is_made ? source_of(table->begin()->second) : node.source();
+}
+
 [[noreturn]] void reject_endless_key(const std::string& place) {
   throw InvalidParameterError(place + ": a key of more than " + std::to_string(kMostKeyParts) + " parts");
 }
@@ -136,12 +143,13 @@ toml::table& owner_of(toml::table& root, const std::vector<std::string>& parts, 
     toml::node* node = table->get(parts[next]);
     if (node == nullptr) node = &table->insert(parts[next], toml::table()).first->second;
     ++next;
-    if (toml::array* entries = node->as_array()) {
+    if (toml::array* entries = node->as_array(); entries != nullptr && entries->is_array_of_tables()) {
       table = &chosen_entry(*entries, parts, next, mark);
     } else if (node->is_table()) {
       table = node->as_table();
     } else {
-      throw InvalidParameterError(mark + ": '" + parts[next - 1] + "' is a value, not a table");
+      throw InvalidParameterError(mark + ": '" + parts[next - 1] +
+                                  "' is a value or a list of values, not a table");
     }
   }
   return *table;
@@ -173,10 +181,10 @@ std::string effective_text(const toml::table& root, const std::string& path,
 
 }  // namespace
 
-std::string place_of(const toml::node& node) { return region_text(node.source()); }
+std::string place_of(const toml::node& node) { return region_text(source_of(node)); }
 
 std::string place_of(const toml::key& key, const toml::node& value) {
-  return region_text(key.source().begin.line > 0 ? key.source() : value.source());
+  return region_text(key.source().begin.line > 0 ? key.source() : source_of(value));
 }
 
 TomlSource toml_from_text(const std::string& text, const std::string& place) {

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace raygauge::cli {
 
+/// "1 body", "2 bodies".
+template <class Integer>
+std::string counted(Integer number, const std::string& one, const std::string& several) {
+  return std::to_string(number) + " " + (number == 1 ? one : several);
+}
+
 /// "1 point", "2 points".
-inline std::string counted(std::int64_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+template <class Integer>
+std::string counted(Integer number, const std::string& one) {
+  return counted(number, one, one + "s");
 }
 
 }  // namespace raygauge::cli

@@ -46,6 +46,17 @@ std::string generator_of(const Record& record) {
   return record.generator + (parameters.empty() ? "" : " (" + parameters + ")");
 }
 
+/// In the order of their first records, which is that of the experiment.
+std::vector<std::string> generators_of(const std::vector<Record>& records) {
+  std::set<std::string> seen;
+  std::vector<std::string> generators;
+  for (const Record& record : records) {
+    std::string generator = generator_of(record);
+    if (seen.insert(generator).second) generators.push_back(std::move(generator));
+  }
+  return generators;
+}
+
 /// Everything that is counted over the records.
 struct Contents {
   std::vector<std::string> generators;
@@ -72,7 +83,7 @@ std::string generators_text(const std::vector<Record>& records, const Contents& 
   return text;
 }
 
-/// "1e-6 0.001".
+/// "1e-6 1e-3".
 std::string tolerance_text(const Contents& contents) {
   constexpr int kDigits = 6;
   std::string text;
@@ -83,7 +94,7 @@ std::string tolerance_text(const Contents& contents) {
 
 Contents contents_of(const std::vector<Record>& records) {
   Contents contents;
-  contents.generators = distinct<std::string>(records, generator_of);
+  contents.generators = generators_of(records);
   contents.methods = distinct<std::string>(records, &Record::method);
   contents.n = distinct<int>(records, &Record::n);
   contents.N = distinct<int>(records, &Record::N);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output/progress.h"
 
+#include "cli/output/counted.h"
 #include "cli/output/terminal.h"
 
 namespace raygauge::cli {
@@ -19,7 +20,7 @@ ProgressDisplay::~ProgressDisplay() { clear(); }
 void ProgressDisplay::show(const SweepProgress& progress) {
   const std::uint64_t done = resumed_cells_ + progress.cells_done;
   const std::uint64_t total = resumed_cells_ + progress.cells_total;
-  const std::string text = std::to_string(done) + " of " + std::to_string(total) + " cells, " +
+  const std::string text = std::to_string(done) + " of " + counted(total, "cell") + ", " +
                            duration_text(progress.elapsed_seconds) + " so far, about " +
                            duration_text(progress.remaining_seconds) + " left";
   const double fraction = static_cast<double>(done) / static_cast<double>(total);

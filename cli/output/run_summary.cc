@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "cli/output/counted.h"
 #include "cli/output/terminal.h"
 
 namespace raygauge::cli {
@@ -49,7 +50,7 @@ std::string repeated_line(const RunSummary::Repetitions& repetitions) {
   std::string text = "  repeated   " + std::to_string(repetitions.fewest);
   if (repetitions.most > repetitions.fewest) text += " to " + std::to_string(repetitions.most);
   return text + " times a cell; " + std::to_string(repetitions.cells_at_limit) + " of " +
-         std::to_string(repetitions.cells) + " cells ran to the limit\n";
+         counted(repetitions.cells, "cell") + " ran to the limit\n";
 }
 
 std::string slowdown_text(const Calibration& calibration) {

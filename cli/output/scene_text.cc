@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 #include <vector>
+#include "cli/output/counted.h"
 
 namespace raygauge::cli {
 namespace {
@@ -69,7 +70,7 @@ std::string tally_text(const SceneFile& file) {
   for (std::size_t q = 0; q < tallies.size(); ++q) {
     const SceneTally& tally = tallies[q];
     text += "  " + file.queries[q].name + " (" + file.queries[q].effects +
-            "): " + std::to_string(tally.asked) + " answers: " + std::to_string(tally.solved) + " solved";
+            "): " + counted(tally.asked, "answer") + ": " + std::to_string(tally.solved) + " solved";
     if (tally.shared > 0) text += " (" + std::to_string(tally.shared) + " by another query)";
     text += ", " + std::to_string(tally.broad_phase) + " broad phase, " + std::to_string(tally.coherence) +
             " coherence, " + std::to_string(tally.standing) + " static\n";
@@ -77,8 +78,8 @@ std::string tally_text(const SceneFile& file) {
   const SceneCounters counters = counters_of(file);
   text += "  solves of convex parts: " + std::to_string(counters.distance_solves) + " distance, " +
           std::to_string(counters.separation_solves) + " separation, " +
-          std::to_string(counters.growth_solves) + " growth; " + std::to_string(counters.closest_points) +
-          " pairs of closest points, " + std::to_string(counters.gradients) + " gradients\n";
+          std::to_string(counters.growth_solves) + " growth; " + counted(counters.closest_points, "pair") +
+          " of closest points, " + counted(counters.gradients, "gradient") + "\n";
   return text;
 }
 
@@ -107,12 +108,12 @@ std::string event_text(const SceneFile& file) {
 
 std::string scene_info_text(const std::string& path, const SceneFile& file) {
   std::string text = path + ": results of the scene '" + file.name + "'\n";
-  text += "  " + std::to_string(file.cells.size()) + " of " + std::to_string(file.cell_count) + " cells, " +
-          std::to_string(file.records.size()) + " records, " + std::to_string(file.bodies.size()) +
-          " bodies, " + std::to_string(file.queries.size()) + " queries\n";
+  text += "  " + std::to_string(file.cells.size()) + " of " + counted(file.cell_count, "cell") + ", " +
+          counted(file.records.size(), "record") + ", " + counted(file.bodies.size(), "body", "bodies") +
+          ", " + counted(file.queries.size(), "query", "queries") + "\n";
   for (const Session& session : file.sessions) {
-    text += "  session started " + session.started_at + ", " + std::to_string(session.threads) +
-            " threads, commit " + session.build.git_commit + ", " + session.machine.cpu_model + "\n";
+    text += "  session started " + session.started_at + ", " + counted(session.threads, "thread") +
+            ", commit " + session.build.git_commit + ", " + session.machine.cpu_model + "\n";
   }
   return text + tally_text(file);
 }

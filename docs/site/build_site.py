@@ -23,7 +23,7 @@ ROOT = HERE.parent.parent
 
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
-    "Tutorials": ["tutorials", "user-guide", "python", "pandas"],
+    "Tutorials": ["tutorials", "tutorial-scenes", "user-guide", "python", "pandas"],
     "How-to": ["experiments", "analysis", "scenes", "scaling", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],

@@ -164,10 +164,10 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
 // Few points in many dimensions hardly surround the origin: of N points drawn from a symmetric distribution N
 // > 2n do so more often than not (Wendel). Where they do not, the first ray ends only after thousands of
 // iterations, and the linear program has a Farkas direction in a tenth of the time; where they do, the
-// question costs an eighth of it (n = 150 to 500). Only a direction, or the end of the time limit, is taken
+// question costs an eighth of it (n = 50 to 500). Only a direction, or the end of the time limit, is taken
 // for an answer here.
 bool DistanceSolver::Workspace::is_out_of_reach_of_few(const ConvexSet& A, const ConvexSet& Q) {
-  constexpr int kManyDimensions = 150;
+  constexpr int kManyDimensions = 50;
   const int n = A.dimension();
   if (n < kManyDimensions || options.max_iterations > 0) return false;
   const PointSet* points_A = as_point_set(A);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/sweep/agreement.h"
+#include "engine/sweep/limited_load.h"
 #include "engine/sweep/repetitions.h"
 #include "engine/sweep/seeded_order.h"
 
@@ -96,9 +97,11 @@ Record CellRunner::blank_record(const Cell& cell, int repetition, std::size_t me
 void CellRunner::warm_up(const Cell& cell, const Instance& instance) {
   if (plan_.experiment().warmup == 0) return;
   for (const auto& method : methods_) {
+    const SolveRequest request = plan_.request(cell);
+    limit_load(*method, request.time_limit);
     method->load(instance);
     for (int i = 0; i < plan_.experiment().warmup && !hooks_.stop_asked(); ++i) {
-      method->solve(plan_.request(cell));
+      method->solve(request);
     }
   }
 }
@@ -138,9 +141,11 @@ void CellRunner::measure(const Cell& cell, const Instance& instance, std::size_t
   SolveMethod& solver = *methods_[method];
   record.started_at = seconds_since(circumstances_.sweep_start);
   const SteadyClock::time_point start = SteadyClock::now();
+  const SolveRequest request = plan_.request(cell);
+  limit_load(solver, request.time_limit);
   solver.load(instance);
   record.load_seconds = seconds_since(start);
-  const TimedSolve timed = hooks_.time(solver, plan_.request(cell), plan_.experiment().min_seconds);
+  const TimedSolve timed = hooks_.time(solver, request, plan_.experiment().min_seconds);
   record.seconds = timed.seconds;
   record.inner_repetitions = timed.inner_repetitions;
   copy_outcome(solver.result(), record);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/sweep/limited_load.h"
 #include "engine/sweep/schedule.h"
 #include "engine/sweep/sweep_plan.h"
 #include "raygauge/sweep/sweep.h"
@@ -35,6 +36,7 @@ double repetition_seconds(const SweepPlan& plan, const Cell& cell, double budget
   const SteadyClock::time_point start = SteadyClock::now();
   const Instance instance = plan.instance(cell, 0);
   for (const auto& method : plan.make_methods()) {
+    limit_load(*method, request.time_limit);
     method->load(instance);
     time_solve(*method, request, plan.experiment().min_seconds);
   }

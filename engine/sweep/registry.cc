@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "engine/sweep/number_text.h"
 #include "engine/sweep/parameter_text.h"
 
 namespace raygauge {
@@ -96,9 +96,7 @@ std::string to_string(const ParameterValue& value) {
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::get<double>(value)).ptr;
-  return {buffer.data(), end};
+  return shortest_text(std::get<double>(value));
 }
 
 std::string to_string(const Parameters& parameters) {

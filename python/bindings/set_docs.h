@@ -53,6 +53,25 @@ exact cone, or m >= 3 for a pyramid inside it. UnionHull of several contacts bou
 0.5
 )";
 
+inline constexpr const char* kHPolytopeDoc =
+    R"({x : G x <= g}, a bounded polytope by its inequalities.
+
+G: shape (m, n). g: shape (m,). Raises InvalidParameterError where it is not bounded, EmptySetError, DimensionMismatchError,
+NonFiniteError.
+
+>>> rg.HPolytope([[1, 0], [0, 1], [-1, -1]], [1, 1, 1]).support_function([1, 1])
+2.0
+)";
+
+inline constexpr const char* kZonotopeDoc =
+    R"({center + t_1 g_1 + ... + t_m g_m : -1 <= t_i <= 1}, a sum of segments.
+
+center: shape (n,). generators: shape (m, n), one g_i a row.
+
+>>> rg.Zonotope([0, 0], [[1, 0], [0, 1], [1, 1]]).support_function([1, 1])
+4.0
+)";
+
 inline constexpr const char* kBallDoc =
     R"({x : |x - center| <= radius}, the Euclidean ball; radius 0 is a point.
 

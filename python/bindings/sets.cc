@@ -15,6 +15,7 @@
 #include "raygauge/sets/contact_wrenches.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -24,6 +25,7 @@
 #include "raygauge/sets/support_mapping_set.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/zonotope.h"
 
 namespace raygauge::python {
 namespace {
@@ -196,6 +198,17 @@ void bind_polytopes(py::module_& module) {
              return std::make_shared<Simplex>(o, numbers_of(legs, o.size(), "legs"));
            }),
            "corner"_a, "legs"_a = 1.0);
+  set_class<HPolytope>(module, "HPolytope", kHPolytopeDoc)
+      .def(py::init([](py::handle G, py::handle g) {
+             return std::make_shared<HPolytope>(as_matrix(G, "G"), as_vector(g, "g"));
+           }),
+           "G"_a, "g"_a);
+  set_class<Zonotope>(module, "Zonotope", kZonotopeDoc)
+      .def(py::init([](py::handle center, py::handle generators) {
+             const Eigen::MatrixXd rows = as_matrix(generators, "generators");
+             return std::make_shared<Zonotope>(as_vector(center, "center"), rows.transpose());
+           }),
+           "center"_a, "generators"_a);
 }
 
 void bind_wrenches(py::module_& module) {

@@ -42,6 +42,31 @@ def current_method_name(name: str) -> str:
     return "column_generation" if name == "direct" else name
 
 
+_VALUE = re.compile(r'(?<==)"(?:\\.|[^"\\])*"?|(?<=[=\[,])[^ ,\[\]{}="\n]+')
+_NUMBER = re.compile(r"(-?)(\d+)(?:\.(\d+))?(?:e([+-]\d+))?")
+
+
+def _current_number(token: str) -> str:
+    """A real number as std::to_chars wrote it becomes one of today; integers and anything else stay."""
+    number = _NUMBER.fullmatch(token)
+    if not number or not set(".e") & set(token):
+        return token
+    sign, whole, fraction, exponent = number[1], number[2], number[3] or "", number[4]
+    if exponent is not None:
+        power = int(exponent)
+        return f"{sign}{whole}{'0' * power}" if 0 <= power < 6 else f"{token.split('e')[0]}e{power}"
+    digits = fraction.lstrip("0")
+    if int(whole) or not digits or float(token) >= 0.01 or float(token) <= -0.01:
+        return token
+    power = len(digits) - len(fraction) - 1
+    return f"{sign}{digits[0]}{'.' + digits[1:] if digits[1:] else ''}e{power}"
+
+
+def with_current_numbers(text: str) -> str:
+    """Parameters as name=value with numbers as today: earlier versions wrote 1e-08, 0.001 and 1e+05."""
+    return _VALUE.sub(lambda value: _current_number(value[0]), text)
+
+
 def _entries(identity: str) -> list[str]:
     """The entries of the line "methods = [a, b as c {x=1, y=2}]"."""
     line = re.search(r"^methods = \[(.*)\]$", identity, re.MULTILINE)

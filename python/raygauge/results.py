@@ -77,6 +77,10 @@ def _dataset(file: h5py.File, path: str) -> Results:
     if file.attrs.get("format") != "raygauge-results":
         raise ResultsError(f"{path}: no results file of raygauge")
     variables = {name: _variable(column) for name, column in file["records"].items()}
+    for name in ("generator_parameters", "method_parameters"):
+        texts = variables[name].values
+        current = {text: older_files.with_current_numbers(text) for text in set(texts)}
+        texts[:] = [current[text] for text in texts]
     schema_version = int(file.attrs["schema_version"])
     if schema_version == 1:
         _complete_version_one(variables, file["provenance/identity"].asstr()[()])

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/sweep/number_text.h"
 #include "results/run/atomic_file.h"
 #include "results/schema/schema.h"
 
@@ -25,6 +26,7 @@ constexpr int kAllDigits = 17;
 
 std::string real_field(double value, int digits) {
   if (std::isnan(value)) return "nan";
+  if (digits == kAllDigits) return shortest_text(value);
   std::array<char, 32> buffer{};
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)

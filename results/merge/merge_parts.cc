@@ -46,9 +46,11 @@ class Merge {
     }
     count();
     if (!options_.partial && summary_.cells < summary_.provenance.cell_count) {
-      throw ResultsError(
-          target_.string() + ": not written: the parts hold " + std::to_string(summary_.cells) + " of " +
-          std::to_string(summary_.provenance.cell_count) + " cells; --partial merges them all the same");
+      throw ResultsError(target_.string() + ": not written: the parts hold " +
+                         std::to_string(summary_.cells) + " of " +
+                         std::to_string(summary_.provenance.cell_count) +
+                         (summary_.provenance.cell_count == 1 ? " cell" : " cells") +
+                         "; --partial merges them all the same");
     }
     write_rows(target_, summary_.provenance, spool_.runs(), spool_);
     return std::move(summary_);

@@ -74,8 +74,8 @@ SceneFile merge_scenes(const std::vector<fs::path>& parts, const fs::path& targe
   }
   if (!options.partial && !all.finished()) {
     throw ResultsError(target.string() + ": not written: the parts hold " + std::to_string(all.cells.size()) +
-                       " of " + std::to_string(all.cell_count) +
-                       " cells; --partial merges them all the same");
+                       " of " + std::to_string(all.cell_count) + (all.cell_count == 1 ? " cell" : " cells") +
+                       "; --partial merges them all the same");
   }
   sort_scene(all);
   write_atomically(target, encode_scene(all));

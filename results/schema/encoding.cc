@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/encoding.h"
 
+#include "engine/sweep/number_text.h"
 #include "raygauge/sweep/method.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"
@@ -69,7 +70,7 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
   const std::string place = file + ": /provenance";
   Provenance provenance;
   provenance.experiment_text = hdf5::read_text(group, "experiment", place);
-  provenance.identity = hdf5::read_text(group, "identity", place);
+  provenance.identity = with_current_numbers(hdf5::read_text(group, "identity", place));
   if (version == 1) provenance.identity = current_identity(provenance.identity);
   provenance.cell_count =
       static_cast<std::uint64_t>(hdf5::read_integer_attribute(group, "cell_count", place));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/sweep/number_text.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge {
@@ -119,12 +120,32 @@ void complete_hardness(Record& record) {
   }
 }
 
+/// `text` with_current_numbers(); most records have the parameters of the one before them.
+class CurrentNumbers {
+ public:
+  void apply(std::string& text) {
+    if (text != before_) {
+      before_ = text;
+      after_ = with_current_numbers(text);
+    }
+    if (after_ != text) text = after_;
+  }
+
+ private:
+  std::string before_;
+  std::string after_;
+};
+
 }  // namespace
 
 void complete_older_records(std::vector<Record>& records, const std::string& identity) {
   constexpr double kRoundingOfExample1 = 0x1p-45;
   const NamesByLabel names = names_by_label(identity);
+  CurrentNumbers of_generators;
+  CurrentNumbers of_methods;
   for (Record& record : records) {
+    of_generators.apply(record.generator_parameters);
+    of_methods.apply(record.method_parameters);
     if (!record.method_name.empty()) continue;
     const bool is_labelled = names.find(record.method) != names.end();
     if (!is_labelled) record.method = current_method_name(record.method);

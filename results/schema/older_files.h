@@ -22,6 +22,8 @@ namespace raygauge {
 ///
 /// and what was called `direct` is column_generation in both names, unless a label of the user's says direct.
 ///
+/// Of any record the numbers among the parameters are written as today, with_current_numbers().
+///
 /// Here alone does the program go by the spelling of names.
 void complete_older_records(std::vector<Record>& records, const std::string& identity);
 

@@ -189,7 +189,7 @@ TEST(Figures, SayWhatTheyNeed) {
   EXPECT_EQ(
       complaint("ratio_heatmap", records),
       "figure ratio_heatmap draws a page for each generator, its parameters and tolerance, and there are 10 "
-      "(ε = 0.001; ε = 0.002; ε = 0.003; …); choose with --where");
+      "(ε = 1e-3; ε = 2e-3; ε = 3e-3; …); choose with --where");
 }
 
 TEST(Maps, HaveAPageForEachProblem) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <thread>
 
 #include "baselines/registry.h"
+#include "engine/sweep/limited_load.h"
 #include "raygauge/exceptions.h"
 #include "tests/baselines/closed_forms.h"
 
@@ -115,6 +117,41 @@ TEST_P(SimplexBaseline, EverySolveStartsColdAndRepeatsItself) {
 TEST_P(SimplexBaseline, ReportsATimeLimit) {
   const DistanceResult result = run(GetParam(), {}, two_spheres(1, 10, 20000), {1e-6, 1e-9});
   EXPECT_EQ(to_string(result.status), "time_limit");
+}
+
+/// Of this thread: wall time would tell what else the machine does.
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+TEST_P(SimplexBaseline, EndsAtTheTimeLimitHoweverLargeTheModel) {
+  constexpr double kLimit = 0.05;
+  const Instance sets = two_spheres(1, 3, 200000);
+  for (const Parameters& variant : variants(GetParam())) {
+    SCOPED_TRACE(to_string(variant));
+    const auto method = baselines().make(GetParam(), variant);
+    const double start = processor_seconds();
+    limit_load(*method, kLimit);
+    method->load(sets);
+    method->solve({1e-6, kLimit});
+    EXPECT_LT(processor_seconds() - start, 1.2 * kLimit + 0.1);
+    EXPECT_EQ(to_string(method->result().status), "time_limit");
+  }
+}
+
+TEST_P(SimplexBaseline, SolvesAModelThatIsBuiltWithinTheLimit) {
+  for (const Parameters& variant : variants(GetParam())) {
+    SCOPED_TRACE(to_string(variant));
+    const auto method = baselines().make(GetParam(), variant);
+    limit_load(*method, 60);
+    for (int i = 0; i < 2; ++i) {
+      method->load(two_spheres(1, 4, 200));
+      method->solve({1e-6, 60});
+      EXPECT_EQ(to_string(method->result().status), "optimal");
+    }
+  }
 }
 
 TEST_P(SimplexBaseline, AcceptsAnyToleranceOfARequest) {

@@ -5,7 +5,9 @@
     scene_commands.py --raygauge PROGRAM --scenes FOLDER
 """
 import argparse
+import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -101,7 +103,33 @@ class Scenes(unittest.TestCase):
                 self.run_raygauge("report", results, "-o", self.work / "page.html")
                 self.assertIn("solved", self.run_raygauge("info", results).stdout)
                 self.assertGreater(len(self.run_raygauge("table", results).stdout.splitlines()), 1)
+                picture = self.work / (scene.stem + ".svg")
+                self.run_raygauge("plot", results, "-o", picture)
+                self.assertIn("<svg", picture.read_text())
                 self.assertIn("never:", self.run_raygauge("scene", "explain", scene).stdout)
+
+    def test_a_picture_has_a_panel_for_each_query_with_distances_and_names_the_pairs(self):
+        results, picture = self.work / "good.h5", self.work / "good.svg"
+        self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", results, "--set", "time.instants=21")
+        self.run_raygauge("plot", results, "-o", picture)
+        text = picture.read_text()
+        for word in ("distance", "time / s", "a – b", "a – c", "b – c"):
+            self.assertIn(word, text)
+        self.assertIn("timelines", self.run_raygauge("plot", results, "--figure", "fig5", "-o", picture, status=2).stderr)
+        self.run_raygauge("plot", results, "-o", self.work / "good.txt", status=2)
+
+    def test_a_list_of_tolerances_is_a_curve_of_the_report(self):
+        results, page = self.work / "good.h5", self.work / "good.html"
+        text = GOOD.replace('effects = ["distance", "closest_points"]', 'effects = ["distance"]\ntolerance = [1e-2, 1e-5, 1e-8]')
+        (self.work / "good.toml").write_text(text.replace("2000", "21"))
+        self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", results)
+        self.run_raygauge("report", results, "-o", page)
+        data = re.search(r'(?s)<script type="application/json" id="data">(.*?)</script>', page.read_text()).group(1)
+        queries = [query for query in json.loads(data)["queries"] if query["effects"] == "distance"]
+        self.assertEqual([query["tolerance"] for query in queries], [1e-2, 1e-5, 1e-8])
+        for query in queries:
+            self.assertLessEqual(query["gap"], query["tolerance"])
+            self.assertGreater(query["frame_seconds"], 0)
 
     def test_answers_are_the_same_on_any_number_of_threads(self):
         first = None

@@ -79,6 +79,8 @@ def look_at(browser, page, scheme, width, failures, screenshot):
             "return [...arguments[0].querySelectorAll('path')].map((p) => p.getTotalLength())", curve)
         expect(max(lengths) > 300, "a timeline without a curve")
     expect(browser.find_elements(By.CSS_SELECTOR, "#event-list img"), "no still of an event")
+    marks = len(browser.find_elements(By.CSS_SELECTOR, "svg.accuracy circle"))
+    expect(marks == (3 if page.stem == "costs" else 0), f"{marks} marks of what accuracy costs")
     for entry in browser.get_log("browser"):
         if entry["level"] == "SEVERE":
             failures.append(f"{page.stem}: console: {entry['message']}")
@@ -105,6 +107,14 @@ def main():
                            check=True)
             subprocess.run([arguments.raygauge, "report", results, "-o", page], check=True, stdout=subprocess.DEVNULL)
             pages.append(page)
+        # Distances at three tolerances: the page draws what accuracy costs.
+        costs = work / "costs.toml"
+        text = (arguments.scenes / "two_vehicles.toml").read_text()
+        costs.write_text(text.replace('metric_body = "ego"', 'metric_body = "ego"\ntolerance = [1e-2, 1e-5, 1e-8]'))
+        subprocess.run([arguments.raygauge, "scene", "run", costs, "-q", "-o", work / "costs.h5"], check=True)
+        subprocess.run([arguments.raygauge, "report", work / "costs.h5", "-o", work / "costs.html"], check=True,
+                       stdout=subprocess.DEVNULL)
+        pages.append(work / "costs.html")
         browser = start_browser(work / "profile")
         try:
             for page in pages:

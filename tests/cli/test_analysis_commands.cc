@@ -65,8 +65,8 @@ TEST_F(AnalysisCommands, TableSaysHowStableTheMethodsAre) {
   const ProgramResult outcome =
       run_raygauge({"table", "r.h5", "--stability", "--where", "method==direct", "--format", "csv"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\n1e-06,example2,direct,6,6,1,"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\n1e-06,all,direct,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1e-6,example2,direct,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1e-6,all,direct,6,6,1,"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("glpk"), std::string::npos);
 }
 
@@ -76,6 +76,18 @@ TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(read("t.csv"), "method,N,max milliseconds\ndirect,200,3\nglpk_dual,200,30\n");
+}
+
+TEST_F(AnalysisCommands, TableKeepsTheIntervalsInCsv) {
+  const ProgramResult text = run_raygauge({"table", "r.h5", "--rows", "method", "--intervals"});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("["), std::string::npos) << text.out;
+  const ProgramResult csv =
+      run_raygauge({"table", "r.h5", "--rows", "method", "--intervals", "--format", "csv"});
+  EXPECT_EQ(csv.status, 0) << csv.err;
+  EXPECT_EQ(csv.out,
+            "method,median milliseconds,median milliseconds lower,median milliseconds upper\n"
+            "direct,2,1,3\nglpk_dual,20,10,30\n");
 }
 
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
@@ -128,6 +140,32 @@ TEST_F(AnalysisCommands, PlotDrawsAFigure) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "t.svg\n");
   EXPECT_NE(read("t.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(AnalysisCommands, PlotWritesSvgToStandardOutput) {
+  const ProgramResult outcome = run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "-"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("<?xml")) << outcome.out.substr(0, 100);
+  EXPECT_TRUE(outcome.out.ends_with("</svg>\n\n") || outcome.out.ends_with("</svg>\n"));
+  expect_complaint(run_raygauge({"plot", "r.h5", "-o", "-"}),
+                   "raygauge: -: is no folder; without --figure, -o is the folder for all figures");
+  EXPECT_FALSE(exists("-"));
+}
+
+TEST_F(AnalysisCommands, PlotSaysWhereStandardOutputCannotTakeAllPages) {
+  ResultsFile results = read_results(folder_.file("r.h5"));
+  for (std::size_t i = 0; i < results.records.size(); ++i)
+    if (results.records[i].cell == 1) results.records[i].tolerance = 1e-3;
+  write_results(folder_.file("two.h5"), results);
+  expect_complaint(run_raygauge({"plot", "two.h5", "--figure", "ratio_heatmap", "-o", "-"}),
+                   "raygauge: figure ratio_heatmap has 2 pages, and standard output takes one: name a file "
+                   "(-o ratio_heatmap.svg), or choose with --where");
+  const ProgramResult files = run_raygauge({"plot", "two.h5", "--figure", "ratio_heatmap", "-o", "h.svg"});
+  EXPECT_EQ(files.out, "h.svg\nh-2.svg\n") << files.err;
+  EXPECT_EQ(
+      run_raygauge({"plot", "two.h5", "--figure", "ratio_heatmap", "-o", "-", "--where", "tolerance==1e-3"})
+          .status,
+      0);
 }
 
 TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
@@ -288,8 +326,11 @@ TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
                    "raygauge: no record of base.h5 passes the filter 'session==0 && n==9'");
   EXPECT_EQ(run_raygauge({"compare", "base.h5", "nowhere.h5"}).status, 2);
   expect_complaint(run_raygauge({"compare", "base.h5", "base.h5", "--threshold", "-1"}),
-                   "raygauge: threshold is -1, must be a number from 0 on");
-  EXPECT_EQ(run_raygauge({"compare", "base.h5", "base.h5", "--significance", "2"}).status, 2);
+                   "raygauge: --threshold must be a number from 0 on, got -1");
+  expect_complaint(run_raygauge({"compare", "nowhere.h5", "base.h5", "--threshold", "-1e300"}),
+                   "raygauge: --threshold must be a number from 0 on, got -1e300");
+  expect_complaint(run_raygauge({"compare", "base.h5", "base.h5", "--significance", "2"}),
+                   "raygauge: --significance must lie in (0, 1), got 2");
 }
 
 TEST_F(AnalysisCommands, ReportWritesOnePage) {

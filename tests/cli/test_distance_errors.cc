@@ -63,7 +63,7 @@ TEST_F(DistanceErrors, OptionsOutsideTheirRangeAreNamed) {
   for (const char* tolerance : {"0", "1", "-1e-3", "nan", "2"}) {
     const ProgramResult outcome = run("3 0\n", kSquare, {"--tolerance", tolerance});
     expect_complaint(outcome, std::string("raygauge: --tolerance must lie in (0, 1), got ") +
-                                  (std::string(tolerance) == "-1e-3" ? "-0.001" : tolerance));
+                                  (std::string(tolerance) == "-1e-3" ? "-1e-3" : tolerance));
   }
   expect_complaint(run("3 0\n", kSquare, {"--time-limit", "-1"}),
                    "raygauge: --time-limit must not be negative, got -1");

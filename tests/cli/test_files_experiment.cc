@@ -201,7 +201,7 @@ TEST_F(FilesExperiment, TellsPlaceAndCauseOfWhatItCannotTake) {
        "unknown key of generator 'files' 'scale'"},
       {"pairs = \"data/gone.csv\"", "own.toml:6: data/gone.csv: No such file or directory"},
       {"pairs = \"data/empty.csv\"", "data/empty.csv: no lines below one that names the columns"},
-      {"pairs = \"data/short.csv\"", "data/short.csv:2: 1 cells where the first line names 2 columns"},
+      {"pairs = \"data/short.csv\"", "data/short.csv:2: 1 cell where the first line names 2 columns"},
       {"pairs = \"data/open.csv\"", "data/open.csv:2: a quote that opens here is never closed"},
       {"pairs = \"data/wrong.csv\"", "data/wrong.csv: unknown column 'R'"},
       {"pairs = \"data/scale.csv\"", "data/scale.csv:2: scale_A must be a number, got 'big'"},

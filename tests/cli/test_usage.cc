@@ -46,9 +46,9 @@ TEST_F(Usage, HelpOfTheProgramListsTheCommands) {
 TEST_F(Usage, HelpOfDistanceShowsEveryDefault) {
   const std::string text = help("distance");
   for (const char* part :
-       {"--tolerance EPS=1e-06", "--method NAME=automatic", "--max-iterations K=0",
-        "--time-limit SECONDS=inf", "--stop-rule RULE=certified_gap", "--instruction-set NAME=automatic",
-        "--threads K=1", "Examples:", "Exit status:"}) {
+       {"--tolerance EPS=1e-6", "--method NAME=automatic", "--max-iterations K=0", "--time-limit SECONDS=inf",
+        "--stop-rule RULE=certified_gap", "--instruction-set NAME=automatic", "--threads K=1",
+        "Examples:", "Exit status:"}) {
     EXPECT_TRUE(contains(text, part)) << part << " is not in\n" << text;
   }
 }

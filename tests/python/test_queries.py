@@ -47,6 +47,8 @@ class Distances(unittest.TestCase):
             rg.TruncatedCone(p, 1.0, q, 0.5): max(across, 1.4 + 0.5 * across),
             rg.Box([-1, -1, -1], [1, 2, 3]): 0.3 + 1.1 + 2.1,
             rg.Simplex([0, 0, 0]): 0.7,
+            rg.HPolytope(np.vstack([np.eye(3), -np.eye(3)]), [1, 2, 3, 1, 1, 1]): 0.3 + 1.1 + 2.1,
+            rg.Zonotope([1, 0, 0], [[2, 0, 0], [0, 1, 1]]): 0.3 + 0.6 + 0.4,
             rg.AffineImage(rg.Ball([0, 0, 0]), np.diag([2.0, 1, 1]), [1, 1, 1]): np.linalg.norm(np.array([2, 1, 1]) * u) + u.sum(),
             rg.MinkowskiSum(rg.Ball([0, 0, 0]), rg.Ball([0, 0, 0], 2)): 3 * length,
             rg.MinkowskiDifference(rg.Ball([1, 0, 0]), rg.Ball([0, 0, 0])): 0.3 + 2 * length,

@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 
 import raygauge as rg
-from raygauge.older_files import completed
+from raygauge.older_files import completed, with_current_numbers
 from raygauge.sweeps import toml_text
 
 EXPERIMENT = {
@@ -67,6 +67,18 @@ class OlderFiles(unittest.TestCase):
         self.assertEqual(list(values["role"]), ["engine", "baseline", "engine", "baseline"])
         self.assertEqual(list(values["hardness_label"]), ["", "aspect", "1/δ", "scale"])
         np.testing.assert_array_equal(values["hardness"], [np.nan, 8, 4, 8])
+
+
+    def test_numbers_among_parameters_are_written_as_today(self):
+        for text, expected in {
+            "delta=1e-08 k=3 lambda=0.001 size=1e+05 x=1.5": "delta=1e-8 k=3 lambda=1e-3 size=100000 x=1.5",
+            "a=-0.0025 b=1.25e-10 c=0.0 d=0.01": "a=-2.5e-3 b=1.25e-10 c=0.0 d=0.01",
+            "pose={rpy=[0,0,0.001]}": "pose={rpy=[0,0,1e-3]}",
+            'name="1e-08" file=finger-1e-05.off n=100000 on=true': 'name="1e-08" file=finger-1e-05.off n=100000 on=true',
+            "program=./solve 1e-08": "program=./solve 1e-08",
+        }.items():
+            self.assertEqual(with_current_numbers(text), expected)
+            self.assertEqual(with_current_numbers(expected), expected)
 
 
 class Results(unittest.TestCase):

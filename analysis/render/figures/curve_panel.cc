@@ -51,6 +51,16 @@ std::string plot_of(const CurvePanel& panel, std::size_t index, const MethodList
   return text + "\n";
 }
 
+/// Smaller letters where the title would run into the panel beside it.
+std::string title_font(const std::string& title, const PanelGrid& grid) {
+  constexpr double kPointsPerInch = 72;
+  constexpr double kEms = 0.64;  // width of a letter, and some air
+  constexpr double kUsual = 8;
+  const double width = grid.width / static_cast<double>(grid.columns);
+  const double fitting = kPointsPerInch * width / (kEms * static_cast<double>(title.size()));
+  return fitting >= kUsual ? "" : " font '," + significant(fitting, 2) + "'";
+}
+
 Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
                        const MethodList& methods, const std::string& x, const std::string& y) {
   Drawing drawing;
@@ -66,8 +76,8 @@ Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& pan
                     grid.axis_labels(x, y) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     drawing.script += grid.margins(p) + panels[p].settings + "set title " +
-                      figure_style::quoted(panels[p].title) + " offset 0,-0.7\n" +
-                      plot_of(panels[p], p, methods);
+                      figure_style::quoted(panels[p].title) + title_font(panels[p].title, grid) +
+                      " offset 0,-0.7\n" + plot_of(panels[p], p, methods);
   }
   drawing.script += "unset multiplot\n";
   return drawing;

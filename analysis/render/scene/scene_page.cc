@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -97,6 +98,27 @@ json events_of(const SceneFile& file) {
   return events;
 }
 
+/// The widest certified relative gap (upper - lower) / upper of a query's answers; NaN where none has a
+/// bound.
+double widest_gap(const SceneFile& file, std::size_t query) {
+  double widest = SceneRecord::kNone;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (static_cast<std::size_t>(record.query) != query || !(record.upper > 0)) continue;
+    const double gap = (record.upper - record.lower) / record.upper;
+    if (std::isfinite(gap) && !(gap <= widest)) widest = gap;
+  }
+  return widest;
+}
+
+std::int64_t instants_of(const SceneFile& file, std::size_t query) {
+  std::int64_t last = -1;
+  for (const SceneRow& row : file.records) {
+    if (static_cast<std::size_t>(row.record.query) == query) last = std::max(last, row.record.instant);
+  }
+  return last + 1;
+}
+
 json queries_of(const SceneFile& file) {
   std::vector<SceneTally> tallies(file.queries.size());
   std::vector<double> seconds(file.queries.size());
@@ -105,6 +127,7 @@ json queries_of(const SceneFile& file) {
     seconds[static_cast<std::size_t>(row.record.query)] += row.record.seconds;
   json queries = json::array();
   for (std::size_t q = 0; q < file.queries.size(); ++q) {
+    const auto instants = static_cast<double>(instants_of(file, q));
     queries.push_back({{"name", file.queries[q].name},
                        {"effects", file.queries[q].effects},
                        {"asked", tallies[q].asked},
@@ -113,6 +136,9 @@ json queries_of(const SceneFile& file) {
                        {"broad_phase", tallies[q].broad_phase},
                        {"coherence", tallies[q].coherence},
                        {"standing", tallies[q].standing},
+                       {"tolerance", file.queries[q].tolerance},
+                       {"gap", number(widest_gap(file, q))},
+                       {"frame_seconds", number(instants > 0 ? seconds[q] / instants : SceneRecord::kNone)},
                        {"seconds", seconds[q]}});
   }
   return queries;

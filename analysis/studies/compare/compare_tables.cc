@@ -163,8 +163,8 @@ std::vector<Table> comparison_tables(const Comparison& comparison, const std::ve
   std::vector<std::string>& notes = tables.back().notes;
   for (std::string& note : method_notes(comparison)) notes.push_back(std::move(note));
   if (comparison.base_only + comparison.new_only > 0) {
-    notes.push_back("only in BASE: " + std::to_string(comparison.base_only) +
-                    " cells of a method; only in NEW: " + std::to_string(comparison.new_only));
+    notes.push_back("only in BASE: " + counted(comparison.base_only, "cell") +
+                    " of a method; only in NEW: " + std::to_string(comparison.new_only));
   }
   for (const std::string& warning : warnings) notes.push_back("warning: " + warning);
   return tables;

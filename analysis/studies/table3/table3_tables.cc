@@ -107,10 +107,10 @@ const CellRatio* worst_cell(const Table3Method& method) {
 }
 
 std::string verdict(const Table3& table3) {
-  const std::string all = std::to_string(table3.records);
-  if (table3.disagreeing == 0) return "agreement: all " + all + " records agree, baselines included";
+  const std::string all = counted(table3.records, "record");
+  if (table3.disagreeing == 0) return "agreement: all " + all + " agree, baselines included";
   return "agreement: " + std::to_string(table3.disagreeing) + " of " + all +
-         " records DISAGREE with another method; their times are left out";
+         " DISAGREE with another method; their times are left out";
 }
 
 TableCell ratio_cell(double ratio) {

@@ -14,8 +14,8 @@ namespace {
 constexpr int kMostExchanges = 80;
 constexpr int kMostDiscoveries = 40;
 constexpr int kMostNewtonSteps = 12;
-constexpr double kFirstTilt = 1.5, kLargestTilt = 1e4;  // shares of the angle that would do for a ball
-constexpr double kLeastTilt = 0.02;                     // radians
+constexpr double kFirstTilt = 1.7, kLargestTilt = 1e4;  // shares of the angle that would do for a ball
+constexpr double kLeastTilt = 0.03;                     // radians
 constexpr double kSmall = 1e-12;                        // of a length: rounding
 constexpr double kUp = 1 + 0x1p-46,
                  kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
@@ -253,7 +253,7 @@ bool Growth::discover(Vector3 u) {
     const double beyond = dot(way, w.s - portal_[0].s), size = length(way) * length(w.s);
     if (!(beyond > kSmall * size)) {
       if (tilt > kLargestTilt) return false;
-      tilt *= 8;
+      tilt *= 4;
       continue;
     }
     const double height = dot(next, w.s);
@@ -261,7 +261,7 @@ bool Growth::discover(Vector3 u) {
       u = next;
       h = height;
     }
-    tilt = std::max(kFirstTilt, tilt / 16);
+    tilt = kFirstTilt;
     if (adopt(w, known)) return true;
     known = 2;
   }

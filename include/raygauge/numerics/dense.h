@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <new>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ class Dense : public Eigen::Map<Plain> {
       : Dense(values.rows(), values.cols()) {  // NOLINT: as Eigen does
     View::operator=(values.derived());
   }
+  /// Rows of numbers; of a vector, its numbers: Vector({{1, 2, 3}}).
+  Dense(const std::initializer_list<std::initializer_list<double>>& values) : Dense(Plain(values)) {}
   Dense(const Dense& other) : View(nullptr, 0, other.cols()), storage_(other.storage_) {
     point_at(other.rows(), other.cols());
   }

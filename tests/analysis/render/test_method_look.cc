@@ -32,6 +32,44 @@ TEST(MethodLook, OfTheProgramsOwnMethodsDiffersInGreyToo) {
   EXPECT_EQ(colors.size(), methods.size());
 }
 
+bool same(const MethodLook& a, const MethodLook& b) {
+  return a.color == b.color && a.dark_color == b.dark_color && a.marker == b.marker && a.dash == b.dash &&
+         a.filled == b.filled;
+}
+
+TEST(MethodLook, IsThatOfTheRegisteredNameUnderAnyLabel) {
+  MethodList plain;
+  plain.add({"glpk_dual", "glpk_dual", "presolve=false", Role::baseline});
+  plain.add({"newton", "newton", "", Role::engine});
+  MethodList labelled;
+  labelled.add({"ours", "newton", "", Role::engine});
+  labelled.add({"zheng_yamane", "glpk_dual", "presolve=false", Role::baseline});
+  EXPECT_TRUE(same(look_of_method("ours", labelled), look_of_method("newton", plain)));
+  EXPECT_TRUE(same(look_of_method("zheng_yamane", labelled), look_of_method("glpk_dual", plain)));
+  EXPECT_FALSE(look_of_method("zheng_yamane", labelled).filled);
+}
+
+TEST(MethodLook, OfOneMethodWithSeveralParametersDiffersWhateverTheirOrder) {
+  const MethodFacts plain{"a", "glpk_dual", "presolve=false", Role::baseline};
+  const MethodFacts presolved{"b", "glpk_dual", "presolve=true", Role::baseline};
+  MethodList first;
+  first.add(plain);
+  first.add(presolved);
+  MethodList last;
+  last.add(presolved);
+  last.add(plain);
+  EXPECT_FALSE(same(look_of_method("a", first), look_of_method("b", first)));
+  EXPECT_TRUE(same(look_of_method("a", first), look_of_method("a", last)));
+  EXPECT_TRUE(same(look_of_method("b", first), look_of_method("b", last)));
+  EXPECT_EQ(look_of_method("a", first).color, look_of_method("glpk_dual", {}).color);
+}
+
+TEST(MethodLook, OfOneMethodUnderTwoLabelsDiffers) {
+  MethodList methods;
+  for (const char* label : {"mine", "yours"}) methods.add({label, "command", "program=x", Role::baseline});
+  EXPECT_FALSE(same(look_of_method("mine", methods), look_of_method("yours", methods)));
+}
+
 TEST(MethodLook, OfAnUnknownLabelIsAlwaysTheSame) {
   const MethodLook look = look_of_method("my_solver", {});
   EXPECT_EQ(look.color, look_of_method("my_solver", {}).color);

@@ -206,6 +206,13 @@ TEST_F(RunCommand, BadOverridesAreRefused) {
   EXPECT_EQ(refusal({"small.toml", "--set", "sweep.m=3"}),
             "--set sweep.m=3: unknown [sweep] key 'm'; did you mean 'n'? "
             "(known: n N tolerance grid repetitions min_repetitions stop_when_within seed)");
+  EXPECT_EQ(refusal({"small.toml", "--set", "foo.bar=3"}),
+            "--set foo.bar=3: unknown key 'foo' (known: name description sweep generator method run)");
+  EXPECT_EQ(refusal({"small.toml", "--set", "swep.n=3"}),
+            "--set swep.n=3: unknown key 'swep'; did you mean 'sweep'? "
+            "(known: name description sweep generator method run)");
+  EXPECT_EQ(refusal({"small.toml", "--set", "sweep.n.x=3"}),
+            "--set sweep.n.x=3: 'n' is a value or a list of values, not a table");
   EXPECT_EQ(refusal({"small.toml", "--set", "sweep.n"}),
             "--set sweep.n: expected KEY=VALUE, as in sweep.n=3,4");
   EXPECT_EQ(run({"small.toml", "--threads", "many"}).status, 2);

@@ -62,10 +62,12 @@ TEST_F(Csv, EveryDoubleSurvives) {
   }
 }
 
-TEST_F(Csv, NumbersHave17SignificantDigits) {
+TEST_F(Csv, NumbersHaveNoMoreDigitsThanTheyNeed) {
   Record record;
   record.distance = 0.1;
-  EXPECT_EQ(fields_of(record).at(position_of("distance")), "0.10000000000000001");
+  EXPECT_EQ(fields_of(record).at(position_of("distance")), "0.1");
+  record.distance = 1e-8;
+  EXPECT_EQ(fields_of(record).at(position_of("distance")), "1e-8");
 }
 
 TEST_F(Csv, WhatIsNotFiniteIsSpelledOut) {

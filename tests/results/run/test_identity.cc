@@ -26,13 +26,13 @@ TEST(ExperimentIdentity, IsReadable) {
             "seed = 7\n"
             "repetitions = 3\n"
             "warmup = 1\n"
-            "min_seconds = 2e-05\n"
+            "min_seconds = 2e-5\n"
             "timing = parallel\n"
             "time_limit = 60\n"
             "grid = cartesian\n"
             "n = [3]\n"
             "N = [100, 101]\n"
-            "tolerance = [1e-06]\n"
+            "tolerance = [1e-6]\n"
             "generators = [example2 {separation=1.5}]\n"
             "methods = [column_generation, glpk as GLPK, \"primal\" {presolve=true}]\n");
 }

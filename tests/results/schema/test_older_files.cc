@@ -119,6 +119,24 @@ TEST(OlderFiles, WithoutAnIdentityTheLabelTellsTheMethod) {
   EXPECT_EQ(records[3].role, Role::engine);
 }
 
+TEST(OlderFiles, NumbersAmongParametersAreWrittenAsToday) {
+  std::vector<Record> records(3);
+  for (Record& record : records) record.method_name = "newton";
+  records[0].generator_parameters = records[1].generator_parameters = "delta=1e-08 k=0.001";
+  records[2].generator_parameters = "delta=1e-8 k=1e-3";
+  records[1].method_parameters = "size=1e+05";
+  complete_older_records(records, "");
+  for (const Record& record : records) EXPECT_EQ(record.generator_parameters, "delta=1e-8 k=1e-3");
+  EXPECT_EQ(records[1].method_parameters, "size=100000");
+}
+
+// The tolerance of points_v1.h5 is stored as 1e-06.
+TEST(OlderFiles, TheIdentityOfARunHasTodaysNumbersSoThatItCanBeResumed) {
+  const std::string identity = read_results(kFolder + "points_v1.h5").provenance.identity;
+  EXPECT_NE(identity.find("1e-6"), std::string::npos) << identity;
+  EXPECT_EQ(identity.find("e-0"), std::string::npos) << identity;
+}
+
 TEST(OlderFiles, TheIdentityOfARunHasTodaysNamesSoThatItCanBeResumed) {
   EXPECT_EQ(
       current_identity("n = [3]\nmethods = [direct, direct as b {x=1, y=2}, glpk_dual as direct]\n"),

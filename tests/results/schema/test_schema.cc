@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "results/scene/scene_file.h"
 #include "tests/results/support.h"
 
 namespace raygauge::test_schema {
@@ -19,14 +20,14 @@ std::string documentation_of(const ColumnInfo& column) {
 }
 
 template <class Row>
-void expect_documented(const std::string& group, const std::vector<Column<Row>>& columns) {
+void expect_documented(const std::string& heading, const std::vector<Column<Row>>& columns) {
   static const std::string kPage = testing::read_bytes(RAYGAUGE_SOURCE_DIR "/docs/file-format.md");
-  const std::size_t section = kPage.find("## `" + group + "`");
-  ASSERT_NE(section, std::string::npos) << group;
+  const std::size_t section = kPage.find("## " + heading + "\n");
+  ASSERT_NE(section, std::string::npos) << heading;
   std::string table = "| dataset | type | unit | description |\n| --- | --- | --- | --- |\n";
   for (const Column<Row>& column : columns) table += documentation_of(column);
   EXPECT_NE(kPage.find("\n" + table + "\n", section), std::string::npos)
-      << "docs/file-format.md should hold, under " << group << ":\n"
+      << "docs/file-format.md should hold, under " << heading << ":\n"
       << table;
 }
 
@@ -51,10 +52,18 @@ TEST(Schema, EveryColumnHasAnUnambiguousNameAUnitAndADescription) {
 }
 
 TEST(Schema, EveryColumnIsDocumented) {
-  expect_documented("/records", record_columns());
-  expect_documented("/provenance/sessions", session_columns());
-  expect_documented("/provenance/versions", version_columns());
-  expect_documented("/provenance/calibration", calibration_columns());
+  expect_documented("`/records`", record_columns());
+  expect_documented("`/provenance/sessions`", session_columns());
+  expect_documented("`/provenance/versions`", version_columns());
+  expect_documented("`/provenance/calibration`", calibration_columns());
+}
+
+TEST(Schema, EveryColumnOfASceneIsDocumented) {
+  expect_documented("`/records` of a scene", scene_record_columns());
+  expect_documented("`/tallies` of a scene", scene_tally_columns());
+  expect_documented("`/cells` of a scene", scene_cell_columns());
+  expect_documented("`/bodies` of a scene", scene_body_columns());
+  expect_documented("`/queries` of a scene", scene_query_columns());
 }
 
 TEST(Schema, TheDocumentationIsOfThisVersion) {

@@ -284,13 +284,45 @@
   });
   if (!data.events.length) byId('events').remove();
 
+  // What accuracy costs: queries for the same effects at several tolerances, time a frame against certified gap.
+  const groups = new Map();
+  for (const q of data.queries) {
+    if (!(q.gap > 0) || !(q.frame_seconds > 0)) continue;
+    if (!groups.has(q.effects)) groups.set(q.effects, []);
+    groups.get(q.effects).push(q);
+  }
+  const curves = [...groups].filter(([, list]) => new Set(list.map((q) => q.tolerance)).size > 1);
+  if (!curves.length) byId('accuracy').remove();
+  for (const [effects, list] of curves) {
+    list.sort((p, q) => p.gap - q.gap);
+    const figure = document.createElement('figure');
+    const picture = svg('svg', {viewBox: '0 0 720 220', role: 'img', class: 'accuracy'}, figure);
+    const caption = document.createElement('figcaption');
+    caption.textContent = effects + ': seconds a frame against the widest certified gap (upper - lower) / upper, a mark for each tolerance.';
+    figure.appendChild(caption);
+    byId('accuracy').appendChild(figure);
+    const scale = (values, low, high) => {
+      const from = Math.floor(Math.log10(Math.min(...values))), to = Math.ceil(Math.log10(Math.max(...values)) + 1e-9);
+      return {from, to: Math.max(to, from + 1), at: (v) => low + (high - low) * (Math.log10(v) - from) / (Math.max(to, from + 1) - from)};
+    };
+    const x = scale(list.map((q) => q.gap), 70, 690), y = scale(list.map((q) => q.frame_seconds), 180, 15);
+    svg('path', {d: list.map((q, i) => (i ? 'L' : 'M') + x.at(q.gap).toFixed(2) + ' ' + y.at(q.frame_seconds).toFixed(2)).join(''), fill: 'none', stroke: 'var(--line)', 'stroke-width': 1.6}, picture);
+    for (const q of list) {
+      svg('circle', {cx: x.at(q.gap), cy: y.at(q.frame_seconds), r: 4, fill: 'var(--mark)'}, picture);
+      svg('text', {x: x.at(q.gap) + 6, y: y.at(q.frame_seconds) - 7}, picture).textContent = digits(q.tolerance);
+    }
+    svg('path', {d: 'M70 10V180H700', fill: 'none', stroke: 'var(--ink)'}, picture);
+    for (const end of [x.from, x.to]) svg('text', {x: x.at(10 ** end), y: 198, 'text-anchor': 'middle'}, picture).textContent = '1e' + end;
+    for (const end of [y.from, y.to]) svg('text', {x: 64, y: y.at(10 ** end) + 4, 'text-anchor': 'end'}, picture).textContent = '1e' + end + ' s';
+  }
+
   const table = byId('tallies');
   const row = (cells, tag) => {
     const line = table.insertRow();
     for (const text of cells) { const cell = document.createElement(tag); cell.textContent = text; line.appendChild(cell); }
   };
-  row(['query', 'asked', 'solved', 'shared', 'broad phase', 'coherence', 'static', 'seconds'], 'th');
-  for (const q of data.queries) row([q.name, q.asked, q.solved, q.shared, q.broad_phase, q.coherence, q.standing, digits(q.seconds)], 'td');
+  row(['query', 'asked', 'solved', 'shared', 'broad phase', 'coherence', 'static', 'tolerance', 'widest gap', 'seconds a frame', 'seconds'], 'th');
+  for (const q of data.queries) row([q.name, q.asked, q.solved, q.shared, q.broad_phase, q.coherence, q.standing, digits(q.tolerance), digits(q.gap), digits(q.frame_seconds), digits(q.seconds)], 'td');
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => show(frame));
   show(0);
 })();

@@ -156,7 +156,7 @@ TEST(AccuracyTables, PriceTheNextDigit) {
   const std::vector<Record> records = {solve("direct", 1e-2, 1e-3, 1e-3, 2),
                                        solve("direct", 1e-4, 1e-5, 1e-5, 5)};
   const std::string text = render(accuracy_tables(accuracy_groups(records)).front());
-  EXPECT_NE(text.find("direct  0.01    0.00050"), std::string::npos) << text;
+  EXPECT_NE(text.find("direct  0.01  0.00050"), std::string::npos) << text;
   EXPECT_NE(text.find(" 1.5 "), std::string::npos) << text;
 }
 

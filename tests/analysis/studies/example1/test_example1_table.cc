@@ -95,7 +95,7 @@ TEST(Example1Table, WritesEveryNumberForCsv) {
   const std::string text =
       render(example1_long_table(make_example1_table(sample(), Example1Roles::cone_ellipsoid)), csv);
   EXPECT_NE(text.find("method,tolerance,solves,error,microseconds,K,N_rs,"), std::string::npos) << text;
-  EXPECT_NE(text.find("zheng_yamane,1e-06,1,"), std::string::npos) << text;
+  EXPECT_NE(text.find("zheng_yamane,1e-6,1,"), std::string::npos) << text;
 }
 
 TEST(Example1Table, NeedsRecordsOfExample1AndKnownBaselines) {

@@ -179,10 +179,10 @@ TEST(StabilityTables, AsCsvHaveARowForEachToleranceFamilyAndMethod) {
       render(stability_long_table(make_stability(sample())), options),
       "tolerance,family,method,solves,certified,certified_share,worst_width,truth_known,worst_true_error,"
       "wrong,failures,median_milliseconds\n"
-      "1e-06,thin,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
-      "1e-06,thin,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n"
-      "1e-06,all,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
-      "1e-06,all,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n");
+      "1e-6,thin,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
+      "1e-6,thin,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n"
+      "1e-6,all,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
+      "1e-6,all,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n");
 }
 
 TEST(IsWrong, AllowsTheTruthItsOwnRounding) {

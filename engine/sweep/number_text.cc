@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sweep/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace raygauge {
+namespace {
+
+constexpr int kBuffer = 64;
+
+/// Numbers from here up to 10^kMostDigits are written without an exponent.
+constexpr double kSmallestPlain = 0.01;
+constexpr int kMostDigits = 6;
+
+std::string not_finite(double value) {
+  if (std::isnan(value)) return "nan";
+  return value > 0 ? "inf" : "-inf";
+}
+
+std::string formatted(const char* format, int digits, double value) {
+  std::array<char, kBuffer> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, digits, value);
+  return buffer.data();
+}
+
+template <class... Format>
+std::string to_chars_text(double value, Format... format) {
+  std::array<char, kBuffer> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...).ptr};
+}
+
+bool is_below_plain(double value) { return value != 0 && std::abs(value) < kSmallestPlain; }
+
+bool ends_token(char c) { return std::string_view(" ,[]{}=\n\"").find(c) != std::string_view::npos; }
+
+/// Where the value begins that may stand at `i`: behind "=", "[", ",", "= " or ", ".
+bool begins_value(const std::string& text, std::size_t i) {
+  const auto opens = [](char c) { return c == '=' || c == '[' || c == ','; };
+  if (i == 0) return false;
+  if (opens(text[i - 1])) return true;
+  return i > 1 && text[i - 1] == ' ' && (text[i - 2] == '=' || text[i - 2] == ',');
+}
+
+/// One past the closing quote of the text that begins at `i`.
+std::size_t end_of_quoted(const std::string& text, std::size_t i) {
+  for (++i; i < text.size() && text[i] != '"'; ++i) {
+    if (text[i] == '\\') ++i;
+  }
+  return std::min(i + 1, text.size());
+}
+
+/// A real number as std::to_chars writes it becomes one of ours; integers and anything else stay.
+std::string current_number(const std::string& token) {
+  if (token.find_first_of(".e") == std::string::npos) return token;
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  const bool whole = error == std::errc() && end == token.data() + token.size();
+  return whole && to_chars_text(value) == token ? shortest_text(value) : token;
+}
+
+}  // namespace
+
+std::string short_exponent(const std::string& text) {
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  const std::string sign = text[e + 1] == '-' ? "-" : "";
+  const std::size_t digits = text.find_first_not_of("+-0", e + 1);
+  return text.substr(0, e + 1) + sign + (digits == std::string::npos ? "0" : text.substr(digits));
+}
+
+std::string shortest_text(double value) {
+  if (!std::isfinite(value)) return not_finite(value);
+  if (is_below_plain(value)) return short_exponent(to_chars_text(value, std::chars_format::scientific));
+  const std::string text = to_chars_text(value);
+  // 10^5, which std::to_chars writes shorter with an exponent.
+  if (text.find("e+0") != std::string::npos && std::abs(value) < std::pow(10, kMostDigits))
+    return to_chars_text(value, std::chars_format::fixed);
+  return short_exponent(text);
+}
+
+std::string rounded_text(double value, int digits) {
+  if (!std::isfinite(value)) return not_finite(value);
+  std::string text = formatted("%.*e", digits - 1, value);
+  if (!is_below_plain(std::strtod(text.c_str(), nullptr)))
+    return short_exponent(formatted("%.*g", digits, value));
+  const std::size_t e = text.find('e');
+  std::size_t end = text.find('.') == std::string::npos ? e : text.find_last_not_of('0', e - 1) + 1;
+  if (text[end - 1] == '.') --end;
+  return short_exponent(text.erase(end, e - end));
+}
+
+std::string with_current_numbers(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    if (!begins_value(text, i)) {
+      result += text[i];
+    } else if (text[i] == '"') {
+      end = end_of_quoted(text, i);
+      result += text.substr(i, end - i);
+    } else {
+      for (end = i; end < text.size() && !ends_token(text[end]);) ++end;
+      result += current_number(text.substr(i, end - i));
+      if (end == i) result += text[end++];
+    }
+    i = end;
+  }
+  return result;
+}
+
+}  // namespace raygauge
