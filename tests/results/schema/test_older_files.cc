@@ -13,6 +13,7 @@
 
 #include "results/merge/merge_parts.h"
 #include "results/run/results_file.h"
+#include "results/scene/scene_file.h"
 #include "results/schema/encoding.h"
 #include "results/schema/schema.h"
 #include "tests/results/support.h"
@@ -135,6 +136,19 @@ TEST(OlderFiles, AFileOfVersionTwoIsWrittenAgainWithEachMachineOnce) {
     EXPECT_EQ(session.machine.memory_bytes, old.provenance.sessions[i].machine.memory_bytes);
     EXPECT_EQ(session.machine.cores, old.provenance.sessions[i].machine.cores);
   }
+}
+
+TEST(OlderFiles, ASceneOfVersionOneHasTheMachinesOfItsSessions) {
+  const SceneFile scene = read_scene_file(kFolder + "scene_of_version_1.h5");
+  EXPECT_TRUE(scene.finished());
+  ASSERT_EQ(scene.sessions.size(), 1U);
+  EXPECT_EQ(scene.sessions[0].machine.cpu_model, "AMD EPYC");
+  EXPECT_EQ(scene.sessions[0].machine.cores, 2);
+  testing::TemporaryFolder folder;
+  const std::string path = folder.path() + "/again.h5";
+  testing::write_bytes(path, encode_scene(scene));
+  EXPECT_EQ(scene_csv(read_scene_file(path)), scene_csv(scene));
+  EXPECT_EQ(read_scene_file(path).sessions[0].machine.cpu_model, "AMD EPYC");
 }
 
 TEST(OlderFiles, WithoutAnIdentityTheLabelTellsTheMethod) {
