@@ -60,7 +60,7 @@ class ManyProcesses(unittest.TestCase):
         self.assertEqual(answers(self.folder / "s.h5"), self.run_whole())
 
     def test_kills_of_ranks_and_of_mpirun_lose_and_repeat_nothing(self):
-        write_experiment(self.folder, min_seconds=5e-4 * KILLS)
+        write_experiment(self.folder, min_seconds=2e-3 * KILLS)
         killer = Killer(self.tool, "k.h5")
         for attempt in range(KILLS):
             killer.attempt("mpirun" if attempt % 4 == 3 else "rank")

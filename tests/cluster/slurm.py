@@ -154,7 +154,7 @@ class Slurm(unittest.TestCase):
     def test_6_kills_of_ranks_of_mpirun_and_of_tasks_lose_and_repeat_nothing(self):
         folder = self.base / "kills"
         folder.mkdir()
-        write_experiment(folder, min_seconds=1e-3 * KILLS)
+        write_experiment(folder, min_seconds=5e-3 * KILLS)
         tool = Tool(PROGRAM, folder)
         self.slurm.environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         jobs = RankJob(self.slurm, tool, "k.h5")

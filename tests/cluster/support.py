@@ -60,11 +60,16 @@ def children(process):
 def stored_instances(folder, name):
     """How many instances the journals and the file of a run hold."""
     found = set()
+    path = Path(folder) / name
+    if path.exists():
+        with h5py.File(path) as file:
+            records = file["records"]
+            found |= set(zip(records["cell"][:].tolist(), records["repetition"][:].tolist()))
     for journal in Path(folder).glob(f"{name}.parts/cells-*.csv"):
         rows = [line.split(",") for line in journal.read_text().splitlines() if line[:1] != "#"]
         if rows:
             cell, repetition = rows[0].index("cell"), rows[0].index("repetition")
-            found |= {(row[cell], row[repetition]) for row in rows[1:] if len(row) == len(rows[0])}
+            found |= {(int(row[cell]), int(row[repetition])) for row in rows[1:] if len(row) == len(rows[0])}
     return len(found)
 
 
