@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/data/merge.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
@@ -22,16 +23,35 @@ std::string slowdown_text(const Calibration& calibration) {
   return text;
 }
 
+/// What each machine has measured of its slowdown, in its first calibration.
+std::string slowdowns_text(const Provenance& provenance) {
+  constexpr std::size_t kMost = 4;
+  std::map<std::string, std::string> by_host;
+  for (const Session& session : provenance.sessions) {
+    const std::string text = slowdown_text(session.calibration);
+    if (!text.empty()) by_host.emplace(session.machine.hostname, text);
+  }
+  if (by_host.size() == 1) return by_host.begin()->second;
+  std::string all;
+  std::size_t shown = 0;
+  for (const auto& [host, text] : by_host) {
+    if (++shown > kMost) return all + " and on " + std::to_string(by_host.size() - kMost) + " more machines";
+    all += (all.empty() ? "on " : "; on ") + host + " " + text;
+  }
+  return all;
+}
+
 /// How the times of a run came about, where that matters.
 std::string timing_note(const Provenance& provenance) {
+  int threads = 1;
   for (const Session& session : provenance.sessions) {
-    if (session.timing != "parallel" || session.threads < 2) continue;
-    std::string note = "timed with " + std::to_string(session.threads) + " threads at once";
-    const std::string slowdown = slowdown_text(session.calibration);
-    if (!slowdown.empty()) note += "; slowdown of single solves: " + slowdown;
-    return note;
+    if (session.timing != "parallel") continue;
+    threads = std::max({threads, session.threads, session.calibration.threads});
   }
-  return "";
+  if (threads < 2) return "";
+  const std::string slowdown = slowdowns_text(provenance);
+  return "timed with " + std::to_string(threads) + " threads at once" +
+         (slowdown.empty() ? "" : "; slowdown of single solves: " + slowdown);
 }
 
 std::string unfinished_note(const ResultsFile& file) {
@@ -48,12 +68,46 @@ std::string run_key(const Provenance& provenance) {
   return key;
 }
 
+/// Says of times that they come from different processors or machines; "" where they do not.
+std::string machines_note(const std::vector<MergedFile>& files) {
+  const auto hosts = hosts_by_processor(files);
+  if (hosts.empty()) return "";
+  if (hosts.size() == 1) {
+    const auto& [processor, names] = *hosts.begin();
+    if (names.size() < 2) return "";
+    return "times from different machines are mixed: " + host_words(names) + ", each with " + processor;
+  }
+  std::string note = "times from different processors are mixed:";
+  for (const auto& [processor, names] : hosts) note += " " + processor + " (" + host_words(names) + ");";
+  return note.substr(0, note.size() - 1);
+}
+
 }  // namespace
+
+std::map<std::string, std::set<std::string>> hosts_by_processor(const std::vector<MergedFile>& files) {
+  std::map<std::string, std::set<std::string>> hosts;
+  for (const MergedFile& file : files) {
+    for (const Session& session : file.provenance.sessions) {
+      hosts[session.machine.cpu_model].insert(session.machine.hostname);
+    }
+  }
+  return hosts;
+}
+
+std::string host_words(const std::set<std::string>& hosts) {
+  constexpr std::size_t kMost = 4;
+  std::string words;
+  std::size_t shown = 0;
+  for (const std::string& host : hosts) {
+    if (shown == kMost) return words + " and " + std::to_string(hosts.size() - kMost) + " more";
+    words += (shown++ == 0 ? "" : ", ") + host;
+  }
+  return words;
+}
 
 MergedResults read_merged(const std::vector<std::string>& paths) {
   MergedResults merged;
   std::map<std::string, std::string> runs;
-  std::set<std::string> machines;
   for (const std::string& path : paths) {
     ResultsFile file = read_results(path);
     const auto [place, first] = runs.emplace(run_key(file.provenance), path);
@@ -61,16 +115,12 @@ MergedResults read_merged(const std::vector<std::string>& paths) {
     for (const std::string& note : {unfinished_note(file), timing_note(file.provenance)}) {
       if (!note.empty()) merged.notes.push_back(path + ": " + note);
     }
-    for (const Session& session : file.provenance.sessions) machines.insert(session.machine.cpu_model);
     merged.records.insert(merged.records.end(), std::make_move_iterator(file.records.begin()),
                           std::make_move_iterator(file.records.end()));
     merged.files.push_back({path, std::move(file.provenance)});
   }
-  if (machines.size() > 1) {
-    std::string note = "times from different processors are mixed:";
-    for (const std::string& machine : machines) note += " " + machine + ";";
-    merged.notes.push_back(note.substr(0, note.size() - 1));
-  }
+  const std::string note = machines_note(merged.files);
+  if (!note.empty()) merged.notes.push_back(note);
   return merged;
 }
 

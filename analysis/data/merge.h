@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,12 @@ struct MergedResults {
   std::vector<std::string> notes;  ///< what a reader of any table of them should know: unfinished runs,
                                    ///< parallel timing and how much it inflates, different machines
 };
+
+/// The machines of the files' sessions: their hosts by processor.
+std::map<std::string, std::set<std::string>> hosts_by_processor(const std::vector<MergedFile>& files);
+
+/// "a, b, c and 97 more".
+std::string host_words(const std::set<std::string>& hosts);
 
 /// Reads and joins results files, unfinished runs included. Throws as read_results(), and
 /// InvalidParameterError where two paths lead to the same run: its records would count twice.

@@ -31,6 +31,8 @@ std::optional<Section> stability_section(const Input& input);
 std::optional<Section> accuracy_section(const Input& input);
 /// Tables I and II of the paper beside what was measured: needs records of Example 1.
 std::optional<Section> example1_section(const Input& input);
+/// What each machine did and how the methods compare on it: needs records of two machines.
+std::optional<Section> machines_section(const Input& input);
 /// Machines, builds, versions and calibration of every session, and the experiments' texts. Always there.
 std::optional<Section> provenance_section(const Input& input);
 /// The records themselves, to download as CSV. Always there.

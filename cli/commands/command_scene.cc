@@ -169,6 +169,7 @@ class SceneJob {
     for (std::size_t i = 0; i < machines.size(); ++i) {
       head_.sessions.push_back(describe_session(Experiment(), duties_[i].threads, {}));
       head_.sessions.back().machine = machines[i];
+      head_.sessions.back().rank = static_cast<int>(i);
     }
     RunMode mode = arguments_.force ? RunMode::force : RunMode::create;
     if (arguments_.resume) mode = RunMode::resume;

@@ -41,7 +41,8 @@ class RankRun {
     distribute();
     if (orders_.nothing_to_do) return run_ ? report_done(arguments_, experiment_, *run_) : kAnswered;
     all_or_none(ranks_, [this] {
-      if (!run_) journal_.emplace(orders_.path, experiment_, orders_.session + ranks_.rank());
+      const RecordSource source = {orders_.session + ranks_.rank(), machine_info().hostname, ranks_.rank()};
+      if (!run_) journal_.emplace(orders_.path, experiment_, source);
     });
     const InterruptGuard guard(run_ && !arguments_.quiet ? kInterruptNotice : nullptr);
     sweep();
@@ -93,6 +94,7 @@ class RankRun {
     for (std::size_t i = 0; i < duties.size(); ++i) {
       sessions.push_back(session_of(experiment_, duties[i].threads));
       sessions.back().machine = machines[i];
+      sessions.back().rank = static_cast<int>(i);
       workers += duties[i].threads;
     }
     run_ = open_run(arguments_, experiment_, std::move(sessions));

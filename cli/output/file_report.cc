@@ -123,6 +123,7 @@ Json session_json(const Session& session) {
   for (const ComponentVersion& component : session.versions) versions[component.name] = component.version;
   return {{"started_at", session.started_at},
           {"finished_at", session.finished_at},
+          {"rank", session.rank},
           {"threads", session.threads},
           {"timing", session.timing},
           {"raygauge_version", session.build.raygauge_version},

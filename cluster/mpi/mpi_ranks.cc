@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <numeric>
 #include <stop_token>
@@ -16,10 +18,20 @@ namespace {
 
 constexpr auto kPause = std::chrono::milliseconds(1);
 
+/// Open MPI looks for networks for 0.2 s before it takes shared memory. Where all ranks are on this machine,
+/// it is told so, unless the user has chosen.
+void skip_networks_on_one_machine() {
+  const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
+  const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  if (all == nullptr || here == nullptr || std::strcmp(all, here) != 0) return;
+  ::setenv("OMPI_MCA_pml", "ob1", 0);
+}
+
 /// Ranks by MPI. One thread at a time is in MPI; none holds the lock while it waits for other ranks.
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
+    skip_networks_on_one_machine();
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);

@@ -48,6 +48,13 @@ std::vector<int> allowed_cpus() {
   return cpus;
 }
 
+std::vector<int> allowed_cpus_from_here() {
+  std::vector<int> cpus = allowed_cpus();
+  const auto here = std::find(cpus.begin(), cpus.end(), sched_getcpu());
+  if (here != cpus.end()) std::rotate(cpus.begin(), here, cpus.end());
+  return cpus;
+}
+
 ThreadPin::ThreadPin(int cpu) {
   auto previous = std::make_unique<Affinity>();
   if (sched_getaffinity(0, sizeof previous->cpus, &previous->cpus) != 0) return;
@@ -65,6 +72,7 @@ ThreadPin::~ThreadPin() {
 
 struct ThreadPin::Affinity {};
 std::vector<int> allowed_cpus() { return {}; }
+std::vector<int> allowed_cpus_from_here() { return {}; }
 ThreadPin::ThreadPin(int) {}
 ThreadPin::~ThreadPin() = default;
 

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""What results files of schema version 1 do not say, as in "Versions" of docs/file-format.md.
+"""What results files of the schema versions 1 and 2 do not say, as in "Versions" of docs/file-format.md.
 
 The program has the same rules in results/schema/older_files.cc; a test compares the two.
 """
@@ -34,6 +34,8 @@ COLUMNS = {
                                      " doubles"),
     "hardness_label": ("", "what hardness is, as in 1/δ; empty where the generator has no such parameter"),
     "hardness": ("1", "how hard the generator's parameters make the instance; nan where it has no such parameter"),
+    "host": ("", "name of the machine that ran the cell"),
+    "rank": ("1", "MPI rank that ran the cell; 0 without MPI"),
 }
 
 
@@ -97,6 +99,14 @@ def _hardness_of(parameters: str) -> tuple[str, float]:
         if parameter in values:
             return label, of(float(values[parameter]))
     return "", _NOT_KNOWN
+
+
+def hosts(sessions: Any, hostnames: Any) -> dict[str, Any]:
+    """`host` and `rank` of records, which a file of the versions 1 and 2 lacks, of their sessions."""
+    return {
+        "host": np.asarray(hostnames, dtype=object)[np.asarray(sessions)],
+        "rank": np.zeros(len(sessions), dtype=np.int32),
+    }
 
 
 def completed(columns: Mapping[str, Any], identity: str) -> dict[str, Any]:

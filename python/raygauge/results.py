@@ -28,6 +28,9 @@ class Results(xr.Dataset):  # type: ignore[no-untyped-call]
         return frame.astype({name: "category" for name in texts})
 
 
+_LAST_WITHOUT_HOSTS = 2
+
+
 def _values(dataset: h5py.Dataset) -> np.ndarray[Any, Any]:
     if h5py.check_string_dtype(dataset.dtype) is None:
         return np.asarray(dataset[...])
@@ -43,10 +46,9 @@ def _variable(dataset: h5py.Dataset) -> Any:
     return make(("record",), _values(dataset), attributes)
 
 
-def _complete_version_one(variables: dict[str, Any], identity: str) -> None:
+def _complete(variables: dict[str, Any], completed: dict[str, Any]) -> None:
     make: Any = xr.Variable
-    columns = {name: variable.values for name, variable in variables.items()}
-    for name, values in older_files.completed(columns, identity).items():
+    for name, values in completed.items():
         if name in variables:
             variables[name] = make(("record",), values, variables[name].attrs)
         else:
@@ -83,7 +85,10 @@ def _dataset(file: h5py.File, path: str) -> Results:
         texts[:] = [current[text] for text in texts]
     schema_version = int(file.attrs["schema_version"])
     if schema_version == 1:
-        _complete_version_one(variables, file["provenance/identity"].asstr()[()])
+        columns = {name: variable.values for name, variable in variables.items()}
+        _complete(variables, older_files.completed(columns, file["provenance/identity"].asstr()[()]))
+    if schema_version <= _LAST_WITHOUT_HOSTS:
+        _complete(variables, older_files.hosts(variables["session"].values, _values(file["provenance/sessions/hostname"])))
     attributes = {
         "experiment": file["provenance/experiment"].asstr()[()],
         "raygauge_version": str(file.attrs["raygauge_version"]),

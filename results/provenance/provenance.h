@@ -38,6 +38,8 @@ std::vector<ComponentVersion> library_versions();
 struct Session {
   BuildInfo build;
   MachineInfo machine;
+  std::int32_t machine_row = -1;  ///< of the table of machines; set where sessions are written or read
+  std::int32_t rank = 0;          ///< MPI rank of the process; 0 without MPI
   std::int32_t threads = 1;
   std::string timing;                      ///< "serial" or "parallel"
   std::string started_at;                  ///< ISO 8601, UTC: "2026-01-31T12:00:00Z"

@@ -13,14 +13,14 @@ namespace raygauge {
 /// own in the run directory. The one with the RunWriter merges it at the end.
 class RankJournal final : public RecordSink {
  public:
-  /// `session` has been begun by RunWriter::begin(). Throws ResultsError.
-  RankJournal(const std::filesystem::path& target, const Experiment& experiment, int session);
+  /// The session of `source` has been begun by RunWriter::begin(). Throws ResultsError.
+  RankJournal(const std::filesystem::path& target, const Experiment& experiment, RecordSource source);
 
   void store(const CellResult& cell) override;
 
  private:
   RecordArranger arranger_;
-  int session_;
+  RecordSource source_;
   CellJournal journal_;
 };
 

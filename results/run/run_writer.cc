@@ -31,6 +31,15 @@ std::string cells_of(const PartList& parts) {
   return std::to_string(count) + (count == 1 ? " cell" : " cells");
 }
 
+/// Adds what the other processes of a run have stored, whose sessions follow `session`.
+void add_cells_after(int session, const PartList& parts, ResultsFile& results) {
+  for (const auto& [number, path] : parts.journals) {
+    if (number <= static_cast<std::uint64_t>(session)) continue;
+    const std::vector<Record> part = read_cell_journal(path);
+    results.records.insert(results.records.end(), part.begin(), part.end());
+  }
+}
+
 }  // namespace
 
 RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunMode mode, Session session)
@@ -130,7 +139,8 @@ void RunWriter::begin_session(const std::vector<Record>& first) {
 }
 
 void RunWriter::store(const CellResult& cell) {
-  std::vector<Record> records = arranger_.arranged(cell, session_);
+  const Session& session = provenance_.sessions.front();
+  std::vector<Record> records = arranger_.arranged(cell, {session_, session.machine.hostname, session.rank});
   const int first_repetition = records.front().repetition;
   claim(cell.cell, records);
   try {
@@ -166,8 +176,8 @@ void RunWriter::finish(const std::vector<Calibration>& calibrations) {
   const bool anything_taken_in = !taken_in_.records.empty();
   if (directory_.parts().empty() && !anything_taken_in) return;
   directory_.require_held();
-  if (journal_ && provenance_.sessions.size() > 1) results_ = read_results(path_.string());
   if (journal_) {
+    add_cells_after(session_, directory_.parts(), results_);
     for (std::size_t i = 0; i < provenance_.sessions.size(); ++i) {
       Session& session = provenance_.sessions[i];
       session.finished_at = utc_now();

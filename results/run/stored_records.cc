@@ -34,7 +34,7 @@ void make_nan_plain(Record& record) {
 
 RecordArranger::RecordArranger(const Experiment& experiment) : method_rank_(method_ranks(experiment)) {}
 
-std::vector<Record> RecordArranger::arranged(const CellResult& cell, int session) const {
+std::vector<Record> RecordArranger::arranged(const CellResult& cell, const RecordSource& source) const {
   const std::string place = "cell " + std::to_string(cell.cell);
   if (cell.records.empty()) throw InvalidParameterError(place + " has no records");
   std::vector<Record> records = cell.records;
@@ -46,7 +46,9 @@ std::vector<Record> RecordArranger::arranged(const CellResult& cell, int session
       throw InvalidParameterError(place + " has a record of method '" + record.method +
                                   "', which is not in the experiment");
     }
-    record.session = session;
+    record.session = source.session;
+    record.host = source.host;
+    record.rank = source.rank;
     make_nan_plain(record);
   }
   const auto key = [this](const Record& record) {

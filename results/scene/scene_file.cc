@@ -12,6 +12,7 @@
 #include "results/scene/scene_writer.h"
 #include "results/schema/column_io.h"
 #include "results/schema/schema.h"
+#include "results/schema/session_tables.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -21,37 +22,14 @@ using hdf5::Layout;
 
 constexpr const char* kSceneFormat = "raygauge-scene";
 
-void write_sessions(H5::Group& root, const std::vector<Session>& sessions) {
-  std::vector<VersionRow> versions;
-  for (std::size_t i = 0; i < sessions.size(); ++i) {
-    for (const ComponentVersion& entry : sessions[i].versions) {
-      versions.push_back({static_cast<std::int32_t>(i), entry.name, entry.version});
-    }
-  }
-  hdf5::write_table(root, "sessions", session_columns(), sessions, Layout::plain);
-  hdf5::write_table(root, "versions", version_columns(), versions, Layout::plain);
-}
-
-std::vector<Session> read_sessions(const H5::Group& root, const std::string& place) {
-  std::vector<Session> sessions = hdf5::read_table(root, "sessions", session_columns(), place);
-  for (const VersionRow& row : hdf5::read_table(root, "versions", version_columns(), place)) {
-    if (row.session < 0 || static_cast<std::size_t>(row.session) >= sessions.size()) {
-      throw ResultsError(place + "/versions: session " + std::to_string(row.session) +
-                         " is not in /sessions");
-    }
-    sessions[static_cast<std::size_t>(row.session)].versions.push_back({row.name, row.version});
-  }
-  return sessions;
-}
-
 void check_format(const H5::Group& root, const std::string& file) {
   if (!root.attrExists("format") || hdf5::read_text_attribute(root, "format", file) != kSceneFormat) {
     throw ResultsError(file + ": an HDF5 file, but not the results of a scene");
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
-  if (version == kSceneSchemaVersion) return;
+  if (version >= 1 && version <= kSceneSchemaVersion) return;
   throw SchemaVersionError(file + ": a scene of schema version " + std::to_string(version) +
-                           ", this raygauge reads version " + std::to_string(kSceneSchemaVersion));
+                           ", this raygauge reads versions 1 to " + std::to_string(kSceneSchemaVersion));
 }
 
 std::string field_of(const Value& value) {

@@ -14,7 +14,7 @@
 namespace raygauge {
 
 /// Version of the layout of a scene's results; rises with every change of a column.
-inline constexpr std::int32_t kSceneSchemaVersion = 1;
+inline constexpr std::int32_t kSceneSchemaVersion = 2;
 
 /// A row of /records.
 struct SceneRow {

@@ -1,7 +1,10 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <set>
+#include <bit>
+#include <cstddef>
+#include <map>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -31,23 +34,112 @@ void require_same(const SceneFile& first, const SceneFile& part, const fs::path&
   }
 }
 
-/// Adds the cells of `part` that `all` does not have yet.
-void append_part(SceneFile& all, std::set<std::uint64_t>& known, const SceneFile& part) {
-  const auto first_session = static_cast<std::int32_t>(all.sessions.size());
-  all.sessions.insert(all.sessions.end(), part.sessions.begin(), part.sessions.end());
-  for (SceneRow row : part.records) {
-    if (known.count(row.cell) != 0) continue;
-    row.session += first_session;
-    all.records.push_back(std::move(row));
-  }
-  for (const SceneTallyRow& row : part.tallies) {
-    if (known.count(row.cell) == 0) all.tallies.push_back(row);
-  }
-  for (const SceneCellRow& row : part.cells) {
-    if (known.count(row.cell) == 0) all.cells.push_back(row);
-  }
-  for (const SceneCellRow& row : part.cells) known.insert(row.cell);
+bool same_entry(const Value& a, const Value& b) {
+  const auto* x = std::get_if<double>(&a);
+  const auto* y = std::get_if<double>(&b);
+  if (x == nullptr || y == nullptr) return a == b;
+  return std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y);  // NaN is NaN
 }
+
+/// Two runs of a cell differ in their session and their times alone.
+template <class Row>
+void require_same_rows(const std::vector<Column<Row>>& columns, std::span<const Row> a,
+                       std::span<const Row> b, const std::string& place) {
+  if (a.size() != b.size()) throw ResultsError(place + " hold different numbers of answers");
+  for (const Column<Row>& column : columns) {
+    if (column.name == "session" || column.name == "seconds") continue;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (same_entry(column.get(a[i]), column.get(b[i]))) continue;
+      throw ResultsError(place + " contradict each other in " + column.name);
+    }
+  }
+}
+
+/// Rows first, …, first + count - 1 of a table.
+struct RowRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+
+  template <class Row>
+  std::span<const Row> of(const std::vector<Row>& rows) const {
+    return std::span(rows).subspan(first, count);
+  }
+};
+
+/// The rows of a cell in a table in order of cells.
+template <class Row>
+std::span<const Row> rows_of(const std::vector<Row>& rows, std::uint64_t cell) {
+  const auto range = std::ranges::equal_range(rows, cell, {}, &Row::cell);
+  return {range.begin(), range.end()};
+}
+
+/// Joins scenes: of a cell in several parts the first is kept, and the others must have the same answers.
+class SceneJoin {
+ public:
+  void add(SceneFile part, const fs::path& path, const MergeOptions& options) {
+    if (kept_.empty() && all_.sessions.empty()) {
+      take_head(part);
+    } else {
+      require_same(all_, part, path, options);
+    }
+    if (all_.drawing.empty()) all_.drawing = part.drawing;
+    sort_scene(part);
+    const auto first_session = static_cast<std::int32_t>(all_.sessions.size());
+    all_.sessions.insert(all_.sessions.end(), part.sessions.begin(), part.sessions.end());
+    for (SceneRow& row : part.records) row.session += first_session;
+    for (const SceneCellRow& cell : part.cells) add_cell(part, cell, path);
+  }
+
+  SceneFile take() {
+    sort_scene(all_);
+    return std::move(all_);
+  }
+
+ private:
+  /// Where a cell lies in the tables of all_, and whose it is.
+  struct Kept {
+    fs::path path;
+    RowRange records;
+    RowRange tallies;
+    RowRange cell;
+  };
+
+  void take_head(const SceneFile& part) {
+    all_.name = part.name;
+    all_.text = part.text;
+    all_.identity = part.identity;
+    all_.cell_count = part.cell_count;
+    all_.bodies = part.bodies;
+    all_.queries = part.queries;
+  }
+
+  void add_cell(const SceneFile& part, const SceneCellRow& cell, const fs::path& path) {
+    const auto records = rows_of(part.records, cell.cell);
+    const auto tallies = rows_of(part.tallies, cell.cell);
+    const auto found = kept_.find(cell.cell);
+    if (found != kept_.end()) {
+      const Kept& kept = found->second;
+      const std::string place =
+          "cell " + std::to_string(cell.cell) + ": " + kept.path.string() + " and " + path.string();
+      require_same_rows(scene_record_columns(), kept.records.of(all_.records), records, place);
+      require_same_rows(scene_tally_columns(), kept.tallies.of(all_.tallies), tallies, place);
+      require_same_rows(scene_cell_columns(), kept.cell.of(all_.cells), std::span(&cell, 1), place);
+      return;
+    }
+    kept_[cell.cell] = {path, appended(all_.records, records), appended(all_.tallies, tallies),
+                        appended(all_.cells, std::span(&cell, 1))};
+  }
+
+  template <class Row>
+  static RowRange appended(std::vector<Row>& rows, std::span<const Row> more) {
+    const RowRange range{rows.size(), more.size()};
+    rows.insert(rows.end(), more.begin(), more.end());
+    return range;
+  }
+
+  SceneFile all_;
+  std::map<std::uint64_t, Kept> kept_;
+};
 
 }  // namespace
 
@@ -56,28 +148,19 @@ SceneFile merge_scenes(const std::vector<fs::path>& parts, const fs::path& targe
   if (fs::exists(target) || !list_scene_parts(target).empty()) {
     throw ResultsExistError(target.string() + ": exists already; merge into another file");
   }
-  SceneFile all;
-  std::set<std::uint64_t> known;
+  SceneJoin join;
   for (const fs::path& path : parts) {
     if (is_being_written(path)) {
       throw RunLockedError(path.string() + ": another process is writing this part");
     }
-    SceneFile part = read_scene_file(path);
-    if (&path == &parts.front()) {
-      all = std::move(part);
-      for (const SceneCellRow& row : all.cells) known.insert(row.cell);
-      continue;
-    }
-    require_same(all, part, path, options);
-    if (all.drawing.empty()) all.drawing = part.drawing;
-    append_part(all, known, part);
+    join.add(read_scene_file(path), path, options);
   }
+  SceneFile all = join.take();
   if (!options.partial && !all.finished()) {
     throw ResultsError(target.string() + ": not written: the parts hold " + std::to_string(all.cells.size()) +
                        " of " + std::to_string(all.cell_count) + (all.cell_count == 1 ? " cell" : " cells") +
                        "; --partial merges them all the same");
   }
-  sort_scene(all);
   write_atomically(target, encode_scene(all));
   return all;
 }

@@ -76,7 +76,8 @@ class SceneRankSink final : public SceneSink {
 };
 
 /// Joins parts of one scene, such as shards, into `target`, each cell once; `partial`: even if cells are
-/// missing. Returns what was written. Throws as merge_parts() does.
+/// missing. Returns what was written. Throws as merge_parts() does, also where a cell that several parts have
+/// differs in more than times.
 SceneFile merge_scenes(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& target,
                        const MergeOptions& options);
 

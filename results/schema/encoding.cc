@@ -8,6 +8,7 @@
 #include "results/schema/column_io.h"
 #include "results/schema/older_files.h"
 #include "results/schema/schema.h"
+#include "results/schema/session_tables.h"
 
 namespace raygauge {
 namespace {
@@ -34,30 +35,25 @@ std::int64_t check_head(const H5::Group& root, const std::string& file) {
   return version;
 }
 
-void write_provenance(H5::Group& root, const Provenance& provenance, Layout layout) {
+void write_provenance(H5::Group& root, const Provenance& provenance) {
   H5::Group group = root.createGroup("provenance");
   hdf5::write_text(group, "experiment", provenance.experiment_text);
   hdf5::write_text(group, "identity", provenance.identity);
   hdf5::write_attribute(group, "cell_count", static_cast<std::int64_t>(provenance.cell_count));
-  std::vector<VersionRow> versions;
   std::vector<CalibrationRow> calibrations;
   for (std::size_t i = 0; i < provenance.sessions.size(); ++i) {
     const auto number = static_cast<std::int32_t>(i);
     const Session& session = provenance.sessions[i];
-    for (const ComponentVersion& entry : session.versions) {
-      versions.push_back({number, entry.name, entry.version});
-    }
     for (const Calibration::Entry& entry : session.calibration.entries) {
       calibrations.push_back({number, session.calibration.threads, entry.method, entry.serial_seconds,
                               entry.parallel_seconds, entry.slowdown});
     }
   }
-  hdf5::write_table(group, "sessions", session_columns(), provenance.sessions, layout);
-  hdf5::write_table(group, "versions", version_columns(), versions, layout);
-  hdf5::write_table(group, "calibration", calibration_columns(), calibrations, layout);
+  write_sessions(group, provenance.sessions);
+  hdf5::write_table(group, "calibration", calibration_columns(), calibrations, Layout::plain);
 }
 
-/// The session that a row of versions or calibration belongs to.
+/// The session that a row of the calibration belongs to.
 Session& session_of(Provenance& provenance, std::int32_t number, const std::string& place) {
   if (number < 0 || static_cast<std::size_t>(number) >= provenance.sessions.size()) {
     throw ResultsError(place + ": session " + std::to_string(number) + " is not in /provenance/sessions");
@@ -74,10 +70,7 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
   if (version == 1) provenance.identity = current_identity(provenance.identity);
   provenance.cell_count =
       static_cast<std::uint64_t>(hdf5::read_integer_attribute(group, "cell_count", place));
-  provenance.sessions = hdf5::read_table(group, "sessions", session_columns(), place);
-  for (const VersionRow& row : hdf5::read_table(group, "versions", version_columns(), place)) {
-    session_of(provenance, row.session, place + "/versions").versions.push_back({row.name, row.version});
-  }
+  provenance.sessions = read_sessions(group, place);
   for (const CalibrationRow& row : hdf5::read_table(group, "calibration", calibration_columns(), place)) {
     Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
     calibration.threads = row.threads;
@@ -91,21 +84,21 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
 
 void write_description(H5::Group& root, const Provenance& provenance) {
   write_head(root);
-  write_provenance(root, provenance, Layout::plain);
+  write_provenance(root, provenance);
 }
 
 std::string encode_results(const ResultsFile& results) {
   return hdf5::file_image([&](H5::Group& root) {
     write_head(root);
     hdf5::write_table(root, "records", record_columns(), results.records, Layout::packed);
-    write_provenance(root, results.provenance, Layout::plain);
+    write_provenance(root, results.provenance);
   });
 }
 
 std::string encode_provenance(const Provenance& provenance) {
   return hdf5::file_image([&](H5::Group& root) {
     write_head(root);
-    write_provenance(root, provenance, Layout::plain);
+    write_provenance(root, provenance);
   });
 }
 

@@ -78,6 +78,8 @@ std::vector<Column<Record>> columns_before_counters() {
 
 std::vector<Column<Record>> columns_after_counters() {
   return {
+    later(column("host", "", "name of the machine that ran the cell", &Record::host), std::string()),
+    later(column("rank", "1", "MPI rank that ran the cell; 0 without MPI", &Record::rank), std::int32_t{0}),
     column("thread", "1", "OpenMP thread that ran the cell", &Record::thread),
     column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),
     column("started_at", "s", "start of the solve, counted from the start of its session", &Record::started_at),
@@ -102,6 +104,20 @@ const std::vector<Column<Record>>& record_columns() {
 
 // clang-format off
 
+const std::vector<Column<MachineInfo>>& machine_columns() {
+  static const std::vector<Column<MachineInfo>> kColumns = {
+    column("hostname", "", "name of the machine", &MachineInfo::hostname),
+    column("cpu_model", "", "processor", &MachineInfo::cpu_model),
+    column("l1d_bytes", "B", "first-level data cache of one core; 0 if unknown", &MachineInfo::l1d_bytes),
+    column("l2_bytes", "B", "second-level cache that one core sees; 0 if unknown", &MachineInfo::l2_bytes),
+    column("l3_bytes", "B", "third-level cache that one core sees; 0 if unknown or none", &MachineInfo::l3_bytes),
+    column("memory_bytes", "B", "main memory", &MachineInfo::memory_bytes),
+    column("operating_system", "", "operating system", &MachineInfo::operating_system),
+    column("kernel", "", "kernel, its release and architecture", &MachineInfo::kernel),
+  };
+  return kColumns;
+}
+
 const std::vector<Column<Session>>& session_columns() {
   static const std::vector<Column<Session>> kColumns = {
     column("started_at", "", "start of the session, ISO 8601, UTC", &Session::started_at),
@@ -114,15 +130,9 @@ const std::vector<Column<Session>>& session_columns() {
     column("compiler", "", "compiler and its version", &Session::build, &BuildInfo::compiler),
     column("compiler_flags", "", "flags of the compiler", &Session::build, &BuildInfo::compiler_flags),
     column("build_type", "", "CMake build type", &Session::build, &BuildInfo::build_type),
-    column("cpu_model", "", "processor", &Session::machine, &MachineInfo::cpu_model),
+    later(column("machine", "1", "row of /provenance/machines", &Session::machine_row), std::int32_t{-1}),
+    later(column("rank", "1", "MPI rank of the process; 0 without MPI", &Session::rank), std::int32_t{0}),
     column("cores", "1", "logical cores that the process could use", &Session::machine, &MachineInfo::cores),
-    column("l1d_bytes", "B", "first-level data cache of one core; 0 if unknown", &Session::machine, &MachineInfo::l1d_bytes),
-    column("l2_bytes", "B", "second-level cache that one core sees; 0 if unknown", &Session::machine, &MachineInfo::l2_bytes),
-    column("l3_bytes", "B", "third-level cache that one core sees; 0 if unknown or none", &Session::machine, &MachineInfo::l3_bytes),
-    column("memory_bytes", "B", "main memory", &Session::machine, &MachineInfo::memory_bytes),
-    column("operating_system", "", "operating system", &Session::machine, &MachineInfo::operating_system),
-    column("kernel", "", "kernel, its release and architecture", &Session::machine, &MachineInfo::kernel),
-    column("hostname", "", "name of the machine", &Session::machine, &MachineInfo::hostname),
   };
   return kColumns;
 }

@@ -16,7 +16,7 @@ namespace raygauge {
 /// or of another type, unit or meaning.
 /// Files of every earlier version are read: columns that they lack have defaults (Column::absent,
 /// complete_older_records()).
-inline constexpr std::int32_t kSchemaVersion = 2;
+inline constexpr std::int32_t kSchemaVersion = 3;
 
 /// The root attribute `format` of every results file, and how a journal of cells begins.
 inline constexpr const char* kFormatName = "raygauge-results";
@@ -44,8 +44,9 @@ struct CalibrationRow {
 /// The tables of a results file. Writer, reader, CSV export and the documentation's test all go by these: a
 /// new column is one line in schema.cc.
 const std::vector<Column<Record>>& record_columns();
+const std::vector<Column<MachineInfo>>& machine_columns();
 const std::vector<Column<Session>>&
-session_columns();  ///< without versions and calibration, tables of their own
+session_columns();  ///< without machine, versions and calibration, which have tables of their own
 const std::vector<Column<VersionRow>>& version_columns();
 const std::vector<Column<CalibrationRow>>& calibration_columns();
 

@@ -4,27 +4,18 @@
 import argparse
 import json
 import os
-import random
 import shutil
-import signal
 import subprocess
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from support import Tool, answers, write_experiment
+from support import Killer, Tool, answers, write_experiment
 
 PROGRAM = None
 KILLS = 4
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
-
-
-def is_alive(process):
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 class ManyProcesses(unittest.TestCase):
@@ -69,30 +60,12 @@ class ManyProcesses(unittest.TestCase):
         self.assertEqual(answers(self.folder / "s.h5"), self.run_whole())
 
     def test_kills_of_ranks_and_of_mpirun_lose_and_repeat_nothing(self):
-        write_experiment(self.folder, min_seconds=2e-3)
-        chance = random.Random(1)
-        killed = 0
+        write_experiment(self.folder, min_seconds=2e-3 * KILLS)
+        killer = Killer(self.tool, "k.h5")
         for attempt in range(KILLS):
-            job = self.tool.start("run", "e.toml", "-o", "k.h5", "--resume", "-q", ranks=2 + attempt % 3)
-            time.sleep(chance.uniform(0.3, 1.2))
-            ranks = subprocess.run(["pgrep", "-P", str(job.pid)], text=True, capture_output=True).stdout.split()
-            victim = job.pid if attempt % 4 == 3 or not ranks else int(chance.choice(ranks))
-            try:
-                os.kill(victim, signal.SIGKILL)
-                killed += 1
-            except ProcessLookupError:
-                pass
-            end = time.monotonic() + 60
-            while any(is_alive(rank) for rank in ranks):  # they notice that mpirun has gone
-                self.assertLess(time.monotonic(), end, "ranks outlive the job")
-                time.sleep(0.05)
-            try:
-                job.communicate(timeout=10)
-            except subprocess.TimeoutExpired:  # Open MPI 4.1's mpirun may wait for itself once its ranks are dead
-                job.kill()
-                job.communicate(timeout=60)
-        self.assertGreaterEqual(killed, KILLS // 2)
-        self.tool.run("run", "e.toml", "-o", "k.h5", "--resume", "-q", ranks=2)
+            killer.attempt("mpirun" if attempt % 4 == 3 else "rank")
+        self.assertGreaterEqual(sum(killer.killed.values()), KILLS // 2)
+        self.tool.run(*killer.words(), ranks=killer.ranks())
         self.assertEqual(answers(self.folder / "k.h5"), self.run_whole())
 
     def test_a_merge_of_too_few_parts_is_refused_and_writes_nothing(self):
@@ -136,6 +109,18 @@ class ManyProcesses(unittest.TestCase):
         self.assertEqual(answers(self.run_scene("mpi.h5", ranks=3)), whole)
         self.assertFalse((self.folder / "mpi.h5.parts").exists())
         self.assertEqual(answers(self.run_scene("some.h5", "--resume", ranks=2)), whole)
+
+    def test_a_repeated_cell_of_a_scene_is_taken_once_and_contradictions_are_refused(self):
+        import h5py
+        whole = answers(self.run_scene("one.h5"))
+        self.run_scene("two.h5")
+        self.tool.run("merge", "one.h5", "two.h5", "-o", "s.h5")
+        self.assertEqual(answers(self.folder / "s.h5"), whole)
+        with h5py.File(self.folder / "two.h5", "r+") as file:
+            file["records/solves"][5] += 1
+        text = self.tool.run("merge", "one.h5", "two.h5", "-o", "t.h5", status=2)
+        self.assertIn("one.h5 and two.h5 contradict each other in solves", text)
+        self.assertFalse((self.folder / "t.h5").exists())
 
     def test_parts_of_another_experiment_are_refused(self):
         self.shards(2)

@@ -15,10 +15,37 @@ import unittest
 from pathlib import Path
 
 from slurm_cluster import NotStarted, SlurmCluster
-from support import Tool, answers, write_experiment
+from support import Killer, Tool, answers, children, write_experiment
 
 PROGRAM = None
 THOROUGH = False
+KILLS = 3
+
+
+class RankJob(Killer):
+    """Runs by ranks, also as jobs of Slurm, that are killed."""
+
+    def __init__(self, slurm, tool, name):
+        super().__init__(tool, name)
+        self.slurm = slurm
+
+    def attempt_as_task(self):
+        """Kills the task of a job: the shell that Slurm has started, under which mpirun runs."""
+        folder = self.tool.folder
+        script = folder / "ranks.sbatch"
+        script.write_text("#!/bin/bash\necho $$ > task.pid\n"
+                          f"mpirun --oversubscribe -n {self.ranks()} {PROGRAM} {' '.join(self.words())}\nexit\n")
+        (folder / "task.pid").unlink(missing_ok=True)
+        job = self.slurm.run("sbatch", "--parsable", "--no-requeue", str(script), cwd=folder).strip()
+        self.slurm.wait_for(lambda: (folder / "task.pid").exists() and (folder / "task.pid").read_text(), "the task")
+        task = (folder / "task.pid").read_text().strip()
+        self.wait()
+        launchers = children(task)
+        ranks = [rank for launcher in launchers for rank in children(launcher)]
+        self.kill("Slurm task", task)
+        self.slurm.wait_for(lambda: not self.slurm.run("squeue", "-h", "-j", job, check=False).strip(), "the job", 60)
+        self.wait_for_death([*launchers, *ranks])
+        self.attempts += 1
 
 
 class Array:
@@ -77,6 +104,8 @@ class Slurm(unittest.TestCase):
         except NotStarted as reason:  # a container without the rights for it, say
             raise unittest.SkipTest(f"no Slurm can be started on this machine: {reason}") from reason
         cls.addClassCleanup(slurm.__exit__)
+        cls.slurm = slurm
+        cls.base = base
         cls.whole_folder = base / "one"
         cls.whole_folder.mkdir()
         write_experiment(cls.whole_folder)
@@ -122,6 +151,23 @@ class Slurm(unittest.TestCase):
         self.assertGreaterEqual(self.warned.sessions(), 2)
         self.expect_the_file_of_one_process(self.warned)
 
+    def test_6_kills_of_ranks_of_mpirun_and_of_tasks_lose_and_repeat_nothing(self):
+        folder = self.base / "kills"
+        folder.mkdir()
+        write_experiment(folder, min_seconds=5e-3 * KILLS)
+        tool = Tool(PROGRAM, folder)
+        self.slurm.environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        jobs = RankJob(self.slurm, tool, "k.h5")
+        for attempt in range(KILLS):
+            if attempt % 3 == 2:
+                jobs.attempt_as_task()
+            else:
+                jobs.attempt(("rank", "mpirun")[attempt % 3])
+        self.assertEqual(set(jobs.killed), {"rank", "mpirun", "Slurm task"})
+        self.assertGreaterEqual(sum(jobs.killed.values()), KILLS // 2)  # a run may end before it is killed
+        tool.run(*jobs.words(), ranks=jobs.ranks())
+        self.assertEqual(answers(folder / "k.h5"), answers(self.whole_folder / "one.h5"))
+
     def test_5_a_task_stopped_at_its_time_limit_keeps_its_cells(self):
         self.stopped.wait_for_end(300)
         self.assertIn("DUE TO TIME LIMIT", self.stopped.logs())
@@ -136,9 +182,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--raygauge", required=True)
     parser.add_argument("--thorough", action="store_true")
+    parser.add_argument("--kills", type=int, default=KILLS)
     arguments, rest = parser.parse_known_args()
     PROGRAM = str(Path(arguments.raygauge).resolve())
     THOROUGH = arguments.thorough
+    KILLS = arguments.kills
     if not THOROUGH:
         del Slurm.test_5_a_task_stopped_at_its_time_limit_keeps_its_cells
     unittest.main(argv=["slurm", *rest], verbosity=2)

@@ -2,7 +2,12 @@
 # SPDX-License-Identifier: MIT
 """What the tests of many processes share: an experiment, ways to run it, and the answers in a file."""
 import os
+import random
+import signal
 import subprocess
+import sys
+import time
+from pathlib import Path
 
 import h5py
 
@@ -39,6 +44,93 @@ def answers(path):
         columns = [file["records"][name][:] for name in names]
         columns = [c.view("u8") if c.dtype.kind == "f" else c for c in columns]
         return list(zip(*(c.tolist() for c in columns)))
+
+
+def is_alive(process):
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def children(process):
+    return subprocess.run(["pgrep", "-P", str(process)], text=True, capture_output=True).stdout.split()
+
+
+def stored_instances(folder, name):
+    """How many instances the journals and the file of a run hold."""
+    found = set()
+    path = Path(folder) / name
+    if path.exists():
+        with h5py.File(path) as file:
+            records = file["records"]
+            found |= set(zip(records["cell"][:].tolist(), records["repetition"][:].tolist()))
+    for journal in Path(folder).glob(f"{name}.parts/cells-*.csv"):
+        rows = [line.split(",") for line in journal.read_text().splitlines() if line[:1] != "#"]
+        if rows:
+            cell, repetition = rows[0].index("cell"), rows[0].index("repetition")
+            found |= {(int(row[cell]), int(row[repetition])) for row in rows[1:] if len(row) == len(rows[0])}
+    return len(found)
+
+
+class Killer:
+    """Kills runs of ranks, each resumed with another number of ranks, and tells what it has done."""
+
+    def __init__(self, tool, name, seed=1):
+        self.tool = tool
+        self.name = name
+        self.chance = random.Random(seed)
+        self.killed = {}
+        self.attempts = 0
+
+    def ranks(self):
+        return 2 + self.attempts % 3
+
+    def words(self):
+        return "run", "e.toml", "-o", self.name, "--resume", "-q"
+
+    def wait(self):
+        """For a new cell in every other attempt; else for a while, in which a run may only have begun."""
+        before = stored_instances(self.tool.folder, self.name)
+        end = time.monotonic() + 20
+        while self.attempts % 2 == 0 and time.monotonic() < end:
+            if stored_instances(self.tool.folder, self.name) > before:
+                return
+            time.sleep(0.02)
+        time.sleep(self.chance.uniform(0.3, 1.2))
+
+    def kill(self, kind, process):
+        try:
+            os.kill(int(process), signal.SIGKILL)
+        except ProcessLookupError:
+            return
+        self.killed[kind] = self.killed.get(kind, 0) + 1
+        stored = stored_instances(self.tool.folder, self.name)
+        print(f"kill {sum(self.killed.values())}: {kind} of a run by {self.ranks()} ranks, {stored} instances stored",
+              file=sys.stderr)
+
+    def wait_for_death(self, processes):
+        end = time.monotonic() + 60
+        while any(is_alive(process) for process in processes):
+            assert time.monotonic() < end, "ranks outlive the job"
+            time.sleep(0.05)
+
+    def attempt(self, kind):
+        """Starts a run under mpirun and kills a rank or mpirun."""
+        job = self.tool.start(*self.words(), ranks=self.ranks())
+        self.wait()
+        ranks = children(job.pid)
+        if kind == "rank" and ranks:
+            self.kill(kind, self.chance.choice(ranks))
+        else:
+            self.kill("mpirun", job.pid)
+        self.wait_for_death(ranks)  # they notice that mpirun has gone
+        try:
+            job.communicate(timeout=10)
+        except subprocess.TimeoutExpired:  # Open MPI 4.1's mpirun may wait for itself once its ranks are dead
+            job.kill()
+            job.communicate(timeout=60)
+        self.attempts += 1
 
 
 class Tool:

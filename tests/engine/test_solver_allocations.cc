@@ -199,6 +199,23 @@ TEST_P(RepeatedSolve, InQuadruplePrecisionAllocatesNothing) {
   }
 }
 
+TEST(RepeatedEuclideanDistance, AllocatesNothing) {
+  Random random(107);
+  for (const int n : {2, 3, 10, 40}) {
+    for (const int N : {200, 5000}) {
+      Eigen::MatrixXd a = sphere_points(n, N, random);
+      a.row(0).array() += 3;
+      const PointSet A(a);
+      const Ball Q(Vector::Zero(n), 1);
+      DistanceSolver solver;
+      EXPECT_EQ(solver.solve(A, Q, Effects::witness).status, DistanceStatus::optimal);
+      const long before = allocations;
+      solver.solve(A, Q, Effects::witness);
+      EXPECT_EQ(allocations - before, 0) << "n = " << n << ", N = " << N;
+    }
+  }
+}
+
 TEST(RepeatedObjectDistance, AllocatesNothing) {
   const Ball A1(Vector::Zero(3), 1), Q(Vector::Zero(3), 1);
   const TruncatedCone A2(Vector::Constant(3, 3), 1, Vector::Constant(3, 5), 0.5);

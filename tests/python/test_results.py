@@ -23,7 +23,8 @@ EXPERIMENT = {
 }
 
 
-FILES_OF_VERSION_1 = sorted(pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "tests/results/files").glob("*_v1.h5"))
+FILES = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "tests/results/files")
+OLDER_FILES = sorted([*FILES.glob("*_v1.h5"), *FILES.glob("*_v2.h5")])
 
 
 def exported(path, folder):
@@ -36,11 +37,11 @@ def exported(path, folder):
 
 
 class OlderFiles(unittest.TestCase):
-    def test_files_of_version_1_have_the_columns_and_values_that_the_program_gives_them(self):
-        self.assertGreaterEqual(len(FILES_OF_VERSION_1), 2)
-        for path in FILES_OF_VERSION_1:
+    def test_older_files_have_the_columns_and_values_that_the_program_gives_them(self):
+        self.assertGreaterEqual(len(OLDER_FILES), 3)
+        for path in OLDER_FILES:
             results = rg.open(path)
-            self.assertEqual(results.attrs["schema_version"], 1)
+            self.assertEqual(results.attrs["schema_version"], int(path.stem[-1]))
             with tempfile.TemporaryDirectory() as folder:
                 rows = exported(path, folder)
             self.assertEqual(set(rows[0]), set(results.variables))
@@ -54,7 +55,7 @@ class OlderFiles(unittest.TestCase):
     def test_columns_added_later_are_described_as_in_a_file_of_today(self):
         with tempfile.TemporaryDirectory() as folder:
             today = rg.run(EXPERIMENT, pathlib.Path(folder, "today.h5"))
-        for name, values in rg.open(FILES_OF_VERSION_1[0]).variables.items():
+        for name, values in rg.open(OLDER_FILES[0]).variables.items():
             self.assertEqual(values.attrs, today[name].attrs, name)
 
     def test_labels_of_the_user_stay_and_direct_is_column_generation(self):

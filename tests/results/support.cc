@@ -76,6 +76,7 @@ CellResult cell_result(const Experiment& experiment, std::uint64_t cell) {
       record.status = repetition == 1 ? DistanceStatus::unreachable : DistanceStatus::optimal;
       record.agrees = repetition != 2;
       record.counters = {1, 2, 3, 4, std::numeric_limits<std::int64_t>::max(), 6, 7};
+      record.host = "host";
       record.thread = 1;
       record.concurrency = 2;
       record.started_at = x;

@@ -67,7 +67,7 @@ TEST_F(DamagedFile, AnotherSchemaVersionIsRefused) {
     file.openGroup("/").openAttribute("schema_version").write(H5::PredType::NATIVE_INT64, &newer);
   });
   EXPECT_THROW(read_results(path_), SchemaVersionError);
-  EXPECT_EQ(error(), path_ + ": schema version 3, this raygauge reads versions 1 to 2");
+  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads versions 1 to 3");
 }
 
 TEST_F(DamagedFile, AnHdf5FileOfAnotherProgramIsRefused) {

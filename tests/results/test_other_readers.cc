@@ -82,10 +82,10 @@ TEST_F(OtherReaders, H5pyReadsTheExperimentAndTheSessions) {
                    "p = f['provenance']\n"
                    "print(f.attrs['format'], f.attrs['schema_version'])\n"
                    "print(p['experiment'].asstr()[()], end='')\n"
-                   "print(p.attrs['cell_count'], p['sessions/cpu_model'].asstr()[0])\n"
+                   "print(p.attrs['cell_count'], p['machines/cpu_model'].asstr()[p['sessions/machine'][0]])\n"
                    "print(dict(zip(p['versions/name'].asstr()[:], p['versions/version'].asstr()[:])))\n"
                    "print(p['calibration/slowdown'][:])\n"),
-            "raygauge-results 2\n" + experiment_.text +
+            "raygauge-results 3\n" + experiment_.text +
                 "4 A processor\n"
                 "{'Eigen': '3.4.0', 'GLPK': '5.0'}\n"
                 "[1.1 1. ]\n");

@@ -16,19 +16,29 @@
 namespace raygauge {
 namespace {
 
-/// The columns of a session that change times, and what readers call them.
-constexpr std::array<std::pair<const char*, const char*>, 11> kTimingColumns = {
+/// The columns of a machine that change times, and what readers call them.
+constexpr std::array<std::pair<const char*, const char*>, 4> kMachineColumns = {
     {{"cpu_model", "processor"},
-     {"cores", "cores"},
      {"hostname", "machine"},
      {"operating_system", "operating system"},
-     {"kernel", "kernel"},
+     {"kernel", "kernel"}}};
+
+/// The same of a session.
+constexpr std::array<std::pair<const char*, const char*>, 7> kSessionColumns = {
+    {{"cores", "cores"},
      {"compiler", "compiler"},
      {"compiler_flags", "compiler flags"},
      {"build_type", "build type"},
      {"git_dirty", "modified sources"},
      {"timing", "timing"},
      {"threads", "threads"}}};
+
+template <class Row>
+std::string text_in(const std::vector<Column<Row>>& columns, const std::string& name, const Row& row) {
+  const auto column =
+      std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.name == name; });
+  return text_of(column->get(row));
+}
 
 /// The values that a property takes over the sessions of a run.
 std::string values_of(const std::function<std::string(const Session&)>& property,
@@ -59,11 +69,14 @@ std::vector<std::string> circumstance_differences(const Provenance& base, const 
     const std::string after = values_of(property, fresh);
     if (before != after) notes.push_back(label + ": " + before + "; now " + after);
   };
-  for (const auto& [name, label] : kTimingColumns) {
-    const auto& columns = session_columns();
-    const auto column = std::find_if(columns.begin(), columns.end(),
-                                     [&, name = name](const auto& each) { return each.name == name; });
-    compare(label, [&](const Session& session) { return text_of(column->get(session)); });
+  for (const auto& [name, label] : kMachineColumns) {
+    compare(label, [name = name](const Session& session) {
+      return text_in(machine_columns(), name, session.machine);
+    });
+  }
+  for (const auto& [name, label] : kSessionColumns) {
+    compare(label,
+            [name = name](const Session& session) { return text_in(session_columns(), name, session); });
   }
   compare("library versions", versions_text);
   return notes;

@@ -6,6 +6,7 @@
 #include "analysis/studies/compare/compare_circumstances.h"
 #include "analysis/studies/sections.h"
 #include "results/schema/schema.h"
+#include "results/schema/session_tables.h"
 
 namespace raygauge::report {
 namespace {
@@ -36,14 +37,32 @@ Table sessions_table(const MergedFile& file) {
   return table;
 }
 
+/// Every column of a machine, one a row; machines side by side.
+Table machines_table(const MergedFile& file) {
+  std::vector<Session> sessions = file.provenance.sessions;
+  const std::vector<MachineInfo> machines = distinct_machines(sessions);
+  Table table;
+  table.title = "machines";
+  table.header = {{"machine"}};
+  for (std::size_t i = 0; i < machines.size(); ++i) table.header[0].push_back(std::to_string(i));
+  for (const Column<MachineInfo>& column : machine_columns()) {
+    TableRow row{{{column.name + (column.unit == "B" ? " (B)" : "")}}};
+    for (const MachineInfo& machine : machines) row.cells.emplace_back(value_words(column.get(machine)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Table calibration_table(const MergedFile& file) {
   Table table;
   table.title = "time with all threads busy over time alone";
-  table.header = {{"session", "threads", "method", "alone", "busy", "median ratio"}};
+  table.header = {{"session", "host", "threads", "method", "alone", "busy", "median ratio"}};
   for (std::size_t s = 0; s < file.provenance.sessions.size(); ++s) {
-    const Calibration& calibration = file.provenance.sessions[s].calibration;
+    const Session& session = file.provenance.sessions[s];
+    const Calibration& calibration = session.calibration;
     for (const Calibration::Entry& entry : calibration.entries) {
       table.rows.push_back({{{std::to_string(s)},
+                             {session.machine.hostname},
                              {std::to_string(calibration.threads)},
                              {entry.method},
                              {time_words(entry.serial_seconds)},
@@ -60,6 +79,7 @@ std::optional<Section> provenance_section(const Input& input) {
   Section section{"provenance", "Provenance", {}};
   for (const MergedFile& file : input.merged.files) {
     section.blocks.push_back(table_block(sessions_table(file)));
+    section.blocks.push_back(table_block(machines_table(file)));
     const Table calibration = calibration_table(file);
     if (!calibration.rows.empty()) section.blocks.push_back(table_block(calibration));
     section.blocks.push_back(verbatim_block("experiment of " + file.path, file.provenance.experiment_text));

@@ -45,17 +45,17 @@ std::string run_line(const Input& input) {
 }
 
 std::string machine_line(const Input& input) {
-  std::set<std::string> machines;
   std::set<std::string> builds;
   for (const MergedFile& file : input.merged.files) {
     for (const Session& session : file.provenance.sessions) {
-      machines.insert(session.machine.cpu_model + " (" + session.machine.hostname + ")");
       builds.insert("raygauge " + session.build.raygauge_version + ", commit " +
                     session.build.git_commit.substr(0, 12) + (session.build.git_dirty ? " modified" : ""));
     }
   }
   std::string text;
-  for (const std::string& machine : machines) text += (text.empty() ? "On " : " and ") + machine;
+  for (const auto& [processor, hosts] : hosts_by_processor(input.merged.files)) {
+    text += (text.empty() ? "On " : " and ") + processor + " (" + host_words(hosts) + ")";
+  }
   for (const std::string& build : builds) text += "; " + build;
   return text.empty() ? "Nothing is known of machine and build." : text + ".";
 }

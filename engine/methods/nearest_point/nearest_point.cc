@@ -34,7 +34,9 @@ bool NearestPoint::suits(const ConvexSet& S, const ConvexSet* T, const ConvexSet
   if (ball == nullptr || !(ball->radius() > 0) || !is_polytope(S) || (T != nullptr && !is_polytope(*T))) {
     return false;
   }
-  return ball->center().isZero(0);
+  Scratch center(Q.dimension());
+  ball->center_unchecked(center.data());
+  return largest_magnitude(center.data(), Q.dimension()) == 0;
 }
 
 void NearestPoint::begin(const ConvexSet& S, const ConvexSet* T, const DistanceOptions& options) {

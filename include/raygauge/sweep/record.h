@@ -47,6 +47,8 @@ struct Record {
 
   DistanceCounters counters;  ///< outer_iterations is K, ray_iterations is N_rs
 
+  std::string host;       ///< machine that ran it; set where it is stored
+  int rank = 0;           ///< MPI rank that ran it, 0 without MPI; set where it is stored
   int thread = 0;         ///< OpenMP thread that ran it
   int concurrency = 1;    ///< threads that were solving during this run
   double started_at = 0;  ///< seconds since the session began

@@ -69,6 +69,29 @@ TEST_F(Merge, NotesWhatItsReadersShouldKnow) {
   EXPECT_TRUE(merged.notes[2].starts_with("times from different processors are mixed: ")) << merged.notes[2];
 }
 
+TEST_F(Merge, NotesThatTimesComeFromDifferentMachines) {
+  ResultsFile results = run("2026-01-01T00:00:00Z");
+  Session& first = results.provenance.sessions[0];
+  first.timing = "parallel";
+  first.calibration = {2, {{"direct", 1, 1.25, 1.25}}};
+  Session second = first;
+  second.machine.hostname = "other";
+  second.calibration.entries[0].slowdown = 1.5;
+  results.provenance.sessions.push_back(second);
+  const std::string path = write("a.h5", results);
+  const MergedResults merged = read_merged({path});
+  ASSERT_EQ(merged.notes.size(), 2U);
+  EXPECT_EQ(merged.notes[0], path +
+                                 ": timed with 2 threads at once; slowdown of single solves: "
+                                 "on host direct 1.25; on other direct 1.50");
+  EXPECT_EQ(merged.notes[1], "times from different machines are mixed: host, other, each with A processor");
+}
+
+TEST(HostWords, NameTheFirstFewOfMany) {
+  EXPECT_EQ(host_words({"a", "b"}), "a, b");
+  EXPECT_EQ(host_words({"a", "b", "c", "d", "e", "f"}), "a, b, c, d and 2 more");
+}
+
 TEST_F(Merge, NamesAFileThatIsMissing) {
   EXPECT_NE(message_of<ResultsError>([&] { read_merged({folder_.file("none.h5")}); }).find("none.h5"),
             std::string::npos);

@@ -39,6 +39,22 @@ TEST(ThreadPin, HoldsTheThreadAndGivesTheMaskBack) {
   EXPECT_EQ(current_mask(), before);
 }
 
+TEST(ThreadPin, TheCpuThatTheThreadRunsOnComesFirst) {
+  constexpr int kTries = 1000;  // the system may move the thread meanwhile
+  for (const int cpu : allowed_cpus()) {
+    { const ThreadPin pin(cpu); }  // leaves the thread on that CPU, for a while
+    for (int i = 0; i < kTries; ++i) {
+      const int before = sched_getcpu();
+      const std::vector<int> cpus = allowed_cpus_from_here();
+      if (sched_getcpu() != before) continue;
+      EXPECT_EQ(cpus.front(), before);
+      EXPECT_EQ(std::set<int>(cpus.begin(), cpus.end()), current_mask());
+      EXPECT_EQ(cpus.size(), current_mask().size());
+      break;
+    }
+  }
+}
+
 TEST(ThreadPin, ACpuThatDoesNotExistLeavesTheThreadFree) {
   const std::set<int> before = current_mask();
   const ThreadPin pin(CPU_SETSIZE - 1);

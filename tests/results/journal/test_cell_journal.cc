@@ -142,9 +142,9 @@ TEST_F(CellJournalTest, WhatIsNoJournalIsRefused) {
 }
 
 TEST_F(CellJournalTest, AnotherSchemaVersionIsRefused) {
-  write_bytes(path_, "# raygauge-results, schema version 3\n");
+  write_bytes(path_, "# raygauge-results, schema version 4\n");
   EXPECT_THROW(read_cell_journal(path_), SchemaVersionError);
-  EXPECT_EQ(error(), path_ + ": schema version 3, this raygauge reads versions 1 to 2");
+  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads versions 1 to 3");
 }
 
 TEST_F(CellJournalTest, ACellOfAnotherNumberThanItsRecordsIsRefused) {

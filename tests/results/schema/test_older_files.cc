@@ -13,6 +13,7 @@
 
 #include "results/merge/merge_parts.h"
 #include "results/run/results_file.h"
+#include "results/scene/scene_file.h"
 #include "results/schema/encoding.h"
 #include "results/schema/schema.h"
 #include "tests/results/support.h"
@@ -102,6 +103,52 @@ TEST(OlderFiles, AnUnfinishedRunOfVersionOneIsReadFromItsJournal) {
       {"column_generation", {"column_generation", Role::engine}}, {"lp", {"glpk_dual", Role::baseline}}};
   EXPECT_EQ(methods_of_file(run), expected);
   EXPECT_TRUE(std::isnan(run.records.front().hardness));
+}
+
+// cluster_v2.h5: of version 2, by three MPI ranks; killed_v2.h5.parts: what `kill -9` left of such a run.
+TEST(OlderFiles, RecordsOfVersionTwoHaveTheHostOfTheirSession) {
+  for (const char* name : {"cluster_v2.h5", "killed_v2.h5", "points_v1.h5"}) {
+    const ResultsFile file = read_results(kFolder + name);
+    ASSERT_FALSE(file.records.empty());
+    for (const Record& record : file.records) {
+      const Session& session = file.provenance.sessions.at(static_cast<std::size_t>(record.session));
+      EXPECT_FALSE(record.host.empty());
+      EXPECT_EQ(record.host, session.machine.hostname);
+      EXPECT_EQ(record.rank, 0);
+      EXPECT_EQ(session.machine_row, 0);
+      EXPECT_GT(session.machine.cores, 0);
+      EXPECT_FALSE(session.machine.cpu_model.empty());
+    }
+  }
+}
+
+TEST(OlderFiles, AFileOfVersionTwoIsWrittenAgainWithEachMachineOnce) {
+  const ResultsFile old = read_results(kFolder + "cluster_v2.h5");
+  testing::TemporaryFolder folder;
+  const std::string path = folder.path() + "/again.h5";
+  write_results(path, old);
+  const ResultsFile again = read_results(path);
+  EXPECT_EQ(testing::fingerprints(again.records), testing::fingerprints(old.records));
+  ASSERT_EQ(again.provenance.sessions.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Session& session = again.provenance.sessions[i];
+    EXPECT_EQ(session.machine_row, 0);
+    EXPECT_EQ(session.machine.memory_bytes, old.provenance.sessions[i].machine.memory_bytes);
+    EXPECT_EQ(session.machine.cores, old.provenance.sessions[i].machine.cores);
+  }
+}
+
+TEST(OlderFiles, ASceneOfVersionOneHasTheMachinesOfItsSessions) {
+  const SceneFile scene = read_scene_file(kFolder + "scene_of_version_1.h5");
+  EXPECT_TRUE(scene.finished());
+  ASSERT_EQ(scene.sessions.size(), 1U);
+  EXPECT_EQ(scene.sessions[0].machine.cpu_model, "AMD EPYC");
+  EXPECT_EQ(scene.sessions[0].machine.cores, 2);
+  testing::TemporaryFolder folder;
+  const std::string path = folder.path() + "/again.h5";
+  testing::write_bytes(path, encode_scene(scene));
+  EXPECT_EQ(scene_csv(read_scene_file(path)), scene_csv(scene));
+  EXPECT_EQ(read_scene_file(path).sessions[0].machine.cpu_model, "AMD EPYC");
 }
 
 TEST(OlderFiles, WithoutAnIdentityTheLabelTellsTheMethod) {

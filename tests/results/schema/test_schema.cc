@@ -47,6 +47,7 @@ void expect_well_formed(const std::vector<Column<Row>>& columns) {
 TEST(Schema, EveryColumnHasAnUnambiguousNameAUnitAndADescription) {
   expect_well_formed(record_columns());
   expect_well_formed(session_columns());
+  expect_well_formed(machine_columns());
   expect_well_formed(version_columns());
   expect_well_formed(calibration_columns());
 }
@@ -54,6 +55,7 @@ TEST(Schema, EveryColumnHasAnUnambiguousNameAUnitAndADescription) {
 TEST(Schema, EveryColumnIsDocumented) {
   expect_documented("`/records`", record_columns());
   expect_documented("`/provenance/sessions`", session_columns());
+  expect_documented("`/provenance/machines`", machine_columns());
   expect_documented("`/provenance/versions`", version_columns());
   expect_documented("`/provenance/calibration`", calibration_columns());
 }

@@ -76,6 +76,19 @@ TEST(Report, HasTheSectionsThatTheRecordsHaveTheDataOf) {
   EXPECT_EQ(std::find(ids.begin(), ids.end(), "example1"), ids.end());
 }
 
+TEST(Report, ComparesMethodsOnEachOfSeveralMachines) {
+  std::vector<Record> records = small_grid();
+  for (Record& record : records) record.host = record.n == 5 ? "b" : "a";
+  const std::string page = report::make_page(results_of(records), {}, {});
+  const std::vector<std::string> ids = section_ids(page);
+  const auto place = std::find(ids.begin(), ids.end(), "machines") - ids.begin();
+  ASSERT_LT(static_cast<std::size_t>(place), ids.size());
+  const std::string text = data_of(page)["sections"][static_cast<std::size_t>(place)].dump();
+  EXPECT_NE(text.find("The times come from 2 machines."), std::string::npos);
+  EXPECT_NE(text.find("0.250 (6)"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.250 (3)"), std::string::npos) << text;
+}
+
 TEST(Report, SaysInThreeLinesWhatCameOut) {
   const Json data = data_of(report::make_page(results_of(small_grid()), {}, {}));
   const Json verdict = data["sections"][0]["blocks"][0]["paragraphs"];
