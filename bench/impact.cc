@@ -16,11 +16,11 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
-#include "engine/scene/continuous.h"
-#include "engine/sets/ball.h"
-#include "engine/sets/box.h"
-#include "engine/sets/capsule.h"
-#include "engine/sets/cylinder.h"
+#include "raygauge/scene/continuous.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
 
 namespace raygauge::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sweep/record.h"
+#include "raygauge/sweep/record.h"
 #include "results/provenance/provenance.h"
 
 namespace H5 {
