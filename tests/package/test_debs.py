@@ -124,7 +124,36 @@ class Packages(unittest.TestCase):
         self.assertIn(str(self.root), text)
         self.assertIn("optimal", text)
 
-    def test_7_all_is_removed_without_a_trace(self):
+    def test_7_the_python_package_names_the_libraries_of_its_modules(self):
+        if "python3-raygauge" not in self.packages:
+            return
+        depends = field(self.packages["python3-raygauge"], "Depends")
+        modules = sorted((self.root / "usr/lib/python3/dist-packages/raygauge").glob("_*.so"))
+        for module in modules:
+            self.assertNotIn("not found", run("ldd", module))
+            needed = re.findall(r"NEEDED +(\S+)", run("objdump", "-p", module))
+            for library in needed:
+                owner = run("dpkg", "--search", f"*/{library}").split(":")[0]
+                # Depends names the package, or a successor that provides the library.
+                self.assertRegex(depends, rf"(^|[ ,|]){re.escape(owner)}\b", msg=f"{module.name}: {library}")
+        if (BUILD / "python/raygauge/_sweeps.so").exists() or len(modules) > 1:
+            for library in ("libassimp", "libhdf5", "libglpk"):
+                self.assertIn(library, depends)
+
+    def test_8_a_sweep_with_a_method_in_python_runs_from_the_package(self):
+        if not list((self.root / "usr/lib/python3/dist-packages/raygauge").glob("_sweeps*.so")):
+            return
+        code = ("import raygauge as rg\n"
+                "@rg.method\n"
+                "def mine(A, Q, tolerance): return rg.distance(A, Q, tolerance).distance\n"
+                "r = rg.run({'sweep': {'n': [2], 'N': [9], 'repetitions': 2}, 'generator': [{'name': 'example2'}],\n"
+                "            'method': [{'name': 'column_generation'}, {'name': 'mine'}]}, 'mine.h5')\n"
+                "print(rg.__file__, r.sizes['record'], bool(r.agrees.all()))")
+        text = run("/usr/bin/python3", "-c", code, env=self.environment(), cwd=self.scratch.name)
+        self.assertIn(str(self.root), text)
+        self.assertIn("4 True", text)
+
+    def test_9_all_is_removed_without_a_trace(self):
         run("dpkg", f"--root={self.root}", "--force-depends", "--force-script-chrootless", "--purge", *self.packages)
         left = [path for path in self.root.rglob("*") if path.is_file() and "var/lib/dpkg" not in str(path)
                 and "var/log" not in str(path)]
