@@ -9,7 +9,7 @@ set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/raygauge)
 # binary interface is promised within a minor version (docs/promises.md), which is why its SONAME carries one.
 file(WRITE ${PROJECT_BINARY_DIR}/shared_library.cc "")
 add_library(raygauge_shared SHARED ${PROJECT_BINARY_DIR}/shared_library.cc)
-target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_engine,raygauge_sweep>
+target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_sweep>
                                       INTERFACE Eigen3::Eigen)
 target_link_options(raygauge_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
                                             -Wl,--no-undefined)
