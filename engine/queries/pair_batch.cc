@@ -45,8 +45,8 @@ void check_room(const char* name, std::size_t size, std::size_t wanted) {
                               " numbers, the pairs need " + std::to_string(wanted));
 }
 
-void check(std::span<const BodyPair> pairs, int n, const BatchAnswers& answers, std::span<WarmStart> warm) {
-  for (const BodyPair& pair : pairs) {
+void check(std::span<const PosedPair> pairs, int n, const BatchAnswers& answers, std::span<WarmStart> warm) {
+  for (const PosedPair& pair : pairs) {
     check_dimension("batch", "a first body", pair.first.dimension(), n);
     check_dimension("batch", "a second body", pair.second.dimension(), n);
   }
@@ -112,7 +112,7 @@ PairBatch::~PairBatch() = default;
 PairBatch::PairBatch(PairBatch&&) noexcept = default;
 PairBatch& PairBatch::operator=(PairBatch&&) noexcept = default;
 
-void PairBatch::distances(std::span<const BodyPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
+void PairBatch::distances(std::span<const PosedPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
                           std::span<WarmStart> warm) {
   const int n = Q.dimension();
   check(pairs, n, answers, warm);
@@ -127,7 +127,7 @@ void PairBatch::distances(std::span<const BodyPair> pairs, const ConvexSet& Q, c
   });
 }
 
-void PairBatch::growth_distances(std::span<const BodyPair> pairs, const BatchAnswers& answers,
+void PairBatch::growth_distances(std::span<const PosedPair> pairs, const BatchAnswers& answers,
                                  std::span<WarmStart> warm) {
   if (pairs.empty()) return;
   const int n = pairs.front().first.dimension();

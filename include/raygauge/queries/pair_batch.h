@@ -14,7 +14,7 @@
 namespace raygauge {
 
 /// Two bodies in poses. Nothing is copied; sets and poses must outlive the call.
-struct BodyPair {
+struct PosedPair {
   Posed first, second;
 };
 
@@ -47,11 +47,11 @@ class PairBatch {
   /// The distance of each pair in the metric of Q. `warm` is empty, or has one entry a pair that is brought
   /// up to date. Throws DimensionMismatchError where a body does not live in Q's space, and
   /// InvalidParameterError for an array of another size; nothing is solved then.
-  void distances(std::span<const BodyPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
+  void distances(std::span<const PosedPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
                  std::span<WarmStart> warm = {});
 
   /// The growth distance of each pair about both centres. All bodies live in one space; throws as above.
-  void growth_distances(std::span<const BodyPair> pairs, const BatchAnswers& answers,
+  void growth_distances(std::span<const PosedPair> pairs, const BatchAnswers& answers,
                         std::span<WarmStart> warm = {});
 
  private:

@@ -52,7 +52,7 @@ struct Bodies {
 
   std::vector<std::unique_ptr<const ConvexSet>> sets;
   std::deque<Pose> poses;
-  std::vector<BodyPair> pairs;
+  std::vector<PosedPair> pairs;
 };
 
 struct Answers {
