@@ -82,6 +82,23 @@ class Killer:
         self.chance = random.Random(seed)
         self.killed = {}
         self.attempts = 0
+        self.finished = []
+
+    def kill_often(self, kills, attempt):
+        """Until so many processes have been killed: attempt(i), i kills having been made. A run that has finished before it
+        was killed makes way for a new one."""
+        while sum(self.killed.values()) < kills:
+            assert self.attempts < 4 * kills, f"{self.killed} in {self.attempts} attempts"
+            folder = self.tool.folder
+            if (folder / self.name).exists() and not (folder / f"{self.name}.parts").exists():
+                self.finished.append(self.name)
+                self.name = f"after-{len(self.finished)}-{self.finished[0]}"
+            attempt(sum(self.killed.values()))
+
+    def files(self):
+        """The last run finished by another number of ranks, and those that had finished before they were killed."""
+        self.tool.run(*self.words(), ranks=self.ranks())
+        return [self.tool.folder / name for name in [*self.finished, self.name]]
 
     def ranks(self):
         return 2 + self.attempts % 3
@@ -100,10 +117,9 @@ class Killer:
         time.sleep(self.chance.uniform(0.3, 1.2))
 
     def kill(self, kind, process):
-        try:
-            os.kill(int(process), signal.SIGKILL)
-        except ProcessLookupError:
+        if not is_alive(process):
             return
+        os.kill(int(process), signal.SIGKILL)
         self.killed[kind] = self.killed.get(kind, 0) + 1
         stored = stored_instances(self.tool.folder, self.name)
         print(f"kill {sum(self.killed.values())}: {kind} of a run by {self.ranks()} ranks, {stored} instances stored",
