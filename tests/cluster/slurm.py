@@ -110,8 +110,8 @@ class Slurm(unittest.TestCase):
         cls.whole_folder.mkdir()
         write_experiment(cls.whole_folder)
         Tool(PROGRAM, cls.whole_folder).run("run", "e.toml", "-o", "one.h5", "-q")
-        # 288 records of so many seconds at least, for two tasks.
-        cls.warned = Array(slurm, base, "warned", 0.15, ("--time", "0:01:00", "--", "--signal=B:USR1@58"))
+        # 288 records of so many seconds at least, for two tasks. Slurm looks at time limits every 30 s.
+        cls.warned = Array(slurm, base, "warned", 0.25, ("--time", "0:01:00", "--", "--signal=B:USR1@58"))
         if THOROUGH:
             cls.stopped = Array(slurm, base, "stopped", 0.6, ("--time", "0:01:00", "--", "--signal=B:CONT@1"))
         cls.requeued = Array(slurm, base, "requeued", 0.02, ())

@@ -30,8 +30,8 @@ class Dense : public Eigen::Map<Plain> {
 
   /// The values of any expression of Eigen.
   template <class Expression>
-  Dense(const Eigen::EigenBase<Expression>& values)
-      : Dense(values.rows(), values.cols()) {  // NOLINT: as Eigen does
+  Dense(const Eigen::EigenBase<Expression>& values)  // NOLINT: converts, as Eigen does
+      : Dense(rows_of(values), cols_of(values)) {
     View::operator=(values.derived());
   }
   /// Rows of numbers; of a vector, its numbers: Vector({{1, 2, 3}}).
@@ -58,7 +58,7 @@ class Dense : public Eigen::Map<Plain> {
   /// to the old values.
   template <class Expression>
   Dense& operator=(const Eigen::EigenBase<Expression>& values) {
-    if (values.rows() == this->rows() && values.cols() == this->cols()) {
+    if (rows_of(values) == this->rows() && cols_of(values) == this->cols()) {
       View::operator=(values.derived());
     } else {
       *this = Dense(values);
@@ -97,6 +97,17 @@ class Dense : public Eigen::Map<Plain> {
   static Eigen::Map<Plain> Map(double* values, Index rows, Index cols) { return {values, rows, cols}; }
 
  private:
+  // The shape that values have here: a row becomes a column where this is a vector, as in Eigen.
+  static constexpr bool kVector = Plain::ColsAtCompileTime == 1;
+  template <class Expression>
+  static Index rows_of(const Eigen::EigenBase<Expression>& values) {
+    return kVector ? values.size() : values.rows();
+  }
+  template <class Expression>
+  static Index cols_of(const Eigen::EigenBase<Expression>& values) {
+    return kVector ? 1 : values.cols();
+  }
+
   // Eigen's documented way to let a Map look elsewhere.
   void point_at(Index rows, Index cols) noexcept {
     ::new (static_cast<View*>(this)) View(storage_.data(), rows, cols);
