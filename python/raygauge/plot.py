@@ -31,7 +31,7 @@ _LOOKS = {
     "nlopt_slsqp": ("#6A3D9A", "D", "--"),
     "nlopt_mma": ("#7A5C00", "v", ":"),
 }
-_OTHER_COLORS = ("#B15928", "#1B7837", "#5E3C99", "#C51B7D", "#35978F", "#4D4D4D")
+_OTHER_COLORS = ("#B15928", "#1B7837", "#B2182B", "#C51B7D", "#35978F", "#4D4D4D")
 _SOLVED = ("optimal", "contains_origin", "unreachable")
 _AXIS_LABELS = {"N": "points in each set, N", "n": "dimension n", "tolerance": "tolerance"}
 
