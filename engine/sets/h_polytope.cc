@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
@@ -16,8 +17,10 @@ namespace {
 
 using End = InequalitySimplex::End;
 
-// How far beyond its inequalities the centre of a flat or empty set may lie, relative to them.
+// How far beyond its inequalities the centre of a flat set may lie, relative to them; beyond, it is empty.
 constexpr double kFlat = 1e-12;
+// Of sums in double-double arithmetic, relative to the sizes of what is added; more than they lose.
+constexpr double kTwofold = 0x1p-90;
 
 const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eigen::MatrixXd>& G,
                                                       const ConstVectorRef& g) {
@@ -40,8 +43,7 @@ const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eig
 }
 
 // Σ_k |G_ik x_k|, to which rounding errors of G_i·x are relative.
-double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i,
-               const Eigen::Map<const Eigen::VectorXd>& x) {
+double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const ConstVectorRef& x) {
   return G.row(i).cwiseAbs().dot(x.cwiseAbs());
 }
 
@@ -66,6 +68,60 @@ void HPolytope::find_center() {
   center_ = at.x.head(n);
   const double scale = g().lpNorm<Eigen::Infinity>() + center_.norm();
   if (at.x[n] < -kFlat * scale) throw EmptySetError("h_polytope: no x satisfies G x <= g");
+  if (!(do_inner_radius(center_.data()) > 0)) {
+    throw InvalidParameterError(
+        "h_polytope: {x : G x <= g} has no interior, to rounding; give its corners as a point_set");
+  }
+  margins_ = g() - G() * center_;
+  for (Eigen::Index i = 0; i < margins_.size(); ++i) margins_[i] -= rounding_of(i, center_);
+}
+
+// What rounding may add to g_i - G_i·x.
+double HPolytope::rounding_of(Eigen::Index i, const ConstVectorRef& x) const {
+  return 2 * (dimension() + 4) * kUnitRoundoff * (size_of(G(), i, x) + std::fabs(g()[i]));
+}
+
+// Weak duality with the multipliers that are positive.
+HPolytope::Bound HPolytope::bound(const ConstVectorRef& u, const InequalitySimplex::Vertex& at) const {
+  const int n = dimension();
+  const Vector lambda = program_.multipliers(u, at);
+  DoubleDouble constant;
+  double size = 0;
+  Bound bound;
+  for (int i = 0; i < n; ++i) {
+    const int row = at.active[static_cast<std::size_t>(i)];
+    if (row < 0 || !(lambda[i] > 0)) continue;
+    constant = constant + two_product(g()[row], lambda[i]);
+    size += std::fabs(g()[row]) * lambda[i];
+  }
+  for (int k = 0; k < n; ++k) {
+    DoubleDouble rest{u[k], 0};
+    double sizes = std::fabs(u[k]);
+    for (int i = 0; i < n; ++i) {
+      const int row = at.active[static_cast<std::size_t>(i)];
+      if (row < 0 || !(lambda[i] > 0)) continue;
+      rest = rest - two_product(G()(row, k), lambda[i]);
+      sizes += std::fabs(G()(row, k)) * lambda[i];
+    }
+    bound.rest += std::fabs(rest.rounded()) + n * kTwofold * sizes;
+  }
+  bound.constant = constant.rounded() + kUnitRoundoff * std::fabs(constant.rounded()) + n * kTwofold * size;
+  bound.rest *= 1 + 2 * n * kUnitRoundoff;
+  return bound;
+}
+
+// Onto the way to the centre, as far as the inequality that x breaks most asks.
+void HPolytope::draw_inside(Vector& x) const {
+  double share = 0;
+  for (Eigen::Index i = 0; i < G().rows(); ++i) {
+    if (G().row(i).dot(x) + rounding_of(i, x) <= g()[i]) continue;
+    DoubleDouble beyond{-g()[i], 0};
+    for (Eigen::Index k = 0; k < x.size(); ++k) beyond = beyond + two_product(G()(i, k), x[k]);
+    const double broken =
+        beyond.rounded() + dimension() * kTwofold * (size_of(G(), i, x) + std::fabs(g()[i]));
+    if (broken > 0) share = std::max(share, broken / (broken + margins_[i]) * (1 + 8 * kUnitRoundoff));
+  }
+  if (share > 0) x += std::min(share, 1.0) * (center_ - x);
 }
 
 // From the centre to a vertex, and from there to the extents along the axes.
@@ -73,20 +129,34 @@ void HPolytope::find_extent() {
   const int n = dimension();
   start_ = program_.start_at(center_);
   magnitude_ = center_.cwiseAbs();
+  double constant = 0, rest = 0;  // R <= constant + rest R
   for (int k = 0; k < n; ++k) {
     for (const double sign : {1.0, -1.0}) {
-      if (program_.maximise(sign * Vector::Unit(n, k), start_) == End::unbounded) throw_unbounded();
+      const Vector u = sign * Vector::Unit(n, k);
+      if (program_.maximise(u, start_) == End::unbounded) throw_unbounded();
       magnitude_ = magnitude_.cwiseMax(start_.x.cwiseAbs());
+      const Bound of_axis = bound(u, start_);
+      constant = std::max(constant, of_axis.constant);
+      rest = std::max(rest, of_axis.rest);
     }
   }
+  extent_ = constant / (1 - rest) * (1 + 4 * kUnitRoundoff);
+  if (!(rest < 0.5 && extent_ < std::numeric_limits<double>::infinity()))
+    throw InvalidParameterError(
+        "h_polytope: {x : G x <= g} is not provably bounded: its inequalities are too nearly parallel");
 }
 
 double HPolytope::do_support(const double* u, double* point) const {
   const Eigen::Map<const Eigen::VectorXd> direction(u, dimension());
   InequalitySimplex::Vertex at = start_;
   program_.maximise(direction, at);
+  const Bound proven = bound(direction, at);
+  const double by_extent = direction.lpNorm<1>() * extent_ * (1 + 2 * dimension() * kUnitRoundoff);
+  const double by_duality = proven.constant + proven.rest * extent_;
+  if (!at.x.allFinite()) at.x = center_;
+  draw_inside(at.x);
   Vector::Map(point, dimension()) = at.x;
-  return direction.dot(at.x);
+  return by_duality < by_extent ? by_duality : by_extent;
 }
 
 void HPolytope::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
@@ -98,8 +168,8 @@ double HPolytope::do_inner_radius(const double* c) const {
   const double relative = 2 * (dimension() + 4) * kUnitRoundoff;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < G().rows(); ++i) {
-    const double rounding = relative * (size_of(G(), i, x) + std::fabs(g()[i]));
-    least = std::min(least, (g()[i] - G().row(i).dot(x) - rounding) / (G().row(i).norm() * (1 + relative)));
+    least = std::min(least,
+                     (g()[i] - G().row(i).dot(x) - rounding_of(i, x)) / (G().row(i).norm() * (1 + relative)));
   }
   return std::max(0.0, least * (1 - 4 * kUnitRoundoff));
 }

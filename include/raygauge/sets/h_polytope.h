@@ -9,16 +9,21 @@
 
 namespace raygauge {
 
-/// {x : G x <= g}, a bounded polytope given by its m inequalities (an H-polytope); it may be flat.
+/// {x : G x <= g}, a bounded polytope with interior, given by its m inequalities (an H-polytope).
 ///
 ///     h(u) = max{u·x : G x <= g},   s(u) a vertex: one linear program, by InequalitySimplex from a stored
 ///     vertex; gauge(x) = max(0, max_i (G_i·x) / g_i)   where g > 0, that is where the origin is inside.
+///
+/// h(u) is proven from above whatever rounding does to the program: with multipliers λ >= 0 and a bound R on
+/// the coordinates of points of S,  h(u) <= g·λ + |u - Gᵀλ|_1 R;  s(u) is drawn towards the centre until it
+/// satisfies all inequalities.
 ///
 /// Its centre is that of a largest ball inside (Chebyshev). A support query takes O(m n) a basis change and,
 /// other than those of the closed forms, allocates room for an n × n matrix.
 class HPolytope final : public ConvexSet {
  public:
-  /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded), EmptySetError,
+  /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded or not provably so, no
+  /// interior), EmptySetError,
   /// DimensionMismatchError or NonFiniteError.
   HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
 
@@ -34,12 +39,21 @@ class HPolytope final : public ConvexSet {
   double do_gauge(const double* x, double* normal) const override;
   SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
 
+  /// h(u) <= constant + rest R for any R >= |x_k|, x in S.
+  struct Bound {
+    double constant = 0, rest = 0;
+  };
+  Bound bound(const ConstVectorRef& u, const InequalitySimplex::Vertex& at) const;
+  double rounding_of(Eigen::Index i, const ConstVectorRef& x) const;
+  void draw_inside(Vector& x) const;
   void find_center();
   void find_extent();
 
   InequalitySimplex program_;
   InequalitySimplex::Vertex start_;
   Vector center_;
+  Vector margins_;     // g - G center, at least
+  double extent_ = 0;  // R
   Vector magnitude_;
 };
 

@@ -39,6 +39,9 @@ class InequalitySimplex {
   /// From `at`, which is left at the maximiser.
   End maximise(const ConstVectorRef& u, Vertex& at) const;
 
+  /// λ of u = Bᵀ λ, to rounding; entries of unit vectors among them.
+  Vector multipliers(const ConstVectorRef& u, const Vertex& at) const;
+
   const RowMatrix& G() const noexcept { return G_; }
   const Vector& g() const noexcept { return g_; }
 
@@ -51,8 +54,6 @@ class InequalitySimplex {
   int first_met(const Vector& direction, const Vector& slack, bool bland, double& step) const;
   void exchange(Vertex& at, int leaving, int row) const;
   bool factorise(Vertex& at) const;
-  Vector multipliers(const ConstVectorRef& u, const Vertex& at) const;
-
   RowMatrix G_;
   Vector g_;
 };

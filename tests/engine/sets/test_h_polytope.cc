@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/numerics/double_double.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/membership.h"
 #include "raygauge/queries/solver.h"
@@ -118,15 +119,60 @@ TEST(HPolytope, ContainsWhatItsInequalitiesAllow) {
   EXPECT_EQ(contains(simplex, Vector{{0.5, -0.1, 0.1}}), Membership::outside);
 }
 
-TEST(HPolytope, MayBeFlatOrAPoint) {
+// Many inequalities whose planes are nearly the same: bases that rounding all but makes singular.
+HPolytope nearly_parallel(int n, double apart, Random& random) {
+  const int planes = 6 * n;
+  Eigen::MatrixXd G(planes + 2 * n, n);
+  const Vector common = gaussian_points(n, 1, random).col(0).normalized();
+  for (int i = 0; i < planes; ++i)
+    G.row(i) = (common + apart * gaussian_points(n, 1, random).col(0)).transpose();
+  G.bottomRows(2 * n) << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+  Vector g = Vector::Ones(planes + 2 * n);
+  g.tail(2 * n) *= 10;
+  return {G, g};
+}
+
+// g_i - G_i·x for the inequality that x breaks most, in twice the precision.
+double least_slack(const HPolytope& S, const Vector& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < S.g().size(); ++i) {
+    DoubleDouble slack{S.g()[i], 0};
+    for (Eigen::Index k = 0; k < x.size(); ++k) slack = slack - two_product(S.G()(i, k), x[k]);
+    least = std::min(least, slack.rounded());
+  }
+  return least;
+}
+
+TEST(HPolytope, SupportIsProvenWhereBasesAreNearlySingular) {
+  Random random(7);
+  for (const double apart : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    for (const int n : {2, 3, 8, 20}) {
+      const HPolytope S = nearly_parallel(n, apart, random);
+      Vector magnitude(n);
+      S.magnitude_unchecked(magnitude.data());
+      const double rounding = ConvexSet::rounding_error(n);
+      Eigen::MatrixXd inside(n, 12), directions(n, 12);
+      for (int j = 0; j < 12; ++j) {
+        directions.col(j) =
+            j < 6 ? gaussian_points(n, 1, random).col(0)
+                  : S.G().row(j).transpose() + 1e-3 * apart * gaussian_points(n, 1, random).col(0);
+        inside.col(j) = S.support_mapping(directions.col(j));
+        EXPECT_GE(least_slack(S, inside.col(j)), -rounding * S.G().cwiseAbs().maxCoeff() * magnitude.sum());
+      }
+      for (int j = 0; j < 12; ++j) {
+        const double h = S.support_function(directions.col(j));
+        const double greatest = (directions.col(j).transpose() * inside).maxCoeff();
+        EXPECT_GE(h, greatest - rounding * directions.col(j).cwiseAbs().dot(magnitude)) << n << ' ' << apart;
+      }
+    }
+  }
+}
+
+TEST(HPolytope, RefusesWhatHasNoInterior) {
   Eigen::MatrixXd G(6, 2);
   G << 1, 0, -1, 0, 0, 1, 0, -1, 1, 1, -1, -1;
-  const HPolytope segment(G, Vector{{2, 2, 2, 2, 1, -1}});  // x + y = 1
-  EXPECT_NEAR(segment.support_function(Vector{{1, 0}}), 2, 1e-12);
-  EXPECT_NEAR(segment.support_function(Vector{{1, 1}}), 1, 1e-12);
-  EXPECT_NEAR(segment.support_function(Vector{{0, -1}}), 1, 1e-12);
-  const HPolytope point(G.topRows(4), Vector{{3, -3, 4, -4}});
-  EXPECT_NEAR(point.support_function(Vector{{1, 1}}), 7, 1e-12);
+  EXPECT_THROW(HPolytope(G, Vector{{2, 2, 2, 2, 1, -1}}), InvalidParameterError);        // x + y = 1
+  EXPECT_THROW(HPolytope(G.topRows(4), Vector{{3, -3, 4, -4}}), InvalidParameterError);  // a point
 }
 
 TEST(HPolytope, RefusesWhatIsEmptyUnboundedOrMisshapen) {
