@@ -74,9 +74,10 @@ struct Flight {
   std::shared_ptr<fcl::CollisionGeometryd> fcl;
   Placement first, last;
 
+  /// About the origin of the body, said outright: FCL's constructor without it leaves that point unset.
   fcl::InterpMotion<double> motion() const {
     return {Eigen::Matrix3d(first.R), Eigen::Vector3d(first.t), Eigen::Matrix3d(last.R),
-            Eigen::Vector3d(last.t)};
+            Eigen::Vector3d(last.t), Eigen::Vector3d(Eigen::Vector3d::Zero())};
   }
 };
 

@@ -21,6 +21,8 @@ using End = InequalitySimplex::End;
 constexpr double kFlat = 1e-12;
 // Of sums in double-double arithmetic, relative to the sizes of what is added; more than they lose.
 constexpr double kTwofold = 0x1p-90;
+// Of |u - Gᵀλ|_1 for unit vectors u: R <= constant + rest R bounds R by at most twice the constant.
+constexpr double kLargestRest = 0.5;
 
 const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eigen::MatrixXd>& G,
                                                       const ConstVectorRef& g) {
@@ -124,6 +126,16 @@ void HPolytope::draw_inside(Vector& x) const {
   if (share > 0) x += std::min(share, 1.0) * (center_ - x);
 }
 
+// Of x_k, or of -x_k for sign = -1, by the inequalities on x_k alone; none: infinite.
+double HPolytope::bound_by_one_row(int k, double sign) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < G().rows(); ++i) {
+    const double entry = sign * G()(i, k);
+    if (entry > 0 && G().row(i).lpNorm<1>() == entry) least = std::min(least, g()[i] / entry);
+  }
+  return least + kUnitRoundoff * std::fabs(least);
+}
+
 // From the centre to a vertex, and from there to the extents along the axes.
 void HPolytope::find_extent() {
   const int n = dimension();
@@ -135,13 +147,14 @@ void HPolytope::find_extent() {
       const Vector u = sign * Vector::Unit(n, k);
       if (program_.maximise(u, start_) == End::unbounded) throw_unbounded();
       magnitude_ = magnitude_.cwiseMax(start_.x.cwiseAbs());
-      const Bound of_axis = bound(u, start_);
+      Bound of_axis = bound(u, start_);
+      if (!(of_axis.rest < kLargestRest)) of_axis = {bound_by_one_row(k, sign), 0};
       constant = std::max(constant, of_axis.constant);
       rest = std::max(rest, of_axis.rest);
     }
   }
   extent_ = constant / (1 - rest) * (1 + 4 * kUnitRoundoff);
-  if (!(rest < 0.5 && extent_ < std::numeric_limits<double>::infinity()))
+  if (!(rest < kLargestRest && extent_ < std::numeric_limits<double>::infinity()))
     throw InvalidParameterError(
         "h_polytope: {x : G x <= g} is not provably bounded: its inequalities are too nearly parallel");
 }

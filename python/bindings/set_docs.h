@@ -54,9 +54,9 @@ exact cone, or m >= 3 for a pyramid inside it. UnionHull of several contacts bou
 )";
 
 inline constexpr const char* kHPolytopeDoc =
-    R"({x : G x <= g}, a bounded polytope by its inequalities.
+    R"({x : G x <= g}, a bounded polytope with interior, by its inequalities.
 
-G: shape (m, n). g: shape (m,). Raises InvalidParameterError where it is not bounded, EmptySetError, DimensionMismatchError,
+G: shape (m, n). g: shape (m,). Raises InvalidParameterError where it is not bounded or has no interior, EmptySetError, DimensionMismatchError,
 NonFiniteError.
 
 >>> rg.HPolytope([[1, 0], [0, 1], [-1, -1]], [1, 1, 1]).support_function([1, 1])

@@ -177,6 +177,26 @@ def check_phone(browser, failures):
     failures.expect(width[0] <= width[1], f"content of {width[0]} pixels on a phone of {width[1]}")
 
 
+def check_words(browser, failures, where):
+    """No word of a table is broken, but for paths, hashes and the like, which are longer than any name."""
+    broken = browser.execute_script("""
+        const found = [];
+        for (const table of document.querySelectorAll("table")) {
+          const walker = document.createTreeWalker(table, NodeFilter.SHOW_TEXT);
+          while (walker.nextNode()) {
+            for (const word of walker.currentNode.data.matchAll(/[^\\s-]+/g)) {
+              const range = document.createRange();
+              range.setStart(walker.currentNode, word.index);
+              range.setEnd(walker.currentNode, word.index + word[0].length);
+              const lines = new Set([...range.getClientRects()].map((r) => Math.round(r.top)));
+              if (word[0].length <= 24 && lines.size > 1) found.push(word[0]);
+            }
+          }
+        }
+        return found;""")
+    failures.expect(not broken, f"words of tables broken on the {where}: {broken[:8]}")
+
+
 def check_download(browser, failures, records):
     lines = browser.execute_async_script("""
         const done = arguments[arguments.length - 1];
@@ -215,6 +235,7 @@ def main():
             check_phone(browser, failures)
             check_curves(browser, failures, "phone")
             check_tables(browser, failures, "phone")
+            check_words(browser, failures, "phone")
             shoot(browser, arguments.screenshots, "phone")
             check_download(browser, failures, information["records"])
             failures.expect(len(browser.print_page()) > 50_000, "the printed page is empty")

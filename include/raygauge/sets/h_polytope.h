@@ -23,8 +23,7 @@ namespace raygauge {
 class HPolytope final : public ConvexSet {
  public:
   /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded or not provably so, no
-  /// interior), EmptySetError,
-  /// DimensionMismatchError or NonFiniteError.
+  /// interior), EmptySetError, DimensionMismatchError or NonFiniteError.
   HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
 
   /// The inequalities, each multiplied by a power of two.
@@ -45,6 +44,7 @@ class HPolytope final : public ConvexSet {
   };
   Bound bound(const ConstVectorRef& u, const InequalitySimplex::Vertex& at) const;
   double rounding_of(Eigen::Index i, const ConstVectorRef& x) const;
+  double bound_by_one_row(int k, double sign) const;
   void draw_inside(Vector& x) const;
   void find_center();
   void find_extent();

@@ -153,9 +153,8 @@ TEST(HPolytope, SupportIsProvenWhereBasesAreNearlySingular) {
       const double rounding = ConvexSet::rounding_error(n);
       Eigen::MatrixXd inside(n, 12), directions(n, 12);
       for (int j = 0; j < 12; ++j) {
-        directions.col(j) =
-            j < 6 ? gaussian_points(n, 1, random).col(0)
-                  : S.G().row(j).transpose() + 1e-3 * apart * gaussian_points(n, 1, random).col(0);
+        directions.col(j) = gaussian_points(n, 1, random).col(0);
+        if (j >= 6) directions.col(j) = S.G().row(j).transpose() + 1e-3 * apart * directions.col(j);
         inside.col(j) = S.support_mapping(directions.col(j));
         EXPECT_GE(least_slack(S, inside.col(j)), -rounding * S.G().cwiseAbs().maxCoeff() * magnitude.sum());
       }
