@@ -81,8 +81,10 @@ std::vector<BodyPair> pairs_of(const Scene& scene, const SceneQuery& query) {
   std::vector<BodyPair> pairs, ignored;
   for (const auto& [a, b] : scene.ignored) ignored.push_back({std::min(a, b), std::max(a, b)});
   std::sort(ignored.begin(), ignored.end());
-  for (const int a : query.group_1) {
-    for (const int b : query.group_2) {
+  const bool one_group = query.group_1 == query.group_2;
+  for (std::size_t i = 0; i < query.group_1.size(); ++i) {
+    for (std::size_t j = one_group ? i + 1 : 0; j < query.group_2.size(); ++j) {
+      const int a = query.group_1[i], b = query.group_2[j];
       const BodyPair pair{std::min(a, b), std::max(a, b)};
       if (a != b && !std::binary_search(ignored.begin(), ignored.end(), pair)) pairs.push_back(pair);
     }

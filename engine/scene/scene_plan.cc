@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace raygauge {
 namespace {
@@ -42,13 +42,20 @@ void add_instant_tasks(const Scene& scene, ScenePlan& plan) {
     }
   }
   for (const std::vector<int>& members : sharing) {
-    std::map<BodyPair, std::vector<int>> asked;
+    std::vector<std::pair<BodyPair, int>> asked;
     for (const int q : members) {
       for (const BodyPair pair : pairs_of(scene, scene.queries[static_cast<std::size_t>(q)])) {
-        asked[pair].push_back(q);
+        asked.emplace_back(pair, q);
       }
     }
-    for (auto& [pair, queries] : asked) plan.instant_tasks.push_back({pair, std::move(queries)});
+    if (members.size() > 1) std::sort(asked.begin(), asked.end());
+    const std::size_t first_task = plan.instant_tasks.size();
+    plan.instant_tasks.reserve(first_task + asked.size());
+    for (const auto& [pair, q] : asked) {
+      const bool known = plan.instant_tasks.size() > first_task && plan.instant_tasks.back().pair == pair;
+      if (!known) plan.instant_tasks.push_back({pair, {}});
+      plan.instant_tasks.back().queries.push_back(q);
+    }
   }
 }
 

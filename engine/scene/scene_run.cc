@@ -135,7 +135,7 @@ SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
   }
   SceneSummary summary;
   summary.threads = threads > 0 ? threads : omp_get_num_procs();
-  const Timeline timeline(scene);
+  const Timeline timeline(scene, summary.threads);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex mutex;

@@ -3,7 +3,10 @@
 #include "raygauge/scene/timeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include "engine/threads/team.h"
 
 namespace raygauge {
 namespace {
@@ -25,47 +28,58 @@ double way(const Placement& before, const Placement& after, double reach) {
 
 }  // namespace
 
-Timeline::Timeline(const Scene& scene) : dimension_(scene.dimension()), size_(scene.instants.size()) {
+Timeline::Timeline(const Scene& scene, int threads)
+    : dimension_(scene.dimension()), size_(scene.instants.size()) {
   const std::size_t total = scene.bodies.size() * size_;
   const auto n = static_cast<std::size_t>(dimension_);
-  placements_.reserve(total * n * (n + 1));
-  centers_.reserve(total * n);
-  moved_.reserve(total);
-  shifted_.reserve(total);
-  for (const Body& body : scene.bodies) {
-    double moved = 0;
-    double shifted = 0;
-    Placement before;
-    SmallVector center_before;
-    for (std::size_t k = 0; k < size_; ++k) {
-      const Placement here = body.motion->at(scene.instants[k]);
-      const SmallVector center = here.R * body.ball.center + here.t;
-      if (k > 0) {
-        moved += way(before, here, body.reach);
-        const double rounding = 1e-15 * (center.norm() + body.reach);
-        if (moved > moved_.back()) shifted += (center - center_before).norm() * kOutward + rounding;
-      }
-      placements_.insert(placements_.end(), here.R.data(), here.R.data() + n * n);
-      placements_.insert(placements_.end(), here.t.data(), here.t.data() + n);
-      centers_.insert(centers_.end(), center.data(), center.data() + n);
-      before = here;
-      center_before = center;
-      moved_.push_back(moved);
-      shifted_.push_back(shifted);
+  placements_ = std::make_unique_for_overwrite<double[]>(total * n * (n + 1));
+  centers_ = std::make_unique_for_overwrite<double[]>(total * n);
+  moved_ = std::make_unique_for_overwrite<double[]>(total);
+  shifted_ = std::make_unique_for_overwrite<double[]>(total);
+  std::atomic<std::size_t> next{0};
+  run_team(threads, {}, [&](int, int) {
+    for (std::size_t body = next++; body < scene.bodies.size(); body = next++) follow(scene, body);
+  });
+}
+
+// The body's way from instant to instant.
+void Timeline::follow(const Scene& scene, std::size_t number) {
+  const Body& body = scene.bodies[number];
+  const auto n = static_cast<std::size_t>(dimension_);
+  double moved = 0;
+  double shifted = 0;
+  Placement before;
+  SmallVector center_before;
+  for (std::size_t k = 0; k < size_; ++k) {
+    const std::size_t at = number * size_ + k;
+    const Placement here = body.motion->at(scene.instants[k]);
+    const SmallVector center = here.R * body.ball.center + here.t;
+    if (k > 0) {
+      moved += way(before, here, body.reach);
+      const double rounding = 1e-15 * (center.norm() + body.reach);
+      if (moved > moved_[at - 1]) shifted += (center - center_before).norm() * kOutward + rounding;
     }
+    double* placement = placements_.get() + at * n * (n + 1);
+    std::copy_n(here.R.data(), n * n, placement);
+    std::copy_n(here.t.data(), n, placement + n * n);
+    std::copy_n(center.data(), n, centers_.get() + at * n);
+    before = here;
+    center_before = center;
+    moved_[at] = moved;
+    shifted_[at] = shifted;
   }
 }
 
 Placement Timeline::placement(int body, std::size_t k) const {
   const int n = dimension_;
-  const double* numbers = placements_.data() + index(body, k) * static_cast<std::size_t>(n * (n + 1));
+  const double* numbers = placements_.get() + index(body, k) * static_cast<std::size_t>(n * (n + 1));
   return {SmallMatrix::Map(numbers, n, n), SmallVector::Map(numbers + std::ptrdiff_t{n} * n, n)};
 }
 
 std::size_t Timeline::last_within(BodyPair pair, std::size_t from, double budget, bool balls) const {
-  const std::vector<double>& path = balls ? shifted_ : moved_;
-  const double* a = path.data() + index(pair.a, 0);
-  const double* b = path.data() + index(pair.b, 0);
+  const double* path = balls ? shifted_.get() : moved_.get();
+  const double* a = path + index(pair.a, 0);
+  const double* b = path + index(pair.b, 0);
   // Differences of sums of up to 1e6 terms: their rounding is far below this share of the sums.
   const double rounding = 1e-10 * (a[size_ - 1] + b[size_ - 1]);
   const auto holds = [&](std::size_t k) { return (a[k] - a[from]) + (b[k] - b[from]) + rounding < budget; };

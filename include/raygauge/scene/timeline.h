@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "raygauge/scene/scene.h"
 
@@ -17,7 +17,8 @@ namespace raygauge {
 /// up.
 class Timeline {
  public:
-  explicit Timeline(const Scene& scene);
+  /// Bodies are shared between `threads` threads.
+  explicit Timeline(const Scene& scene, int threads = 1);
 
   std::size_t size() const noexcept { return size_; }
 
@@ -25,7 +26,7 @@ class Timeline {
 
   /// The middle of the body's bounding ball, as many numbers as there are dimensions.
   const double* center(int body, std::size_t k) const {
-    return centers_.data() + index(body, k) * static_cast<std::size_t>(dimension_);
+    return centers_.get() + index(body, k) * static_cast<std::size_t>(dimension_);
   }
 
   double moved(int body, std::size_t k) const { return moved_[index(body, k)]; }
@@ -36,13 +37,15 @@ class Timeline {
   std::size_t last_within(BodyPair pair, std::size_t from, double budget, bool balls) const;
 
  private:
+  void follow(const Scene& scene, std::size_t body);
   std::size_t index(int body, std::size_t k) const { return static_cast<std::size_t>(body) * size_ + k; }
 
   int dimension_;
   std::size_t size_;
-  std::vector<double> placements_;  // R by columns, then t
-  std::vector<double> centers_;
-  std::vector<double> moved_, shifted_;
+  // Arrays that the threads are the first to write to.
+  std::unique_ptr<double[]> placements_;  // R by columns, then t
+  std::unique_ptr<double[]> centers_;
+  std::unique_ptr<double[]> moved_, shifted_;
 };
 
 }  // namespace raygauge
