@@ -23,8 +23,8 @@ ROOT = HERE.parent.parent
 
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
-    "Tutorials": ["tutorials", "tutorial-scenes", "user-guide", "python", "pandas"],
-    "How-to": ["experiments", "analysis", "scenes", "scaling", "contributing"],
+    "Tutorials": ["tutorials", "tutorial-scenes", "python", "pandas"],
+    "How-to": ["user-guide", "experiments", "analysis", "scenes", "scaling", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],
