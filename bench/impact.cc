@@ -35,6 +35,8 @@ constexpr int kRepetitions = 5;
 struct Settings {
   int pairs = 2000;
   double spin = 3;
+  double contact =
+      1e-5;  // FCL ends where a step takes less than 1e-5 of the time: some 5e-5 of distance here
 };
 
 double uniform(Random& random, double low, double high) {
@@ -109,8 +111,9 @@ FclAnswer ask_fcl(const Flight& a, const Flight& b) {
   return {result.is_collide, result.time_of_contact};
 }
 
-ImpactResult ask_raygauge(PairSolver& solver, const Flight& a, const Flight& b) {
+ImpactResult ask_raygauge(PairSolver& solver, const Flight& a, const Flight& b, double contact) {
   ContinuousOptions over;
+  over.contact = contact;
   over.to = 1;
   return time_of_impact(solver, a.body, b.body, over);
 }
@@ -132,12 +135,13 @@ double median(std::vector<double> values) {
 struct Tally {
   int pairs = 0, contacts = 0, right = 0, undecided = 0;
   std::vector<double> ours, theirs;  ///< seconds, where FCL is right
+  std::vector<double> steps;         ///< of ours
 };
 
-void time_pair(PairSolver& solver, const Flight& a, const Flight& b, Tally& tally) {
+void time_pair(PairSolver& solver, const Flight& a, const Flight& b, double contact, Tally& tally) {
   std::vector<double> ours, theirs;
   for (int k = 0; k < kRepetitions; ++k) {
-    ours.push_back(seconds_of([&] { ask_raygauge(solver, a, b); }));
+    ours.push_back(seconds_of([&] { ask_raygauge(solver, a, b, contact); }));
     theirs.push_back(seconds_of([&] { ask_fcl(a, b); }));
   }
   tally.ours.push_back(median(ours));
@@ -147,11 +151,12 @@ void time_pair(PairSolver& solver, const Flight& a, const Flight& b, Tally& tall
 void print(const std::string& what, const Tally& tally) {
   const double ours = median(tally.ours) * 1e6, theirs = median(tally.theirs) * 1e6;
   std::printf(
-      "%-22s %6d pairs, %5d contacts, %d undecided; FCL right %6.2f %%; there raygauge %7.1f us, FCL %7.1f "
+      "%-22s %6d pairs, %5d contacts, %d undecided, %g steps; FCL right %6.2f %%; there raygauge %7.1f us, "
+      "FCL %7.1f "
       "us, "
       "ratio %.3f\n",
-      what.c_str(), tally.pairs, tally.contacts, tally.undecided, 100.0 * tally.right / tally.pairs, ours,
-      theirs, ours / theirs);
+      what.c_str(), tally.pairs, tally.contacts, tally.undecided, median(tally.steps),
+      100.0 * tally.right / tally.pairs, ours, theirs, ours / theirs);
 }
 
 void run(const Settings& settings) {
@@ -164,17 +169,19 @@ void run(const Settings& settings) {
       for (int i = 0; i < settings.pairs; ++i) {
         const Flight a = make_flight(one, random, -1, settings.spin);
         const Flight b = make_flight(other, random, 1, settings.spin);
-        const ImpactResult impact = ask_raygauge(solver, a, b);
+        const ImpactResult impact = ask_raygauge(solver, a, b, settings.contact);
         ++tally.pairs;
+        tally.steps.push_back(static_cast<double>(impact.steps));
         tally.contacts += impact.outcome == ImpactResult::Outcome::contact ? 1 : 0;
         tally.undecided += impact.outcome == ImpactResult::Outcome::undecided ? 1 : 0;
         if (!agrees(ask_fcl(a, b), impact)) continue;
         ++tally.right;
-        time_pair(solver, a, b, tally);
+        time_pair(solver, a, b, settings.contact, tally);
       }
       print(std::string(kKinds[one]) + " and " + kKinds[other], tally);
       all.pairs += tally.pairs, all.contacts += tally.contacts, all.right += tally.right;
       all.undecided += tally.undecided;
+      all.steps.insert(all.steps.end(), tally.steps.begin(), tally.steps.end());
       all.ours.insert(all.ours.end(), tally.ours.begin(), tally.ours.end());
       all.theirs.insert(all.theirs.end(), tally.theirs.begin(), tally.theirs.end());
     }
@@ -188,6 +195,7 @@ int run(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   app.add_option("--pairs", settings.pairs, "motions of each pair of kinds")->check(CLI::PositiveNumber);
   app.add_option("--spin", settings.spin, "greatest turn of a body, radians")->check(CLI::NonNegativeNumber);
+  app.add_option("--contact", settings.contact, "distance that is a contact")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   run(settings);
   return 0;

@@ -16,12 +16,6 @@ namespace {
 // What the sums and products below may lose, with room to spare.
 constexpr double kOutward = 1 + 1e-13;
 
-// |spin × u|: how fast the direction u turns.
-double turning(const Eigen::Vector3d& spin, const SmallVector& u) {
-  if (u.size() == 3) return spin.cross(Eigen::Vector3d(u)).norm();
-  return spin.norm() * u.norm();
-}
-
 SmallMatrix rotation_by(const Eigen::Vector3d& turn, int n) {
   if (n == 3) return rotation_about(turn);
   if (n == 2) return plane_rotation(turn[2]);
@@ -49,8 +43,19 @@ void check_finite(bool finite, const char* what) {
 
 }  // namespace
 
+SmallVector MotionBound::velocity_of(const SmallVector& arm) const {
+  if (arm.size() == 3) return velocity + SmallVector(spin.cross(Eigen::Vector3d(arm)));
+  if (arm.size() == 2) return velocity + spin[2] * SmallVector(Eigen::Vector2d(-arm[1], arm[0]));
+  return velocity;
+}
+
+double MotionBound::turning(const SmallVector& u) const {
+  if (u.size() == 3) return spin.cross(Eigen::Vector3d(u)).norm();
+  return spin.norm() * u.norm();
+}
+
 double MotionBound::speed_along(const SmallVector& u, double reach) const {
-  const double spread = velocity_error * u.norm() + (turning(spin, u) + spin_error * u.norm()) * reach;
+  const double spread = velocity_error * u.norm() + (turning(u) + spin_error * u.norm()) * reach;
   return velocity.dot(u) + spread * kOutward + (kOutward - 1) * velocity.norm() * u.norm();
 }
 

@@ -111,17 +111,34 @@ double PairSolver::part_ball_bound(int i, int j) const {
   return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
 }
 
-// Weak duality (10) at u: -h_A(u) / h_Q(-u), A = b - a, rounding errors included.
-double PairSolver::part_plane_bound(int i, int j, const SmallVector& u) const {
+// -h_A(u), A = b - a, rounding errors included, or less; the support points are in the frames of the bodies.
+double PairSolver::depth_along(int i, int j, const SmallVector& u, SmallVector& point_a,
+                               SmallVector& point_b) const {
   const BodyPart& part_a = a_->parts[static_cast<std::size_t>(i)];
   const BodyPart& part_b = b_->parts[static_cast<std::size_t>(j)];
-  SmallVector point(dimension_);
+  point_a.resize(dimension_);
+  point_b.resize(dimension_);
   const SmallVector inner_a = -(at_a_.R.transpose() * u);
   const SmallVector inner_b = at_b_.R.transpose() * u;
-  const double h = part_b.set->support_unchecked(inner_b.data(), point.data()) +
-                   part_a.set->support_unchecked(inner_a.data(), point.data()) + u.dot(at_b_.t - at_a_.t);
+  const double h = part_b.set->support_unchecked(inner_b.data(), point_b.data()) +
+                   part_a.set->support_unchecked(inner_a.data(), point_a.data()) + u.dot(at_b_.t - at_a_.t);
   const double error = support_error(u, part_a.magnitude, at_a_) + support_error(u, part_b.magnitude, at_b_);
-  const double depth = -(h + error);
+  return -(h + error);
+}
+
+double PairSolver::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
+  ++counters_.plane_tests;
+  SmallVector point_a, point_b;
+  const double depth = depth_along(0, 0, u, point_a, point_b);
+  arm_a = at_a_.R * point_a;
+  arm_b = at_b_.R * point_b;
+  return depth / (u.norm() * (depth > 0 ? kOutward : 1.0));
+}
+
+// Weak duality (10) at u: -h_A(u) / h_Q(-u).
+double PairSolver::part_plane_bound(int i, int j, const SmallVector& u) const {
+  SmallVector point, other;
+  const double depth = depth_along(i, j, u, point, other);
   if (!(depth > 0)) return 0;
   if (metric_->euclidean()) return depth / (u.norm() * kOutward);
   const SmallVector minus = -u;

@@ -41,8 +41,10 @@ struct ContinuousOptions {
 };
 
 /// Conservative advancement: from a certified distance L with normal u there is no contact for L over the
-/// speed at which the pair can close along u, bounded over the time ahead and rounded up.
-/// Contact is a matter of Euclidean distance, whatever the metric. `solver` is bound anew.
+/// speed at which the pair can close along u, bounded over the time ahead and rounded up; and none for a time
+/// T where planes across u that touch the bodies are apart at both ends of it by more than T²/8 Σ reach |ω||ω
+/// × u|, which steps as those of Newton's method make use of. Contact is a matter of Euclidean distance,
+/// whatever the metric. `solver` is bound anew.
 ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
                             const ContinuousOptions& options);
 

@@ -24,6 +24,12 @@ struct MotionBound {
   /// velocities times u, below zero where all of them move back. Rounded up.
   double speed_along(const SmallVector& u, double reach) const;
 
+  /// velocity + spin × arm: of the point at `arm` from the body's origin, but for the errors.
+  SmallVector velocity_of(const SmallVector& arm) const;
+
+  /// |spin × u|: how fast u turns as the body sees it, but for the error.
+  double turning(const SmallVector& u) const;
+
   /// How fast, at most, such points move at all. Rounded up.
   double speed(double reach) const;
 };

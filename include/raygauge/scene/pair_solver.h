@@ -81,6 +81,11 @@ class PairSolver {
   /// in PairAnswer. Useless under a metric that follows a body.
   double plane_bound(const PairMemory& memory, double& rate);
 
+  /// The Euclidean distance between two planes across the unit vector u that touch the bodies, body b on the
+  /// side away from u: a lower bound on their distance, not above 0 where they may overlap. `arm_a` and
+  /// `arm_b`: where the planes touch, from the origins of the bodies. For bodies of one part each.
+  double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
+
   /// The distance. A lower bound above `enough` ends it early; upper is then +infinity where it was not
   /// needed.
   PairAnswer distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
@@ -103,6 +108,7 @@ class PairSolver {
   std::size_t memory_index(const PartPair& pair) const;
   void sort_part_pairs();
   double part_ball_bound(int i, int j) const;
+  double depth_along(int i, int j, const SmallVector& u, SmallVector& point_a, SmallVector& point_b) const;
   double part_plane_bound(int i, int j, const SmallVector& u) const;
   void solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory, PairAnswer& best);
   bool still_overlap(const PartPair& pair, PartMemory& memory, PairAnswer& best);

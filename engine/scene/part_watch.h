@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "raygauge/scene/continuous.h"
+
+namespace raygauge {
+
+/// What a look at one pair of convex parts at one time has shown.
+struct PartLook {
+  double time = 0;
+  double lower = 0;  ///< of the exact motion's distance
+  double upper = 0;
+  SmallVector normal;
+  PairAnswer answer;
+};
+
+/// One pair of convex parts on its way, seen at any time; what a look finds out starts the next one.
+class PartWatch {
+ public:
+  /// Distances on the way need no more digits than a step does.
+  static constexpr double kStepTolerance = 1e-3;
+
+  /// The bodies have one part each; all must outlive the watch, which binds the solver.
+  PartWatch(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
+            const Body* metric_body);
+
+  PartLook at(double t, bool closest_points = false);
+
+  /// How far apart the bodies are at t between planes across the unit vector u, at least; not above 0
+  /// where they may overlap. Euclidean. `arm_a` and `arm_b`: from the origins of the bodies to points on the
+  /// planes.
+  double apart_along(double t, const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
+
+  /// The end of the piece of the motions that t is in, at most `to`.
+  double end_of_piece(double t, double to) const;
+
+  /// How fast the pair can close along u, at most, over [from, to].
+  double closing_speed(const SmallVector& u, double from, double to) const;
+
+  const Body& a() const noexcept { return a_; }
+  const Body& b() const noexcept { return b_; }
+  const Body* metric_body() const noexcept { return metric_body_; }
+
+ private:
+  void place(double t);
+
+  PairSolver& solver_;
+  const Body& a_;
+  const Body& b_;
+  const Body* metric_body_;
+  PairMemory memory_;
+  double placed_at_;
+  double slack_ = 0;  ///< how far computed points are from those of the exact motions
+};
+
+/// The pairs of parts of two bodies as bodies of their own, those nearest at `t` first.
+std::vector<std::pair<Body, Body>> part_pairs(const Body& a, const Body& b, double t);
+
+}  // namespace raygauge
