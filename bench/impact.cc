@@ -10,24 +10,20 @@
 #include <array>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "bench/fcl_geometry.h"
 #include "bench/program.h"
 #include "bench/timed_medians.h"
 #include "raygauge/scene/continuous.h"
-#include "raygauge/sets/ball.h"
-#include "raygauge/sets/box.h"
-#include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 
 namespace raygauge::bench {
 namespace {
 
-using Random = std::mt19937_64;
-
-constexpr std::array kKinds = {"box", "capsule", "cylinder", "ball"};  // of which FCL supports every pair
+constexpr std::array kNames = {"box", "capsule", "cylinder", "ball"};  // of which FCL supports every pair
+constexpr std::array kKinds = {GeometryKind::box, GeometryKind::capsule, GeometryKind::cylinder,
+                               GeometryKind::ball};
 constexpr double kTimeTolerance =
     1e-3;  // FCL's time of contact is right where it is this near to the proven one
 constexpr int kRepetitions = 5;
@@ -38,37 +34,6 @@ struct Settings {
   double contact =
       1e-5;  // FCL ends where a step takes less than 1e-5 of the time: some 5e-5 of distance here
 };
-
-double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Eigen::Vector3d uniform_vector(Random& random, double size) {
-  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
-}
-
-struct Geometry {
-  std::shared_ptr<const ConvexSet> set;
-  std::shared_ptr<fcl::CollisionGeometryd> fcl;
-};
-
-Geometry make_geometry(std::size_t kind, Random& random) {
-  const Eigen::Vector3d half(uniform(random, 0.2, 0.8), uniform(random, 0.2, 0.8), uniform(random, 0.2, 0.8));
-  const Eigen::Vector3d up(0, 0, half[2]);
-  switch (kind) {
-    case 0:
-      return {std::make_shared<Box>(-half, half), std::make_shared<fcl::Boxd>(Eigen::Vector3d(2 * half))};
-    case 1:
-      return {std::make_shared<Capsule>(-up, up, half[0]),
-              std::make_shared<fcl::Capsuled>(half[0], 2 * half[2])};
-    case 2:
-      return {std::make_shared<Cylinder>(-up, up, half[0]),
-              std::make_shared<fcl::Cylinderd>(half[0], 2 * half[2])};
-    default:
-      return {std::make_shared<Ball>(Eigen::Vector3d::Zero(), half[0]),
-              std::make_shared<fcl::Sphered>(half[0])};
-  }
-}
 
 /// A body that flies from one placement to another in the time [0, 1] and turns the shorter way.
 struct Flight {
@@ -84,7 +49,7 @@ struct Flight {
 };
 
 Flight make_flight(std::size_t kind, Random& random, double side, double spin) {
-  const Geometry geometry = make_geometry(kind, random);
+  const Geometry geometry = make_geometry(kKinds[kind], 0.2, 0.8, random);
   geometry.fcl->computeLocalAABB();  // FCL's bounds on the motion need its radius
   Placement first = Placement::identity(3), last = first;
   const Eigen::Vector3d turn = uniform_vector(random, 3);
@@ -94,7 +59,7 @@ Flight make_flight(std::size_t kind, Random& random, double side, double spin) {
   last.t = uniform_vector(random, 1) - Eigen::Vector3d(side, 0, 0);
   const std::vector<double> times = {0, 1};
   auto motion = std::make_shared<KeyframeMotion>(times, std::vector<Placement>{first, last});
-  return {make_body(kKinds[kind], {geometry.set}, std::move(motion)), geometry.fcl, first, last};
+  return {make_body(kNames[kind], {geometry.set}, std::move(motion)), geometry.fcl, first, last};
 }
 
 struct FclAnswer {
@@ -178,7 +143,7 @@ void run(const Settings& settings) {
         ++tally.right;
         time_pair(solver, a, b, settings.contact, tally);
       }
-      print(std::string(kKinds[one]) + " and " + kKinds[other], tally);
+      print(std::string(kNames[one]) + " and " + kNames[other], tally);
       all.pairs += tally.pairs, all.contacts += tally.contacts, all.right += tally.right;
       all.undecided += tally.undecided;
       all.steps.insert(all.steps.end(), tally.steps.begin(), tally.steps.end());
@@ -189,21 +154,17 @@ void run(const Settings& settings) {
   print("all", all);
 }
 
-int run(int argc, char** argv) {
-  Settings settings;
-  CLI::App app{"Times of impact, proven, beside FCL's conservative advancement."};
-  app.option_defaults()->always_capture_default();
+void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--pairs", settings.pairs, "motions of each pair of kinds")->check(CLI::PositiveNumber);
   app.add_option("--spin", settings.spin, "greatest turn of a body, radians")->check(CLI::NonNegativeNumber);
   app.add_option("--contact", settings.contact, "distance that is a contact")->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
-  run(settings);
-  return 0;
 }
 
 }  // namespace
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  return raygauge::bench::run_program("raygauge_impact", raygauge::bench::run, argc, argv);
+  return raygauge::bench::run_with_options("raygauge_impact",
+                                           "Times of impact, proven, beside FCL's conservative advancement.",
+                                           raygauge::bench::add_options, raygauge::bench::run, argc, argv);
 }

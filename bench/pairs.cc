@@ -83,10 +83,7 @@ void run(const Settings& settings) {
   }
 }
 
-int run(int argc, char** argv) {
-  Settings settings;
-  CLI::App app{"Pairs of bodies of R^3 in poses: microseconds of each query, ours and FCL's, on one thread."};
-  app.option_defaults()->always_capture_default();
+void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--kinds", settings.kinds, "bodies, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(body_kinds()));
@@ -97,14 +94,14 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember(pair_places()));
   app.add_option("--pairs", settings.pairs, "random pairs of each kind")->check(CLI::Range(1, 10000));
   app.add_flag("--diagonal", settings.diagonal, "only pairs of two bodies of a kind");
-  CLI11_PARSE(app, argc, argv);
-  run(settings);
-  return 0;
 }
 
 }  // namespace
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  return raygauge::bench::run_program("raygauge_pairs", raygauge::bench::run, argc, argv);
+  return raygauge::bench::run_with_options(
+      "raygauge_pairs",
+      "Pairs of bodies of R^3 in poses: microseconds of each query, ours and FCL's, on one thread.",
+      raygauge::bench::add_options, raygauge::bench::run, argc, argv);
 }

@@ -12,22 +12,17 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <random>
 #include <utility>
 #include <vector>
 
+#include "bench/fcl_geometry.h"
 #include "bench/program.h"
 #include "bench/timed_medians.h"
 #include "raygauge/scene/scene_run.h"
-#include "raygauge/sets/box.h"
-#include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
-#include "raygauge/sets/ellipsoid.h"
 
 namespace raygauge::bench {
 namespace {
 
-using Random = std::mt19937_64;
 using Pairs = std::map<std::array<int, 3>, double>;  // instant, a < b: the distance
 
 struct Settings {
@@ -40,39 +35,8 @@ struct Settings {
   int rounds = 3;
 };
 
-double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-SmallVector uniform_vector(Random& random, double size) {
-  SmallVector v(3);
-  for (int k = 0; k < 3; ++k) v[k] = uniform(random, -size, size);
-  return v;
-}
-
-struct Geometry {
-  std::shared_ptr<const ConvexSet> set;
-  std::shared_ptr<fcl::CollisionGeometryd> fcl;
-};
-
-// Boxes, capsules, cylinders and ellipsoids of a size near 0.3.
-Geometry make_geometry(int kind, Random& random) {
-  const Eigen::Vector3d half(uniform(random, 0.1, 0.4), uniform(random, 0.1, 0.4), uniform(random, 0.1, 0.4));
-  const Eigen::Vector3d up(0, 0, half[2]);
-  switch (kind) {
-    case 0:
-      return {std::make_shared<Box>(-half, half), std::make_shared<fcl::Boxd>(Eigen::Vector3d(2 * half))};
-    case 1:
-      return {std::make_shared<Capsule>(-up, up, half[0]),
-              std::make_shared<fcl::Capsuled>(half[0], 2 * half[2])};
-    case 2:
-      return {std::make_shared<Cylinder>(-up, up, half[0]),
-              std::make_shared<fcl::Cylinderd>(half[0], 2 * half[2])};
-    default:
-      return {std::make_shared<Ellipsoid>(Eigen::Vector3d::Zero(), Eigen::MatrixXd(half.asDiagonal())),
-              std::make_shared<fcl::Ellipsoidd>(half)};
-  }
-}
+constexpr std::array kKinds = {GeometryKind::box, GeometryKind::capsule, GeometryKind::cylinder,
+                               GeometryKind::ellipsoid};
 
 struct Crowd {
   Scene scene;
@@ -84,7 +48,8 @@ Crowd make_crowd(const Settings& settings) {
   Random random(1);
   Crowd crowd;
   for (int i = 0; i < settings.bodies; ++i) {
-    const Geometry geometry = make_geometry(i % 4, random);
+    const Geometry geometry =
+        make_geometry(kKinds[static_cast<std::size_t>(i) % kKinds.size()], 0.1, 0.4, random);
     TwistMotion::Rates rates;
     rates.velocity = uniform_vector(random, settings.way);
     rates.acceleration = SmallVector::Zero(3);
@@ -206,10 +171,7 @@ void run(const Settings& settings) {
               settings.threads, theirs[middle], ours[middle] / theirs[middle]);
 }
 
-int run(int argc, char** argv) {
-  Settings settings;
-  CLI::App app{"Pairs of many moving bodies within a distance, by a scene and by FCL's dynamic AABB tree."};
-  app.option_defaults()->always_capture_default();
+void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--bodies", settings.bodies)->check(CLI::Range(2, 5000));
   app.add_option("--instants", settings.instants)->check(CLI::Range(2, 100000));
   app.add_option("--room", settings.room, "half edge of the room")->check(CLI::PositiveNumber);
@@ -218,14 +180,14 @@ int run(int argc, char** argv) {
   app.add_option("--within", settings.within)->check(CLI::PositiveNumber);
   app.add_option("--threads", settings.threads)->check(CLI::Range(1, 1024));
   app.add_option("--rounds", settings.rounds)->check(CLI::Range(1, 100));
-  CLI11_PARSE(app, argc, argv);
-  run(settings);
-  return 0;
 }
 
 }  // namespace
 }  // namespace raygauge::bench
 
 int main(int argc, char** argv) {
-  return raygauge::bench::run_program("raygauge_scene_tree", raygauge::bench::run, argc, argv);
+  return raygauge::bench::run_with_options(
+      "raygauge_scene_tree",
+      "Pairs of many moving bodies within a distance, by a scene and by FCL's dynamic AABB tree.",
+      raygauge::bench::add_options, raygauge::bench::run, argc, argv);
 }
