@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/contact_distance.h"
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/spatial_growth.h"
 
@@ -89,18 +90,28 @@ void SpatialQuery::closest_points(const SpatialAnswer& answer, ObjectDistance& r
   ++result.closest_point_evaluations;
 }
 
+// Curved bodies that are near are left to Newton steps; the long way is for what these do not close.
+bool SpatialQuery::find_distance(const Posed& A1, const Posed& A2, const DistanceOptions& options) {
+  const bool newton = pair_.is_curved() && pair_.dimension() == 3;
+  const Kernels& kernels = kernels_for(options.instruction_set);
+  for (const bool leave_near : {true, false}) {
+    spatial_distance(pair_, options.tolerance, start_, newton && leave_near, answer_);
+    if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, options.tolerance, answer_);
+    if (answer_.end == SpatialEnd::open) precise_distance(pair_, A1, A2, kernels, options.tolerance, answer_);
+    if (answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting) return true;
+    if (!newton) break;
+  }
+  return false;
+}
+
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
   const double radius = radius_of_metric(metric, metric_);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
   begin(warm);
-  SpatialAnswer& answer = answer_;
-  spatial_distance(pair_, options.tolerance, start_, answer);
-  if (answer.end == SpatialEnd::open) {
-    precise_distance(pair_, A1, A2, kernels_for(options.instruction_set), options.tolerance, answer);
-  }
-  if (answer.end != SpatialEnd::closed && answer.end != SpatialEnd::intersecting) return false;
+  const SpatialAnswer& answer = answer_;
+  if (!find_distance(A1, A2, options)) return false;
   DistanceResult& distance = result.distance;
   result.closest_point_evaluations = result.gradient_evaluations = 0;
   const bool apart = answer.end == SpatialEnd::closed;

@@ -5,72 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/contact_program.h"
 #include "engine/methods/spatial/nearest_on_simplex.h"
 
 namespace raygauge {
 namespace {
 
 constexpr int kMostIterations = 40;
-constexpr int kMostCurvedIterations = 10;                 // Newton steps: they end soon or not at all
-constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to a double
+constexpr int kMostCurvedIterations = 10;  // Newton steps: they end soon or not at all
+constexpr double kDamping = 1e-2;          // of the last of them
+constexpr double kLongestStep = 0.5;
+constexpr double kSmallStep = 1e-12;  // what Newton steps on overlapping cores have to gain
+constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
 
 bool is_zero(const PreciseVector3& v) { return v.x.high == 0 && v.y.high == 0 && v.z.high == 0; }
 
 PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
-
-// (H + λ) at u: λ along u and, across it, C Cᵀ with a lower triangular C.
-class TangentMetric {
- public:
-  TangentMetric(const SpatialPair& pair, const PreciseVector3& u, double lambda) : lambda_(lambda) {
-    const double rounded[3] = {u.x.high, u.y.high, u.z.high};
-    const Vector3 inner = pair.to_body(rounded);
-    Vector3 tangent[2];
-    tangent[0] = any_orthogonal(inner);
-    tangent[1] = cross(inner, tangent[0]) * (1 / length(inner));
-    Matrix3 H;
-    pair.core_hessian(inner * (1 / length(inner)), H);
-    const Vector3 H0 = H * tangent[0], H1 = H * tangent[1];
-    const double a = dot(tangent[0], H0) + lambda, b = dot(tangent[0], H1), c = dot(tangent[1], H1) + lambda;
-    trace_ = a + c;
-    factor_[0] = std::sqrt(a);
-    factor_[1] = b / factor_[0];
-    factor_[2] = std::sqrt(std::fmax(c - factor_[1] * factor_[1], 1e-15 * trace_));
-    for (int i = 0; i < 2; ++i) {
-      double world[3] = {0, 0, 0};
-      pair.to_world(tangent[i], world);
-      tangent_[i] = precise({world[0], world[1], world[2]});
-    }
-  }
-
-  double trace() const { return trace_; }
-
-  // (λ^-½ u·s, C⁻¹ (t·s)), whose length is that of s in the metric of (H + λ)⁻¹.
-  PreciseVector3 image(const PreciseVector3& u, const PreciseVector3& s) const {
-    const DoubleDouble first = dot(tangent_[0], s) / DoubleDouble{factor_[0]};
-    const DoubleDouble second = (dot(tangent_[1], s) - first * factor_[1]) / DoubleDouble{factor_[2]};
-    return {dot(u, s) / DoubleDouble{std::sqrt(lambda_)}, first, second};
-  }
-
-  // -(H + λ)⁻¹ s, of length 1 in about, from the image of s.
-  PreciseVector3 direction(const PreciseVector3& u, const PreciseVector3& image) const {
-    const DoubleDouble second = image.z / DoubleDouble{factor_[2]};
-    const DoubleDouble first = (image.y - second * factor_[1]) / DoubleDouble{factor_[0]};
-    const double along = std::fabs(image.x.rounded()) / std::sqrt(lambda_);  // 1, but for rounding
-    const PreciseVector3 next = u * DoubleDouble{along} - tangent_[0] * first - tangent_[1] * second;
-    const double square = dot(next, next).high;
-    return square > 0 ? next * DoubleDouble{1 / std::sqrt(square)} : PreciseVector3{};
-  }
-
-  PreciseVector3 tilted(const PreciseVector3& u, double first, double second) const {
-    return u + tangent_[0] * DoubleDouble{first} + tangent_[1] * DoubleDouble{second};
-  }
-
- private:
-  double lambda_;
-  double trace_ = 0;
-  double factor_[3] = {0, 0, 0};
-  PreciseVector3 tangent_[2];
-};
+Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
 
 class PreciseDescent {
  public:
@@ -82,16 +33,22 @@ class PreciseDescent {
 
  private:
   bool begin_at_vertices();
-  bool begin_on_curves(const SpatialPair& pair, bool all);
+  bool begin_on_curves(const SpatialPair& pair);
   bool step();
+  bool disc_step();
   bool curved_step(const SpatialPair& pair);
+  void follow_pieces(const PrecisePoint& highest);
+  TangentMetric metric(const SpatialPair& pair, double lambda) const;
+  void keep(const ContactStep<DoubleDouble>& found);
+  bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
   SimplexFace<DoubleDouble> reduce();
   void keep(const SimplexFace<DoubleDouble>& face);
   bool is_closed();
-  bool surrounds_origin(const TangentMetric& metric, double depth);
   PreciseVector3 direction(const PreciseVector3& v) const;
   PreciseVector3 combine(const SimplexFace<DoubleDouble>& face) const;
+  PrecisePoint combine(const ContactStep<DoubleDouble>& step) const;
   bool holds(const PrecisePoint& w) const;
+  bool has_piece(const PrecisePoint& piece) const;
   void bound_from_above(const PreciseVector3& v);
   void bound_from_below(const PreciseVector3& u, const DoubleDouble& height);
 
@@ -107,6 +64,8 @@ class PreciseDescent {
   double best_weight_[4] = {1, 0, 0, 0};
   PreciseVector3 normal_;
   PreciseVector3 u_;  // of steps on curved cores
+  double last_step_ = 0;
+  bool within_ = false;  // the cores overlap at u_, if not proven yet
 };
 
 bool PreciseDescent::begin_at_vertices() {
@@ -119,22 +78,29 @@ bool PreciseDescent::begin_at_vertices() {
   return count_ > 0;
 }
 
-// With the best normal of before; and, where told so, with all rims and vertices that it came from.
-bool PreciseDescent::begin_on_curves(const SpatialPair& pair, bool all) {
+// With the best normal of before and the pieces of its combination.
+bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
   const Vector3& u = answer_.hint;
   if (!(dot(u, u) > 0)) return false;
   double world[3] = {0, 0, 0};
   pair.to_world(u * (1 / length(u)), world);
   u_ = precise({world[0], world[1], world[2]});
   count_ = 0;
-  const int known = all ? before_.count : 0;
-  for (int i = 0; i < known; ++i) {
+  for (int i = 0; i < before_.count && count_ < 3; ++i) {
     PrecisePoint point;
     point.index_1 = before_.point[i].index_1;
     point.index_2 = before_.point[i].index_2;
-    if (precise_.follow(u_, point) && !holds(point)) point_[count_++] = point;
+    if (has_piece(point)) continue;
+    weight_[count_] = before_.weight[i];
+    point_[count_++] = point;
   }
   return true;
+}
+
+bool PreciseDescent::has_piece(const PrecisePoint& piece) const {
+  return std::any_of(point_, point_ + count_, [&](const PrecisePoint& known) {
+    return known.index_1 == piece.index_1 && known.index_2 == piece.index_2;
+  });
 }
 
 void PreciseDescent::run(const SpatialPair& pair) {
@@ -143,11 +109,12 @@ void PreciseDescent::run(const SpatialPair& pair) {
     for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
     return;
   }
-  for (const bool all : {false, true}) {
-    if (!begin_on_curves(pair, all)) return;
-    for (int i = 0; i < kMostCurvedIterations && curved_step(pair); ++i) ++answer_.iterations;
-    if (answer_.end != SpatialEnd::open) return;
-  }
+  if (before_.count == 1 && disc_step()) return;
+  if (!begin_on_curves(pair)) return;
+  for (int i = 0; i < kMostCurvedIterations && curved_step(pair); ++i) ++answer_.iterations;
+  if (answer_.end != SpatialEnd::open) return;
+  // Sharp edges that overlap, for instance: no point of one edge need be inside the other body.
+  for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
 }
 
 bool PreciseDescent::holds(const PrecisePoint& w) const {
@@ -186,6 +153,27 @@ PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) co
   return v * (DoubleDouble{1} / sum);
 }
 
+// The same of the points and their parts, with the weights of a step, of which rounding may leave some
+// negative.
+PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) const {
+  PrecisePoint sum = point_[0];
+  if (step.count == 1) return sum;
+  sum.s = sum.x1 = sum.x2 = {};
+  DoubleDouble all;
+  for (int i = 0; i < step.count; ++i) {
+    if (!(step.weight[i] > DoubleDouble{})) continue;
+    sum.s = sum.s + point_[i].s * step.weight[i];
+    sum.x1 = sum.x1 + point_[i].x1 * step.weight[i];
+    sum.x2 = sum.x2 + point_[i].x2 * step.weight[i];
+    all = all + step.weight[i];
+  }
+  const DoubleDouble share = DoubleDouble{1} / all;
+  sum.s = sum.s * share;
+  sum.x1 = sum.x1 * share;
+  sum.x2 = sum.x2 * share;
+  return sum;
+}
+
 // Of length 1 in about, from the simplex to the origin.
 PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
   PreciseVector3 u = -v;
@@ -204,7 +192,7 @@ PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
 
 void PreciseDescent::bound_from_above(const PreciseVector3& v) {
   const PreciseVector3 point = precise_.through_balls(v);
-  const double upper = (sqrt(dot(point, point)).rounded() + precise_.error()) * kUp;
+  const double upper = (length(rounded(point)) + precise_.error()) * kUp;
   if (!(upper < answer_.upper) && best_count_ > 0) return;
   answer_.upper = upper;
   best_count_ = count_;
@@ -215,7 +203,7 @@ void PreciseDescent::bound_from_above(const PreciseVector3& v) {
 }
 
 void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDouble& height) {
-  const double size = sqrt(dot(u, u)).rounded() * kUp;
+  const double size = length(rounded(u)) * kUp;
   const double lower = (-height.rounded() / size) * kDown - precise_.error();
   if (!(lower > answer_.lower)) return;
   answer_.lower = lower;
@@ -249,59 +237,109 @@ bool PreciseDescent::is_closed() {
   return true;
 }
 
-// For cores that overlap by `depth` at u: points that lie around u's, tilted so little that they are no
-// deeper, and the one opposite have the origin inside.
-bool PreciseDescent::surrounds_origin(const TangentMetric& metric, double depth) {
-  const double tilt = std::sqrt(0.5 * depth / metric.trace());
-  constexpr double kAround[3][2] = {{1, 0}, {-0.5, 0.8660254037844386}, {-0.5, -0.8660254037844386}};
-  PreciseVector3 corner[4];
-  const PreciseVector3* corners[4] = {&corner[0], &corner[1], &corner[2], &corner[3]};
-  DoubleDouble height;
-  for (int i = 0; i < 3; ++i)
-    corner[i] = precise_.support(metric.tilted(u_, tilt * kAround[i][0], tilt * kAround[i][1]), height).s;
-  corner[3] = precise_.support(-u_, height).s;
-  return nearest_face(corners, 4).depth > 2 * precise_.error();
+// Draws the conclusions from v, a point of the simplex, and the points that it is the difference of. True
+// where the solve is done.
+bool PreciseDescent::conclude(const PreciseVector3& v, const PrecisePoint& points) {
+  const Vector3 near = rounded(v);
+  within_ = dot(rounded(u_), near) > 0;
+  if ((within_ && precise_.overlap(u_, points)) || precise_.balls_meet(length(near) * kUp)) {
+    answer_.end = SpatialEnd::intersecting;
+    return true;
+  }
+  bound_from_above(v);
+  return is_closed();
 }
 
-// A step of the sequential quadratic program  minimize h(u) + |u|²/2:  with H the Hessian of the cores and λ
-// their distance, the point Σ c_l s_l of the simplex that is nearest to the origin in the metric of (H + λ)⁻¹
-// is looked for, and u = -(H + λ)⁻¹ Σ c_l s_l comes next. Points on curved surfaces follow u. For polytopes
-// H = 0, and this is the step above.
-bool PreciseDescent::curved_step(const SpatialPair& pair) {
+// On the disc that the combination names. True where that is all.
+bool PreciseDescent::disc_step() {
+  const SpatialPoint& known = before_.point[0];
+  const int i = known.index_1 <= SpatialPoint::kBaseDisc ? 0 : 1;
+  const std::int32_t index = i == 0 ? known.index_1 : known.index_2;
+  if (index > SpatialPoint::kBaseDisc) return false;
+  DoubleDouble height;
+  if (!precise_.disc_contact(i, index, u_, height, point_[0])) return false;
+  count_ = 1;
+  weight_[0] = 1;
+  bound_from_below(u_, height);
+  return conclude(point_[0].s, point_[0]);
+}
+
+// Points on rims and curved surfaces follow u_; the piece of its support point joins them.
+void PreciseDescent::follow_pieces(const PrecisePoint& highest) {
   int left = 0;
-  const int before = count_;
-  count_ = 0;
-  for (int i = 0; i < before; ++i) {
+  for (int i = 0; i < count_; ++i) {
     PrecisePoint point = point_[i];
-    precise_.follow(u_, point);
-    if (holds(point)) continue;
+    const bool same = point.index_1 == highest.index_1 && point.index_2 == highest.index_2;
+    if (same) point = highest;
+    if (!same && !precise_.follow(u_, point)) continue;
+    weight_[left] = weight_[i];
     point_[left++] = point;
-    count_ = left;
   }
+  count_ = left;
+  if (has_piece(highest)) return;
+  weight_[count_] = count_ == 0 ? 1 : 0;
+  point_[count_++] = highest;
+}
+
+// Of the pieces with their weights, at u_.
+TangentMetric PreciseDescent::metric(const SpatialPair& pair, double lambda) const {
+  const double rounded[3] = {u_.x.high, u_.y.high, u_.z.high};
+  Vector3 u = pair.to_body(rounded);
+  u = u * (1 / length(u));
+  Matrix3 H;
+  for (int i = 0; i < count_; ++i) {
+    SpatialPoint piece;
+    piece.index_1 = point_[i].index_1;
+    piece.index_2 = point_[i].index_2;
+    if (weight_[i] > 0) pair.add_hessian(u, piece, weight_[i], H);
+  }
+  const double size = H.column[0].x + H.column[1].y + H.column[2].z;
+  TangentMetric metric(u, H, lambda + kDamping * last_step_ * last_step_ * size);
+  for (Vector3& tangent : metric.tangent) {
+    double world[3] = {0, 0, 0};
+    pair.to_world(tangent, world);
+    tangent = {world[0], world[1], world[2]};
+  }
+  return metric;
+}
+
+// The active pieces with their weights.
+void PreciseDescent::keep(const ContactStep<DoubleDouble>& found) {
+  PrecisePoint kept[3];
+  for (int i = 0; i < found.count; ++i) kept[i] = point_[found.piece[i]];
+  count_ = found.count;
+  for (int i = 0; i < count_; ++i) {
+    point_[i] = kept[i];
+    weight_[i] = std::max(0.0, found.weight[i].rounded());
+  }
+}
+
+// A step of contact_distance, whose pieces are all that is left of the bodies.
+bool PreciseDescent::curved_step(const SpatialPair& pair) {
   DoubleDouble height;
   const PrecisePoint w = precise_.support(u_, height);
   bound_from_below(u_, height);
-  const double along = dot(u_, w.s).high;
-  if (!holds(w) && count_ < 4) point_[count_++] = w;
-  const TangentMetric metric(pair, u_, std::fabs(along));
-  if (along > 4 * precise_.error() && surrounds_origin(metric, along)) {
-    answer_.end = SpatialEnd::intersecting;
-    return false;
+  follow_pieces(w);
+  const TangentMetric M = metric(pair, std::fabs(dot(rounded(u_), rounded(w.s))) + precise_.error());
+  const PreciseVector3 tangent[2] = {precise(M.tangent[0]), precise(M.tangent[1])};
+  ContactPiece<DoubleDouble> pieces[4];
+  for (int i = 0; i < count_; ++i) {
+    pieces[i].height = dot(u_, point_[i].s);
+    M.image(dot(tangent[0], point_[i].s), dot(tangent[1], point_[i].s), pieces[i].slope);
   }
-  PreciseVector3 image[4];
-  const PreciseVector3* images[4] = {&image[0], &image[1], &image[2], &image[3]};
-  for (int i = 0; i < count_; ++i) image[i] = metric.image(u_, point_[i].s);
-  const SimplexFace<DoubleDouble> face = nearest_face(images, count_);
-  keep(face);
-  const PreciseVector3 v = combine(face);
-  if (precise_.balls_meet(std::sqrt(dot(v, v).high) * kUp)) {
-    answer_.end = SpatialEnd::intersecting;
-    return false;
-  }
-  bound_from_above(v);
-  if (is_closed() || count_ == 4) return false;
-  u_ = metric.direction(u_, face.v);
-  return !is_zero(u_);
+  const ContactStep<DoubleDouble> found = contact_step(pieces, count_);
+  keep(found);
+  const PrecisePoint points = combine(found);
+  if (conclude(points.s, points)) return false;
+  DoubleDouble d[2];
+  M.step(found.y, d);
+  last_step_ = std::hypot(d[0].high, d[1].high);
+  if (within_ && !(last_step_ > kSmallStep)) return false;
+  const DoubleDouble share{last_step_ > kLongestStep ? kLongestStep / last_step_ : 1.0};
+  u_ = u_ + (tangent[0] * d[0] + tangent[1] * d[1]) * share;
+  u_ = u_ * DoubleDouble{1 / std::sqrt(dot(u_, u_).high)};
+  last_step_ = std::min(last_step_, 1.0);
+  return last_step_ > 0;
 }
 
 // The closest points and the normal, in the frame of the first body.
@@ -310,8 +348,8 @@ void PreciseDescent::record(const SpatialPair& pair) {
   combination.count = best_count_;
   for (int i = 0; i < best_count_; ++i) {
     SpatialPoint& point = combination.point[i];
-    point.a1 = best_[i].x1;
-    point.a2 = pair.from_second(best_[i].x2);
+    point.a1 = rounded(best_[i].x1);
+    point.a2 = pair.from_second(rounded(best_[i].x2));
     point.s = point.a1 - point.a2;
     point.index_1 = std::max(best_[i].index_1, PrecisePoint::kSmooth);
     point.index_2 = std::max(best_[i].index_2, PrecisePoint::kSmooth);

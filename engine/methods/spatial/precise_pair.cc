@@ -57,23 +57,42 @@ bool is_curved_core(const SpatialShape& shape) {
   return shape.kind == Kind::ellipsoid || shape.kind == Kind::frustum;
 }
 
-// The points of both discs that are highest across the axis; false for v along it, where all of a rim are.
-bool highest_on_rims(const SpatialShape& shape, const PreciseVector3& v, PreciseVector3& at_base,
-                     PreciseVector3& at_top) {
-  const PreciseVector3 base = precise(shape.base), top = precise(shape.top);
-  const PreciseVector3 axis = top - base;
-  const DoubleDouble square = dot(axis, axis);
-  PreciseVector3 w = v - axis * (dot(v, axis) / square);
-  w = w - axis * (dot(w, axis) / square);
-  const DoubleDouble across = sqrt(dot(w, w));
-  constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
-  const double size = std::sqrt(dot(v, v).high);
-  w = across.high > kAlongAxis * size ? unit(w, across) : PreciseVector3{};
-  at_base = base + w * DoubleDouble{shape.base_radius};
-  at_top = top + w * DoubleDouble{shape.top_radius};
-  constexpr double kNearAxis = 1e-5;  // below, rims are as good as flat, and points on them are kept
-  return across.high > kNearAxis * size;
-}
+// A direction v as the rims of a frustum see it: v·axis, |v_⊥| and v_⊥/|v_⊥|, zero for v along the axis.
+struct RimView {
+  DoubleDouble along, across;
+  PreciseVector3 w;
+  bool near_axis = false;  // rims are as good as flat: points on them are kept
+
+  RimView(const SpatialShape& shape, const PreciseVector3& v) {
+    const PreciseVector3 axis = precise(shape.top) - precise(shape.base);
+    const DoubleDouble share = DoubleDouble{1} / dot(axis, axis);
+    const double size = length(rounded(v));
+    along = dot(v, axis);
+    w = v - axis * (along * share);
+    constexpr double kCancelled = 0.1;  // |v_⊥|/|v| below which the projection is repeated
+    if (!(length(rounded(w)) > kCancelled * size)) w = w - axis * (dot(w, axis) * share);
+    across = sqrt(dot(w, w));
+    constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
+    w = across.high > kAlongAxis * size ? unit(w, across) : PreciseVector3{};
+    constexpr double kNearAxis = 1e-5;
+    near_axis = !(across.high > kNearAxis * size);
+  }
+
+  std::int32_t highest(const SpatialShape& shape) const {
+    const DoubleDouble rise = along + across * two_sum(shape.top_radius, -shape.base_radius);
+    return rise.high > 0 ? SpatialPoint::kTop : SpatialPoint::kBase;
+  }
+
+  PreciseVector3 point(const SpatialShape& shape, std::int32_t index) const {
+    return index == SpatialPoint::kTop ? precise(shape.top) + w * DoubleDouble{shape.top_radius}
+                                       : precise(shape.base) + w * DoubleDouble{shape.base_radius};
+  }
+
+  DoubleDouble height(const SpatialShape& shape, const PreciseVector3& v, std::int32_t index) const {
+    return index == SpatialPoint::kTop ? dot(v, precise(shape.top)) + across * shape.top_radius
+                                       : dot(v, precise(shape.base)) + across * shape.base_radius;
+  }
+};
 
 PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3& v) {
   const PreciseVector3 column[3] = {precise(shape.axis.column[0]), precise(shape.axis.column[1]),
@@ -104,6 +123,7 @@ bool PrecisePair::bind(const SpatialPair& pair, const Posed& first, const Posed&
       if (poses[i] != nullptr && j < n) t[i][j] = poses[i]->translation_data()[j];
     }
     const double defect = poses[i] == nullptr ? 0.0 : poses[i]->defect();
+    body.defect = defect;
     body.ball = body.shape->radius * (1 - defect) * (1 - 0x1p-50);
     size += body.shape->extent + body.shape->radius;
   }
@@ -182,11 +202,10 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       x = ellipsoid_support(shape, v);
       break;
     case Kind::frustum: {
-      PreciseVector3 at_base, at_top;
-      highest_on_rims(shape, v, at_base, at_top);
-      index = dot(v, at_top) > dot(v, at_base) ? SpatialPoint::kTop : SpatialPoint::kBase;
-      x = index == SpatialPoint::kTop ? at_top : at_base;
-      break;
+      const RimView view(shape, v);
+      index = view.highest(shape);
+      x = view.point(shape, index);
+      return view.height(shape, v, index);
     }
     case Kind::segment:
       index = dot(v, precise(shape.top)) >= dot(v, precise(shape.base)) ? 0 : 1;
@@ -207,20 +226,17 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
   return height;
 }
 
-PreciseVector3 PrecisePair::difference(const PreciseVector3& x1, const PreciseVector3& x2,
-                                       PrecisePoint& point) const {
-  point.x1 = rounded(x1);
-  point.x2 = rounded(x2);
-  return (point.index_1 >= 0 ? turn(body_[0], point.x1) : turn(body_[0], x1)) -
-         (point.index_2 >= 0 ? turn(body_[1], point.x2) : turn(body_[1], x2)) + apart_;
+// s of x1 and x2; vertices are doubles.
+void PrecisePair::place(PrecisePoint& point) const {
+  point.s = (point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1)) -
+            (point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)) + apart_;
 }
 
 PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
   PrecisePoint point;
-  PreciseVector3 x1, x2;
-  height = support_of(0, turn_back(body_[0], u), x1, point.index_1) +
-           support_of(1, turn_back(body_[1], -u), x2, point.index_2) + dot(u, apart_);
-  point.s = difference(x1, x2, point);
+  height = support_of(0, turn_back(body_[0], u), point.x1, point.index_1) +
+           support_of(1, turn_back(body_[1], -u), point.x2, point.index_2) + dot(u, apart_);
+  place(point);
   return point;
 }
 
@@ -237,24 +253,95 @@ bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
     if (shape.kind == Kind::ellipsoid) {
       x[i] = ellipsoid_support(shape, v);
     } else {
-      PreciseVector3 at_base, at_top;
-      if (!highest_on_rims(shape, v, at_base, at_top)) return false;
-      x[i] = index == SpatialPoint::kTop ? at_top : at_base;
+      const RimView view(shape, v);
+      if (view.near_axis) return false;
+      x[i] = view.point(shape, index);
     }
   }
-  point.s = difference(x[0], x[1], point);
+  point.x1 = x[0];
+  point.x2 = x[1];
+  place(point);
   return true;
 }
 
 bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const {
   if (!vertices_ || !has_vertex(*body_[0].shape, index_1) || !has_vertex(*body_[1].shape, index_2))
     return false;
-  point.x1 = vertex_of(*body_[0].shape, index_1);
-  point.x2 = vertex_of(*body_[1].shape, index_2);
-  point.s = turn(body_[0], point.x1) - turn(body_[1], point.x2) + apart_;
+  point.x1 = precise(vertex_of(*body_[0].shape, index_1));
+  point.x2 = precise(vertex_of(*body_[1].shape, index_2));
   point.index_1 = index_1;
   point.index_2 = index_2;
+  place(point);
   return true;
+}
+
+// With E = RᵀR - 1, the vector R(1 - E)a is R⁻ᵀa but for E².
+bool PrecisePair::disc_contact(int i, std::int32_t index, PreciseVector3& u, DoubleDouble& height,
+                               PrecisePoint& point) {
+  const Body& body = body_[i];
+  const SpatialShape& shape = *body.shape;
+  const bool top = index == SpatialPoint::kTopDisc;
+  const PreciseVector3 axis = precise(shape.top) - precise(shape.base);
+  const DoubleDouble square = dot(axis, axis);
+  const PreciseVector3 outward = (top ? axis : -axis) * (DoubleDouble{1} / sqrt(square));
+  u = turn(body, outward);
+  u = u - turn(body, turn_back(body, u) - outward);
+  if (i == 1) u = -u;
+  point = support(u, height);
+  PreciseVector3& x = i == 0 ? point.x1 : point.x2;
+  const PreciseVector3 center = precise(top ? shape.top : shape.base);
+  PreciseVector3 q;
+  (i == 0 ? point.index_1 : point.index_2) = PrecisePoint::kSmooth;
+  x = center;
+  for (int refinement = 0; refinement < 3; ++refinement) {
+    place(point);
+    const PreciseVector3 away = turn_back(body, i == 0 ? -point.s : point.s);
+    q = q + away - axis * (dot(away, axis) / square);
+    x = center + q;
+  }
+  place(point);
+  const double radius = top ? shape.top_radius : shape.base_radius;
+  return std::sqrt(dot(q, q).high) + error_ < radius * (1 - 0x1p-50);
+}
+
+// With the support point c + Lz for v, z = Lᵀv/|Lᵀv|, the point c + Lz - r is inside if |z - L⁻¹r|² < 1.
+// There z·L⁻¹r = v·r/|Lᵀv|, and |L⁻¹r| <= |r|/ρ, ρ the radius of a ball inside: it is if 2 v·r > |Lᵀv|
+// (|r|/ρ)². v·r >= height - margin and |r| <= away + margin are known, and |Lᵀv| is at most twice the extent.
+bool PrecisePair::inside_ellipsoid(const SpatialShape& shape, double height, double away,
+                                   double margin) const {
+  const double r = away + margin, radius = shape.inner_radius;
+  return radius > 0 && height - margin > shape.extent * (r / radius) * (r / radius) * (1 + 0x1p-30);
+}
+
+// Whether the ball of radius `margin` about y is inside.
+bool PrecisePair::inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin) {
+  const PreciseVector3 base = precise(shape.base);
+  const PreciseVector3 axis = precise(shape.top) - base, from_base = y - base;
+  const DoubleDouble square = dot(axis, axis);
+  const DoubleDouble share = dot(from_base, axis) / square;
+  const double axis_length = std::sqrt(square.high);
+  const double edge = margin / axis_length * (1 + 0x1p-40);
+  if (!(share > DoubleDouble{edge}) || !(share < DoubleDouble{1} - DoubleDouble{edge})) return false;
+  const PreciseVector3 across = from_base - axis * share;
+  const DoubleDouble rise = two_sum(shape.top_radius, -shape.base_radius);
+  const DoubleDouble room = rise * share + shape.base_radius - sqrt(dot(across, across));
+  return room.rounded() > margin * (2 + std::fabs(rise.high) / axis_length);
+}
+
+// The point of the other core is x_1 - R⁻¹s in the frame of the first one, x_2 + R⁻¹s in that of the second,
+// and R⁻¹ is Rᵀ but for the defect of the pose.
+bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) const {
+  const Vector3 s = rounded(point.s), normal = rounded(u);
+  const double away = length(s), height = dot(normal, s) / length(normal);
+  for (int i = 0; i < 2; ++i) {
+    const SpatialShape& shape = *body_[i].shape;
+    const double margin = 4 * (error_ + body_[i].defect * away) + 0x1p-48 * away;
+    if (shape.kind == Kind::ellipsoid && inside_ellipsoid(shape, height, away, margin)) return true;
+    if (shape.kind != Kind::frustum) continue;
+    const PreciseVector3 back = turn_back(body_[i], point.s);
+    if (inside_frustum(shape, i == 0 ? point.x1 - back : point.x2 + back, margin)) return true;
+  }
+  return false;
 }
 
 PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const {

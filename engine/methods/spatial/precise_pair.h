@@ -14,7 +14,7 @@ using PreciseVector3 = BasicVector3<DoubleDouble>;
 /// A point of the difference of two cores, in the frame of the world.
 struct PrecisePoint {
   PreciseVector3 s;
-  Vector3 x1, x2;  ///< the points of the cores, each in its own frame, rounded
+  PreciseVector3 x1, x2;                              ///< the points of the cores, each in its own frame
   std::int32_t index_1 = kSmooth, index_2 = kSmooth;  ///< of vertices; or what of a curved core it is on
 
   static constexpr std::int32_t kSmooth = -1;
@@ -34,6 +34,15 @@ class PrecisePair {
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
   /// nothing is changed, where u is so near the axis of a rim that this says nothing.
   bool follow(const PreciseVector3& u, PrecisePoint& point) const;
+
+  /// The contact on disc `index` of core i, a frustum: u its normal, pointing from the first body to the
+  /// second, the point of the disc below the other body's support point, and h(u). False where that is
+  /// outside.
+  bool disc_contact(int i, std::int32_t index, PreciseVector3& u, DoubleDouble& height, PrecisePoint& point);
+
+  /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a
+  /// combination of such pairs, with the outer normal u, its indices those of any of them.
+  bool overlap(const PreciseVector3& u, const PrecisePoint& point) const;
 
   /// Whether a core is curved.
   bool is_curved() const noexcept { return !vertices_; }
@@ -55,13 +64,16 @@ class PrecisePair {
     const SpatialShape* shape = nullptr;
     double R[3][3];
     double ball = 0;  // the radius of a ball inside the image of the shape's ball
+    double defect = 0;
   };
 
   static PreciseVector3 turn(const Body& body, const PreciseVector3& x);
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
   DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
-  PreciseVector3 difference(const PreciseVector3& x1, const PreciseVector3& x2, PrecisePoint& point) const;
+  void place(PrecisePoint& point) const;
+  bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
+  static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);
   std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;
 
   Body body_[2];

@@ -46,8 +46,8 @@ void keep(SimplexFace<double>& face, SpatialCombination& simplex) {
 
 class Descent {
  public:
-  Descent(SpatialPair& pair, double tolerance, SpatialAnswer& answer)
-      : pair_(pair), tolerance_(tolerance), answer_(answer), simplex_(answer.combination) {}
+  Descent(SpatialPair& pair, double tolerance, double near, SpatialAnswer& answer)
+      : pair_(pair), tolerance_(tolerance), near_(near), answer_(answer), simplex_(answer.combination) {}
 
   void run(const SpatialStart& start);
 
@@ -62,6 +62,7 @@ class Descent {
 
   SpatialPair& pair_;
   double tolerance_;
+  double near_;  // a distance at which to leave; negative: never
   SpatialAnswer& answer_;
   SpatialCombination& simplex_;
   double best_hope_ = -1e300;
@@ -73,9 +74,14 @@ void Descent::begin(const SpatialStart& start) {
     if (pair_.vertex(start.index_1[i], start.index_2[i], point) && !holds(simplex_, point)) ++simplex_.count;
   }
   if (simplex_.count > 0) return;
-  const Vector3 u = start.has_normal ? start.normal : pair_.between_centers();
-  pair_.support(dot(u, u) > 0 ? u : Vector3{1, 0, 0}, simplex_.point[0]);
+  Vector3 u = start.has_normal ? start.normal : pair_.between_centers();
+  if (!(dot(u, u) > 0)) u = {1, 0, 0};
+  pair_.support(u, simplex_.point[0]);
   simplex_.count = 1;
+  simplex_.weight[0] = 1;
+  if (!pair_.is_curved()) return;
+  answer_.hint = u * (1 / length(u));
+  best_hope_ = -dot(answer_.hint, simplex_.point[0].s) - pair_.error() - pair_.radius();
 }
 
 // The depth of the origin in the simplex.
@@ -119,6 +125,7 @@ bool Descent::step(double depth) {
     answer_.end = SpatialEnd::closed;
     return false;
   }
+  if (answer_.upper < near_) return false;
   // A gap that is rounding, or a point that is known.
   if (answer_.upper - hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
   simplex_.weight[simplex_.count++] = 1;
@@ -134,9 +141,10 @@ void Descent::run(const SpatialStart& start) {
 
 }  // namespace
 
-void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, SpatialAnswer& answer) {
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, bool leave_near,
+                      SpatialAnswer& answer) {
   answer.reset();
-  Descent(pair, tolerance, answer).run(start);
+  Descent(pair, tolerance, leave_near ? kNear * pair.size() : -1.0, answer).run(start);
 }
 
 }  // namespace raygauge

@@ -50,7 +50,10 @@ struct SpatialStart {
 ///     v·w/|v| <= d(cores) <= |v|,
 ///
 /// both with SpatialPair::error() outward. `intersecting` is proven by a v shorter than the balls, or by four
-/// support points whose hull contains the origin deeper than that error.
-void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, SpatialAnswer& answer);
+/// support points whose hull contains the origin deeper than that error. Where `leave_near` is set, it ends
+/// `open` as soon as the bodies are known to be nearer than kNear times their size.
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, bool leave_near,
+                      SpatialAnswer& answer);
+inline constexpr double kNear = 1e-3;
 
 }  // namespace raygauge

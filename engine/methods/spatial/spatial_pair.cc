@@ -41,27 +41,48 @@ Frame frame_of(const Pose* pose) {
   return frame;
 }
 
-Vector3 frustum_support(const SpatialShape& shape, const Vector3& v, std::int32_t& index) {
+// The unit vector across the axis of a frustum that is nearest to v, or zero; and how far v goes across.
+Vector3 across_axis(const SpatialShape& shape, const Vector3& v, double& across) {
   const Vector3& a = shape.axis.column[0];
   Vector3 w = v - a * dot(v, a);
   w = w - a * dot(w, a);
-  double across = length(w);
-  if (across > kAlongAxis * length(v)) {
-    w = w * (1 / across);
-  } else {
-    w = {};
-    across = 0;
-  }
+  across = length(w);
+  if (across > kAlongAxis * length(v)) return w * (1 / across);
+  across = 0;
+  return {};
+}
+
+Vector3 rim_point(const SpatialShape& shape, const Vector3& v, std::int32_t index) {
+  double across = 0;
+  const Vector3 w = across_axis(shape, v, across);
+  return index == SpatialPoint::kTop ? shape.top + w * shape.top_radius : shape.base + w * shape.base_radius;
+}
+
+Vector3 frustum_support(const SpatialShape& shape, const Vector3& v, std::int32_t& index) {
+  double across = 0;
+  const Vector3 w = across_axis(shape, v, across);
   const double base = dot(v, shape.base) + shape.base_radius * across;
   const double top = dot(v, shape.top) + shape.top_radius * across;
   index = top > base ? SpatialPoint::kTop : SpatialPoint::kBase;
   return top > base ? shape.top + w * shape.top_radius : shape.base + w * shape.base_radius;
 }
 
+std::int32_t highest_rim(const SpatialShape& shape, const Vector3& v) {
+  std::int32_t index = -1;
+  if (shape.kind == Kind::frustum) frustum_support(shape, v, index);
+  return index;
+}
+
 Vector3 ellipsoid_support(const SpatialShape& shape, const Vector3& v) {
   const Vector3 z = shape.axis.transposed_times(v);
   const double size = length(z);
   return size > 0 ? shape.center + shape.axis * (z * (1 / size)) : shape.center;
+}
+
+// The point that a curved core's piece has for v; a vertex stays where it is.
+Vector3 piece_point(const SpatialShape& shape, const Vector3& v, std::int32_t index, const Vector3& vertex) {
+  if (shape.kind == Kind::ellipsoid) return ellipsoid_support(shape, v);
+  return shape.kind == Kind::frustum ? rim_point(shape, v, index) : vertex;
 }
 
 Vector3 box_vertex(const SpatialShape& shape, std::int32_t index) {
@@ -129,6 +150,7 @@ bool SpatialPair::bind(const Posed& first, const Posed& second, InstructionSet i
   const double size =
       shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius + length(apart);
   if (!(size > kSmallest && size < kLargest)) return false;
+  size_ = size;
   error_ = size * (kRounding + 2 * (one.defect + two.defect));
   height_ = dimension_ == 2 ? size : 0.0;
   vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
@@ -214,25 +236,35 @@ bool SpatialPair::vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoin
   return true;
 }
 
+void SpatialPair::follow(const Vector3& u, SpatialPoint& point) const {
+  point.a1 = piece_point(shape_[0], u, point.index_1, point.a1);
+  if (is_curved(shape_[1].kind)) {
+    point.a2 = R_ * piece_point(shape_[1], R_.transposed_times(-u), point.index_2, {}) + t_;
+  }
+  point.s = point.a1 - point.a2;
+}
+
 bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   const bool curved = radius() > 0 || shape_[0].kind == Kind::ellipsoid || shape_[1].kind == Kind::ellipsoid;
   if (!curved || height_ > 0) return false;
-  core_hessian(u, H);
+  H = {};
+  add_hessian(0, u, highest_rim(shape_[0], u), 1, H);
+  add_hessian(1, u, highest_rim(shape_[1], R_.transposed_times(-u)), 1, H);
   const double size = length(u);
   if (radius() > 0) add_projector(radius() / size, u * (1 / size), {}, H);
   return true;
 }
 
-// The Hessian of the support function of core i at u, added to H, in the first frame: (L Lᵀ - y yᵀ)/|Lᵀu|
-// with y = L Lᵀu/|Lᵀu| for an ellipsoid, that of the disc for a rim of a frustum.
-void SpatialPair::add_hessian(int i, const Vector3& u, Matrix3& H) const {
+// `weight` times the Hessian of the support function of core i, or of its rim `index`, at u, added to H, in
+// the first frame: (L Lᵀ - y yᵀ)/|Lᵀu| with y = L Lᵀu/|Lᵀu| for an ellipsoid, that of the disc for a rim.
+void SpatialPair::add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const {
   const SpatialShape& shape = shape_[i];
   if (shape.kind == Kind::ellipsoid) {
     const Vector3 z = axis_[i].transposed_times(u);
     const double size = length(z);
     if (!(size > 0)) return;
-    const double share = 1 / size;
-    const Vector3 y = axis_[i] * (z * share);
+    const double share = weight / size;
+    const Vector3 y = axis_[i] * (z * (1 / size));
     const Matrix3& S = square_[i];
     H.column[0] = H.column[0] + (S.column[0] - y * y.x) * share;
     H.column[1] = H.column[1] + (S.column[1] - y * y.y) * share;
@@ -244,17 +276,14 @@ void SpatialPair::add_hessian(int i, const Vector3& u, Matrix3& H) const {
     const double across = length(w);
     if (!(across > kAlongAxis * length(u))) return;
     w = w * (1 / across);
-    const double along =
-        dot(i == 0 ? u : -u, i == 0 ? shape.top - shape.base : R_ * (shape.top - shape.base));
-    const bool top = along + (shape.top_radius - shape.base_radius) * across > 0;
-    add_projector((top ? shape.top_radius : shape.base_radius) / across, a, w, H);
+    const double radius = index == SpatialPoint::kTop ? shape.top_radius : shape.base_radius;
+    add_projector(weight * radius / across, a, w, H);
   }
 }
 
-void SpatialPair::core_hessian(const Vector3& u, Matrix3& H) const {
-  H = {};
-  add_hessian(0, u, H);
-  add_hessian(1, u, H);
+void SpatialPair::add_hessian(const Vector3& u, const SpatialPoint& point, double weight, Matrix3& H) const {
+  add_hessian(0, u, point.index_1, weight, H);
+  add_hessian(1, u, point.index_2, weight, H);
 }
 
 void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {

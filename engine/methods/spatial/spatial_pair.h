@@ -17,7 +17,8 @@ struct SpatialPoint {
   Vector3 a1, a2;
   std::int32_t index_1 = -1, index_2 = -1;  ///< which vertices of their cores; below 0 where these have none
 
-  static constexpr std::int32_t kBase = -2, kTop = -3;  ///< a rim of a frustum
+  static constexpr std::int32_t kBase = -2, kTop = -3;          ///< a rim of a frustum
+  static constexpr std::int32_t kBaseDisc = -4, kTopDisc = -5;  ///< within it
 };
 
 /// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
@@ -49,13 +50,22 @@ class SpatialPair {
   /// Whether the cores have vertices, so that a support point is known by two indices.
   bool has_vertices() const noexcept { return vertices_; }
 
+  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u.
+  void follow(const Vector3& u, SpatialPoint& point) const;
+
+  /// Whether a core is curved: an ellipsoid or a frustum.
+  bool is_curved() const noexcept { return is_curved(shape_[0].kind) || is_curved(shape_[1].kind); }
+
   /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
   bool hessian(const Vector3& u, Matrix3& H) const;
 
-  /// The same of the cores alone.
-  void core_hessian(const Vector3& u, Matrix3& H) const;
+  /// Adds `weight` times the Hessian of u·s(u) for the pieces of the cores that `point` is on.
+  void add_hessian(const Vector3& u, const SpatialPoint& point, double weight, Matrix3& H) const;
 
   double error() const noexcept { return error_; }
+
+  /// Of the bodies and the way between them, at most.
+  double size() const noexcept { return size_; }
   double radius() const noexcept { return shape_[0].radius + shape_[1].radius; }
   const SpatialShape& shape(int i) const noexcept { return shape_[i]; }
   const Matrix3& rotation() const noexcept { return R_; }
@@ -84,11 +94,14 @@ class SpatialPair {
   static bool is_smooth(SpatialShape::Kind kind) noexcept {
     return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::point;
   }
+  static bool is_curved(SpatialShape::Kind kind) noexcept {
+    return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::frustum;
+  }
   static constexpr double kRounding = 256 * 0x1p-53;
 
   Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
   void place_ellipsoid(int i);
-  void add_hessian(int i, const Vector3& u, Matrix3& H) const;
+  void add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;
   std::int32_t highest(const SpatialShape& shape, const Vector3& v) const;
 
   SpatialShape shape_[2];
@@ -102,6 +115,7 @@ class SpatialPair {
   Vector3 w_;
   InstructionSet isa_ = InstructionSet::automatic;
   double error_ = 0;
+  double size_ = 0;
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;

@@ -15,8 +15,10 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/rational.h"
 
 namespace raygauge::test_precise_distance {
@@ -134,6 +136,39 @@ TEST(PreciseDistance, HoldsTheDistanceOfEllipsoidsThatIsKnownExactly) {
   }
 }
 
+// `other` stands `gap` beyond `one`, or as far within it.
+void expect_gap(const ConvexSet& one, const ConvexSet& other, const Vector3d& touching, const Vector3d& way) {
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Eigen::Matrix3d straight = Eigen::Matrix3d::Identity();
+  for (const double gap : {0x1p-20, 0x1p-30, 0x1p-40, 0x1p-44}) {
+    const Pose apart(straight, Vector3d(touching + gap * way)),
+        within(straight, Vector3d(touching - gap * way));
+    const DistanceResult& r = solver.solve(Posed(one), {other, apart}, kMetric).distance;
+    EXPECT_EQ(to_string(r.status), "optimal") << gap;
+    EXPECT_LE(r.lower, gap);
+    EXPECT_GE(r.upper, gap);
+    EXPECT_LE(r.upper - r.lower, 1e-6 * gap);
+    EXPECT_EQ(to_string(solver.solve(Posed(one), {other, within}, kMetric).distance.status),
+              "contains_origin")
+        << gap;
+  }
+}
+
+TEST(PreciseDistance, HoldsTheDistanceOfFrustumsThatIsKnownExactly) {
+  const Cylinder upright(Vector3d(0, 0, -1), Vector3d(0, 0, 1), 0.5);
+  const Cylinder lying(Vector3d(-1, 0, 0), Vector3d(1, 0, 0), 0.25);
+  const TruncatedCone cone(Vector3d(0, 0, -0.5), 0.75, Vector3d(0, 0, 0.5), 0.25);
+  const Ellipsoid ellipsoid(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(0.5, 0.25, 2).asDiagonal()));
+  const Box box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
+  expect_gap(upright, lying, {0.125, 0.75, 0.0625}, {0, 1, 0});   // crossing generators
+  expect_gap(upright, cone, {0.125, 0, 1.5}, {0, 0, 1});          // two discs
+  expect_gap(cone, upright, {0.25, 0.125, 1.5}, {0, 0, 1});       // a disc within a disc
+  expect_gap(upright, ellipsoid, {0.125, -0.25, 3}, {0, 0, 1});   // a disc below an ellipsoid
+  expect_gap(ellipsoid, lying, {0.0625, 0.5, 0}, {0, 1, 0});  // a generator beside one
+  expect_gap(box, lying, {0.25, 0, 1.25}, {0, 0, 1});             // a generator on a face
+  expect_gap(box, upright, {0, 0.25, 2}, {0, 0, 1});              // a disc on a face
+}
+
 std::vector<SetPointer> polytopes(Random& random) {
   std::vector<SetPointer> sets = {std::make_shared<Box>(Vector3d(-0.6, -0.5, -0.4), Vector3d(0.6, 0.5, 0.4)),
                                   std::make_shared<Capsule>(Vector3d(0, 0, -0.6), Vector3d(0, 0, 0.6), 0.4)};
@@ -159,6 +194,44 @@ void bring_near(const Posed& still, const ConvexSet& moving, Pose& pose, double 
   const DistanceResult& r = solver.solve(still, {moving, pose}, kMetric).distance;
   ASSERT_EQ(r.normal.size(), 3);
   pose = Pose(pose.rotation(), Vector3d(pose.translation() + (r.upper - gap) * r.normal));
+}
+
+std::vector<SetPointer> curved_bodies() {
+  const Vector3d up(0, 0, 0.6);
+  return {std::make_shared<Cylinder>(Vector3d(-up), up, 0.5),
+          std::make_shared<TruncatedCone>(Vector3d(-up), 0.6, up, 0.3),
+          std::make_shared<Cylinder>(Vector3d(-3 * up), up, 0.05),
+          std::make_shared<Ellipsoid>(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(1, 0.6, 0.4).asDiagonal()))};
+}
+
+// Whether bodies overlap or not is known here from where they stood before.
+TEST(PreciseDistance, CertifiesCurvedBodiesThatTouchWithEveryOtherKind) {
+  Random random(4);
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  std::vector<SetPointer> all = polytopes(random);
+  for (const SetPointer& body : curved_bodies()) all.push_back(body);
+  int uncertified = 0, asked = 0;
+  for (const SetPointer& one : curved_bodies()) {
+    for (const SetPointer& other : all) {
+      for (const double gap : {1e-4, 1e-9, 2e-11, 0.0, -2e-11, -1e-7}) {
+        const Pose pose_1(random_rotation(random), gaussian(random));
+        Pose pose_2(random_rotation(random),
+                    Vector3d(pose_1.translation() + 4 * gaussian(random).normalized()));
+        bring_near({*one, pose_1}, *other, pose_2, gap);
+        const DistanceResult& r = solver.solve({*one, pose_1}, {*other, pose_2}, kMetric).distance;
+        ++asked;
+        if (r.status == DistanceStatus::contains_origin) {
+          EXPECT_LE(gap, 0);
+          continue;
+        }
+        EXPECT_GE(r.upper, gap - 1e-11);
+        EXPECT_LE(r.lower, std::max(gap, 0.0) + 1e-11);
+        uncertified += r.status == DistanceStatus::optimal && r.upper - r.lower <= 1e-6 * r.upper ? 0 : 1;
+        if (r.status == DistanceStatus::optimal) EXPECT_GE(gap, 0);
+      }
+    }
+  }
+  EXPECT_EQ(uncertified, 0) << "of " << asked;
 }
 
 TEST(PreciseDistance, CertifiesPairsThatNearlyTouch) {

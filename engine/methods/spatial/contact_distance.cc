@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/contact_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/methods/spatial/contact_program.h"
+
+namespace raygauge {
+namespace {
+
+constexpr int kMostSteps = 16;
+constexpr double kConverged = 1e-15;  // radians that the next step would go
+constexpr double kLongestStep = 0.5, kShorter = 0.3;
+constexpr double kNoise = 8;               // a rise of so many error() is rounding
+constexpr double kDamping = 1e-2;          // of the last step: superlinear, and safe far from the solution
+constexpr double kNearAxis = 0.5;          // sine of the angle at which a disc is tried
+constexpr double kInside = 1 - 1e-9;       // of a disc's radius
+constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
+
+class ContactDescent {
+ public:
+  ContactDescent(SpatialPair& pair, double tolerance, SpatialAnswer& answer)
+      : pair_(pair), tolerance_(tolerance), answer_(answer) {}
+
+  void run();
+
+ private:
+  void begin();
+  void add(const SpatialPoint& point, double weight);
+  void add_other_rims(const SpatialPoint& point);
+  bool try_discs();
+  bool try_disc(int i, const Vector3& v);
+  double look();
+  bool step();
+  void record(const ContactStep<double>& found);
+  void bound(const Vector3& v);
+  bool is_closed();
+
+  SpatialPair& pair_;
+  double tolerance_;
+  SpatialAnswer& answer_;
+  Vector3 u_;
+  SpatialPoint piece_[kMostContactPieces];
+  double weight_[kMostContactPieces];
+  int count_ = 0;
+  double last_step_ = 1;
+  double longest_step_ = kLongestStep;
+  double lowest_ = 1e300;  // height met, at lowest_u_
+  Vector3 lowest_u_;
+  bool tried_[2] = {false, false};
+};
+
+void ContactDescent::add(const SpatialPoint& point, double weight) {
+  for (int i = 0; i < count_; ++i) {
+    if (piece_[i].index_1 != point.index_1 || piece_[i].index_2 != point.index_2) continue;
+    weight_[i] += weight;
+    return;
+  }
+  if (count_ == kMostContactPieces) return;
+  piece_[count_] = point;
+  weight_[count_++] = weight;
+}
+
+// The pieces that differ from `point` in one rim.
+void ContactDescent::add_other_rims(const SpatialPoint& point) {
+  constexpr std::int32_t kBoth = SpatialPoint::kBase + SpatialPoint::kTop;
+  for (int i = 0; i < 2; ++i) {
+    if (pair_.shape(i).kind != SpatialShape::Kind::frustum) continue;
+    SpatialPoint other = point;
+    (i == 0 ? other.index_1 : other.index_2) = kBoth - (i == 0 ? point.index_1 : point.index_2);
+    pair_.follow(u_, other);
+    add(other, 0);
+  }
+}
+
+void ContactDescent::begin() {
+  const SpatialCombination& before = answer_.combination;
+  u_ = answer_.hint * (1 / length(answer_.hint));
+  for (int i = 0; i < before.count; ++i) {
+    SpatialPoint point = before.point[i];
+    pair_.follow(u_, point);
+    add(point, before.weight[i]);
+  }
+}
+
+bool ContactDescent::is_closed() {
+  if (!(answer_.lower > 0) || !(answer_.upper - answer_.lower <= tolerance_ * answer_.upper)) return false;
+  answer_.end = SpatialEnd::closed;
+  return true;
+}
+
+// By v, a point of the difference of the cores that the combination has.
+void ContactDescent::bound(const Vector3& v) {
+  answer_.upper = (length(v) + pair_.error()) * kRounding - pair_.radius();
+  if (answer_.upper < 0) answer_.end = SpatialEnd::intersecting;
+}
+
+// v is a direction from the disc of frustum i outward, near its axis.
+bool ContactDescent::try_disc(int i, const Vector3& v) {
+  const SpatialShape& shape = pair_.shape(i);
+  const bool top = dot(v, shape.axis.column[0]) > 0;
+  const Vector3 axis = top ? shape.axis.column[0] : -shape.axis.column[0];
+  const Vector3 n = i == 0 ? axis : -(pair_.rotation() * axis);
+  SpatialPoint point;
+  pair_.support(n, point);
+  const Vector3 center =
+      i == 0 ? (top ? shape.top : shape.base) : pair_.from_second(top ? shape.top : shape.base);
+  Vector3 q = (i == 0 ? point.a2 : point.a1) - center;
+  q = q - n * dot(n, q);
+  if (!(length(q) < kInside * (top ? shape.top_radius : shape.base_radius))) return false;
+  (i == 0 ? point.a1 : point.a2) = center + q;
+  (i == 0 ? point.index_1 : point.index_2) = top ? SpatialPoint::kTopDisc : SpatialPoint::kBaseDisc;
+  point.s = point.a1 - point.a2;
+  u_ = answer_.hint = n;
+  answer_.combination.count = 1;
+  answer_.combination.point[0] = point;
+  answer_.combination.weight[0] = 1;
+  const double lower = (-dot(n, point.s) - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+  if (lower > answer_.lower) answer_.lower = lower, answer_.normal = n;
+  bound(point.s);
+  is_closed();
+  return true;
+}
+
+// True where the contact is on a disc.
+bool ContactDescent::try_discs() {
+  for (int i = 0; i < 2; ++i) {
+    if (tried_[i] || pair_.shape(i).kind != SpatialShape::Kind::frustum) continue;
+    const Vector3 v = i == 0 ? u_ : pair_.rotation().transposed_times(-u_);
+    const double along = dot(v, pair_.shape(i).axis.column[0]);
+    if (1 - along * along > kNearAxis * kNearAxis) continue;
+    tried_[i] = true;
+    if (try_disc(i, v)) return true;
+  }
+  return false;
+}
+
+void ContactDescent::record(const ContactStep<double>& found) {
+  SpatialCombination& combination = answer_.combination;
+  SpatialPoint kept[3];
+  for (int i = 0; i < found.count; ++i) kept[i] = piece_[found.piece[i]];
+  Vector3 v;
+  count_ = 0;
+  for (int i = 0; i < found.count; ++i) {
+    const double weight = std::clamp(found.weight[i], 0.0, 1.0);
+    add(kept[i], weight);
+    combination.point[i] = kept[i];
+    combination.weight[i] = weight;
+    v = v + kept[i].s * weight;
+  }
+  combination.count = found.count;
+  answer_.hint = u_;
+  bound(v);
+}
+
+// The height at u_, with all pieces following it; after a step too long, back at the u_ of before, with the
+// piece that the step met.
+double ContactDescent::look() {
+  SpatialPoint w;
+  pair_.support(u_, w);
+  double height = dot(u_, w.s);
+  const double lower = (-height - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+  if (lower > answer_.lower) answer_.lower = lower, answer_.normal = u_;
+  if (height > lowest_ + kNoise * pair_.error()) {
+    u_ = lowest_u_;
+    height = lowest_;
+    longest_step_ *= kShorter;
+    last_step_ = 0;
+    pair_.follow(u_, w);
+  } else {
+    lowest_ = height;
+    lowest_u_ = u_;
+  }
+  for (int i = 0; i < count_; ++i) pair_.follow(u_, piece_[i]);
+  add(w, count_ == 0 ? 1 : 0);
+  add_other_rims(w);
+  return height;
+}
+
+// False where there is nothing to be gained.
+bool ContactDescent::step() {
+  const double height = look();
+  Matrix3 H;
+  for (int i = 0; i < count_; ++i) {
+    if (weight_[i] > 0) pair_.add_hessian(u_, piece_[i], weight_[i], H);
+  }
+  const double size = H.column[0].x + H.column[1].y + H.column[2].z;
+  const TangentMetric metric(u_, H,
+                             std::fabs(height) + kDamping * last_step_ * last_step_ * size + pair_.error());
+  ContactPiece<double> pieces[kMostContactPieces];
+  for (int i = 0; i < count_; ++i) {
+    pieces[i].height = dot(u_, piece_[i].s);
+    metric.image(dot(metric.tangent[0], piece_[i].s), dot(metric.tangent[1], piece_[i].s), pieces[i].slope);
+  }
+  const ContactStep<double> found = contact_step(pieces, count_);
+  record(found);
+  if (answer_.end != SpatialEnd::open || is_closed()) return false;
+  double d[2];
+  metric.step(found.y, d);
+  const double long_by = std::hypot(d[0], d[1]);
+  const double share = long_by > longest_step_ ? longest_step_ / long_by : 1.0;
+  const bool converged = long_by * std::max(long_by, kDamping * last_step_ * last_step_) < kConverged;
+  last_step_ = std::min(long_by, 1.0);
+  u_ = u_ + metric.tangent[0] * (d[0] * share) + metric.tangent[1] * (d[1] * share);
+  u_ = u_ * (1 / length(u_));
+  return !converged;
+}
+
+void ContactDescent::run() {
+  if (!(dot(answer_.hint, answer_.hint) > 0)) return;
+  begin();
+  for (int i = 0; i < kMostSteps; ++i, ++answer_.iterations) {
+    if (try_discs() || !step()) return;
+  }
+}
+
+}  // namespace
+
+void contact_distance(SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
+  answer.end = SpatialEnd::open;
+  ContactDescent(pair, tolerance, answer).run();
+}
+
+}  // namespace raygauge
