@@ -160,13 +160,13 @@ TEST(PreciseDistance, HoldsTheDistanceOfFrustumsThatIsKnownExactly) {
   const TruncatedCone cone(Vector3d(0, 0, -0.5), 0.75, Vector3d(0, 0, 0.5), 0.25);
   const Ellipsoid ellipsoid(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(0.5, 0.25, 2).asDiagonal()));
   const Box box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
-  expect_gap(upright, lying, {0.125, 0.75, 0.0625}, {0, 1, 0});   // crossing generators
-  expect_gap(upright, cone, {0.125, 0, 1.5}, {0, 0, 1});          // two discs
-  expect_gap(cone, upright, {0.25, 0.125, 1.5}, {0, 0, 1});       // a disc within a disc
-  expect_gap(upright, ellipsoid, {0.125, -0.25, 3}, {0, 0, 1});   // a disc below an ellipsoid
-  expect_gap(ellipsoid, lying, {0.0625, 0.5, 0}, {0, 1, 0});  // a generator beside one
-  expect_gap(box, lying, {0.25, 0, 1.25}, {0, 0, 1});             // a generator on a face
-  expect_gap(box, upright, {0, 0.25, 2}, {0, 0, 1});              // a disc on a face
+  expect_gap(upright, lying, {0.125, 0.75, 0.0625}, {0, 1, 0});  // crossing generators
+  expect_gap(upright, cone, {0.125, 0, 1.5}, {0, 0, 1});         // two discs
+  expect_gap(cone, upright, {0.25, 0.125, 1.5}, {0, 0, 1});      // a disc within a disc
+  expect_gap(upright, ellipsoid, {0.125, -0.25, 3}, {0, 0, 1});  // a disc below an ellipsoid
+  expect_gap(ellipsoid, lying, {0.0625, 0.5, 0}, {0, 1, 0});     // a generator beside one
+  expect_gap(box, lying, {0.25, 0, 1.25}, {0, 0, 1});            // a generator on a face
+  expect_gap(box, upright, {0, 0.25, 2}, {0, 0, 1});             // a disc on a face
 }
 
 std::vector<SetPointer> polytopes(Random& random) {
