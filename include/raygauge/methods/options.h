@@ -23,8 +23,8 @@ std::string_view to_string(DistanceMethod method) noexcept;
 /// When a solve ends.
 enum class StopRule : std::uint8_t {
   certified_gap,    ///< upper - lower <= tolerance * upper
-  published_sigma,  ///< |σ_k - 1| < tolerance, the paper's own test (`zheng_yamane` only); the true gap is
-                    ///< reported
+  published_sigma,  ///< |σ_k - 1| < tolerance, the test of the paper (`zheng_yamane` only); the result
+                    ///< reports the gap reached
 };
 
 /// Instruction set of the vector kernels.
@@ -32,7 +32,7 @@ enum class InstructionSet : std::uint8_t { automatic, baseline, avx2, avx512 };
 
 std::string_view to_string(InstructionSet isa) noexcept;
 
-/// What to compute besides the distance and its bounds. What is not asked for costs nothing.
+/// Quantities besides the distance and its bounds. Only those requested are computed.
 enum class Effects : std::uint8_t {
   none = 0,
   witness = 1,  ///< the contact point v of (15)
@@ -58,8 +58,8 @@ struct DistanceOptions {
   /// only).
   std::int64_t max_iterations = 0;
 
-  /// Seconds of wall time; looked at every few hundred basis changes, so that a solve of fewer may end in its
-  /// answer all the same.
+  /// Wall time in seconds. The clock is read about every 10 ms of work; a solve that finishes before the next
+  /// reading returns its answer.
   double time_limit = std::numeric_limits<double>::infinity();
 
   /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `column_generation` over point

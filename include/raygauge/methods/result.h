@@ -29,8 +29,8 @@ std::string_view to_string(DistanceStatus status) noexcept;
 /// The inverse of to_string. Throws UnknownNameError.
 DistanceStatus distance_status_from_string(std::string_view name);
 
-/// What a solve did, all methods together where one handed over to another. Effects that were not asked for
-/// leave their counters at zero.
+/// Work done in a solve, summed over all methods that took part. Counters of effects that were not requested
+/// are 0.
 struct DistanceCounters {
   std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1 but for `zheng_yamane`)
   std::int64_t ray_iterations =
@@ -56,8 +56,8 @@ struct DistanceResult {
 
   double distance =
       kUnset;  ///< d_Q(A) of (5): within [lower, upper]; 0 for contains_origin, +inf for unreachable
-  double lower = kUnset;  ///< certified: -h_A(u)/h_Q(-u) of (10) at u = normal, rounded down; where
-                          ///< quadruple precision proved it, the normal is the u of doubles nearest to it
+  double lower = kUnset;  ///< certified: -h_A(u)/h_Q(-u) of (10), rounded down. After a proof in
+                          ///< quadruple precision, `normal` is u rounded to doubles
   double upper = kUnset;  ///< certified: Σβ_j of a feasible combination, rounded up
   DistanceStatus status = DistanceStatus::precision_limit;
   double sigma = kUnset;    ///< `zheng_yamane`: the last σ_k of (8)

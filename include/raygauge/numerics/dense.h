@@ -10,10 +10,10 @@
 
 namespace raygauge {
 
-/// A dense vector or matrix of Eigen's type `Plain` whose numbers are in a std::vector. It stands in every
-/// expression of Eigen, and converts to `Plain` and to Eigen::Ref. Eigen's own matrices allocate and free by
-/// rules that depend on compiler flags (-march=native, -fsanitize=address); these may be made by the library
-/// and freed by a caller with other flags, or the other way round.
+/// A dense vector or matrix of Eigen's type `Plain` whose numbers are in a std::vector. It can be used in
+/// every Eigen expression, and converts to `Plain` and to Eigen::Ref. Eigen's own matrices use an allocator
+/// that depends on compiler flags (-march=native, -fsanitize=address); with std::vector, library and caller
+/// may be compiled with different flags.
 template <class Plain>
 class Dense : public Eigen::Map<Plain> {
   using View = Eigen::Map<Plain>;

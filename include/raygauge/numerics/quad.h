@@ -17,7 +17,7 @@ using Quad = long double;
 #endif
 
 /// Half the distance from 1 to the next number of a type: one rounded operation is off by at most this
-/// relative to its result. That of Quad has a factor of 16 to spare for its elementary functions.
+/// relative to its result. For Quad it includes a safety factor of 16 for elementary functions.
 template <class Real>
 inline constexpr double kRoundoff = std::numeric_limits<double>::epsilon() / 2;
 

@@ -24,10 +24,11 @@ GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance 
 enum class Membership : std::uint8_t {
   inside,
   outside,
-  undecided,  ///< x is on the boundary but for about `tolerance` of the way from the centre
+  undecided,  ///< x is within about `tolerance` of the boundary, relative to its distance from
+              ///< the centre
 };
 
-/// Decides by the gauge about the centre c: x in S if and only if gauge_{S - c}(x - c) <= 1. Throws as
+/// Computes the gauge about the centre c: x in S if and only if gauge_{S - c}(x - c) <= 1. Throws as
 /// gauge().
 Membership contains(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-9);
 

@@ -28,8 +28,8 @@ constexpr bool has_effect(ObjectEffects asked, ObjectEffects effect) noexcept {
   return (static_cast<unsigned>(asked) & static_cast<unsigned>(effect)) != 0;
 }
 
-/// The distance of two objects. Vectors that were not asked for, or that there are none of (the objects meet,
-/// the metric does not reach), are empty.
+/// The distance of two objects. Vectors that were not requested, or that do not exist (the objects meet, or
+/// the distance is infinite), are empty.
 struct ObjectDistance {
   DistanceResult
       distance;  ///< d_Q(A2 - A1) with its bounds; 0 with status contains_origin if the objects meet

@@ -21,9 +21,9 @@ struct OriginInInterior {
   Vector direction;  ///< of `violated`, n doubles (rounded); otherwise empty
 };
 
-/// Decides 0 ∈ int conv{q_j}: by GaugeBound where that proves it, and otherwise by the distances of n + 1
-/// points that span R^n positively, e_1, …, e_n and -(e_1 + … + e_n), each e_k times the size of Q along it:
-/// all of them are finite exactly where the cone of Q is R^n, that is where 0 is interior.
+/// Decides 0 ∈ int conv{q_j}. First two linear programs (GaugeBound); if they prove nothing, the distances of
+/// n + 3 points: two generic ones, e_1, …, e_n and -(e_1 + … + e_n), each scaled by the size of Q. All are
+/// finite if and only if 0 is in the interior.
 OriginInInterior origin_in_interior(const PointSet& Q,
                                     double time_limit = std::numeric_limits<double>::infinity());
 

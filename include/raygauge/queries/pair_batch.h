@@ -18,8 +18,8 @@ struct PosedPair {
   Posed first, second;
 };
 
-/// Where a batch writes, in the caller's memory: entry i of each array for pair i. An empty array is not
-/// asked for and costs nothing; any other has room for all pairs. Arrays of vectors hold n numbers a pair,
+/// Output arrays of the caller; entry i is for pair i. Empty arrays are not computed; any other has room for
+/// all pairs. Arrays of vectors hold n numbers a pair,
 /// NaN where there is no such vector (the bodies meet).
 struct BatchAnswers {
   std::span<double> distance;          ///< as in DistanceResult ...

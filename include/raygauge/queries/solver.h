@@ -36,9 +36,8 @@ class DistanceSolver {
   const DistanceOptions& options() const noexcept;
   void set_options(const DistanceOptions& options);
 
-  /// From now on `stop`, unless it is empty, is asked from the solving thread whenever the time limit would
-  /// be looked at, every few milliseconds of a long solve: true ends the solve with time_limit and the bounds
-  /// known by then.
+  /// Sets a function that the solving thread calls every few milliseconds of a long solve. If it returns
+  /// true, the solve ends with time_limit and the bounds known so far. An empty function removes it.
   void set_stop(std::function<bool()> stop);
 
   /// The distance of A in the gauge of Q. The result belongs to the solver and lives until its next solve;

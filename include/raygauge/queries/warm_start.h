@@ -10,9 +10,8 @@
 
 namespace raygauge {
 
-/// What one query leaves for the next one of the same pair, a frame later. The caller keeps one per pair and
-/// hands it to every solve; what is in it is the methods' business. It is a hint and never trusted: an empty,
-/// stale, foreign or corrupt one costs time, and the answer is certified as without it.
+/// Data kept from one solve of a pair to the next. The caller keeps one per pair and need not read it. It is
+/// only a hint: an empty, old or wrong one costs time, and the answer is certified all the same.
 struct WarmStart {
   /// Nothing is known of the pair.
   void clear() noexcept { dimension = 0; }

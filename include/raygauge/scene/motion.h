@@ -20,8 +20,8 @@ struct MotionBound {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   double spin_error = 0;
 
-  /// How fast, at most, points of the body within `reach` of its origin move along u: an upper bound on their
-  /// velocities times u, below zero where all of them move back. Rounded up.
+  /// An upper bound on u·velocity over all points within `reach` of the origin, rounded up; negative if all
+  /// of them move against u.
   double speed_along(const SmallVector& u, double reach) const;
 
   /// velocity + spin × arm: of the point at `arm` from the body's origin, but for the errors.

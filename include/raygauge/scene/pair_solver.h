@@ -13,7 +13,7 @@
 
 namespace raygauge {
 
-/// What was computed for a scene; the numbers by which it is proven that nothing else was.
+/// Counts of what was computed; tests use them to check that nothing else was.
 struct SceneCounters {
   std::int64_t distance_solves = 0;    ///< distances of two convex parts
   std::int64_t separation_solves = 0;  ///< separation tests of two convex parts
@@ -39,7 +39,7 @@ struct PairAnswer {
   SmallVector normal;            ///< empty: none
   SmallVector point_a, point_b;  ///< closest points; empty: none, or not asked for
   SmallVector gradient;          ///< of the distance, when body a is translated
-  double rate = 0;  ///< the lower bound falls by at most this, times the way that points of both bodies go
+  double rate = 0;  ///< the lower bound falls by at most rate × (distance that points of both bodies move)
 
   /// Common points are proven.
   bool intersecting() const noexcept { return status == DistanceStatus::contains_origin; }
@@ -47,8 +47,8 @@ struct PairAnswer {
 
 enum class PairSeparation : std::uint8_t { separated, intersecting, undecided };
 
-/// What two parts keep from one look to the next. Never trusted: a plane is tested before anything is
-/// concluded from it, and warm starts are hints.
+/// Data of two parts kept between queries. Used only as hints: a plane is tested again before it proves
+/// anything.
 struct PartMemory {
   SmallVector normal;       ///< of a plane that lay between them; empty: none
   bool overlapped = false;  ///< whether they shared a point when last solved

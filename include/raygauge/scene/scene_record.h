@@ -12,7 +12,7 @@
 
 namespace raygauge {
 
-/// How an answer came about.
+/// How an answer was obtained.
 enum class SceneDecision : std::uint8_t {
   solved,       ///< by a solve at this instant
   broad_phase,  ///< by bounding balls, of this instant or of one before and how far the balls have come since
@@ -59,7 +59,7 @@ struct SceneRecord {
   double seconds = 0;       ///< of those solves
 };
 
-/// How often the answers to one query came about in each way.
+/// How often the answers to one query were obtained in each way.
 struct SceneTally {
   std::int64_t asked = 0;  ///< pairs × instants; pairs for continuous effects
   std::int64_t solved = 0;

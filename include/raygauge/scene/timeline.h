@@ -9,12 +9,11 @@
 
 namespace raygauge {
 
-/// Where every body of a scene is at every instant, and how far it has come: computed once, shared by all
-/// pairs and threads.
+/// Placement of every body at every instant and bounds on its motion: computed once, shared by all pairs and
+/// threads.
 ///
-/// Of two instants j < k, no point of a body is farther at k from where it was at j than moved(b, k) -
-/// moved(b, j), and the middle of its bounding ball no farther than shifted(b, k) - shifted(b, j). Rounded
-/// up.
+/// Between instants j < k every point of body b moves by at most moved(b, k) - moved(b, j), rounded up; the
+/// centre of its bounding ball by at most shifted(b, k) - shifted(b, j).
 class Timeline {
  public:
   /// Bodies are shared between `threads` threads.

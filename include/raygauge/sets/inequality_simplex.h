@@ -10,10 +10,9 @@
 
 namespace raygauge {
 
-/// The linear program  maximize u·x subject to G x <= g  by the primal simplex on the inequalities: at a
-/// vertex n of them are active, B x = g_B; the multipliers of u = Bᵀ λ say which of them to leave, and the
-/// first inequality that the edge -B⁻¹e_i meets takes its place. Rows of -1 in `active` are the unit vectors:
-/// planes through a start that is no vertex, which are left in either direction.
+/// Primal simplex for  max u·x, G x <= g.  At a vertex n inequalities are active, B x = g_B; the multipliers
+/// λ of u = Bᵀ λ choose the one that leaves, the ratio test along -B⁻¹e_i the one that enters. An entry of -1
+/// in `active` marks an artificial plane x_k = const through a start that is not a vertex.
 class InequalitySimplex {
  public:
   using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -26,7 +25,7 @@ class InequalitySimplex {
   enum class End : std::uint8_t {
     optimal,
     unbounded,  ///< an edge meets no inequality
-    stalled,    ///< rounding defeated it; the point is good, perhaps not the best
+    stalled,    ///< ended because of rounding; the point is perhaps not optimal
   };
 
   InequalitySimplex() = default;

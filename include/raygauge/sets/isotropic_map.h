@@ -16,9 +16,9 @@ struct IsotropicMap {
   DenseMatrix inverse;  ///< F⁻¹
 };
 
-/// The isotropic map of `points` (n × N; of a large set, of 4096 of them). Empty where the points are nearly
-/// in that position as they are (the axes of F differ by less than a factor of 4), or where no map can be
-/// told from doubles: fewer than 2n points, or flatter than 1e-6.
+/// The isotropic map of `points` (n × N; of a large set, of 4096 of them). Empty if the points are
+/// nearly isotropic already (axes of F within a factor of 4), or if no reliable map exists: fewer than 2n
+/// points, or flatter than 1e-6.
 std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd>& points);
 
 }  // namespace raygauge

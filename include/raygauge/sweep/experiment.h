@@ -14,7 +14,7 @@ namespace raygauge {
 /// How timed solves share the machine.
 enum class TimingMode : std::uint8_t {
   serial,    ///< timed solves run alone
-  parallel,  ///< cells fill the cores; a calibration cell reports by how much that inflates times
+  parallel,  ///< cells fill the cores; a calibration cell measures the slowdown
 };
 
 /// A component and the parameters it is run with.

@@ -23,7 +23,7 @@ struct SolveRequest {
 ///     load (timed as load_seconds)  →  solve, once or several times (timed as seconds)  →  result (not
 ///     timed)
 ///
-/// Every solve starts cold: it must not profit from the one before.
+/// No solve may use data of an earlier one.
 class SolveMethod {
  public:
   virtual ~SolveMethod() = default;

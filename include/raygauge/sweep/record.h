@@ -36,7 +36,7 @@ struct Record {
   double lower = 0;  ///< NaN where nothing could be certified
   double upper = 0;
   double exact_distance = 0;           ///< the generator's truth; NaN where unknown
-  double exact_distance_rounding = 0;  ///< its relative error; 0: it is that of the very doubles
+  double exact_distance_rounding = 0;  ///< its relative error; 0: exact for the doubles of the instance
   std::string hardness_label;          ///< what `hardness` is, as in "1/δ"; empty where there is none
   double hardness = std::numeric_limits<double>::quiet_NaN();  ///< see Hardness
   DistanceStatus status = DistanceStatus::optimal;

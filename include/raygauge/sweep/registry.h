@@ -32,8 +32,8 @@ struct Hardness {
   double operator()(double value) const { return of == nullptr ? value : of(value); }
 };
 
-/// Whose a method is: what tables and figures compare, what they compare with, and what they take the truth
-/// from.
+/// Who provides a method: decides what tables and figures compare, what they compare with, and what they take
+/// the truth from.
 enum class Role : std::uint8_t {
   engine,    ///< a method of raygauge
   baseline,  ///< a competitor: a library, or a program of the user's
@@ -49,7 +49,7 @@ Role role_from_string(std::string_view name);
 /// What a generator promises of the distances that it states.
 struct GeneratorPromises {
   bool known_distance = false;   ///< every instance has an exact_distance
-  double distance_rounding = 0;  ///< relative error of the stated distance; 0: it is that of the very doubles
+  double distance_rounding = 0;  ///< relative error of the stated distance; 0: exact for the doubles
 };
 
 /// Declares one parameter: the type of `default_value` is the parameter's type (an integer is accepted for a
@@ -96,8 +96,8 @@ struct Component {
       {};  ///< other names that find() takes: of earlier versions, or shorter ones
 };
 
-/// Components by name. Rooms add theirs by one function each (register_generators, register_baselines, …); a
-/// sweep reaches them through here alone.
+/// Components by name. Each library registers its components with one function (register_generators,
+/// register_baselines, …); a sweep reaches them only through a registry.
 template <class T>
 class Registry {
  public:

@@ -15,7 +15,7 @@
 
 namespace raygauge {
 
-/// By how much solving on all threads at once inflates the time of one solve: per method, the median over
+/// The slowdown of single solves while all threads are busy: per method, the median over
 /// instances of the calibration cell of (time in the sweep, all threads busy) / (time alone, before it).
 struct Calibration {
   struct Entry {
@@ -39,9 +39,9 @@ struct SweepProgress {
 struct SweepHooks {
   std::function<void(const SweepProgress&)> progress;
 
-  /// Asked before each timed solve and each cell, from any thread, several at once: true, which then stays
-  /// so, ends the sweep after the samples that are being taken. Cells in flight are dropped, not stored: a
-  /// cell is measured in one go or not at all, so that what disturbs it falls on all its methods alike.
+  /// Called before each timed solve and each cell, by several threads at once. Once it returns true, the
+  /// sweep ends after the running samples. Unfinished cells are dropped: a cell is measured in one go, so
+  /// that a disturbance falls on all its methods alike.
   std::function<bool()> stop;
 
   /// Takes every sample, of the calibration too; from any thread, several at once.
