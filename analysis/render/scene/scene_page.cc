@@ -151,6 +151,25 @@ std::string escaped(std::string text) {
   return text;
 }
 
+// Its licence asks for this in every copy, and Debian's minified file has lost it.
+constexpr const char* kThreeNotice =
+    R"(/* three.js, https://threejs.org
+Copyright © 2010-2019 three.js authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE. */
+)";
+
 void fill(std::string& page, const std::string& place, const std::string& text) {
   page.replace(page.find(place), place.size(), text);
 }
@@ -173,7 +192,7 @@ std::string make_page(const SceneFile& file) {
   fill(page, "{{data}}", escaped(data.dump(-1, ' ', true)));
   fill(page, "{{script}}", page_script());
   const bool space = data["drawing"].is_object() && data["drawing"]["dimension"] == 3;
-  fill(page, "{{three}}", space ? three_library() : "");
+  fill(page, "{{three}}", space ? kThreeNotice + three_library() : "");
   return page;
 }
 
