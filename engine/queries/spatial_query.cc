@@ -9,6 +9,7 @@
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/contact_distance.h"
 #include "engine/methods/spatial/precise_distance.h"
+#include "engine/methods/spatial/precise_growth.h"
 #include "engine/methods/spatial/spatial_growth.h"
 
 namespace raygauge {
@@ -146,6 +147,9 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   begin(warm);
   const SpatialAnswer& answer = answer_;
   spatial_growth(pair_, options.tolerance, threshold, start_, answer_);
+  if (answer.end == SpatialEnd::open && !about_origin) {
+    precise_growth(pair_, Q, A, kernels_for(options.instruction_set), options.tolerance, answer_);
+  }
   if (answer.end == SpatialEnd::open) return false;
   result.status = DistanceStatus::optimal;
   result.lower = answer.lower;

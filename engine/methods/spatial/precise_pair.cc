@@ -356,6 +356,10 @@ PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const {
   return point;
 }
 
+PreciseVector3 PrecisePair::between_centers() const {
+  return turn(body_[1], body_[1].shape->center) - turn(body_[0], body_[0].shape->center) - apart_;
+}
+
 bool PrecisePair::balls_meet(double v) const { return v + error_ < body_[0].ball + body_[1].ball; }
 
 }  // namespace raygauge

@@ -44,6 +44,9 @@ class PrecisePair {
   /// combination of such pairs, with the outer normal u, its indices those of any of them.
   bool overlap(const PreciseVector3& u, const PrecisePoint& point) const;
 
+  /// From the centre of the first body to that of the second.
+  PreciseVector3 between_centers() const;
+
   /// Whether a core is curved.
   bool is_curved() const noexcept { return !vertices_; }
 

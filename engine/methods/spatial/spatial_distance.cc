@@ -78,7 +78,6 @@ void Descent::begin(const SpatialStart& start) {
   if (!(dot(u, u) > 0)) u = {1, 0, 0};
   pair_.support(u, simplex_.point[0]);
   simplex_.count = 1;
-  simplex_.weight[0] = 1;
   if (!pair_.is_curved()) return;
   answer_.hint = u * (1 / length(u));
   best_hope_ = -dot(answer_.hint, simplex_.point[0].s) - pair_.error() - pair_.radius();
@@ -134,6 +133,11 @@ bool Descent::step(double depth) {
 
 void Descent::run(const SpatialStart& start) {
   answer_.upper = 1e300;
+  // The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
+  if (length(pair_.between_centers()) < pair_.inner_radius() * (2 - kRounding) - 4 * pair_.error()) {
+    answer_.end = SpatialEnd::intersecting;
+    return;
+  }
   begin(start);
   while (answer_.iterations++ < kMostIterations && step(reduce())) {
   }

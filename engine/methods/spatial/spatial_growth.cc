@@ -14,9 +14,10 @@ namespace {
 constexpr int kMostExchanges = 80;
 constexpr int kMostDiscoveries = 40;
 constexpr int kMostNewtonSteps = 12;
-constexpr double kFirstTilt = 1.7, kLargestTilt = 1e4;  // shares of the angle that would do for a ball
-constexpr double kLeastTilt = 0.03;                     // radians
-constexpr double kSmall = 1e-12;                        // of a length: rounding
+constexpr double kFirstTilt = 1.7,
+                 kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
+constexpr double kLeastTilt = 0.03;   // radians
+constexpr double kSmall = 1e-12;      // of a length: rounding
 constexpr double kUp = 1 + 0x1p-46,
                  kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
 constexpr double kInfinity = __builtin_inf();
@@ -247,7 +248,7 @@ bool Growth::discover(Vector3 u) {
   double tilt = kFirstTilt;
   for (int i = 0; i < kMostDiscoveries; ++i) {
     const Vector3 way = way_to_ray(known, u, h);
-    Vector3 next = u + way * (tilt / h);
+    Vector3 next = tilt > kLargestTilt ? way : u + way * (tilt / h);
     next = next * (1 / length(next));
     const SpatialPoint w = support(next);
     const double beyond = dot(way, w.s - portal_[0].s), size = length(way) * length(w.s);
