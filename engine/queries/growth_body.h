@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/minkowski_view.h"
 
 namespace raygauge {
 
@@ -11,7 +11,7 @@ namespace raygauge {
 /// solve.
 ///
 ///     h(u) = h_Q(u) - u·c_Q + h_A(-u) + u·c_A,      s(u) = s_Q(u) - c_Q - s_A(-u) + c_A,      centre 0.
-class GrowthBody final : public ConvexSet {
+class GrowthBody final : public MinkowskiView {
  public:
   /// The sets must outlive the object; c_A and c_Q are points of theirs, n = dimension() doubles.
   /// `c_Q_in_Q` says whether c_Q is known to be a point of Q: the origin need not be.
@@ -19,22 +19,16 @@ class GrowthBody final : public ConvexSet {
              bool c_Q_in_Q = true);
 
  private:
-  double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
-  void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
-  SupportStructure do_structure() const noexcept override;
-  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
 
-  const ConvexSet& A_;
-  const ConvexSet& Q_;
   const double* c_A_;
   const double* c_Q_;
   bool c_Q_in_Q_;
 };
 
 /// {p}: a point as a set, seen where it stands.
-class PointView final : public ConvexSet {
+class PointView final : public ConvexSet, private SmoothSupport {
  public:
   PointView(const double* p, int n) : ConvexSet(n), p_(p) {}
 
@@ -43,7 +37,12 @@ class PointView final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   SupportStructure do_structure() const noexcept override { return SupportStructure::point; }
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
   const double* p_;
 };

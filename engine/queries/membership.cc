@@ -3,6 +3,7 @@
 #include "raygauge/queries/membership.h"
 
 #include "engine/queries/growth_body.h"
+#include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/queries/solver.h"
@@ -27,7 +28,7 @@ GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance)
   const DistanceResult& result = solver.solve(point, S);
   GaugeBounds bounds{result.lower, result.upper};
   Vector normal(S.dimension());
-  const double formula = S.gauge_unchecked(at.data(), normal.data());
+  const double formula = gauge_bound(S, at.data(), normal.data());
   if (formula >= bounds.lower && formula < bounds.upper) bounds.upper = formula;
   return bounds;
 }

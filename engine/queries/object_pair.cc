@@ -6,10 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
-#include "engine/sets/set_sums.h"
-#include "raygauge/exceptions.h"
 
 namespace raygauge {
 
@@ -38,38 +35,9 @@ const double* SupportPairs::partner(const double* difference) const {
 }
 
 ObjectPair::ObjectPair(const ConvexSet& A2, const ConvexSet& A1, SupportPairs* pairs)
-    : ConvexSet(A2.dimension()), A2_(A2), A1_(A1), pairs_(pairs) {
+    : MinkowskiView(A2.dimension()), pairs_(pairs) {
   check_dimension("object distance", "A1", A1.dimension(), dimension());
-}
-
-double ObjectPair::do_support(const double* u, double* point) const {
-  Scratch a1(dimension());
-  const double value = sum_support(A2_, A1_, -1.0, u, point, a1.data());
-  if (pairs_ != nullptr) pairs_->add(point, a1.data());
-  return value;
-}
-
-void ObjectPair::do_center(double* point) const { sum_center(A2_, A1_, -1.0, point); }
-
-void ObjectPair::do_magnitude(double* magnitude) const { sum_magnitude(A2_, A1_, magnitude); }
-
-SupportStructure ObjectPair::do_structure() const noexcept {
-  return structure_of_sum(A2_.structure(), A1_.structure());
-}
-
-// Without extents: a point that was moved along a face would be in no recorded pair.
-bool ObjectPair::do_is_unconditional(double* extent) const {
-  return sum_is_unconditional(A2_, A1_, extent, false);
-}
-
-void ObjectPair::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  const int n = dimension();
-  Scratch points_1(SupportPieces::kCapacity * n);
-  const int count_1 = sum_pieces(A2_, A1_, -1.0, u, pieces, capacity, points_1.data());
-  if (pairs_ == nullptr) return;
-  for (int i = 0; i < pieces.count; ++i) {
-    pairs_->add(pieces.point(i), points_1.data() + std::ptrdiff_t{i % count_1} * n);
-  }
+  look_at(A2, A1, -1.0);
 }
 
 }  // namespace raygauge

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/aligned_buffer.h"
-#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/minkowski_view.h"
 
 namespace raygauge {
 
@@ -26,25 +26,23 @@ class SupportPairs {
   AlignedBuffer<double> pairs_;  // difference, then a1
 };
 
-/// A2 - A1 as MinkowskiDifference has it, of two sets that it only looks at for the time of one solve; what
-/// it answers is recorded in `pairs`, unless that is null.
-class ObjectPair final : public ConvexSet {
+/// A2 - A1 as MinkowskiDifference has it, of two sets that it only looks at for the time of one solve.
+///
+/// Closest points of A1 and A2 need the parts of each support point of the difference. So a pair with `pairs`
+/// writes them there whenever it is asked: such a pair is one solve's, and not shared between threads as
+/// other sets may be.
+class ObjectPair final : public MinkowskiView {
  public:
+  /// Throws DimensionMismatchError. `pairs` may be null.
   ObjectPair(const ConvexSet& A2, const ConvexSet& A1, SupportPairs* pairs);
 
-  const ConvexSet& A2() const noexcept { return A2_; }
-  const ConvexSet& A1() const noexcept { return A1_; }
+  const ConvexSet& A2() const noexcept { return first(); }
+  const ConvexSet& A1() const noexcept { return second(); }
 
  private:
-  double do_support(const double* u, double* point) const override;
-  void do_center(double* point) const override;
-  void do_magnitude(double* magnitude) const override;
-  SupportStructure do_structure() const noexcept override;
-  bool do_is_unconditional(double* extent) const override;
-  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  bool records_parts() const noexcept override { return pairs_ != nullptr; }
+  void record_parts(const double* point, const double* of_T) const override { pairs_->add(point, of_T); }
 
-  const ConvexSet& A2_;
-  const ConvexSet& A1_;
   SupportPairs* pairs_;
 };
 

@@ -16,6 +16,7 @@
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/queries/object_pair.h"
+#include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
@@ -277,7 +278,7 @@ bool DistanceSolver::Workspace::is_out_of_reach(const ConvexSet& A, const Convex
   const int n = A.dimension();
   start.reserve(2 * static_cast<std::size_t>(n));
   double* u = start.data();
-  if (!(result.lower > 0) || !Q.touches_origin_unchecked(u)) return false;
+  if (!(result.lower > 0) || !touches_origin(Q, u)) return false;
   oracle_A.bind(A, nullptr, kernels_for(options.instruction_set));
   if (oracle_A.verify(u, -1.0, kInfinity, u + n).above() > 0) return false;
   result.status = DistanceStatus::unreachable;

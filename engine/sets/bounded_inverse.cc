@@ -11,6 +11,15 @@ namespace {
 
 constexpr double kLargestDefect = 1e-3;  // of an inverse that is worth anything
 
+// ‖X‖₂² = ‖XᵀX‖₂ <= ‖XᵀX‖_∞, which is sharp for multiples of rotations.
+double spectral_norm_bound(const DenseMatrix& X, double frobenius) {
+  const Eigen::Index n = X.rows();
+  const double rounding = static_cast<double>(n + 4) * std::numeric_limits<double>::epsilon();
+  const double square = (X.transpose() * X).cwiseAbs().rowwise().sum().maxCoeff();
+  const double bound = std::sqrt(square + static_cast<double>(n) * rounding * frobenius * frobenius);
+  return std::isnormal(square) && bound < frobenius ? bound * (1 + rounding) : frobenius;
+}
+
 }  // namespace
 
 BoundedInverse::BoundedInverse(const DenseMatrix& L) {
@@ -24,7 +33,7 @@ BoundedInverse::BoundedInverse(const DenseMatrix& L) {
     inverse_.resize(0, 0);
     return;
   }
-  least_stretch_ = (1 - defect_) / norm_ * (1 - rounding);
+  least_stretch_ = (1 - defect_) / spectral_norm_bound(inverse_, norm_) * (1 - rounding);
 }
 
 double BoundedInverse::image_length(const double* p, const double* q) const noexcept {

@@ -56,34 +56,6 @@ void ConvexSet::do_magnitude(double* magnitude) const {
 
 double ConvexSet::do_inner_radius(const double* /*c*/) const { return 0; }
 
-bool ConvexSet::do_quad_gauge_normal(const Quad* /*x*/, Quad* /*normal*/) const { return false; }
-
-bool ConvexSet::do_touches_origin(double* /*u*/) const { return false; }
-
-double ConvexSet::do_gauge(const double* /*x*/, double* /*normal*/) const {
-  return std::numeric_limits<double>::infinity();
-}
-
-void ConvexSet::do_support_pieces(const double* /*u*/, SupportPieces& /*pieces*/, int /*capacity*/) const {}
-
-bool ConvexSet::do_facet_normal(const double* /*u*/, const double* /*v*/, double* /*normal*/) const {
-  return false;
-}
-
-void ConvexSet::do_facet_point(const double* normal, const double* /*target*/, double* point) const {
-  do_support(normal, point);
-}
-
-bool ConvexSet::do_is_unconditional(double* /*extent*/) const { return false; }
-
-void ConvexSet::do_quad_pieces(const Quad* /*u*/, QuadSupportPieces& /*pieces*/, int /*capacity*/) const {}
-
-bool ConvexSet::do_quad_facet_normal(const Quad* /*u*/, const Quad* /*v*/, Quad* /*normal*/) const {
-  return false;
-}
-
-void ConvexSet::do_quad_facet_point(const Quad* /*normal*/, const Quad* /*target*/, Quad* /*point*/) const {}
-
 Vector ConvexSet::center() const {
   Vector point(dimension_);
   do_center(point.data());

@@ -87,10 +87,13 @@ double Ellipsoid::do_inner_radius(const double* x) const {
   return shift < 1 ? (1 - shift) * inverse_.least_stretch() * (1 - 0x1p-50) : 0.0;
 }
 
+const GaugeFormula* Ellipsoid::do_gauge_formula() const noexcept {
+  return factor_.cols() == dimension() && center_.isZero(0) ? this : nullptr;
+}
+
 // |L⁻¹x| around the origin, with the gradient L⁻ᵀL⁻¹x but for a factor.
 bool Ellipsoid::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   const int n = dimension();
-  if (factor_.cols() != n || !center_.isZero(0)) return false;
   BasicScratch<Quad> z(n);
   std::copy_n(x, n, z.data());
   if (!solve_in_quad(factor_, false, z.data())) return false;

@@ -115,7 +115,7 @@ double PNormBall::do_inner_radius(const double* x) const {
   for (int k = 0; k < n; ++k) shift.data()[k] = x[k] - center_[k];
   const double g = std::isinf(p_)
                        ? (Vector::Map(shift.data(), n).cwiseAbs().array() / semi_axes_.array()).maxCoeff()
-                       : gauge(shift.data(), normal.data());
+                       : norm(shift.data(), normal.data());
   const double norm = p_ >= 2 ? 1.0 : std::pow(n, 1 / p_ - 0.5);
   const double left = 1 - g * (1 + 1e-12) - (n + 4) * std::numeric_limits<double>::epsilon();
   return left > 0 ? left * least / norm * (1 - 1e-12) : 0.0;
@@ -125,7 +125,7 @@ double PNormBall::do_inner_radius(const double* x) const {
 // no number can hold, but a norm like any other: an error of t enters the sum p-fold, and is taken to the
 // power 1/p with it.
 template <class Real>
-Real PNormBall::gauge(const Real* x, Real* normal) const {
+Real PNormBall::norm(const Real* x, Real* normal) const {
   const int n = dimension();
   for (int k = 0; k < n; ++k) normal[k] = x[k] / semi_axes_[k];
   const Real largest = largest_magnitude(normal, n);
@@ -140,22 +140,21 @@ Real PNormBall::gauge(const Real* x, Real* normal) const {
   return largest * elementary::pow(sum, 1 / Real{p_});
 }
 
-bool PNormBall::has_gauge() const {
+bool PNormBall::is_smooth() const noexcept { return p_ > 1 && p_ < std::numeric_limits<double>::infinity(); }
+
+bool PNormBall::has_gauge() const noexcept {
   return center_.isZero(0) && semi_axes_.minCoeff() > 0 && std::isfinite(p_);
 }
 
 double PNormBall::do_gauge(const double* x, double* normal) const {
-  if (!has_gauge()) return kInfinity;
   // Below the normal range a quotient has no relative error bound.
   for (int k = 0; k < dimension(); ++k) {
     if (x[k] != 0 && !std::isnormal(x[k] / semi_axes_[k])) return kInfinity;
   }
-  return gauge(x, normal) * (1 + (2 * dimension() + 16) * std::numeric_limits<double>::epsilon());
+  return norm(x, normal) * (1 + (2 * dimension() + 16) * std::numeric_limits<double>::epsilon());
 }
 
-bool PNormBall::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
-  return has_gauge() && gauge(x, normal) > 0;
-}
+bool PNormBall::do_quad_gauge_normal(const Quad* x, Quad* normal) const { return norm(x, normal) > 0; }
 
 bool PNormBall::do_spatial_shape(SpatialShape& shape) const {
   const int n = dimension();
@@ -173,8 +172,7 @@ bool PNormBall::do_spatial_shape(SpatialShape& shape) const {
 }
 
 SupportStructure PNormBall::do_structure() const noexcept {
-  return p_ > 1 && p_ < std::numeric_limits<double>::infinity() ? SupportStructure::smooth
-                                                                : SupportStructure::polytope;
+  return is_smooth() ? SupportStructure::smooth : SupportStructure::polytope;
 }
 
 // Where t_k <= kLevel, z_k may be anything up to kLevel^(q-1), for no more than kLevel of S: a cube in all
@@ -183,7 +181,7 @@ bool PNormBall::do_is_unconditional(double* extent) const {
   constexpr double kLevel = 1e-40;  // far below the rounding errors of Quad
   const double share = std::pow(kLevel, 1 / (p_ - 1)) * (1 - 4 * std::numeric_limits<double>::epsilon());
   Vector::Map(extent, dimension()) = share * semi_axes_;
-  return do_structure() == SupportStructure::smooth;
+  return true;
 }
 
 // With v = diag(w) u, N = ‖v‖_q, t = |v|/N and g = diag(w) sign(v) t^(q-1), the gradient less c, the Hessian

@@ -121,7 +121,7 @@ SupportStructure PointSet::do_structure() const noexcept {
 // Those of a single point.
 template <class Real>
 void PointSet::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
-  if (capacity < 1 || size_ != 1) return;
+  if (capacity < 1) return;
   const int n = dimension();
   for (int k = 0; k < n; ++k) pieces.point(0)[k] = data_[static_cast<std::size_t>(k) * kLanes];
   pieces.value[0] = dot(u, pieces.point(0), n);

@@ -76,24 +76,28 @@ void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorR
   }
 }
 
-// The defect: the largest entry times n bounds the spectral norm; a product of columns loses n + 2 roundings.
-void Pose::measure() {
-  const int n = dimension_;
-  const double* R = rotation_data();
+// The largest entry times n bounds the spectral norm; a product of columns loses n + 2 roundings.
+double Pose::defect_of(const double* R, int n) noexcept {
   double largest = 0;
-  axis_exchange_ = true;
+  bool exact = true;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
       double product = i == j ? -1.0 : 0.0;
       for (int k = 0; k < n; ++k) product += R[i * n + k] * R[j * n + k];
       largest = std::max(largest, std::fabs(product));
     }
-    axis_exchange_ = axis_exchange_ && std::all_of(R + i * n, R + i * n + n,
-                                                   [](double r) { return r == 0 || std::fabs(r) == 1; });
+    exact =
+        exact && std::all_of(R + i * n, R + i * n + n, [](double r) { return r == 0 || std::fabs(r) == 1; });
   }
-  defect_ = axis_exchange_ && largest == 0
-                ? 0.0
-                : n * (largest + 2 * (n + 2) * std::numeric_limits<double>::epsilon());
+  if (exact && largest == 0) return 0;
+  return n * (largest + 2 * (n + 2) * std::numeric_limits<double>::epsilon());
+}
+
+void Pose::measure() {
+  const double* R = rotation_data();
+  axis_exchange_ =
+      std::all_of(R, R + dimension_ * dimension_, [](double r) { return r == 0 || std::fabs(r) == 1; });
+  defect_ = defect_of(R, dimension_);
 }
 
 Vector Pose::apply(const ConstVectorRef& x) const {

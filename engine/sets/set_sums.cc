@@ -7,6 +7,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 
 namespace raygauge {
 namespace {
@@ -14,22 +15,30 @@ namespace {
 // Entry by entry, in place: every value of the operands is read before its slot is written.
 template <class Real>
 void add_arrays(Real* base, int stride, int size, int first, int second, double sign) {
+  Real a[SupportPieces::kCapacity], b[SupportPieces::kCapacity];
   for (int e = 0; e < size; ++e) {
-    Real a[2], b[SupportPieces::kCapacity];
     Real* entry = base + e;
-    const int pairs_first = first == 2 && second == 2 ? 2 : 1;
-    for (int i = 0; i < pairs_first; ++i) a[i] = entry[static_cast<std::ptrdiff_t>(i) * stride];
-    if (pairs_first == 2) {
-      for (int j = 0; j < 2; ++j) b[j] = sign * entry[static_cast<std::ptrdiff_t>(2 + j) * stride];
-      for (int i = 0; i < 4; ++i) entry[static_cast<std::ptrdiff_t>(i) * stride] = a[i / 2] + b[i % 2];
-    } else if (first == 1) {
-      for (int j = 0; j < second; ++j) b[j] = sign * entry[static_cast<std::ptrdiff_t>(1 + j) * stride];
-      for (int j = 0; j < second; ++j) entry[static_cast<std::ptrdiff_t>(j) * stride] = a[0] + b[j];
-    } else {
-      const Real only = sign * entry[static_cast<std::ptrdiff_t>(first) * stride];
-      for (int i = 0; i < first; ++i) entry[static_cast<std::ptrdiff_t>(i) * stride] += only;
+    for (int i = 0; i < first; ++i) a[i] = entry[std::ptrdiff_t{i} * stride];
+    for (int j = 0; j < second; ++j) b[j] = sign * entry[std::ptrdiff_t{first + j} * stride];
+    for (int i = 0; i < first; ++i) {
+      for (int j = 0; j < second; ++j) entry[std::ptrdiff_t{i * second + j} * stride] = a[i] + b[j];
     }
   }
+}
+
+// The extents of an operand; those of a point are 0, less what its computed place is off by.
+bool operand_extents(const ConvexSet& S, double* extent) {
+  if (is_unconditional(S, extent)) return true;
+  if (S.structure() != SupportStructure::point) return false;
+  const int n = S.dimension();
+  Scratch center(n);
+  S.center_unchecked(center.data());
+  S.magnitude_unchecked(extent);
+  for (int k = 0; k < n; ++k) {
+    const bool exact = extent[k] == std::fabs(center.data()[k]);
+    extent[k] = exact ? 0.0 : -ConvexSet::rounding_error(n) * extent[k];
+  }
+  return true;
 }
 
 }  // namespace
@@ -39,7 +48,7 @@ void add_pieces(BasicSupportPieces<Real>& first, const BasicSupportPieces<Real>&
                 int capacity) {
   const int m = first.count;
   const int l = second.count;
-  if (m < 1 || l < 1 || m * l > capacity || (m > 1 && l > 1 && m + l != 4)) {
+  if (m < 1 || l < 1 || m * l > capacity) {
     first.count = 0;
     return;
   }
@@ -84,7 +93,7 @@ double rounding_of_sum(double a, double b) noexcept {
 bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent, bool with_faces) {
   const int n = S.dimension();
   Scratch of_T(n), c_S(n), c_T(n);
-  if (!S.is_unconditional_unchecked(extent) || !T.is_unconditional_unchecked(of_T.data())) return false;
+  if (!operand_extents(S, extent) || !operand_extents(T, of_T.data())) return false;
   S.center_unchecked(c_S.data());
   T.center_unchecked(c_T.data());
   for (int k = 0; k < n; ++k) {
@@ -101,9 +110,9 @@ int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const Real* 
   const int n = S.dimension();
   BasicScratch<Real> towards(n);
   for (int k = 0; k < n; ++k) towards.data()[k] = sign * u[k];
-  S.support_pieces_unchecked(u, pieces, SupportPieces::kCapacity - capacity);
+  support_pieces(S, u, pieces, SupportPieces::kCapacity - capacity);
   BasicSupportPieces<Real> second = pieces.rest(pieces.count);
-  T.support_pieces_unchecked(towards.data(), second, SupportPieces::kCapacity - capacity + pieces.count);
+  support_pieces(T, towards.data(), second, SupportPieces::kCapacity - capacity + pieces.count);
   if (of_T != nullptr) std::copy_n(second.points, second.count * n, of_T);
   add_pieces(pieces, second, sign, capacity);
   return second.count;
@@ -115,12 +124,5 @@ template int sum_pieces(const ConvexSet&, const ConvexSet&, double, const double
                         double*);
 template int sum_pieces(const ConvexSet&, const ConvexSet&, double, const Quad*, QuadSupportPieces&, int,
                         Quad*);
-
-double sum_of_radii(double first, double second, const double* c, const double* part, int n) {
-  if (!(first > 0) || !(second > 0)) return 0;
-  double size = first + second;
-  for (int k = 0; k < n; ++k) size += std::fabs(c[k]) + std::fabs(part[k]);
-  return proven_length(first + second, size, n);
-}
 
 }  // namespace raygauge

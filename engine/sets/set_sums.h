@@ -23,8 +23,9 @@ void sum_magnitude(const ConvexSet& S, const ConvexSet& T, double* magnitude);
 /// An upper bound on what a + b loses when it is rounded, with room for one more operation.
 double rounding_of_sum(double a, double b) noexcept;
 
-/// Whether S ± T is unconditional because S and T are. Its extents are theirs added up (or 0, without its
-/// faces), less what rounding may have moved its centre: the intervals lie within the faces of the exact sum.
+/// Whether S ± T is unconditional because S and T are, or one is and the other is a point. Its extents are
+/// theirs added up (or 0, without its faces), less what rounding may have moved its centre: the intervals lie
+/// within the faces of the exact sum.
 bool sum_is_unconditional(const ConvexSet& S, const ConvexSet& T, double* extent, bool with_faces = true);
 
 /// The pieces of S ± T, S's index running slower than T's (add_pieces). Returns how many T has; their
@@ -35,14 +36,9 @@ int sum_pieces(const ConvexSet& S, const ConvexSet& T, double sign, const Real* 
 
 /// The pieces of a sum, h_i + h_j for every pair, from those of its operands: `second` stands right behind
 /// `first` in memory and enters with its gradients times `sign` (-1 for the reflected operand of a
-/// difference). Either operand may have one piece only, or both two; otherwise, and beyond `capacity`, none
-/// are offered (first.count = 0).
+/// difference). Beyond `capacity` none are offered (first.count = 0).
 template <class Real>
 void add_pieces(BasicSupportPieces<Real>& first, const BasicSupportPieces<Real>& second, double sign,
                 int capacity);
-
-/// The radius of a ball in a sum of sets, from two balls around points that add up to c up to rounding;
-/// 0 unless both are known. `part` is one of the two points.
-double sum_of_radii(double first, double second, const double* c, const double* part, int n);
 
 }  // namespace raygauge

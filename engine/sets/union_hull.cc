@@ -3,10 +3,13 @@
 #include "raygauge/sets/union_hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 
@@ -73,12 +76,32 @@ SupportStructure UnionHull::do_structure() const noexcept {
   return hull == SupportStructure::point ? SupportStructure::polytope : hull;
 }
 
+const SmoothSupport* UnionHull::do_smooth() const noexcept {
+  const auto has = [](const auto& set) { return set->smooth() != nullptr; };
+  return std::all_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+}
+
+const FlatFaces* UnionHull::do_flat_faces() const noexcept {
+  const auto has = [](const auto& set) { return set->flat_faces() != nullptr; };
+  return std::any_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+}
+
+const GaugeFormula* UnionHull::do_gauge_formula() const noexcept {
+  const auto has = [](const auto& set) { return set->gauge() != nullptr; };
+  return std::any_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+}
+
+const CoordinateSymmetry* UnionHull::do_symmetry() const noexcept {
+  const auto has = [](const auto& set) { return set->symmetry() != nullptr; };
+  return std::all_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+}
+
 template <class Real>
 void UnionHull::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   for (const auto& set : sets_) {
     const int before = pieces.count;
     BasicSupportPieces<Real> more = pieces.rest(before);
-    set->support_pieces_unchecked(u, more, SupportPieces::kCapacity - capacity + before);
+    support_pieces(*set, u, more, SupportPieces::kCapacity - capacity + before);
     if (more.count == 0) {
       pieces.count = 0;
       return;
@@ -96,6 +119,124 @@ void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int ca
 
 void UnionHull::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
   list_pieces(u, pieces, capacity);
+}
+
+// The set that reaches farthest in direction u, which need not be more than a double.
+template <class Real>
+const ConvexSet& UnionHull::outermost(const Real* u) const {
+  const int n = dimension();
+  Scratch direction(n), point(n);
+  for (int k = 0; k < n; ++k) direction.data()[k] = static_cast<double>(u[k]);
+  const ConvexSet* farthest = sets_.front().get();
+  double best = -kInfinity;
+  for (const auto& set : sets_) {
+    const double value = set->support_unchecked(direction.data(), point.data());
+    if (value > best) {
+      best = value;
+      farthest = set.get();
+    }
+  }
+  return *farthest;
+}
+
+// A flat face of one of the sets is one of the hull if no other set reaches beyond it.
+template <class Real>
+bool UnionHull::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
+  return std::any_of(sets_.begin(), sets_.end(), [&](const auto& set) {
+    return facet_normal(*set, u, v, normal) && &outermost(normal) == set.get();
+  });
+}
+
+bool UnionHull::do_facet_normal(const double* u, const double* v, double* normal) const {
+  return find_facet_normal(u, v, normal);
+}
+
+bool UnionHull::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
+  return find_facet_normal(u, v, normal);
+}
+
+void UnionHull::do_facet_point(const double* normal, const double* target, double* point) const {
+  const ConvexSet& set = outermost(normal);
+  if (set.flat_faces() != nullptr) {
+    set.flat_faces()->point(normal, target, point);
+  } else {
+    set.support_unchecked(normal, point);
+  }
+}
+
+void UnionHull::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
+  const ConvexSet& set = outermost(normal);
+  if (set.flat_faces() != nullptr) set.flat_faces()->point(normal, target, point);
+}
+
+// The least bound: what is in tS_i is in the t-fold hull.
+double UnionHull::do_gauge(const double* x, double* normal) const {
+  const int n = dimension();
+  Scratch other(n);
+  double least = kInfinity;
+  for (const auto& set : sets_) {
+    const double bound = gauge_bound(*set, x, other.data());
+    if (!(bound < least)) continue;
+    least = bound;
+    std::copy_n(other.data(), n, normal);
+  }
+  return least;
+}
+
+// Of the set with the least gauge, as far as doubles tell.
+bool UnionHull::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
+  if (sets_.size() == 1) return gauge_normal(*sets_.front(), x, normal);
+  const int n = dimension();
+  Scratch rounded(n), other(n);
+  for (int k = 0; k < n; ++k) rounded.data()[k] = static_cast<double>(x[k]);
+  const ConvexSet* nearest = nullptr;
+  double least = kInfinity;
+  for (const auto& set : sets_) {
+    const double bound = gauge_bound(*set, rounded.data(), other.data());
+    if (!(bound < least)) continue;
+    least = bound;
+    nearest = set.get();
+  }
+  return nearest != nullptr && gauge_normal(*nearest, x, normal);
+}
+
+// With a normal u of one set, if all others touch the origin with the same, or have u·x < 0 throughout.
+bool UnionHull::do_touches_origin(double* u) const {
+  const int n = dimension();
+  Scratch other(n), magnitude(n);
+  const auto first = std::find_if(sets_.begin(), sets_.end(),
+                                  [&](const auto& set) { return raygauge::touches_origin(*set, u); });
+  return first != sets_.end() && std::all_of(sets_.begin(), sets_.end(), [&](const auto& set) {
+           if (raygauge::touches_origin(*set, other.data()) && std::equal(u, u + n, other.data()))
+             return true;
+           set->magnitude_unchecked(magnitude.data());
+           double error = 0;
+           for (int k = 0; k < n; ++k) error += std::fabs(u[k]) * magnitude.data()[k];
+           return set->support_unchecked(u, other.data()) + ConvexSet::rounding_error(n) * error +
+                      kUnderflow <
+                  0;
+         });
+}
+
+// About a common centre; any of the sets may be the one that reaches farthest.
+bool UnionHull::do_is_unconditional(double* extent) const {
+  const int n = dimension();
+  Scratch first(n), center(n), one(n);
+  do_center(center.data());
+  sets_.front()->center_unchecked(first.data());
+  std::fill_n(extent, n, kInfinity);
+  for (const auto& set : sets_) {
+    set->center_unchecked(one.data());
+    if (!std::equal(one.data(), one.data() + n, first.data()) || !is_unconditional(*set, one.data()))
+      return false;
+    for (int k = 0; k < n; ++k) extent[k] = std::min(extent[k], one.data()[k]);
+  }
+  for (int k = 0; k < n; ++k) {
+    if (center.data()[k] == first.data()[k]) continue;
+    const double away = std::fabs(center.data()[k] - first.data()[k]);
+    extent[k] -= away + 4 * kUnitRoundoff * (away + std::fabs(extent[k]));
+  }
+  return true;
 }
 
 }  // namespace raygauge

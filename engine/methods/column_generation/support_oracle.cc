@@ -8,6 +8,7 @@
 
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/capability_queries.h"
 
 namespace raygauge {
 namespace {
@@ -153,7 +154,7 @@ double SupportOracle::gauge(const double* x, double* normal) {
     if (x[k] != 0 && !std::isnormal(unscaled)) return kInfinity;  // not x any more
     direction_[static_cast<std::size_t>(k)] = unscaled;
   }
-  const double gauge = set_->gauge_unchecked(direction_.data(), normal);
+  const double gauge = gauge_bound(*set_, direction_.data(), normal);
   for (int k = 0; k < n; ++k) normal[k] /= factor_[k];
   return gauge;
 }

@@ -52,7 +52,7 @@ class SupportOracle {
   /// The radius of a ball around the origin inside S'; 0 where none is known.
   double inner_radius();
 
-  /// An upper bound on the gauge of S' at x and the outer normal there; see ConvexSet::gauge_unchecked.
+  /// An upper bound on the gauge of S' at x and the outer normal there; see GaugeFormula::bound.
   double gauge(const double* x, double* normal);
 
   /// The scaled centre of S'.

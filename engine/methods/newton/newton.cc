@@ -9,6 +9,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 
 namespace raygauge {
 namespace {
@@ -112,10 +113,9 @@ void Newton<Real>::choose_start(const ConvexSet& Q) {
   Real* u = now_->u.data();
   std::copy_n(center_.data(), n_, u);
   if constexpr (std::is_same_v<Real, double>) {
-    if (unconditional_ && Q.gauge_unchecked(u, target_.data()) < kInfinity)
-      std::copy_n(target_.data(), n_, u);
+    if (unconditional_ && gauge_bound(Q, u, target_.data()) < kInfinity) std::copy_n(target_.data(), n_, u);
   } else {
-    if (Q.gauge_normal_unchecked(u, target_.data())) std::copy_n(target_.data(), n_, u);
+    if (gauge_normal(Q, u, target_.data())) std::copy_n(target_.data(), n_, u);
   }
   for (int k = 0; k < n_; ++k) u[k] = -u[k];
 }

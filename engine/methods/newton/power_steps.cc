@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/sets/capability_queries.h"
+
 namespace raygauge {
 namespace {
 
@@ -45,7 +47,7 @@ template <class Real>
 bool PowerSteps<Real>::Side::bind(const ConvexSet& S) {
   center.reserve(static_cast<std::size_t>(S.dimension()));
   extent.reserve(static_cast<std::size_t>(S.dimension()));
-  unconditional = S.is_unconditional_unchecked(extent.data());
+  unconditional = is_unconditional(S, extent.data());
   if (unconditional) S.center_unchecked(center.data());
   return S.structure() == SupportStructure::smooth || S.structure() == SupportStructure::point;
 }

@@ -8,7 +8,7 @@
 
 namespace raygauge {
 
-/// What an unconditional set (ConvexSet::is_unconditional_unchecked) in a pair of smooth ones adds to a
+/// What an unconditional set (CoordinateSymmetry) in a pair of smooth ones adds to a
 /// Newton step. Coordinate k of its support points answers to u_k as a power does,
 ///
 ///     |s_k - c_k| ~ |u_k|^a,      a = u_k H_kk / |s_k - c_k|,

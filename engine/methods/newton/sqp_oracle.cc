@@ -8,6 +8,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 
 namespace raygauge {
 namespace {
@@ -84,7 +85,7 @@ void SqpOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
     magnitude += std::fabs(static_cast<double>(u[k])) * magnitude_[static_cast<std::size_t>(k)];
   }
-  set_->support_pieces_unchecked(direction_.data(), pieces);
+  support_pieces(*set_, direction_.data(), pieces);
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
   list.support.error = ConvexSet::rounding_error<Real>(n_) * magnitude + kUnderflow;
@@ -129,7 +130,7 @@ void SqpOracle<Real>::remember(const double* vertex) {
 template <class Real>
 void SqpOracle<Real>::replace_by_facet_point(const Real* u, const Real* target, PieceList<Real>& list) {
   for (int k = 0; k < n_; ++k) direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
-  set_->facet_point_unchecked(direction_.data(), target, list.points.data());
+  set_->flat_faces()->point(direction_.data(), target, list.points.data());
   std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, Real{0});
   list.count = 1;
   list.best = 0;
@@ -143,7 +144,7 @@ bool SqpOracle<Real>::facet_normal(const Real* u, const Real* v, Real* normal) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
     other_[static_cast<std::size_t>(k)] = sign_ * v[k];
   }
-  if (!set_->facet_normal_unchecked(direction_.data(), other_.data(), normal)) return false;
+  if (!raygauge::facet_normal(*set_, direction_.data(), other_.data(), normal)) return false;
   for (int k = 0; k < n_; ++k) normal[k] *= sign_;
   return true;
 }

@@ -42,7 +42,7 @@ class SqpOracle {
   /// Replaces the pieces at u, the normal of a flat face, by the point of that face nearest to `target`.
   void replace_by_facet_point(const Real* u, const Real* target, PieceList<Real>& list);
 
-  /// ConvexSet::facet_normal_unchecked in terms of u.
+  /// FlatFaces::normal in terms of u.
   bool facet_normal(const Real* u, const Real* v, Real* normal);
 
   /// Whether Hessians are to be as BasicSupportPieces::graded says.

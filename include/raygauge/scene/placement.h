@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/linear_image.h"
 
 namespace raygauge {
 
@@ -40,24 +40,14 @@ SmallMatrix rotation_about(const Eigen::Vector3d& r);
 SmallMatrix plane_rotation(double angle);
 
 /// R S + t, a set under a placement. A view: the set must outlive it; place() moves it without a copy.
-class PlacedSet final : public ConvexSet {
+/// LinearImage says what it keeps of S.
+class PlacedSet final : public LinearImage {
  public:
-  explicit PlacedSet(int dimension) : ConvexSet(dimension), where_(Placement::identity(dimension)) {}
+  explicit PlacedSet(int dimension) : LinearImage(dimension), where_(Placement::identity(dimension)) {}
 
-  void place(const ConvexSet& S, const Placement& where) noexcept {
-    S_ = &S;
-    where_ = where;
-  }
+  void place(const ConvexSet& S, const Placement& where) noexcept;
 
  private:
-  double do_support(const double* u, double* point) const override;
-  void do_center(double* point) const override;
-  void do_magnitude(double* magnitude) const override;
-  double do_inner_radius(const double* c) const override;
-  SupportStructure do_structure() const noexcept override { return S_->structure(); }
-  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
-
-  const ConvexSet* S_ = nullptr;
   Placement where_;
 };
 

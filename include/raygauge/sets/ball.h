@@ -9,7 +9,7 @@ namespace raygauge {
 /// {x : |x - c| <= r}, the Euclidean ball of R^n; r = 0 is the point c.
 ///
 ///     h(u) = u·c + r|u|,      s(u) = c + r u/|u|  (c for u = 0).
-class Ball final : public ConvexSet {
+class Ball final : public ConvexSet, private SmoothSupport, private GaugeFormula {
  public:
   /// Throws InvalidParameterError (n < 1, r < 0) or NonFiniteError.
   Ball(const ConstVectorRef& center, double radius);
@@ -25,6 +25,8 @@ class Ball final : public ConvexSet {
   bool do_touches_origin(double* u) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
+  const GaugeFormula* do_gauge_formula() const noexcept override { return this; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

@@ -9,7 +9,9 @@ namespace raygauge {
 /// An approximate inverse X of a square matrix L, with what it proves of L: ‖1 - X L‖ <= e < 1, e including
 /// the rounding errors of that product, gives
 ///
-///     min |L z|/|z| >= (1 - e)/‖X‖,      |L⁻¹v| <= |X v|/(1 - e)       (Frobenius norms).
+///     min |L z|/|z| >= (1 - e)/‖X‖,      |L⁻¹v| <= |X v|/(1 - e),
+///
+/// in Frobenius norms, and for ‖X‖ in the spectral norm, bounded by (‖XᵀX‖_∞)^(1/2).
 class BoundedInverse {
  public:
   BoundedInverse() = default;

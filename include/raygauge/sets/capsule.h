@@ -10,7 +10,7 @@ namespace raygauge {
 /// q is a ball, r = 0 a segment.
 ///
 ///     h(u) = max(u·p, u·q) + r|u|,      s(u) = (q where u·(q - p) > 0, else p) + r u/|u|.
-class Capsule final : public ConvexSet {
+class Capsule final : public ConvexSet, private SmoothSupport {
  public:
   /// Throws InvalidParameterError (n < 1, r < 0), DimensionMismatchError or NonFiniteError.
   Capsule(const ConstVectorRef& p, const ConstVectorRef& q, double radius);
@@ -26,6 +26,7 @@ class Capsule final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "raygauge/numerics/dense.h"
 #include "raygauge/numerics/quad.h"
+#include "raygauge/sets/capabilities.h"
 
 namespace raygauge {
 
@@ -22,7 +21,7 @@ enum class SupportStructure : std::uint8_t {
   unknown,   ///< nothing
   point,     ///< the set is one point: it has what the other two have
   polytope,  ///< piecewise linear: support points are vertices, of which there are finitely many
-  smooth,    ///< the maximum of a few twice differentiable pieces, which support_pieces_unchecked gives
+  smooth,    ///< the maximum of a few twice differentiable pieces, which ConvexSet::smooth gives
 };
 
 /// What is known of the support function of a sum or a difference.
@@ -30,36 +29,6 @@ constexpr SupportStructure structure_of_sum(SupportStructure a, SupportStructure
   if (a == b || b == SupportStructure::point) return a;
   return a == SupportStructure::point ? b : SupportStructure::unknown;
 }
-
-/// The smooth pieces h_i of a support function h(u) = max_i h_i(u) at one direction u: value h_i(u), gradient
-/// (a point of S) and Hessian, n × n. A gradient's Hessian times u is zero, since h_i is homogeneous.
-template <class Real>
-struct BasicSupportPieces {
-  static constexpr int kCapacity = 8;
-
-  int dimension = 0;
-  int count = 0;
-  bool graded = false;  ///< wanted: Hessians of unconditional sets, with diagonals as large as they are
-  std::array<Real, kCapacity> value{};
-  Real* points = nullptr;    ///< room for kCapacity points, n numbers each
-  Real* hessians = nullptr;  ///< room for kCapacity Hessians, n² numbers each
-
-  Real* point(int i) const noexcept { return points + std::ptrdiff_t{i} * dimension; }
-  Real* hessian(int i) const noexcept { return hessians + std::ptrdiff_t{i} * dimension * dimension; }
-
-  /// The pieces from number `first` on, as a list of their own.
-  BasicSupportPieces rest(int first) const noexcept {
-    BasicSupportPieces view;
-    view.dimension = dimension;
-    view.graded = graded;
-    view.points = point(first);
-    view.hessians = hessian(first);
-    return view;
-  }
-};
-
-using SupportPieces = BasicSupportPieces<double>;
-using QuadSupportPieces = BasicSupportPieces<Quad>;
 
 /// A nonempty compact convex set S in R^n, known through its support function and support mapping, equation
 /// (6) of Zheng & Yamane:
@@ -111,64 +80,17 @@ class ConvexSet {
   /// |r|/R for c = 0.
   double inner_radius_unchecked(const double* c) const { return do_inner_radius(c); }
 
-  /// An upper bound on the gauge of S at x, min {t >= 0 : x in tS}, rounding errors included, and in `normal`
-  /// the outer normal of tS at x, of any length; +infinity where the set has no formula for it, as by
-  /// default.
-  double gauge_unchecked(const double* x, double* normal) const { return do_gauge(x, normal); }
-
-  /// The normal alone, in quadruple precision; false where the set has no formula. A direction to start from,
-  /// good where Q is long and thin: for the centre of a homothet of Q, or for a point, it is the last one
-  /// too.
-  bool gauge_normal_unchecked(const Quad* x, Quad* normal) const { return do_quad_gauge_normal(x, normal); }
-
-  /// True where it is proven, without a rounding error, that the origin is a point of S and its only one with
-  /// u·x >= 0: the multiples of S fill no closed cone, and what has u·x >= 0 but not x = 0 is out of their
-  /// reach. Writes u. False by default.
-  bool touches_origin_unchecked(double* u) const { return do_touches_origin(u); }
+  SupportStructure structure() const noexcept { return do_structure(); }
 
   /// What fixed-size code needs of a set of R^2 or R^3; false for all others, and where there is none, as by
   /// default.
   bool spatial_shape_unchecked(SpatialShape& shape) const { return do_spatial_shape(shape); }
 
-  SupportStructure structure() const noexcept { return do_structure(); }
-
-  /// Second-order information at u != 0 for `smooth` sets; the greatest value is h_S(u). count = 0 where
-  /// there is none. At most pieces.kCapacity - `used` pieces are written.
-  void support_pieces_unchecked(const double* u, SupportPieces& pieces, int used = 0) const {
-    pieces.count = 0;
-    do_support_pieces(u, pieces, SupportPieces::kCapacity - used);
-  }
-
-  /// The same in quadruple precision, for what is left to prove where doubles end: values and gradients as
-  /// above, with errors of rounding_error<Quad>(n). count = 0 where the set knows no more than doubles.
-  void support_pieces_unchecked(const Quad* u, QuadSupportPieces& pieces, int used = 0) const {
-    pieces.count = 0;
-    do_quad_pieces(u, pieces, SupportPieces::kCapacity - used);
-  }
-
-  /// A `smooth` set may have flat faces, at whose normals its pieces have a kink. If the way from u to v
-  /// passes near such a normal, writes it and returns true.
-  bool facet_normal_unchecked(const double* u, const double* v, double* normal) const {
-    return do_facet_normal(u, v, normal);
-  }
-  bool facet_normal_unchecked(const Quad* u, const Quad* v, Quad* normal) const {
-    return do_quad_facet_normal(u, v, normal);
-  }
-
-  /// The point of the face across `normal`, one that facet_normal_unchecked gave, that is nearest to
-  /// `target`.
-  void facet_point_unchecked(const double* normal, const double* target, double* point) const {
-    do_facet_point(normal, target, point);
-  }
-  void facet_point_unchecked(const Quad* normal, const Quad* target, Quad* point) const {
-    do_quad_facet_point(normal, target, point);
-  }
-
-  /// True for a `smooth` set known to be unconditional about its centre c: with c + x it has every c +
-  /// diag(±1, ..., ±1) x. Writes the extents e_k of its faces along the axes, for large p those of a
-  /// p-norm ball, negative where rounding of c leaves none: if u_k = 0 and s is on the face across u, it is
-  /// with any s_k in [c_k - e_k, c_k + e_k], but for less than a rounding error of Quad.
-  bool is_unconditional_unchecked(double* extent) const { return do_is_unconditional(extent); }
+  /// The optional capabilities, each nullptr where S does not have it, as by default. They live as long as S.
+  const SmoothSupport* smooth() const noexcept { return do_smooth(); }
+  const FlatFaces* flat_faces() const noexcept { return do_flat_faces(); }
+  const GaugeFormula* gauge() const noexcept { return do_gauge_formula(); }
+  const CoordinateSymmetry* symmetry() const noexcept { return do_symmetry(); }
 
   /// (2n + 8) rounding units: what a support function of R^n may lose, see magnitude_unchecked.
   template <class Real = double>
@@ -189,18 +111,12 @@ class ConvexSet {
   virtual void do_magnitude(double* magnitude) const;
 
   virtual double do_inner_radius(const double* c) const;
-  virtual double do_gauge(const double* x, double* normal) const;
-  virtual bool do_quad_gauge_normal(const Quad* x, Quad* normal) const;
-  virtual bool do_touches_origin(double* u) const;
-  virtual bool do_spatial_shape(SpatialShape& shape) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
-  virtual void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const;
-  virtual bool do_facet_normal(const double* u, const double* v, double* normal) const;
-  virtual void do_facet_point(const double* normal, const double* target, double* point) const;
-  virtual bool do_is_unconditional(double* extent) const;
-  virtual void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const;
-  virtual bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const;
-  virtual void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const;
+  virtual bool do_spatial_shape(SpatialShape& shape) const;
+  virtual const SmoothSupport* do_smooth() const noexcept { return nullptr; }
+  virtual const FlatFaces* do_flat_faces() const noexcept { return nullptr; }
+  virtual const GaugeFormula* do_gauge_formula() const noexcept { return nullptr; }
+  virtual const CoordinateSymmetry* do_symmetry() const noexcept { return nullptr; }
 
   int dimension_;
 };

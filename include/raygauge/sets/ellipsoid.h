@@ -12,7 +12,7 @@ namespace raygauge {
 /// L = R diag(a); a factor of rank below n is a flat ellipsoid.
 ///
 ///     h(u) = u·c + |Lᵀu|,      s(u) = c + L z/|z|, z = Lᵀu  (c for z = 0).
-class Ellipsoid final : public ConvexSet {
+class Ellipsoid final : public ConvexSet, private SmoothSupport, private GaugeFormula {
  public:
   /// Throws InvalidParameterError (n < 1, m < 1), DimensionMismatchError (L does not have n rows) or
   /// NonFiniteError.
@@ -28,6 +28,8 @@ class Ellipsoid final : public ConvexSet {
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
+  const GaugeFormula* do_gauge_formula() const noexcept override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

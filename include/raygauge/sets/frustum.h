@@ -15,7 +15,7 @@ namespace raygauge {
 ///     h(u) = max_i (u·p_i + r_i |u_⊥|),      s(u) = p_i + r_i u_⊥/|u_⊥|,      u_⊥ = u - (u·a) a,
 ///
 /// with the Hessian r_i/|u_⊥| times the projector across the axis and u; the discs are its flat faces.
-class Frustum : public ConvexSet {
+class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
  public:
   const Vector& base() const noexcept { return base_; }
   const Vector& top() const noexcept { return top_; }
@@ -34,6 +34,8 @@ class Frustum : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
+  const FlatFaces* do_flat_faces() const noexcept override { return this; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   bool do_facet_normal(const double* u, const double* v, double* normal) const override;
   void do_facet_point(const double* normal, const double* target, double* point) const override;

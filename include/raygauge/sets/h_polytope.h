@@ -20,7 +20,7 @@ namespace raygauge {
 ///
 /// Its centre is that of a largest ball inside (Chebyshev). A support query takes O(m n) a basis change and,
 /// other than those of the closed forms, allocates room for an n × n matrix.
-class HPolytope final : public ConvexSet {
+class HPolytope final : public ConvexSet, private GaugeFormula {
  public:
   /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded or not provably so, no
   /// interior), EmptySetError, DimensionMismatchError or NonFiniteError.
@@ -37,6 +37,7 @@ class HPolytope final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   double do_gauge(const double* x, double* normal) const override;
   SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
+  const GaugeFormula* do_gauge_formula() const noexcept override { return this; }
 
   /// h(u) <= constant + rest R for any R >= |x_k|, x in S.
   struct Bound {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/minkowski_view.h"
 
 namespace raygauge {
 
@@ -12,7 +12,7 @@ namespace raygauge {
 /// A2 in the gauge of Q, and it contains the origin where the two meet.
 ///
 ///     h(u) = h_A2(u) + h_A1(-u),      s(u) = s_A2(u) - s_A1(-u),      centre c_A2 - c_A1.
-class MinkowskiDifference final : public ConvexSet {
+class MinkowskiDifference final : public MinkowskiView {
  public:
   /// Throws InvalidParameterError (null pointer) or DimensionMismatchError.
   MinkowskiDifference(std::shared_ptr<const ConvexSet> A2, std::shared_ptr<const ConvexSet> A1);
@@ -21,15 +21,6 @@ class MinkowskiDifference final : public ConvexSet {
   const std::shared_ptr<const ConvexSet>& A1() const noexcept { return A1_; }
 
  private:
-  double do_support(const double* u, double* point) const override;
-  void do_center(double* point) const override;
-  void do_magnitude(double* magnitude) const override;
-  double do_inner_radius(const double* c) const override;
-  SupportStructure do_structure() const noexcept override;
-  bool do_is_unconditional(double* extent) const override;
-  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
-  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
-
   std::shared_ptr<const ConvexSet> A2_;
   std::shared_ptr<const ConvexSet> A1_;
 };

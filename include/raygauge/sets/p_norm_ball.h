@@ -13,7 +13,10 @@ namespace raygauge {
 ///
 /// p = 1: z = sign(v_k) e_k for the smallest k with |v_k| = ‖v‖_∞; p = infinity: z_k = sign(v_k); u = 0: z =
 /// 0. Powers are taken of t_k = |v_k| / max|v| <= 1, which cannot overflow for any p.
-class PNormBall final : public ConvexSet {
+class PNormBall final : public ConvexSet,
+                        private SmoothSupport,
+                        private GaugeFormula,
+                        private CoordinateSymmetry {
  public:
   /// Throws InvalidParameterError (n < 1, p < 1, w_k < 0), DimensionMismatchError or NonFiniteError (p may be
   /// infinite but not NaN).
@@ -31,13 +34,17 @@ class PNormBall final : public ConvexSet {
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return is_smooth() ? this : nullptr; }
+  const GaugeFormula* do_gauge_formula() const noexcept override { return has_gauge() ? this : nullptr; }
+  const CoordinateSymmetry* do_symmetry() const noexcept override { return is_smooth() ? this : nullptr; }
   bool do_is_unconditional(double* extent) const override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 
-  bool has_gauge() const;
+  bool is_smooth() const noexcept;
+  bool has_gauge() const noexcept;
   template <class Real>
-  Real gauge(const Real* x, Real* normal) const;
+  Real norm(const Real* x, Real* normal) const;
   template <class Real>
   Real support(const Real* u, Real* point) const;
   template <class Real>

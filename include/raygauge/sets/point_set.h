@@ -24,7 +24,7 @@ namespace raygauge {
 ///
 /// so that a support query is one sequential stream of whole 64-byte cache lines for any n, at any vector
 /// width. The last block is filled up with copies of the last point, which changes no maximum.
-class PointSet final : public ConvexSet {
+class PointSet final : public ConvexSet, private SmoothSupport {
  public:
   static constexpr int kLanes = 8;
 
@@ -86,6 +86,7 @@ class PointSet final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return size_ == 1 ? this : nullptr; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

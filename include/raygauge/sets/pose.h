@@ -55,6 +55,9 @@ class Pose {
   /// An upper bound on ‖RᵀR - 1‖ in the spectral norm, rounding errors included.
   double defect() const noexcept { return defect_; }
 
+  /// The same for any R, n × n by columns.
+  static double defect_of(const double* R, int n) noexcept;
+
   /// Whether R only exchanges axes and turns them about: all its entries are 0 and ±1.
   bool is_axis_exchange() const noexcept { return axis_exchange_; }
 

@@ -45,6 +45,7 @@ class PreparedSet final : public ConvexSet {
   double do_inner_radius(const double* c) const override;
   bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return points_->smooth(); }
 
   void keep(const Eigen::Ref<const Eigen::MatrixXd>& points);
 

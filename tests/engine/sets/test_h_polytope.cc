@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/h_polytope.h"
 
 #include <gtest/gtest.h>
@@ -65,8 +66,8 @@ TEST(HPolytope, KnowsItsGaugeAndTheBallsInside) {
   const HPolytope box = cube(3, 2);
   const Vector x{{1, -3, 0.5}};
   Vector normal(3);
-  EXPECT_NEAR(box.gauge_unchecked(x.data(), normal.data()), 1.5, 1e-14);
-  EXPECT_GE(box.gauge_unchecked(x.data(), normal.data()), 1.5);
+  EXPECT_NEAR(gauge_bound(box, x.data(), normal.data()), 1.5, 1e-14);
+  EXPECT_GE(gauge_bound(box, x.data(), normal.data()), 1.5);
   EXPECT_EQ(normal.normalized(), (Vector{{0, -1, 0}}));
   const Vector off{{1, 0, 0}}, origin = Vector::Zero(3);
   EXPECT_NEAR(box.inner_radius_unchecked(origin.data()), 2, 1e-13);
@@ -74,7 +75,7 @@ TEST(HPolytope, KnowsItsGaugeAndTheBallsInside) {
   EXPECT_NEAR(box.inner_radius_unchecked(off.data()), 1, 1e-13);
   EXPECT_NEAR(cross_polytope(4).inner_radius_unchecked(Vector::Zero(4).eval().data()), 0.5, 1e-13);
   const HPolytope simplex = corner_simplex(3);
-  EXPECT_EQ(simplex.gauge_unchecked(x.data(), normal.data()), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(gauge_bound(simplex, x.data(), normal.data()), std::numeric_limits<double>::infinity());
 }
 
 TEST(HPolytope, HasACentreInside) {

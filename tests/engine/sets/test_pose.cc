@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/pose.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(PosedView, KeepsTheSecondOrderInformationOfASet) {
   pieces.dimension = 3;
   pieces.points = points;
   pieces.hessians = hessians;
-  view.support_pieces_unchecked(u.data(), pieces);
+  support_pieces(view, u.data(), pieces);
   ASSERT_EQ(pieces.count, 2);
   const int best = pieces.value[1] > pieces.value[0] ? 1 : 0;
   EXPECT_NEAR(pieces.value[static_cast<std::size_t>(best)], view.support_function(u), 8 * kRounding);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/sets/set_cases.h"
@@ -22,7 +23,7 @@ struct Evaluated {
     pieces.dimension = S.dimension();
     pieces.points = points.data();
     pieces.hessians = hessians.data();
-    S.support_pieces_unchecked(u.data(), pieces);
+    support_pieces(S, u.data(), pieces);
   }
   int best() const {
     return static_cast<int>(std::max_element(pieces.value.begin(), pieces.value.begin() + pieces.count) -
@@ -101,9 +102,9 @@ void expect_flat_face(const Body& body, const Vector& from, const Vector& to, co
   const Vector axis = (to - from) / (to - from).norm();
   const Vector beside = axis + 0.1 * Vector::Unit(3, 0), across = axis - 0.1 * Vector::Unit(3, 0);
   Quad normal[3], point[3];
-  ASSERT_TRUE(body.facet_normal_unchecked(in_quad(beside).data(), in_quad(across).data(), normal));
+  ASSERT_TRUE(facet_normal(body, in_quad(beside).data(), in_quad(across).data(), normal));
   const std::vector<Quad> target = in_quad(center + Vector{{0.1, -0.2, 0.3}});
-  body.facet_point_unchecked(normal, target.data(), point);
+  body.flat_faces()->point(normal, target.data(), point);
   // In the plane of the disc, and no further from its centre than the radius.
   Quad along = 0, square = 0;
   for (int k = 0; k < 3; ++k) {

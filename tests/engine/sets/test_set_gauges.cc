@@ -9,6 +9,7 @@
 #include "engine/kernels/kernel.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -24,12 +25,12 @@ void expect_normal_at(const ConvexSet& S, const Vector& x, double error = 1e-24)
   const int n = S.dimension();
   const std::vector<Quad> target(x.begin(), x.end());
   std::vector<Quad> normal(target.size()), points(target.size() * 8), hessians(points.size() * target.size());
-  ASSERT_TRUE(S.gauge_normal_unchecked(target.data(), normal.data()));
+  ASSERT_TRUE(gauge_normal(S, target.data(), normal.data()));
   QuadSupportPieces pieces;
   pieces.dimension = n;
   pieces.points = points.data();
   pieces.hessians = hessians.data();
-  S.support_pieces_unchecked(normal.data(), pieces);
+  support_pieces(S, normal.data(), pieces);
   const Quad* s = pieces.point(0);
   const Quad t = dot(target.data(), s, n) / dot(s, s, n);
   for (int k = 0; k < n; ++k) {
@@ -47,7 +48,7 @@ TEST(Gauge, OfAPNormBallIsItsNorm) {
         std::pow(std::pow(1.5L, static_cast<long double>(p)) + std::pow(2.0L, static_cast<long double>(p)) +
                      std::pow(0.25L, static_cast<long double>(p)),
                  1 / static_cast<long double>(p));
-    const double gauge = ball.gauge_unchecked(x.data(), normal.data());
+    const double gauge = gauge_bound(ball, x.data(), normal.data());
     EXPECT_GE(gauge, exact) << "p = " << p;
     EXPECT_LE(gauge, exact * (1 + 1e-14L)) << "p = " << p;
     EXPECT_NEAR(normal.dot(x), gauge * ball.support_function(normal), 1e-12 * normal.norm()) << "p = " << p;
@@ -58,7 +59,7 @@ TEST(Gauge, OfAnEvenLargerPIsTheLargestCoordinate) {
   const PNormBall ball(Vector::Zero(2), Vector::Ones(2), 1e6);
   const Vector x{{-7, 6.5}};
   Vector normal(2);
-  EXPECT_NEAR(ball.gauge_unchecked(x.data(), normal.data()), 7, 1e-13);
+  EXPECT_NEAR(gauge_bound(ball, x.data(), normal.data()), 7, 1e-13);
   EXPECT_LT(normal[0], 0);
   EXPECT_EQ(normal[1], 0);
 }
@@ -66,8 +67,7 @@ TEST(Gauge, OfAnEvenLargerPIsTheLargestCoordinate) {
 TEST(Gauge, IsUnknownWhereAQuotientUnderflows) {
   const Vector x{{5 * std::numeric_limits<double>::denorm_min(), 0}};  // 5/2 of it is not representable
   Vector normal(2);
-  EXPECT_EQ(PNormBall(Vector::Zero(2), Vector{{2, 2}}, 3).gauge_unchecked(x.data(), normal.data()),
-            kInfinity);
+  EXPECT_EQ(gauge_bound(PNormBall(Vector::Zero(2), Vector{{2, 2}}, 3), x.data(), normal.data()), kInfinity);
 }
 
 TEST(Gauge, OfAScaledSetIsUnknownWhereUnscalingUnderflows) {
@@ -84,11 +84,9 @@ TEST(Gauge, OfAScaledSetIsUnknownWhereUnscalingUnderflows) {
 TEST(Gauge, IsUnknownAwayFromTheOrigin) {
   const Vector x = Vector::Ones(2);
   Vector normal(2);
-  EXPECT_EQ(PNormBall(Vector::Ones(2), Vector::Ones(2), 3).gauge_unchecked(x.data(), normal.data()),
-            kInfinity);
-  EXPECT_EQ(PNormBall(Vector::Zero(2), Vector{{1, 0}}, 3).gauge_unchecked(x.data(), normal.data()),
-            kInfinity);
-  EXPECT_EQ(Ball(Vector::Zero(2), 1).gauge_unchecked(x.data(), normal.data()), kInfinity);
+  EXPECT_EQ(gauge_bound(PNormBall(Vector::Ones(2), Vector::Ones(2), 3), x.data(), normal.data()), kInfinity);
+  EXPECT_EQ(gauge_bound(PNormBall(Vector::Zero(2), Vector{{1, 0}}, 3), x.data(), normal.data()), kInfinity);
+  EXPECT_EQ(gauge_bound(Ball(Vector::Zero(2), 1), x.data(), normal.data()), kInfinity);
 }
 
 TEST(GaugeNormal, IsWhereTheRayLeavesTheSet) {
@@ -108,18 +106,18 @@ TEST(GaugeNormal, IsOfTheBallThatTouchesTheOrigin) {
   expect_normal_at(Ball(Vector{{3, 4}}, 5), Vector{{1, 1e-9}});
   std::vector<Quad> normal(2);
   const std::vector<Quad> behind = {-1, -1};
-  EXPECT_FALSE(Ball(Vector{{3, 4}}, 5).gauge_normal_unchecked(behind.data(), normal.data()));
-  EXPECT_FALSE(Ellipsoid(Vector::Zero(2), Eigen::MatrixXd{{1, 2}, {2, 4}})
-                   .gauge_normal_unchecked(behind.data(), normal.data()));
+  EXPECT_FALSE(gauge_normal(Ball(Vector{{3, 4}}, 5), behind.data(), normal.data()));
+  EXPECT_FALSE(gauge_normal(Ellipsoid(Vector::Zero(2), Eigen::MatrixXd{{1, 2}, {2, 4}}), behind.data(),
+                            normal.data()));
 }
 
 TEST(TouchingTheOrigin, IsDecidedWithoutRounding) {
   Vector u(2);
-  EXPECT_TRUE(Ball(Vector{{3, -4}}, 5).touches_origin_unchecked(u.data()));
+  EXPECT_TRUE(touches_origin(Ball(Vector{{3, -4}}, 5), u.data()));
   EXPECT_EQ(u, (Vector{{-3, 4}}));
-  EXPECT_FALSE(Ball(Vector{{3, -4}}, std::nextafter(5, 6)).touches_origin_unchecked(u.data()));
-  EXPECT_FALSE(Ball(Vector{{3, -4}}, std::nextafter(5, 4)).touches_origin_unchecked(u.data()));
-  EXPECT_FALSE(Ball(Vector::Zero(2), 0).touches_origin_unchecked(u.data()));
+  EXPECT_FALSE(touches_origin(Ball(Vector{{3, -4}}, std::nextafter(5, 6)), u.data()));
+  EXPECT_FALSE(touches_origin(Ball(Vector{{3, -4}}, std::nextafter(5, 4)), u.data()));
+  EXPECT_FALSE(touches_origin(Ball(Vector::Zero(2), 0), u.data()));
 }
 
 }  // namespace

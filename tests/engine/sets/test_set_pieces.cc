@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/bounded_inverse.h"
 #include "tests/engine/sets/set_cases.h"
 
@@ -27,7 +28,7 @@ class Pieces : public testing::TestWithParam<SetCase> {
   }
 
   int evaluate(const Vector& u) {
-    set().support_pieces_unchecked(u.data(), pieces_);
+    support_pieces(set(), u.data(), pieces_);
     return pieces_.count;
   }
   Vector point(int i) const { return Vector::Map(pieces_.point(i), n()); }

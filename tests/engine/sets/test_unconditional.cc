@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "engine/sets/capability_queries.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/numerics/quad.h"
 #include "raygauge/sets/ellipsoid.h"
@@ -27,7 +28,7 @@ TEST(Unconditional, IsAPNormBall) {
     const Vector center = gaussian_points(4, 1, random), semi_axes{{1, 0.5, 2, 4}};
     const PNormBall ball(center, semi_axes, p);
     Vector extent(4);
-    ASSERT_TRUE(ball.is_unconditional_unchecked(extent.data())) << "p = " << p;
+    ASSERT_TRUE(is_unconditional(ball, extent.data())) << "p = " << p;
     const Vector u = gaussian_points(4, 1, random);
     const double about_center = ball.support_function(u) - u.dot(center);
     for (int k = 0; k < 4; ++k) {
@@ -44,7 +45,7 @@ TEST(Unconditional, FacesReachAsFarAsNoOneSees) {
   for (const double p : kExponents) {
     Vector extent(3);
     const Vector semi_axes{{1, 0.5, 2}};
-    ASSERT_TRUE(PNormBall(Vector::Zero(3), semi_axes, p).is_unconditional_unchecked(extent.data()));
+    ASSERT_TRUE(is_unconditional(PNormBall(Vector::Zero(3), semi_axes, p), extent.data()));
     for (int k = 0; k < 3; ++k) {
       EXPECT_GE(extent[k], 0);
       const long double share = static_cast<long double>(extent[k]) / semi_axes[k];
@@ -55,7 +56,7 @@ TEST(Unconditional, FacesReachAsFarAsNoOneSees) {
 
 TEST(Unconditional, FacesOfLargePAreAlmostThoseOfABox) {
   Vector extent(2);
-  ASSERT_TRUE(PNormBall(Vector::Zero(2), Vector::Ones(2), 1e6).is_unconditional_unchecked(extent.data()));
+  ASSERT_TRUE(is_unconditional(PNormBall(Vector::Zero(2), Vector::Ones(2), 1e6), extent.data()));
   EXPECT_GT(extent[0], 0.9999);
   EXPECT_LT(extent[0], 1);
 }
@@ -64,12 +65,12 @@ TEST(Unconditional, AreSumsAndDifferencesOfSuchSets) {
   const auto cube = std::make_shared<PNormBall>(Vector::Zero(2), Vector{{1, 2}}, 1e6);
   const auto other = std::make_shared<PNormBall>(Vector::Ones(2), Vector{{0.5, 4}}, 1e9);
   Vector extent(2);
-  ASSERT_TRUE(MinkowskiSum(cube, other).is_unconditional_unchecked(extent.data()));
+  ASSERT_TRUE(is_unconditional(MinkowskiSum(cube, other), extent.data()));
   EXPECT_NEAR(extent[0], 1.5, 1e-3);
-  ASSERT_TRUE(MinkowskiDifference(cube, other).is_unconditional_unchecked(extent.data()));
+  ASSERT_TRUE(is_unconditional(MinkowskiDifference(cube, other), extent.data()));
   EXPECT_NEAR(extent[1], 6, 1e-3);
   const auto tilted = std::make_shared<Ellipsoid>(Vector::Zero(2), Eigen::Matrix2d{{1, 0.5}, {0, 1}});
-  EXPECT_FALSE(MinkowskiSum(cube, tilted).is_unconditional_unchecked(extent.data()));
+  EXPECT_FALSE(is_unconditional(MinkowskiSum(cube, tilted), extent.data()));
 }
 
 // [c - e, c + e] is within the face of the exact set, although c is a rounded sum.
@@ -80,12 +81,12 @@ TEST(Unconditional, FacesOfSumsAndPosedSetsAllowForARoundedCenter) {
     const auto S = std::make_shared<PNormBall>(first, Vector::Ones(2), 1e9);
     const auto T = std::make_shared<PNormBall>(second, Vector{{0.5, 4}}, 1e9);
     Vector e_S(2), e_T(2), extent(2), of_posed(2);
-    ASSERT_TRUE(S->is_unconditional_unchecked(e_S.data()) && T->is_unconditional_unchecked(e_T.data()));
+    ASSERT_TRUE(is_unconditional(*S, e_S.data()) && is_unconditional(*T, e_T.data()));
     const MinkowskiSum sum(S, T);
-    ASSERT_TRUE(sum.is_unconditional_unchecked(extent.data()));
+    ASSERT_TRUE(is_unconditional(sum, extent.data()));
     const Pose pose(Eigen::Matrix2d{{0, -1}, {1, 0}}, second);
     const PosedView posed(*S, pose);
-    ASSERT_TRUE(posed.is_unconditional_unchecked(of_posed.data()));
+    ASSERT_TRUE(is_unconditional(posed, of_posed.data()));
     const Vector turned{{-first[1], first[0]}};
     for (int k = 0; k < 2; ++k) {
       const Quad exact = Quad{first[k]} + second[k], moved = Quad{turned[k]} + second[k];
@@ -101,10 +102,10 @@ TEST(Unconditional, IsNotKnownOfPolytopesAndOfOtherSets) {
   Vector extent(2);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double p : {1.0, infinity}) {
-    EXPECT_FALSE(PNormBall(Vector::Zero(2), Vector::Ones(2), p).is_unconditional_unchecked(extent.data()));
+    EXPECT_FALSE(is_unconditional(PNormBall(Vector::Zero(2), Vector::Ones(2), p), extent.data()));
   }
   const Ellipsoid ellipsoid(Vector::Zero(2), Eigen::Matrix2d{{1, 0.5}, {0, 1}});
-  EXPECT_FALSE(ellipsoid.is_unconditional_unchecked(extent.data()));
+  EXPECT_FALSE(is_unconditional(ellipsoid, extent.data()));
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raygauge/sets/convex_set.h"
+
+namespace raygauge {
+
+/// S + T or S - T, moved by a - b for two points a and b: what sums, differences, pairs of objects and the
+/// body of the growth distance have in common. It only looks at its operands, which are its subclass's to
+/// keep.
+///
+///     h(u) = h_S(u) + h_T(±u) + u·(a - b),      s(u) = s_S(u) ± s_T(±u) + a - b.
+///
+/// What the operands offer beyond their support functions is kept: pieces where both have them, the flat
+/// faces of either, symmetry about the axes where both have it, and gauges. A gauge that both operands have
+/// gives the bound 1/(1/g_S + 1/g_T); a set and {0} has the set's own.
+class MinkowskiView : public ConvexSet,
+                      private SmoothSupport,
+                      private FlatFaces,
+                      private GaugeFormula,
+                      private CoordinateSymmetry {
+ protected:
+  explicit MinkowskiView(int dimension) : ConvexSet(dimension) {}
+
+  /// The operands, and `sign` 1 or -1. All must outlive their use; a and b, n doubles each, may both be null.
+  void look_at(const ConvexSet& S, const ConvexSet& T, double sign, const double* a = nullptr,
+               const double* b = nullptr) noexcept {
+    S_ = &S;
+    T_ = &T;
+    sign_ = sign;
+    a_ = a;
+    b_ = b;
+  }
+
+  const ConvexSet& first() const noexcept { return *S_; }
+  const ConvexSet& second() const noexcept { return *T_; }
+
+ private:
+  /// Whether record_parts() is to be told of each point of the set, and the part of it that is in T. Such
+  /// points are not moved along faces.
+  virtual bool records_parts() const noexcept { return false; }
+  virtual void record_parts(const double* /*point*/, const double* /*of_T*/) const {}
+
+  double do_support(const double* u, double* point) const final;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const final;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept final {
+    return structure_of_sum(S_->structure(), T_->structure());
+  }
+  const SmoothSupport* do_smooth() const noexcept final;
+  const FlatFaces* do_flat_faces() const noexcept final;
+  const GaugeFormula* do_gauge_formula() const noexcept final;
+  const CoordinateSymmetry* do_symmetry() const noexcept final;
+
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const final;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const final;
+  bool do_facet_normal(const double* u, const double* v, double* normal) const final;
+  void do_facet_point(const double* normal, const double* target, double* point) const final;
+  bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const final;
+  void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const final;
+  double do_gauge(const double* x, double* normal) const final;
+  bool do_quad_gauge_normal(const Quad* x, Quad* normal) const final;
+  bool do_touches_origin(double* u) const final;
+  bool do_is_unconditional(double* extent) const final;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
+  template <class Real>
+  bool find_facet_normal(const Real* u, const Real* v, Real* normal) const;
+  template <class Real>
+  void find_facet_point(const Real* normal, const Real* target, Real* point) const;
+  template <class Real>
+  void record(const Real* point, const Real* of_T) const;
+  template <class Real>
+  void add_normals(Real* normal, Real* of_T) const;
+  template <class Ask, class Real>
+  auto ask_second(const Ask& ask, const Real* x, Real* normal) const;
+  double shift(int k) const noexcept { return a_ != nullptr ? a_[k] - b_[k] : 0.0; }
+  bool is_shifted() const noexcept;
+  bool is_first_alone() const;
+  bool is_second_alone() const;
+
+  const ConvexSet* S_ = nullptr;
+  const ConvexSet* T_ = nullptr;
+  double sign_ = 1;
+  const double* a_ = nullptr;
+  const double* b_ = nullptr;
+};
+
+}  // namespace raygauge
