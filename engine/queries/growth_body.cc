@@ -26,11 +26,12 @@ double GrowthBody::do_inner_radius(const double* c) const {
     size += std::fabs(c_Q_[k]) + std::fabs(c[k]) + std::fabs(c_A_[k]);
   }
   const double radius_Q = first().inner_radius_unchecked(around.data());
-  if (!c_Q_in_Q_ && !(radius_Q > 0)) return 0;
+  const double of_view = MinkowskiView::do_inner_radius(c);
+  if (!c_Q_in_Q_ && !(radius_Q > 0)) return of_view;
   const double radius = second().inner_radius_unchecked(c_A_) + radius_Q;
   // c_A is a point of A and c_Q one of Q, up to their rounding: one ball is enough if c is 0.
   const bool at_center = std::all_of(c, c + n, [](double x) { return x == 0; });
-  return at_center ? proven_length(radius, size + radius, n) : 0.0;
+  return at_center ? std::max(of_view, proven_length(radius, size + radius, n)) : of_view;
 }
 
 double PointView::do_support(const double* u, double* point) const {

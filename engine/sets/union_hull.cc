@@ -183,21 +183,23 @@ double UnionHull::do_gauge(const double* x, double* normal) const {
   return least;
 }
 
-// Of the set with the least gauge, as far as doubles tell.
+// Of the set with the least gauge, v·x/h(v) for its normal v at x, as far as doubles tell.
 bool UnionHull::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
-  if (sets_.size() == 1) return gauge_normal(*sets_.front(), x, normal);
   const int n = dimension();
-  Scratch rounded(n), other(n);
-  for (int k = 0; k < n; ++k) rounded.data()[k] = static_cast<double>(x[k]);
-  const ConvexSet* nearest = nullptr;
+  BasicScratch<Quad> v(n);
+  Scratch direction(n), point(n);
   double least = kInfinity;
   for (const auto& set : sets_) {
-    const double bound = gauge_bound(*set, rounded.data(), other.data());
-    if (!(bound < least)) continue;
-    least = bound;
-    nearest = set.get();
+    if (!gauge_normal(*set, x, v.data())) continue;
+    normalize(v.data(), n, v.data());
+    for (int k = 0; k < n; ++k) direction.data()[k] = static_cast<double>(v.data()[k]);
+    const double reach = set->support_unchecked(direction.data(), point.data());
+    const double gauge = static_cast<double>(dot(v.data(), x, n)) / reach;
+    if (!(gauge < least)) continue;
+    least = gauge;
+    std::copy_n(v.data(), n, normal);
   }
-  return nearest != nullptr && gauge_normal(*nearest, x, normal);
+  return least < kInfinity;
 }
 
 // With a normal u of one set, if all others touch the origin with the same, or have u·x < 0 throughout.

@@ -33,6 +33,8 @@ class MinkowskiView : public ConvexSet,
     b_ = b;
   }
 
+  double do_inner_radius(const double* c) const override;
+
   const ConvexSet& first() const noexcept { return *S_; }
   const ConvexSet& second() const noexcept { return *T_; }
 
@@ -45,7 +47,6 @@ class MinkowskiView : public ConvexSet,
   double do_support(const double* u, double* point) const final;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const final;
-  double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept final {
     return structure_of_sum(S_->structure(), T_->structure());
   }
