@@ -7,6 +7,8 @@
 #include "generators/example2.h"
 #include "generators/hard/registry.h"
 #include "generators/needle.h"
+#include "generators/random_segments.h"
+#include "generators/tangent_facets.h"
 
 namespace raygauge {
 
@@ -15,6 +17,8 @@ void register_generators(GeneratorRegistry& registry) {
   registry.add(example1_generator());
   registry.add(example2_generator());
   registry.add(needle_generator());
+  registry.add(random_segments_generator());
+  registry.add(tangent_facets_generator());
   register_hard_generators(registry);
 }
 

@@ -129,6 +129,63 @@ void duals(BasisView* basis) {
   transposed_multiply(basis->R, P, basis->m, residual, y);
 }
 
+// |I - R B| over kPacks packs of rows from `first` and kColumns columns from j, added to sum.
+template <int kPacks, int kColumns>
+inline void add_residual_tile(const BasisView& basis, int first, int j, Pack* sum) {
+  const double* B = basis.B + static_cast<std::ptrdiff_t>(j) * basis.P;
+  const double* R = basis.R + first * kWidth;
+  Pack product[kColumns][kPacks] = {};
+  for (int k = 0; k < basis.m; ++k, R += basis.P) {
+    Pack r[kPacks];
+    for (int p = 0; p < kPacks; ++p) r[p] = load(R + p * kWidth);
+    for (int c = 0; c < kColumns; ++c) {
+      const Pack b = broadcast(B[c * static_cast<std::ptrdiff_t>(basis.P) + k]);
+      for (int p = 0; p < kPacks; ++p) product[c][p] += r[p] * b;
+    }
+  }
+  for (int c = 0; c < kColumns; ++c) {
+    for (int p = 0; p < kPacks; ++p) {
+      const IndexPack lanes = lane_numbers<IndexPack>() + static_cast<long long>(first + p) * kWidth;
+      sum[p] += magnitude(lanes == broadcast_index(j + c) ? product[c][p] - 1.0 : product[c][p]);
+    }
+  }
+}
+
+template <int kPacks>
+inline void norms_of_rows(const BasisView& basis, int first, double* sum_E, double* sum_R, double* sum_B) {
+  constexpr int kColumns = 6;
+  Pack E[kPacks] = {};
+  Pack R[kPacks] = {};
+  Pack B[kPacks] = {};
+  int j = 0;
+  for (; j + kColumns <= basis.m; j += kColumns) add_residual_tile<kPacks, kColumns>(basis, first, j, E);
+  for (; j < basis.m; ++j) add_residual_tile<kPacks, 1>(basis, first, j, E);
+  for (j = 0; j < basis.m; ++j) {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(j) * basis.P + first * kWidth;
+    for (int p = 0; p < kPacks; ++p) {
+      R[p] += magnitude(load(basis.R + at + p * kWidth));
+      B[p] += magnitude(load(basis.B + at + p * kWidth));
+    }
+  }
+  for (int p = 0; p < kPacks; ++p) {
+    store(sum_E + (first + p) * kWidth, E[p]);
+    store(sum_R + (first + p) * kWidth, R[p]);
+    store(sum_B + (first + p) * kWidth, B[p]);
+  }
+}
+
+// Of many rows: tiles in registers, so that R and B are not read once for every column.
+MatrixNorms norms_in_tiles(BasisView* basis) {
+  double* sum_E = basis->scratch;
+  double* sum_R = sum_E + basis->P;
+  double* sum_B = sum_R + basis->P;
+  const int total = basis->P / kWidth;
+  int first = 0;
+  for (; first + 2 <= total; first += 2) norms_of_rows<2>(*basis, first, sum_E, sum_R, sum_B);
+  for (; first < total; ++first) norms_of_rows<1>(*basis, first, sum_E, sum_R, sum_B);
+  return {largest_entry(sum_E, basis->P), largest_entry(sum_R, basis->P), largest_entry(sum_B, basis->P)};
+}
+
 MatrixNorms norms(BasisView* basis) {
   subtract_changes(basis);
   switch (basis->P / kRowPadding) {
@@ -137,7 +194,7 @@ MatrixNorms norms(BasisView* basis) {
     case 2:
       return norms_v<2>(basis);
     default:
-      return norms_v<0>(basis);
+      return norms_in_tiles(basis);
   }
 }
 

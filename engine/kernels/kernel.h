@@ -113,7 +113,7 @@ struct MatrixNorms {
 /// Layout of the matrix of Kernels::add_gram in R^n: column-major, gram_rows(n) rows and gram_columns(n)
 /// columns, of which the lower triangle of the first n is written. Its scratch holds gram_rows(n) +
 /// gram_columns(n) numbers for each of kGramPoints points.
-constexpr int kGramRowPadding = 16;
+constexpr int kGramRowPadding = 32;
 constexpr int kGramColumnPadding = 6;
 constexpr int kGramPoints = 128;
 constexpr int gram_rows(int n) { return (n + kGramRowPadding - 1) / kGramRowPadding * kGramRowPadding; }
@@ -169,9 +169,22 @@ struct Kernels {
   void (*duals)(BasisView* basis);
 
   /// M += Σ weight_i p_i p_iᵀ over the points of `block_count` blocks in R^n, as many weights as lanes;
-  /// points of weight 0 cost nothing. Layout: gram_rows.
-  void (*add_gram)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+  /// points of weight 0 cost nothing. With `single` the products are in single precision, in half the time.
+  /// Layout: gram_rows.
+  void (*add_gram)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight, bool single,
                    double* scratch, double* M);
+
+  /// The lower triangle of M, laid out and with the scratch of add_gram, becomes its Cholesky factor. False
+  /// where M is not positive definite.
+  bool (*cholesky)(double* M, int n, double* scratch);
+
+  /// sum += Σ weight_i p_i over the points of `block_count` blocks in R^n, as many weights as lanes. 8 n
+  /// numbers of scratch.
+  void (*add_weighted)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+                       double* scratch, double* sum);
+
+  /// values_i = u·p_i over `block_count` blocks in R^n, as many values as lanes.
+  void (*products)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values);
 
   /// p -= Q Qᵀp for `count` orthonormal columns Q, by modified Gram-Schmidt; Qᵀp is added to `coefficients`.
   /// Columns and p have ld = padded_rows(·) entries, padding zero, here and in rotate.

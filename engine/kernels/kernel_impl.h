@@ -16,9 +16,9 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,          price_single,     best_of_lanes, collect,
-                          pivot,          simplex_loop,     norms,         refine,
-                          refine_twofold, residual_twofold, duals_twofold, duals,
-                          add_gram,       project_out,      rotate,        back_substitute};
+const Kernels kKernels = {price,         price_single, best_of_lanes, collect,        pivot,
+                          simplex_loop,  norms,        refine,        refine_twofold, residual_twofold,
+                          duals_twofold, duals,        add_gram,      cholesky,       add_weighted,
+                          products,      project_out,  rotate,        back_substitute};
 
 }  // namespace raygauge::RAYGAUGE_ISA

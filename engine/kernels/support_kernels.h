@@ -290,5 +290,24 @@ double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, 
   }
 }
 
+// All products of u with the points, in their order.
+void products(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values) {
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
+  constexpr int kTogether = 4;  // blocks whose chains of additions overlap
+  std::ptrdiff_t b = 0;
+  for (; b + kTogether <= block_count; b += kTogether) {
+    Pack sum[kTogether][kPacksPerBlock];
+    dot_blocks<0, kTogether>(blocks + b * stride, n, u, sum);
+    for (int c = 0; c < kTogether; ++c) {
+      for (int t = 0; t < kPacksPerBlock; ++t) store(values + (b + c) * kLanes + t * kWidth, sum[c][t]);
+    }
+  }
+  for (; b < block_count; ++b) {
+    Pack sum[kPacksPerBlock];
+    dot_block<0>(blocks + b * stride, n, u, sum);
+    for (int t = 0; t < kPacksPerBlock; ++t) store(values + b * kLanes + t * kWidth, sum[t]);
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::RAYGAUGE_ISA

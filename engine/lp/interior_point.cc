@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/lp/interior_point.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,12 +20,26 @@ constexpr int kIterations = 60;
 // x·s per unit of t where the solve ends: if just n + 1 columns carry weight, and at the latest.
 constexpr double kDecided = 1e-5;
 constexpr double kConverged = 1e-11;
-constexpr double kStep = 0.995;     // of the way to the boundary
-constexpr double kShortest = 1e-6;  // a step below makes no progress
+// x·s per unit of t down to which products in single precision suffice.
+constexpr double kCoarse = 1e-2;
+constexpr double kStep = 0.995;  // of the way to the boundary
+// Of further correctors, after J. Gondzio, Comput. Optim. Appl. 6 (1996).
+constexpr int kCorrections = 4;
+constexpr double kReachFurther = 0.3;   // longer steps to aim at
+constexpr double kNeighbourhood = 0.1;  // of the centre, for products x·s: from 0.1 to 10 times it
+constexpr double kLongEnough = 0.9;     // a step
+constexpr double kWorthwhile = 0.05;    // gain in length of both steps
+constexpr double kShortest = 1e-6;      // a step below makes no progress
 constexpr double kFirstSupport = 0.5;
+// Points of both sets for each dimension, from which on Q hardly fails to reach A. Of fewer the question is
+// whether it does: what takes the way along the centre sooner to an optimum shows that there is none later.
+constexpr std::ptrdiff_t kManyPoints = 6;
+constexpr double kSpread = 4;
+constexpr double kLeastSum = 1.0;
+constexpr double kMostSum = 1e6;
 // Columns that weigh less than this share of the (n + 1)st heaviest are left out of the matrix: a little of
 // each step is lost, and made up for by the next.
-constexpr double kNegligible = 1e-5;
+constexpr double kNegligible = 1e-4;
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
@@ -39,6 +53,7 @@ InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q
   bind(A_, A, 1.0);
   bind(Q_, Q, -1.0);
   count_ = A_.points.size + Q_.points.size;
+  many_ = count_ >= kManyPoints * n;
   ranked_.reserve(static_cast<std::size_t>(A_.count + Q_.count));
   const auto size = static_cast<std::size_t>(n);
   y_.reserve(size + 1);
@@ -48,12 +63,16 @@ InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q
   matrix_.reserve(static_cast<std::size_t>(gram_rows(n)) * static_cast<std::size_t>(gram_columns(n)));
   scratch_.reserve(static_cast<std::size_t>(gram_rows(n) + gram_columns(n)) * kGramPoints);
   start(guess);
+  bool single = many_;
   for (iterations_ = 1; iterations_ <= kIterations; ++iterations_) {
-    if (stopwatch.expired() || !factor()) return End::failed;
+    if (stopwatch.expired()) return End::failed;
+    if (single) single = factor(true);
+    if (!single && !factor(false)) return End::failed;
     const double length = step();
     if (!(length > kShortest) || !(y_[size] < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
     const double gap = complementarity(0, 0);
+    single = single && gap > kCoarse * std::fabs(y_[size]);
     const double scale = std::fabs(y_[size]);
     if (gap <= kConverged * scale || (gap <= kDecided * scale && columns_with_weight() == n + 1)) {
       return End::converged;
@@ -72,17 +91,16 @@ void InteriorPoint::bind(Side& side, const ColumnPool& pool, double sign) {
   side.s.reserve(count);
   side.dx.reserve(count);
   side.ds.reserve(count);
+  side.kept_dx.reserve(count);
+  side.kept_ds.reserve(count);
+  side.target.reserve(count);
   side.weight.reserve(count);
-  side.index.reserve(count);
 }
 
 // u·p for every point.
 // NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
 void InteriorPoint::price(Side& side, const double* u, double* products) {
-  double* direction = direction_.data();
-  std::copy_n(u, n_, direction);
-  Collection all{side.index.data(), products, side.count, 0, -kInfinity};
-  kernels_->collect(side.points.blocks, 0, side.points.block_count, n_, direction, &all);
+  kernels_->products(side.points.blocks, side.points.block_count, n_, u, products);
 }
 
 // s = c - Aᵀy.
@@ -95,23 +113,28 @@ void InteriorPoint::slacks(Side& side, double cost) {
   }
 }
 
-// The guess, scaled so that Q keeps half of its bound, and t below what A allows.
+// The guess g, scaled so that Q keeps half of its bound, t below what A allows, and weights x = μ / s.
 void InteriorPoint::start(const double* guess) {
-  std::ptrdiff_t index = 0;
   double* u = y_.data();
-  for (int k = 0; k < n_; ++k) direction_[static_cast<std::size_t>(k)] = -guess[k];
-  const double h_Q = kernels_->price(Q_.points.blocks, Q_.points.block_count, n_, direction_.data(), &index);
+  price(A_, guess, A_.s.data());
+  price(Q_, guess, Q_.s.data());
+  double h_A = -kInfinity;
+  double h_Q = -kInfinity;  // h_Q(-g)
+  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) h_A = std::max(h_A, A_.s[static_cast<std::size_t>(i)]);
+  for (std::ptrdiff_t j = 0; j < Q_.points.size; ++j) h_Q = std::max(h_Q, -Q_.s[static_cast<std::size_t>(j)]);
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
   const double length = kFirstSupport / std::max(h_Q, 1e-3 * largest);
   for (int k = 0; k < n_; ++k) u[k] = length * guess[k];
-  const double h_A = kernels_->price(A_.points.blocks, A_.points.block_count, n_, u, &index);
-  u[n_] = -h_A - std::max(1.0, 0.1 * std::fabs(h_A));
+  const auto size_A = static_cast<double>(A_.points.size);
+  double mu = many_ ? central_weight() : 0.0;
+  u[n_] = -length * h_A - (many_ ? mu * size_A : std::max(1.0, 0.1 * std::fabs(length * h_A)));
   slacks(A_, 0.0);
   slacks(Q_, 1.0);
-  const double share = 1.0 / static_cast<double>(A_.points.size);
-  double mu = 0;
-  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) mu += share * share * A_.s[static_cast<std::size_t>(i)];
+  if (!many_) {
+    for (std::ptrdiff_t i = 0; i < A_.points.size; ++i)
+      mu += A_.s[static_cast<std::size_t>(i)] / (size_A * size_A);
+  }
   for (Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->count; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -120,50 +143,73 @@ void InteriorPoint::start(const double* guess) {
   }
 }
 
+// From the products of the points with the guess g in s: a μ so large that weights μ / s within a factor of 2
+// of each other can move the mean of Q's points to where A is, Σβ of some |mean g·a| / rms g·q. That saves a
+// third of the iterations, but where no weights do it, u would have to turn too far to show it.
+double InteriorPoint::central_weight() const {
+  double mean_A = 0;
+  double square_Q = 0;
+  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) mean_A += A_.s[static_cast<std::size_t>(i)];
+  for (std::ptrdiff_t j = 0; j < Q_.points.size; ++j) {
+    const double product = Q_.s[static_cast<std::size_t>(j)];
+    square_Q += product * product;
+  }
+  const auto size_Q = static_cast<double>(Q_.points.size);
+  const double far = std::fabs(mean_A) / static_cast<double>(A_.points.size);
+  const double rms = std::sqrt(square_Q / size_Q);
+  return std::clamp(kSpread * far / rms, kLeastSum, kMostSum) / size_Q;
+}
+
+// The weights x / s of the matrix. Those of A count (Σβ)² times as much: compared in the units of each, x
+// about 1 in A and s about Σβ, and the other way round in Q.
 void InteriorPoint::weigh() {
-  double* weights = ranked_.data();
+  double beta = 0;
   for (Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->count; ++i) {
       const auto at = static_cast<std::size_t>(i);
       side->weight[at] = i < side->points.size ? side->x[at] / side->s[at] : 0.0;
-      *weights++ = side->weight[at];
+      if (side == &Q_) beta += side->x[at];
     }
   }
-  double* nth = ranked_.data() + std::min<std::ptrdiff_t>(n_, weights - ranked_.data() - 1);
-  std::nth_element(ranked_.data(), nth, weights, std::greater<>());
+  if (many_) leave_out_negligible(beta * beta);
+}
+
+// As counted, those of A `unit` times as much.
+void InteriorPoint::leave_out_negligible(double unit) {
+  double* ranks = ranked_.data();
+  for (const Side* side : {&A_, &Q_}) {
+    const double factor = side == &A_ ? unit : 1.0;
+    for (std::ptrdiff_t i = 0; i < side->count; ++i)
+      *ranks++ = factor * side->weight[static_cast<std::size_t>(i)];
+  }
+  double* nth = ranked_.data() + std::min<std::ptrdiff_t>(n_, ranks - ranked_.data() - 1);
+  std::nth_element(ranked_.data(), nth, ranks, std::greater<>());
   for (Side* side : {&A_, &Q_}) {
+    const double least = kNegligible * *nth / (side == &A_ ? unit : 1.0);
     for (std::ptrdiff_t i = 0; i < side->count; ++i) {
       double& weight = side->weight[static_cast<std::size_t>(i)];
-      if (weight < kNegligible * *nth) weight = 0;
+      if (weight < least) weight = 0;
     }
   }
 }
 
 // sum += Σ weight_i p_i.
-void InteriorPoint::add_weighted(const Side& side, double* sum) const {
-  for (std::ptrdiff_t b = 0; b < side.points.block_count; ++b) {
-    const double* weight = side.weight.data() + b * kLanes;
-    for (int k = 0; k < n_; ++k) {
-      const double* p = side.points.blocks + (b * n_ + k) * kLanes;
-      double part = 0;
-      for (int lane = 0; lane < kLanes; ++lane) part += weight[lane] * p[lane];
-      sum[k] += part;
-    }
-  }
+void InteriorPoint::add_weighted(const Side& side, double* sum) {
+  kernels_->add_weighted(side.points.blocks, side.points.block_count, n_, side.weight.data(), scratch_.data(),
+                         sum);
 }
 
 // G = Σ d p pᵀ over both sets by Cholesky; the convexity row borders it.
-bool InteriorPoint::factor() {
+bool InteriorPoint::factor(bool single) {
   const int ld = gram_rows(n_);
   std::fill_n(matrix_.data(), static_cast<std::size_t>(ld) * static_cast<std::size_t>(gram_columns(n_)), 0.0);
   weigh();
   for (Side* side : {&A_, &Q_}) {
-    kernels_->add_gram(side->points.blocks, side->points.block_count, n_, side->weight.data(),
+    kernels_->add_gram(side->points.blocks, side->points.block_count, n_, side->weight.data(), single,
                        scratch_.data(), matrix_.data());
   }
-  Matrix G(matrix_.data(), n_, n_, Eigen::OuterStride<>(ld));
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>> cholesky(G);
-  if (cholesky.info() != Eigen::Success) return false;
+  if (!kernels_->cholesky(matrix_.data(), n_, scratch_.data())) return false;
+  const Matrix G(matrix_.data(), n_, n_, Eigen::OuterStride<>(ld));
   double* g = border_.data();
   std::fill_n(g, n_, 0.0);
   add_weighted(A_, g);
@@ -192,22 +238,34 @@ void InteriorPoint::solve_for(double* rhs) {
   rhs[n_] = last;
 }
 
-// ds = -Aᵀdy and dx = S⁻¹ (centre - dx_a ds_a) - x - S⁻¹ X ds; with `corrector`, dx and ds hold those of the
-// affine step.
-void InteriorPoint::directions(Side& side, double centre, bool corrector) {
+// ds = -Aᵀdy and dx = S⁻¹ (target - X ds) - x: to first order x s becomes the target.
+void InteriorPoint::directions(Side& side) {
   double* products = side.weight.data();
-  for (std::ptrdiff_t i = 0; i < side.count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    side.dx[at] = (centre - (corrector ? side.dx[at] * side.ds[at] : 0.0)) / side.s[at];
-  }
   price(side, dy_.data(), products);
   const double dt = side.last * dy_[static_cast<std::size_t>(n_)];
-  for (std::ptrdiff_t i = 0; i < side.count; ++i) {
+  for (std::ptrdiff_t i = 0; i < side.points.size; ++i) {
     const auto at = static_cast<std::size_t>(i);
     side.ds[at] = -side.sign * products[at] - dt;
-    side.dx[at] += -side.x[at] - side.x[at] / side.s[at] * side.ds[at];
-    if (i >= side.points.size) side.dx[at] = side.ds[at] = 0;
+    side.dx[at] = (side.target[at] - side.x[at] * side.ds[at]) / side.s[at] - side.x[at];
   }
+}
+
+// The Newton step to the targets: M dy = b - A S⁻¹ target, and dx, ds.
+void InteriorPoint::follow_targets() {
+  std::fill_n(dy_.data(), n_ + 1, 0.0);
+  double sum_of_A = 0;
+  for (Side* side : {&A_, &Q_}) {
+    for (std::ptrdiff_t i = 0; i < side->count; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double weight = i < side->points.size ? side->target[at] / side->s[at] : 0.0;
+      side->weight[at] = -side->sign * weight;
+      if (side == &A_) sum_of_A += weight;
+    }
+    add_weighted(*side, dy_.data());
+  }
+  dy_[static_cast<std::size_t>(n_)] = 1 - sum_of_A;
+  solve_for(dy_.data());
+  for (Side* side : {&A_, &Q_}) directions(*side);
 }
 
 double InteriorPoint::longest_step(const Side& side, const AlignedBuffer<double>& value,
@@ -234,54 +292,86 @@ double InteriorPoint::complementarity(double step_x, double step_s) const {
   return sum;
 }
 
-// Predictor (M dy = b), centre, corrector. The shorter of the two step lengths.
-double InteriorPoint::step() {
-  const auto last = static_cast<std::size_t>(n_);
-  std::fill_n(dy_.data(), n_, 0.0);
-  dy_[last] = 1;
-  solve_for(dy_.data());
-  for (Side* side : {&A_, &Q_}) directions(*side, 0, false);
-  const auto limit = [&](bool of_x) {
-    double length = 1;
-    for (const Side* side : {&A_, &Q_}) {
-      const double longest =
-          of_x ? longest_step(*side, side->x, side->dx) : longest_step(*side, side->s, side->ds);
-      length = std::min(length, kStep * longest);
-    }
-    return length;
-  };
-  const double now = complementarity(0, 0);
-  const double affine = complementarity(limit(true), limit(false));
-  const double ratio = affine / now;
-  const double centre = ratio * ratio * ratio * now / static_cast<double>(count_);
-
-  // M dy = b - A S⁻¹ (centre - dx ds)
-  std::fill_n(dy_.data(), n_ + 1, 0.0);
-  double sum_of_A = 0;
-  for (Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double weight =
-          i < side->points.size ? (centre - side->dx[at] * side->ds[at]) / side->s[at] : 0.0;
-      side->weight[at] = -side->sign * weight;
-      if (side == &A_) sum_of_A += weight;
-    }
-    add_weighted(*side, dy_.data());
+InteriorPoint::Lengths InteriorPoint::longest_steps() const {
+  Lengths lengths;
+  for (const Side* side : {&A_, &Q_}) {
+    lengths.x = std::min(lengths.x, kStep * longest_step(*side, side->x, side->dx));
+    lengths.s = std::min(lengths.s, kStep * longest_step(*side, side->s, side->ds));
   }
-  dy_[last] = 1 - sum_of_A;
-  solve_for(dy_.data());
-  for (Side* side : {&A_, &Q_}) directions(*side, centre, true);
-  const double step_x = limit(true);
-  const double step_s = limit(false);
+  return lengths;
+}
+
+// Towards longer steps: products x·s that would leave the neighbourhood of the centre after them are drawn
+// back.
+void InteriorPoint::draw_to_centre(const Lengths& lengths, double centre) {
+  const double x_length = std::min(1.0, lengths.x + kReachFurther);
+  const double s_length = std::min(1.0, lengths.s + kReachFurther);
   for (Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      side->x[static_cast<std::size_t>(i)] += step_x * side->dx[static_cast<std::size_t>(i)];
+      const auto at = static_cast<std::size_t>(i);
+      const double product =
+          (side->x[at] + x_length * side->dx[at]) * (side->s[at] + s_length * side->ds[at]);
+      const double least = kNeighbourhood * centre;
+      const double most = centre / kNeighbourhood;
+      if (product < least) side->target[at] += least - product;
+      if (product > most) side->target[at] += std::max(most - product, -most);
     }
   }
-  for (int k = 0; k <= n_; ++k) y_[static_cast<std::size_t>(k)] += step_s * dy_[static_cast<std::size_t>(k)];
+}
+
+void InteriorPoint::keep_step() {
+  kept_dy_.reserve(static_cast<std::size_t>(n_) + 1);
+  std::swap(dy_, kept_dy_);
+  for (Side* side : {&A_, &Q_}) {
+    std::swap(side->dx, side->kept_dx);
+    std::swap(side->ds, side->kept_ds);
+  }
+}
+
+// Predictor, corrector (Mehrotra), and further correctors as long as they lengthen the step (Gondzio).
+InteriorPoint::Lengths InteriorPoint::choose_step() {
+  for (Side* side : {&A_, &Q_}) std::fill_n(side->target.data(), side->count, 0.0);
+  follow_targets();
+  const Lengths affine = longest_steps();
+  const double now = complementarity(0, 0);
+  const double ratio = complementarity(affine.x, affine.s) / now;
+  const double centre = ratio * ratio * ratio * now / static_cast<double>(count_);
+  for (Side* side : {&A_, &Q_}) {
+    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      side->target[at] = centre - side->dx[at] * side->ds[at];
+    }
+  }
+  follow_targets();
+  Lengths lengths = longest_steps();
+  for (int correction = 0; many_ && correction < kCorrections; ++correction) {
+    if (std::min(lengths.x, lengths.s) > kLongEnough) break;
+    draw_to_centre(lengths, centre);
+    keep_step();
+    follow_targets();
+    const Lengths corrected = longest_steps();
+    if (corrected.x + corrected.s < lengths.x + lengths.s + kWorthwhile) {
+      keep_step();  // the one before
+      break;
+    }
+    lengths = corrected;
+  }
+  return lengths;
+}
+
+// The shorter of the two step lengths.
+double InteriorPoint::step() {
+  const Lengths lengths = choose_step();
+  for (Side* side : {&A_, &Q_}) {
+    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
+      side->x[static_cast<std::size_t>(i)] += lengths.x * side->dx[static_cast<std::size_t>(i)];
+    }
+  }
+  for (int k = 0; k <= n_; ++k)
+    y_[static_cast<std::size_t>(k)] += lengths.s * dy_[static_cast<std::size_t>(k)];
   slacks(A_, 0.0);
   slacks(Q_, 1.0);
-  return std::min(step_x, step_s);
+  return std::min(lengths.x, lengths.s);
 }
 
 // u·q > 0 for every q, by a margin, and u·a < 0: t > 0 means it.

@@ -13,8 +13,9 @@
 
 namespace raygauge {
 
-/// The linear program of PrimalSimplex by Mehrotra's predictor-corrector method (S. Mehrotra 1992), where
-/// bases are large: some 15 factorisations of an n x n matrix instead of some 20 n basis changes. Its answer
+/// The linear program of PrimalSimplex by Mehrotra's predictor-corrector method (S. Mehrotra 1992) with
+/// further correctors (J. Gondzio 1996), where bases are large: some 15 factorisations of an n x n matrix
+/// instead of some 10 n basis changes. Its answer
 /// proves nothing; it is where the simplex starts.
 ///
 ///     maximize t   subject to   u·a_i + t + s_i = 0,   -u·q_j + s_j = 1,   s >= 0
@@ -51,19 +52,32 @@ class InteriorPoint {
     AlignedBuffer<double> s;
     AlignedBuffer<double> dx;
     AlignedBuffer<double> ds;
+    AlignedBuffer<double> kept_dx;
+    AlignedBuffer<double> kept_ds;
+    AlignedBuffer<double> target;  // of x·s
     AlignedBuffer<double> weight;
-    AlignedBuffer<std::int64_t> index;
   };
 
   void bind(Side& side, const ColumnPool& pool, double sign);
   void start(const double* guess);
+  double central_weight() const;
   void price(Side& side, const double* y, double* products);
   void slacks(Side& side, double cost);
-  bool factor();
+  bool factor(bool single);
   void weigh();
-  void add_weighted(const Side& side, double* sum) const;
+  void leave_out_negligible(double unit);
+  void add_weighted(const Side& side, double* sum);
   void solve_for(double* rhs);
-  void directions(Side& side, double centre, bool corrector);
+  struct Lengths {
+    double x = 1;
+    double s = 1;
+  };
+  void directions(Side& side);
+  void follow_targets();
+  Lengths longest_steps() const;
+  void draw_to_centre(const Lengths& lengths, double centre);
+  void keep_step();
+  Lengths choose_step();
   static double longest_step(const Side& side, const AlignedBuffer<double>& value,
                              const AlignedBuffer<double>& change);
   double complementarity(double step_x, double step_s) const;
@@ -73,6 +87,7 @@ class InteriorPoint {
   int columns_with_weight() const;
 
   int n_ = 0;
+  bool many_ = false;  // points
   const Kernels* kernels_ = nullptr;
   std::int64_t iterations_ = 0;
   std::ptrdiff_t count_ = 0;  // of points
@@ -80,6 +95,7 @@ class InteriorPoint {
   Side Q_;
   AlignedBuffer<double> y_;
   AlignedBuffer<double> dy_;
+  AlignedBuffer<double> kept_dy_;
   AlignedBuffer<double> matrix_;   // Σ d p pᵀ, then its factor
   AlignedBuffer<double> scratch_;  // of the kernel
   AlignedBuffer<double> border_;   // Σ d_A a, and M⁻¹ of it

@@ -5,54 +5,62 @@
 #include <algorithm>
 #include <array>
 
-#include "raygauge/methods/options.h"
-
 namespace raygauge {
 namespace {
 
-// Coordinates from which on a second thread pays: some 30 µs of reading, against the few that waking it
-// takes.
-constexpr std::ptrdiff_t kSharedNumbers = std::ptrdiff_t{1} << 17;
+// Coordinates from which on a second thread may pay: some 10 µs of reading.
+constexpr std::ptrdiff_t kSharedNumbers = std::ptrdiff_t{1} << 15;
 
-std::ptrdiff_t begin_of(std::ptrdiff_t whole, int share, int shares) { return whole * share / shares; }
+// Coordinates of a chunk, a few µs of reading, against the fraction of one that taking it costs.
+constexpr std::ptrdiff_t kChunkNumbers = std::ptrdiff_t{1} << 14;
+constexpr std::ptrdiff_t kMostChunks = 64;
 
-// What a thread found; on a cache line of its own, since others write theirs at the same time.
+std::ptrdiff_t begin_of(std::ptrdiff_t whole, std::ptrdiff_t chunk, std::ptrdiff_t chunks) {
+  return whole * chunk / chunks;
+}
+
+// What a chunk holds; on a cache line of its own, since other threads write theirs at the same time.
 struct alignas(64) Found {
   std::ptrdiff_t count = 0;
   double value = 0;
 };
 
-Found read_share(const Kernels& kernels, const PointSet& S, const double* u, const Collection& whole,
-                 int share, int shares) {
-  const std::ptrdiff_t first = begin_of(whole.capacity, share, shares);
-  const std::ptrdiff_t last = begin_of(whole.capacity, share + 1, shares);
+// Every chunk collects into its own share of the buffers.
+Found read_chunk(const Kernels& kernels, const PointSet& S, const double* u, const Collection& whole,
+                 int chunk, int chunks) {
+  const std::ptrdiff_t first = begin_of(whole.capacity, chunk, chunks);
+  const std::ptrdiff_t last = begin_of(whole.capacity, chunk + 1, chunks);
   Collection part{whole.index + first, whole.value + first, last - first, 0, whole.threshold};
-  const double value = kernels.collect(S.data(), begin_of(S.block_count(), share, shares),
-                                       begin_of(S.block_count(), share + 1, shares), S.dimension(), u, &part);
+  const double value = kernels.collect(S.data(), begin_of(S.block_count(), chunk, chunks),
+                                       begin_of(S.block_count(), chunk + 1, chunks), S.dimension(), u, &part);
   return {part.count, value};
 }
 
 }  // namespace
 
 double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, Collection& collection,
-                   int threads) {
-  if (threads == 1 || S.size() * S.dimension() < kSharedNumbers) {
+                   int threads, ChunkTeam& team) {
+  const std::ptrdiff_t numbers = S.block_count() * PointSet::kLanes * S.dimension();
+  if (threads == 1 || numbers < kSharedNumbers) {
     return kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
   }
-  std::array<Found, kMostThreads> found;
-#pragma omp parallel for schedule(static) num_threads(threads) default(none) \
-    shared(kernels, S, u, collection, threads, found)
-  for (int share = 0; share < threads; ++share)
-    found[share] = read_share(kernels, S, u, collection, share, threads);
+  team.resize(threads);
+  const auto chunks = static_cast<int>(
+      std::min({numbers / kChunkNumbers, kMostChunks, S.block_count(), collection.capacity / 2}));
+  std::array<Found, kMostChunks> found;
+  team.run(chunks, [&](int chunk) {
+    found[static_cast<std::size_t>(chunk)] = read_chunk(kernels, S, u, collection, chunk, chunks);
+  });
 
   double value = found[0].value;
   collection.count = found[0].count;
-  for (int share = 1; share < threads; ++share) {
-    const std::ptrdiff_t first = begin_of(collection.capacity, share, threads);
-    std::copy_n(collection.index + first, found[share].count, collection.index + collection.count);
-    std::copy_n(collection.value + first, found[share].count, collection.value + collection.count);
-    collection.count += found[share].count;
-    value = std::max(value, found[share].value);
+  for (int chunk = 1; chunk < chunks; ++chunk) {
+    const Found& part = found[static_cast<std::size_t>(chunk)];
+    const std::ptrdiff_t first = begin_of(collection.capacity, chunk, chunks);
+    std::copy_n(collection.index + first, part.count, collection.index + collection.count);
+    std::copy_n(collection.value + first, part.count, collection.value + collection.count);
+    collection.count += part.count;
+    value = std::max(value, part.value);
   }
   return value;
 }

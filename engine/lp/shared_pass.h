@@ -3,16 +3,18 @@
 #pragma once
 
 #include "engine/kernels/kernel.h"
+#include "engine/threads/chunk_team.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 
 /// max_i u·p_i over the points of S, and into `collection` the points above its threshold, in one pass that
-/// up to `threads` OpenMP threads share: each reads an equal run of blocks and collects into an equal share
-/// of the buffers. Allocates nothing. Where more points lie above the threshold than a share holds, its best
-/// are kept: which those are depends on the number of threads, the maximum does not. One thread reads small
+/// up to `threads` threads of `team` share: whoever is free takes the next chunk of blocks. Chunks, and the
+/// share of the buffers that each fills, depend on the sizes alone, and so does what is found: not on the
+/// number of threads above 1, nor on who took what. Where more points of a chunk lie above the threshold than
+/// its share holds, its best are kept. Allocates nothing once the team has its size. One thread reads small
 /// sets, for which waking a second costs more than it gains.
 double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, Collection& collection,
-                   int threads);
+                   int threads, ChunkTeam& team);
 
 }  // namespace raygauge

@@ -17,10 +17,10 @@ namespace {
 constexpr double kReach = 0.2;
 
 // Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex
-// (AVX-512): with many points it takes 1.1 of its time at n = 200, N = 2000 and 0.7 at n = 300, 0.34 at n =
-// 400, N = 10 n; with few points 2.0 at n = 400, N = 800.
-constexpr int kInterior = 450;
-constexpr int kInteriorOfMany = 300;
+// (AVX-512, its time over that of the simplex): with many points 1.1 at n = 150, N = 450, 0.75 and 0.85 at n =
+// 200, N = 3 n and 10 n, 0.5 at n = 300 and 400.
+constexpr int kInteriorOfMany = 200;
+constexpr int kInteriorOfFew = 450;
 constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension
 
 // Of the normal that it ends with, where its columns make no basis.
@@ -97,7 +97,7 @@ void Sifting::start() {
   if (!(largest > 0)) guess[0] = 1.0;
   separated_ = false;
   const bool many = A_->size() + Q_->size() >= kManyPoints * n_;
-  if (n_ >= (many ? kInteriorOfMany : kInterior)) {
+  if (n_ >= (many ? kInteriorOfMany : kInteriorOfFew)) {
     const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
@@ -393,7 +393,7 @@ SupportValue Sifting::price_set(const PointSet& S, const ColumnPool& working, co
   const double resolution = resolution_for(tolerance_);
   if (working.is_complete()) return support_value(*kernels_, S, direction, nullptr, resolution);
   violators.points.threshold = threshold - violators.reach;
-  const double value = shared_pass(*kernels_, S, direction, violators.points, threads_);
+  const double value = shared_pass(*kernels_, S, direction, violators.points, threads_, team_);
   violators.any = drop_known(working, S.size(), threshold, violators.points);
   violators.reach = violators.any ? kReach * (value - threshold) : 0;
   const double error = dot_error(S, direction);

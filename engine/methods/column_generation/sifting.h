@@ -16,6 +16,7 @@
 #include "engine/lp/scaling.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "engine/threads/chunk_team.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 
@@ -78,6 +79,7 @@ class Sifting {
   int n_ = 0;
   double tolerance_ = 0;
   int threads_ = 1;
+  ChunkTeam team_;
   bool trusts_simplex_ = false;
   bool pivots_are_limited_ = false;  // by the caller
   Scaling scaling_;

@@ -112,18 +112,77 @@ TEST(AddGram, IsTheWeightedSumOfOuterProductsOnEveryInstructionSet) {
       const int ld = gram_rows(n);
       const auto size = static_cast<std::size_t>(ld) * static_cast<std::size_t>(gram_columns(n));
       M.reserve(size);
-      std::fill_n(M.data(), size, 0.0);
       std::fill_n(lanes.data(), lanes.capacity(), 0.0);
       std::copy_n(weight.data(), N, lanes.data());
-      kernels.add_gram(S.data(), S.block_count(), n, lanes.data(), scratch.data(), M.data());
       const Eigen::MatrixXd expected = points * weight.asDiagonal() * points.transpose();
-      for (int j = 0; j < n; ++j) {
-        for (int i = j; i < n; ++i) {
-          EXPECT_NEAR(
-              M[static_cast<std::size_t>(j) * static_cast<std::size_t>(ld) + static_cast<std::size_t>(i)],
-              expected(i, j), 1e-12 * N)
-              << "n = " << n << ", entry " << i << ", " << j;
+      for (const bool single : {false, true}) {
+        std::fill_n(M.data(), size, 0.0);
+        kernels.add_gram(S.data(), S.block_count(), n, lanes.data(), single, scratch.data(), M.data());
+        const double tolerance = single ? 1e-5 : 1e-12;
+        for (int j = 0; j < n; ++j) {
+          for (int i = j; i < n; ++i) {
+            EXPECT_NEAR(
+                M[static_cast<std::size_t>(j) * static_cast<std::size_t>(ld) + static_cast<std::size_t>(i)],
+                expected(i, j), tolerance * N)
+                << "n = " << n << ", entry " << i << ", " << j << ", single " << single;
+          }
         }
+      }
+    }
+  }
+}
+
+// Below, at and beyond the 48 columns that are factored at a time.
+TEST(Cholesky, FactorsPositiveDefiniteMatricesAndNoOthersOnEveryInstructionSet) {
+  for (const InstructionSet isa : instruction_sets_here()) {
+    const Kernels& kernels = kernels_for(isa);
+    for (const int n : {1, 5, 32, 47, 48, 49, 97, 150}) {
+      Random random(static_cast<unsigned>(n));
+      const Eigen::MatrixXd root = gaussian_points(n, n + 5, random);
+      const Eigen::MatrixXd G = root * root.transpose();
+      AlignedBuffer<double> scratch;
+      AlignedBuffer<double> M;
+      scratch.reserve(static_cast<std::size_t>(gram_rows(n) + gram_columns(n)) * kGramPoints);
+      M.reserve(static_cast<std::size_t>(gram_rows(n)) * static_cast<std::size_t>(gram_columns(n)));
+      Eigen::Map<Eigen::MatrixXd> padded(M.data(), gram_rows(n), gram_columns(n));
+      padded.setZero();
+      padded.topLeftCorner(n, n) = G;
+      ASSERT_TRUE(kernels.cholesky(M.data(), n, scratch.data())) << n;
+      const Eigen::MatrixXd L = padded.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+      EXPECT_LT((L * L.transpose() - G).cwiseAbs().maxCoeff(), 1e-12 * n * G.maxCoeff()) << n;
+
+      padded.setZero();
+      padded.topLeftCorner(n, n) = G;
+      padded(n - 1, n - 1) = -1;
+      EXPECT_FALSE(kernels.cholesky(M.data(), n, scratch.data())) << n;
+    }
+  }
+}
+
+TEST(AddWeighted, AndProductsAreThoseOfTheMatrixOfPointsOnEveryInstructionSet) {
+  for (const InstructionSet isa : instruction_sets_here()) {
+    const Kernels& kernels = kernels_for(isa);
+    for (const int n : {1, 5, 37}) {
+      for (const int N : {8, 40, 296}) {  // whole blocks: none, or groups of four and some left
+        Random random(static_cast<unsigned>(n));
+        const Eigen::MatrixXd points = gaussian_points(n, N, random);
+        const PointSet S(points);
+        AlignedBuffer<double> weight;
+        AlignedBuffer<double> values;
+        AlignedBuffer<double> scratch;
+        weight.reserve(static_cast<std::size_t>(N));
+        values.reserve(static_cast<std::size_t>(N));
+        scratch.reserve(8 * static_cast<std::size_t>(n));
+        Eigen::Map<Eigen::VectorXd> w(weight.data(), N);
+        w = gaussian_points(N, 1, random).col(0);
+        Eigen::VectorXd sum = Eigen::VectorXd::Ones(n);
+        kernels.add_weighted(S.data(), S.block_count(), n, weight.data(), scratch.data(), sum.data());
+        EXPECT_LT((sum - Eigen::VectorXd::Ones(n) - points * w).cwiseAbs().maxCoeff(), 1e-11)
+            << n << ' ' << N;
+        const Eigen::VectorXd u = gaussian_points(n, 1, random).col(0);
+        kernels.products(S.data(), S.block_count(), n, u.data(), values.data());
+        const Eigen::Map<const Eigen::VectorXd> found(values.data(), N);
+        EXPECT_LT((found - points.transpose() * u).cwiseAbs().maxCoeff(), 1e-12 * n) << n << ' ' << N;
       }
     }
   }

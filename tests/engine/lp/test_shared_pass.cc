@@ -27,7 +27,8 @@ Pass make_pass(const PointSet& S, const Vector& u, double threshold, std::size_t
   std::vector<double> value(capacity);
   Collection collection{index.data(), value.data(), static_cast<std::ptrdiff_t>(capacity), 0, threshold};
   Pass pass;
-  pass.value = shared_pass(best_kernels(), S, u.data(), collection, threads);
+  ChunkTeam team;
+  pass.value = shared_pass(best_kernels(), S, u.data(), collection, threads, team);
   for (std::ptrdiff_t i = 0; i < collection.count; ++i) pass.found.emplace_back(index[i], value[i]);
   return pass;
 }
@@ -72,6 +73,15 @@ TEST_P(SharedPass, KeepsWithinTheBuffersAndKeepsTheBest) {
   const bool has_best = std::any_of(pass.found.begin(), pass.found.end(),
                                     [&](const auto& entry) { return entry.second == pass.value; });
   EXPECT_TRUE(has_best);
+}
+
+// Even where shares of the buffers run full.
+TEST_P(SharedPass, FindsWhatTwoThreadsFindHoweverManyShareIt) {
+  if (GetParam() == 1) GTEST_SKIP() << "one thread has all of the buffers";
+  for (const double threshold : {0.0, 2.5}) {
+    EXPECT_EQ(make_pass(S_, u_, threshold, 256, GetParam()).found,
+              make_pass(S_, u_, threshold, 256, 2).found);
+  }
 }
 
 TEST_P(SharedPass, MaximumIsTheOneOfASingleThread) {

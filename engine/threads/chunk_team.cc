@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/threads/chunk_team.h"
+
+#include <system_error>
+
+namespace raygauge {
+namespace {
+
+constexpr std::uint32_t kOpen = 1;
+constexpr std::uint32_t kHelper = 2;
+
+}  // namespace
+
+ChunkTeam::~ChunkTeam() { end_helpers(); }
+
+void ChunkTeam::resize(int threads) {
+  if (threads == wanted_) return;
+  end_helpers();
+  wanted_ = threads;
+  ending_.store(false);
+  try {
+    while (static_cast<int>(helpers_.size()) < threads - 1) helpers_.emplace_back([this] { help(); });
+  } catch (const std::system_error&) {
+    // The threads there are will do.
+  }
+}
+
+void ChunkTeam::end_helpers() {
+  ending_.store(true);
+  calls_.fetch_add(1);
+  calls_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+  helpers_.clear();
+}
+
+void ChunkTeam::share(const Job& job) {
+  job_ = job;
+  next_.store(0, std::memory_order_relaxed);
+  gate_.store(kOpen, std::memory_order_release);
+  if (!helpers_.empty()) {
+    calls_.fetch_add(1, std::memory_order_release);
+    calls_.notify_all();
+  }
+  take_chunks();
+  std::uint32_t at_work = gate_.fetch_and(~kOpen, std::memory_order_acq_rel) & ~kOpen;
+  while (at_work != 0) {
+    gate_.wait(at_work, std::memory_order_acquire);
+    at_work = gate_.load(std::memory_order_acquire);
+  }
+}
+
+void ChunkTeam::take_chunks() {
+  const Job job = job_;
+  for (;;) {
+    const int chunk = next_.fetch_add(1, std::memory_order_relaxed);
+    if (chunk >= job.chunks) return;
+    job.call(job.work, chunk);
+  }
+}
+
+// A helper that comes late finds the gate closed, or that of the next work open.
+void ChunkTeam::help() {
+  std::uint32_t seen = 0;
+  for (;;) {
+    calls_.wait(seen, std::memory_order_acquire);
+    seen = calls_.load(std::memory_order_acquire);
+    if (ending_.load()) return;
+    std::uint32_t gate = gate_.load(std::memory_order_relaxed);
+    while ((gate & kOpen) != 0) {
+      if (!gate_.compare_exchange_weak(gate, gate + kHelper, std::memory_order_acquire)) continue;
+      take_chunks();
+      if (gate_.fetch_sub(kHelper, std::memory_order_acq_rel) == kHelper) gate_.notify_one();
+      break;
+    }
+  }
+}
+
+}  // namespace raygauge

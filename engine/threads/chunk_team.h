@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace raygauge {
+
+/// Threads that share the chunks of one piece of work after the other: each takes the next chunk as soon as
+/// it is free. The calling thread takes chunks too and waits for no thread that has none, so that work ends
+/// as soon as by the caller alone where the others get no processor. It sleeps while a last chunk is finished
+/// elsewhere: its processor is then free for the thread that has it.
+class ChunkTeam {
+ public:
+  ChunkTeam() = default;
+  ~ChunkTeam();
+  ChunkTeam(const ChunkTeam&) = delete;
+  ChunkTeam& operator=(const ChunkTeam&) = delete;
+
+  /// To `threads` with the caller, fewer where the system grants no more. Does nothing if they are as many
+  /// already.
+  void resize(int threads);
+
+  /// work(chunk) once for every chunk in 0 … chunks - 1, on any thread. `work` must not throw. Allocates
+  /// nothing.
+  template <class Work>
+  void run(int chunks, const Work& work) {
+    share({[](const void* function, int chunk) { (*static_cast<const Work*>(function))(chunk); }, &work,
+           chunks});
+  }
+
+ private:
+  struct Job {
+    void (*call)(const void* work, int chunk) = nullptr;
+    const void* work = nullptr;
+    int chunks = 0;
+  };
+
+  void share(const Job& job);
+  void take_chunks();
+  void help();
+  void end_helpers();
+
+  int wanted_ = 1;
+  std::vector<std::thread> helpers_;
+  Job job_;
+  std::atomic<int> next_{0};
+  std::atomic<std::uint32_t> gate_{0};  // 2 · helpers at work, + 1 while more may begin
+  std::atomic<std::uint32_t> calls_{0};
+  std::atomic<bool> ending_{false};
+};
+
+}  // namespace raygauge
