@@ -98,7 +98,6 @@ struct DistanceSolver::Workspace {
 
   void solve(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first = nullptr);
   bool solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
-  bool is_out_of_reach_of_few(const ConvexSet& A, const ConvexSet& Q);
   bool solve_by_nearest_point(const ConvexSet& A, const ConvexSet& Q, Effects effects, const double* first);
   void solve_by_columns(const ConvexSet& A, const ConvexSet& Q, Effects effects);
   void account(const DistanceCounters& of_method);
@@ -141,7 +140,6 @@ void DistanceSolver::Workspace::solve(const ConvexSet& A, const ConvexSet& Q, Ef
 bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const ConvexSet& Q, Effects effects,
                                                   const double* first) {
   if (chosen == DistanceMethod::zheng_yamane) {
-    if (is_out_of_reach_of_few(A, Q)) return true;
     concluded = Concluded::zheng_yamane;
     const bool done = zheng_yamane.solve(A, Q, options, stopwatch, effects, result);
     account(zheng_yamane.counters());
@@ -159,27 +157,6 @@ bool DistanceSolver::Workspace::solve_iteratively(const ConvexSet& A, const Conv
     account(quad_newton.counters());
     return done;
   }
-  return false;
-}
-
-// Few points in many dimensions hardly surround the origin: of N points drawn from a symmetric distribution N
-// > 2n do so more often than not (Wendel). Where they do not, the first ray ends only after thousands of
-// iterations, and the linear program has a Farkas direction in a tenth of the time; where they do, the
-// question costs an eighth of it (n = 50 to 500). Only a direction, or the end of the time limit, is taken
-// for an answer here.
-bool DistanceSolver::Workspace::is_out_of_reach_of_few(const ConvexSet& A, const ConvexSet& Q) {
-  constexpr int kManyDimensions = 50;
-  const int n = A.dimension();
-  if (n < kManyDimensions || options.max_iterations > 0) return false;
-  const PointSet* points_A = as_point_set(A);
-  const PointSet* points_Q = as_point_set(Q);
-  if (points_A == nullptr || points_Q == nullptr || points_Q->size() > 2 * n) return false;
-  sifting.solve(*points_A, *points_Q, options, stopwatch, Effects::none, result);
-  account(result.counters);
-  concluded = Concluded::sifting;
-  if (result.status == DistanceStatus::unreachable || result.status == DistanceStatus::time_limit)
-    return true;
-  counters.outer_iterations = 0;  // those of Algorithm 1 will count
   return false;
 }
 

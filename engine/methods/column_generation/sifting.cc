@@ -17,8 +17,8 @@ namespace {
 constexpr double kReach = 0.2;
 
 // Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex
-// (AVX-512, its time over that of the simplex): with many points 1.1 at n = 150, N = 450, 0.75 and 0.85 at n =
-// 200, N = 3 n and 10 n, 0.5 at n = 300 and 400.
+// (AVX-512, its time over that of the simplex): with many points 1.1 at n = 150, N = 450, 0.75 and 0.85 at n
+// = 200, N = 3 n and 10 n, 0.5 at n = 300 and 400.
 constexpr int kInteriorOfMany = 200;
 constexpr int kInteriorOfFew = 450;
 constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numerics/floating_point.h"
+
 namespace raygauge {
 namespace {
 
@@ -162,8 +164,13 @@ double RayShooter::artificial_weight() const {
   return weight;
 }
 
-RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max_iterations,
-                                  const Stopwatch& stopwatch) {
+// Whether the last query, if it was one of all points at hand, promises a bound of `overtaking`.
+bool RayShooter::overtakes(double overtaking) const noexcept {
+  return overtaking < kInfinity && best_A_ < 0 && -best_A_ >= overtaking * best_Q_;
+}
+
+RayShooter::End RayShooter::shoot(double eta, double tolerance, double overtaking,
+                                  std::int64_t max_iterations, const Stopwatch& stopwatch) {
   shortlisted_ = 0;
   const bool kept = warm_ && (move_vertices(eta) || eta >= eta_shot_);
   if (!kept) start_cold(eta);
@@ -174,11 +181,17 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, std::int64_t max
   double least = basis_->view().objective;
   for (;;) {
     BasisView& view = basis_->view();
+    const std::int64_t passes = passes_;
     double h_S = best_column(view.y, eta, 1 + tolerance);
     sigma_ = view.objective;
     const bool out_of_iterations = iterations_ >= max_iterations;
     const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();
     if (h_S <= 1 + tolerance || out_of_iterations || out_of_time) h_S = verify(view.y, eta);
+    const bool overtaken = passes_ > passes && overtakes(overtaking);
+    if (overtaken) {
+      verify(view.y, eta);
+      if (h_A_.value < 0 && -h_A_.value >= overtaking * h_Q_.value) return End::overtaken;
+    }
     if (out_of_iterations) return End::iteration_limit;
     if (out_of_time) return End::time_limit;
     if (h_S <= 1 + tolerance) {

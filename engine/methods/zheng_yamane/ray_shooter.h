@@ -21,7 +21,14 @@ namespace raygauge {
 /// about the origin must both grow to touch.
 class RayShooter {
  public:
-  enum class End : std::uint8_t { hit, missed, failed, iteration_limit, time_limit };
+  enum class End : std::uint8_t {
+    hit,
+    overtaken,  ///< the normal proves a much larger η, or that no η reaches A
+    missed,
+    failed,
+    iteration_limit,
+    time_limit
+  };
 
   /// The oracles are the caller's. `a_c`: n doubles, copied.
   void begin(SupportOracle& A, SupportOracle& Q, int n, const double* a_c, const Kernels& kernels);
@@ -31,7 +38,10 @@ class RayShooter {
   /// Shoots at A - a_c - ηQ until h_S(u) <= 1 + tolerance. After a first call the vertices of the previous
   /// one are the start (Fig. 3c): moved to the new η if the ray still passes through their hull, as they are
   /// otherwise (they remain points of S as long as η grows).
-  End shoot(double eta, double tolerance, std::int64_t max_iterations, const Stopwatch& stopwatch);
+  ///
+  /// Ends early once -h_A(u) / h_Q(-u) >= `overtaking`, a bound as (10), or h_Q(-u) <= 0 while h_A(u) < 0.
+  End shoot(double eta, double tolerance, double overtaking, std::int64_t max_iterations,
+            const Stopwatch& stopwatch);
 
   double sigma() const noexcept { return sigma_; }
   const double* normal() const noexcept { return basis_->view().y; }
@@ -60,6 +70,7 @@ class RayShooter {
   double* slot_Q(std::int64_t slot) const noexcept;
   void form_column(std::int64_t slot, double eta, double* column) const;
   double artificial_weight() const;
+  bool overtakes(double overtaking) const noexcept;
 
   SupportOracle* A_ = nullptr;
   SupportOracle* Q_ = nullptr;

@@ -20,7 +20,9 @@ namespace raygauge {
 ///
 /// each ray shooting starting from the vertices of the one before (Fig. 3c). Every η_{k+1} is a lower bound.
 /// With StopRule::certified_gap the program over the last vertices (SupportColumnGeneration::solve_offered)
-/// adds the upper bound, and the iteration goes on until the gap is closed.
+/// adds the upper bound, and the iteration goes on until the gap is closed. In many dimensions a ray is then
+/// left for the next one as soon as a normal on the way proves twice its η: (10) is a bound for every normal.
+/// Where such a normal leaves Q on the far side, h_Q(-n_k) <= 0, no multiple of Q reaches A.
 ///
 /// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this
 /// does not hold, a ray fails or goes in circles, or rounding keeps the bound from rising, the solve is not
@@ -41,6 +43,7 @@ class ZhengYamane {
   enum class Step : std::uint8_t { go_on, done, give_up };
 
   void begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
+  double overtaking_bound() const noexcept;
   Step conclude(RayShooter::End end);
   void bound_from_below();
   void bound_from_above();
@@ -68,6 +71,7 @@ class ZhengYamane {
   std::int64_t witness_evaluations_ = 0;
   int attempts_to_close_ = 0;
   int idle_ = 0;
+  int overtaken_ = 0;  // rays in a row
   AlignedBuffer<double> center_;
   AlignedBuffer<double> normal_;  // direction of lower_, scaled units
 };
