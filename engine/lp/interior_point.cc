@@ -17,6 +17,7 @@ using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using VectorMap = Eigen::Map<Eigen::VectorXd>;
 
 constexpr int kIterations = 60;
+constexpr int kIterationsOfFew = 35;  // separates by then, if at all sooner than the simplex
 // x·s per unit of t where the solve ends: if just n + 1 columns carry weight, and at the latest.
 constexpr double kDecided = 1e-5;
 constexpr double kConverged = 1e-11;
@@ -64,7 +65,8 @@ InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q
   scratch_.reserve(static_cast<std::size_t>(gram_rows(n) + gram_columns(n)) * kGramPoints);
   start(guess);
   bool single = many_;
-  for (iterations_ = 1; iterations_ <= kIterations; ++iterations_) {
+  const int limit = many_ ? kIterations : kIterationsOfFew;
+  for (iterations_ = 1; iterations_ <= limit; ++iterations_) {
     if (stopwatch.expired()) return End::failed;
     if (single) single = factor(true);
     if (!single && !factor(false)) return End::failed;
