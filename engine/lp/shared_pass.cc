@@ -11,6 +11,9 @@ namespace {
 // Coordinates from which on a second thread may pay: some 10 µs of reading.
 constexpr std::ptrdiff_t kSharedNumbers = std::ptrdiff_t{1} << 15;
 
+// Coordinates from which on a helper that sleeps is woken for them, which takes it some 50 µs.
+constexpr std::ptrdiff_t kWorthWaking = std::ptrdiff_t{1} << 17;
+
 // Coordinates of a chunk, a few µs of reading, against the fraction of one that taking it costs.
 constexpr std::ptrdiff_t kChunkNumbers = std::ptrdiff_t{1} << 14;
 constexpr std::ptrdiff_t kMostChunks = 64;
@@ -48,7 +51,7 @@ double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, C
   const auto chunks = static_cast<int>(
       std::min({numbers / kChunkNumbers, kMostChunks, S.block_count(), collection.capacity / 2}));
   std::array<Found, kMostChunks> found;
-  team.run(chunks, [&](int chunk) {
+  team.run(chunks, numbers >= kWorthWaking, [&](int chunk) {
     found[static_cast<std::size_t>(chunk)] = read_chunk(kernels, S, u, collection, chunk, chunks);
   });
 

@@ -10,6 +10,18 @@ namespace {
 constexpr std::uint32_t kOpen = 1;
 constexpr std::uint32_t kHelper = 2;
 
+// Looks at what is waited for before a thread sleeps. Each gives the processor to whoever else wants it.
+constexpr int kLooks = 300;
+
+template <class Value>
+void wait_while(const std::atomic<Value>& value, Value old) {
+  for (int look = 0; look < kLooks; ++look) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    std::this_thread::yield();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
 }  // namespace
 
 ChunkTeam::~ChunkTeam() { end_helpers(); }
@@ -34,18 +46,18 @@ void ChunkTeam::end_helpers() {
   helpers_.clear();
 }
 
-void ChunkTeam::share(const Job& job) {
+void ChunkTeam::share(const Job& job, bool wake) {
   job_ = job;
   next_.store(0, std::memory_order_relaxed);
   gate_.store(kOpen, std::memory_order_release);
   if (!helpers_.empty()) {
     calls_.fetch_add(1, std::memory_order_release);
-    calls_.notify_all();
+    if (wake) calls_.notify_all();
   }
   take_chunks();
   std::uint32_t at_work = gate_.fetch_and(~kOpen, std::memory_order_acq_rel) & ~kOpen;
   while (at_work != 0) {
-    gate_.wait(at_work, std::memory_order_acquire);
+    wait_while(gate_, at_work);
     at_work = gate_.load(std::memory_order_acquire);
   }
 }
@@ -63,7 +75,7 @@ void ChunkTeam::take_chunks() {
 void ChunkTeam::help() {
   std::uint32_t seen = 0;
   for (;;) {
-    calls_.wait(seen, std::memory_order_acquire);
+    wait_while(calls_, seen);
     seen = calls_.load(std::memory_order_acquire);
     if (ending_.load()) return;
     std::uint32_t gate = gate_.load(std::memory_order_relaxed);

@@ -24,12 +24,14 @@ class ChunkTeam {
   /// already.
   void resize(int threads);
 
-  /// work(chunk) once for every chunk in 0 … chunks - 1, on any thread. `work` must not throw. Allocates
-  /// nothing.
+  /// work(chunk) once for every chunk in 0 … chunks - 1, on any thread. `work` must not throw. A helper
+  /// sleeps some 0.1 ms after its last work; `wake` wakes it, which costs the caller some µs, otherwise only
+  /// those that are awake take part. Allocates nothing.
   template <class Work>
-  void run(int chunks, const Work& work) {
+  void run(int chunks, bool wake, const Work& work) {
     share({[](const void* function, int chunk) { (*static_cast<const Work*>(function))(chunk); }, &work,
-           chunks});
+           chunks},
+          wake);
   }
 
  private:
@@ -39,7 +41,7 @@ class ChunkTeam {
     int chunks = 0;
   };
 
-  void share(const Job& job);
+  void share(const Job& job, bool wake);
   void take_chunks();
   void help();
   void end_helpers();

@@ -19,7 +19,7 @@ TEST(ChunkTeam, DoesEveryChunkOnceInEachOfManyRuns) {
     for (int run = 0; run < 2000; ++run) {
       const int chunks = run % 40;
       std::vector<std::atomic<int>> done(40);
-      team.run(chunks, [&](int chunk) { ++done[static_cast<std::size_t>(chunk)]; });
+      team.run(chunks, run % 3 == 0, [&](int chunk) { ++done[static_cast<std::size_t>(chunk)]; });
       for (int chunk = 0; chunk < 40; ++chunk)
         ASSERT_EQ(done[static_cast<std::size_t>(chunk)], chunk < chunks ? 1 : 0) << threads << ' ' << run;
     }
@@ -33,7 +33,7 @@ TEST(ChunkTeam, LendsItsHelpers) {
   const std::thread::id caller = std::this_thread::get_id();
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!helped && std::chrono::steady_clock::now() < until) {
-    team.run(2, [&](int) {
+    team.run(2, true, [&](int) {
       if (std::this_thread::get_id() != caller) helped = true;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
@@ -46,7 +46,7 @@ TEST(ChunkTeam, ReturnsOnlyWhenTheLastChunkIsDone) {
   team.resize(3);
   for (int run = 0; run < 50; ++run) {
     std::atomic<int> done{0};
-    team.run(3, [&](int) {
+    team.run(3, true, [&](int) {
       std::this_thread::sleep_for(std::chrono::microseconds(300));
       ++done;
     });
@@ -59,7 +59,7 @@ TEST(ChunkTeam, ChangesItsSize) {
   for (const int threads : {3, 1, 2, 2, 4}) {
     team.resize(threads);
     std::atomic<int> sum{0};
-    team.run(10, [&](int chunk) { sum += chunk; });
+    team.run(10, true, [&](int chunk) { sum += chunk; });
     EXPECT_EQ(sum, 45);
   }
 }
