@@ -10,7 +10,8 @@ namespace raygauge {
 ///
 ///     g_i uniform on the sphere of radius sqrt(π n / 2) / N,
 ///
-/// so that h_Z is about 1 (1.09 in R^3): the more segments, the rounder. Q is about 0, A about c, in a random direction w,
+/// so that h_Z is about 1 (1.09 in R^3): the more segments, the rounder. Q is about 0, A about c, in a random
+/// direction w,
 ///
 ///     c = separation (h_A(-w) + h_Q(w)) w,      h of both sets about 0,
 ///

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/threads/chunk_team.h"
 
+#include <algorithm>
+#include <chrono>
 #include <system_error>
 
 namespace raygauge {
@@ -9,6 +11,12 @@ namespace {
 
 constexpr std::uint32_t kOpen = 1;
 constexpr std::uint32_t kHelper = 2;
+
+// Runs by the caller alone after one in which it waited longer for a helper than it worked itself.
+constexpr int kLeastPenalty = 16;
+constexpr int kMostPenalty = 1024;
+
+using Clock = std::chrono::steady_clock;
 
 // Looks at what is waited for before a thread sleeps. Each gives the processor to whoever else wants it.
 constexpr int kLooks = 300;
@@ -47,19 +55,27 @@ void ChunkTeam::end_helpers() {
 }
 
 void ChunkTeam::share(const Job& job, bool wake) {
+  if (helpers_.empty() || alone_ > 0) {
+    alone_ = std::max(alone_ - 1, 0);
+    for (int chunk = 0; chunk < job.chunks; ++chunk) job.call(job.work, chunk);
+    return;
+  }
+  const auto begin = Clock::now();
   job_ = job;
   next_.store(0, std::memory_order_relaxed);
   gate_.store(kOpen, std::memory_order_release);
-  if (!helpers_.empty()) {
-    calls_.fetch_add(1, std::memory_order_release);
-    if (wake) calls_.notify_all();
-  }
+  calls_.fetch_add(1, std::memory_order_release);
+  if (wake) calls_.notify_all();
   take_chunks();
+  const auto out_of_chunks = Clock::now();
   std::uint32_t at_work = gate_.fetch_and(~kOpen, std::memory_order_acq_rel) & ~kOpen;
   while (at_work != 0) {
     wait_while(gate_, at_work);
     at_work = gate_.load(std::memory_order_acquire);
   }
+  const bool late = Clock::now() - out_of_chunks > out_of_chunks - begin;
+  penalty_ = late ? std::clamp(2 * penalty_, kLeastPenalty, kMostPenalty) : penalty_ / 2;
+  if (late) alone_ = penalty_;
 }
 
 void ChunkTeam::take_chunks() {

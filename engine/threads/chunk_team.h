@@ -12,7 +12,8 @@ namespace raygauge {
 /// Threads that share the chunks of one piece of work after the other: each takes the next chunk as soon as
 /// it is free. The calling thread takes chunks too and waits for no thread that has none, so that work ends
 /// as soon as by the caller alone where the others get no processor. It sleeps while a last chunk is finished
-/// elsewhere: its processor is then free for the thread that has it.
+/// elsewhere: its processor is then free for the thread that has it. Where that took longer than the helpers
+/// saved, others want the processors more: the caller works alone for a while, longer each time.
 class ChunkTeam {
  public:
   ChunkTeam() = default;
@@ -47,6 +48,8 @@ class ChunkTeam {
   void end_helpers();
 
   int wanted_ = 1;
+  int alone_ = 0;    // runs without helpers to come
+  int penalty_ = 0;  // how many the next delay costs
   std::vector<std::thread> helpers_;
   Job job_;
   std::atomic<int> next_{0};
