@@ -9,6 +9,9 @@
 namespace raygauge {
 namespace {
 
+// For the proof of an upper bound. Bases that have a feasible combination need a fraction of it.
+constexpr double kProofSeconds = 2;
+
 void certify_dual(const GaugeLp& lp, const Vector& u, DistanceResult& result) {
   if (u.size() == 0 || !u.allFinite()) return;
   result.lower = certified_lower(lp.A(), lp.Q(), u.data());
@@ -29,7 +32,7 @@ void certify_basis(const GaugeLp& lp, const std::vector<std::ptrdiff_t>& basis, 
   // The weights only say which points matter. Basic points of weight zero do: without them the points may
   // have no combination that is feasible in spite of rounding.
   const std::vector<double> alpha(index_A.size(), 1.0), beta(index_Q.size(), 1.0);
-  result.upper = certified_upper(lp.A(), lp.Q(), index_A, alpha, index_Q, beta);
+  result.upper = certified_upper(lp.A(), lp.Q(), index_A, alpha, index_Q, beta, kProofSeconds);
 }
 
 }  // namespace
@@ -41,7 +44,11 @@ DistanceResult certified_result(const GaugeLp& lp, const LpAnswer& answer) {
                                                                  : answer.objective;
   result.counters.pivots = answer.pivots;
   certify_dual(lp, answer.u, result);
-  certify_basis(lp, answer.basis, result);
+  if (result.lower == std::numeric_limits<double>::infinity()) {
+    result.upper = result.lower;
+  } else {
+    certify_basis(lp, answer.basis, result);
+  }
   return result;
 }
 

@@ -26,8 +26,8 @@ struct LpAnswer {
 ///     lower = -h_A(u) / h_Q(-u)   from the duals, by weak duality,
 ///     upper = Σβ_j                of the best feasible combination of the basic points.
 ///
-/// A bound is NaN where the solver left nothing to make it from. `normal` is u, scaled to h_Q(-normal) = 1
-/// where that is possible.
+/// A bound is NaN where the solver left nothing to make it from; `upper` is +inf where 2 s do not prove one.
+/// `normal` is u, scaled to h_Q(-normal) = 1 where that is possible.
 DistanceResult certified_result(const GaugeLp& lp, const LpAnswer& answer);
 
 }  // namespace raygauge

@@ -44,14 +44,16 @@ double certified_lower(const PointSet& A, const PointSet& Q, const double* u) {
 
 double certified_upper(const PointSet& A, const PointSet& Q, std::span<const std::ptrdiff_t> index_A,
                        std::span<const double> alpha, std::span<const std::ptrdiff_t> index_Q,
-                       std::span<const double> beta) {
+                       std::span<const double> beta, double time_limit) {
   const std::vector<std::int64_t> points_A = carriers(A, index_A, alpha);
   std::vector<std::int64_t> points_Q = carriers(Q, index_Q, beta);
   if (points_A.empty()) return std::numeric_limits<double>::infinity();
   if (points_Q.empty()) points_Q.push_back(0);  // 0 in A: no point of Q carries weight
   Sifting solver;
   DistanceResult result;
-  solver.solve_restricted(A, Q, points_A, points_Q, {}, Stopwatch(), result);
+  Stopwatch stopwatch;
+  stopwatch.start(time_limit);
+  solver.solve_restricted(A, Q, points_A, points_Q, {}, stopwatch, result);
   return result.upper;
 }
 
