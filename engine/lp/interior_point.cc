@@ -146,8 +146,8 @@ void InteriorPoint::start(const double* guess) {
 }
 
 // From the products of the points with the guess g in s: a μ so large that weights μ / s within a factor of 2
-// of each other can move the mean of Q's points to where A is, Σβ of some |mean g·a| / rms g·q. That saves a
-// third of the iterations, but where no weights do it, u would have to turn too far to show it.
+// of each other can move the mean of Q's points to where A is, Σβ of some |mean g·a| / rms g·q. That saves
+// 3 of 24 iterations at n = 400, N = 1200, but where no weights do it, it hides that there are none.
 double InteriorPoint::central_weight() const {
   double mean_A = 0;
   double square_Q = 0;

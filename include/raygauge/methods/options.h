@@ -63,7 +63,7 @@ struct DistanceOptions {
   double time_limit = std::numeric_limits<double>::infinity();
 
   /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `column_generation` over point
-  /// sets of 2^17 coordinates and more; everything else is done by the caller's thread. Leave it at 1 where
+  /// sets of 2^15 coordinates and more; everything else is done by the caller's thread. Leave it at 1 where
   /// other solves keep the cores busy.
   int threads = 1;
 
