@@ -209,10 +209,14 @@ void add_distance_command(Command& app, int& status) {
           .add_option("--threads", options.threads,
                       "Threads of the solve; column_generation shares its passes over large point sets")
           .type_name("K");
+  const Option prepared =
+      command.add_flag("--prepared", arguments->query.prepared,
+                       "Prepare sets of points in R^3 first, as for many queries; the seconds include it");
   command.footer(distance_footer());
   command.callback([=, &status] {
-    arguments->query.engine_options_set =
-        iterations.count() + stop_rule.count() + instruction_set.count() + threads.count() > 0;
+    arguments->query.engine_options_set = iterations.count() + stop_rule.count() + instruction_set.count() +
+                                              threads.count() + prepared.count() >
+                                          0;
     status = run(*arguments);
   });
 }

@@ -55,12 +55,11 @@ double rounding_of(const SmallVector& magnitude) {
 }
 
 // Hulls of so many points are climbed: from here on a step costs less than a pass over the points.
-std::shared_ptr<const ConvexSet> prepared(const std::shared_ptr<const ConvexSet>& S) {
+std::shared_ptr<const ConvexSet> prepared_if_it_pays(const std::shared_ptr<const ConvexSet>& S) {
   constexpr std::ptrdiff_t kFewest = 1000;
   const auto* points = dynamic_cast<const PointSet*>(S.get());
-  const bool pays =
-      points != nullptr && S->dimension() == 3 && points->size() >= kFewest && PreparedSet::has_hulls();
-  return pays ? std::make_shared<PreparedSet>(*points) : S;
+  const bool pays = points != nullptr && points->size() >= kFewest && PreparedSet::has_hulls();
+  return pays ? prepared(S) : S;
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
   const int n = body.dimension();
   SmallVector sum = SmallVector::Zero(n);
   for (const auto& given : parts) {
-    const auto set = prepared(given);
+    const auto set = prepared_if_it_pays(given);
     if (set == nullptr) throw InvalidParameterError("body '" + body.name + "': a part is null");
     if (set->dimension() != n) {
       throw DimensionMismatchError("body '" + body.name + "': a part lives in R^" +

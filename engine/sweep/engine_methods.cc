@@ -5,6 +5,7 @@
 #include <string>
 
 #include "raygauge/queries/solver.h"
+#include "raygauge/sets/prepared_set.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge {
@@ -13,14 +14,16 @@ namespace {
 constexpr const char* kColumnGeneration = "column_generation";
 constexpr const char* kFormerName = "direct";  // of column_generation
 
-/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets.
+/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets, or
+/// prepares them.
 class EngineMethod final : public SolveMethod {
  public:
-  explicit EngineMethod(const DistanceOptions& options) : options_(options), solver_(options) {}
+  EngineMethod(const DistanceOptions& options, bool prepares)
+      : options_(options), solver_(options), prepares_(prepares) {}
 
   void load(const Instance& instance) override {
-    A_ = instance.A.get();
-    Q_ = instance.Q.get();
+    A_ = prepares_ ? prepared(instance.A) : instance.A;
+    Q_ = prepares_ ? prepared(instance.Q) : instance.Q;
     result_ = nullptr;
   }
 
@@ -41,8 +44,8 @@ class EngineMethod final : public SolveMethod {
  private:
   DistanceOptions options_;
   DistanceSolver solver_;
-  const ConvexSet* A_ = nullptr;
-  const ConvexSet* Q_ = nullptr;
+  bool prepares_;
+  std::shared_ptr<const ConvexSet> A_, Q_;
   const DistanceResult* result_ = nullptr;
 };
 
@@ -62,18 +65,19 @@ std::vector<std::string> names_of(const std::map<std::string, T>& choices) {
 }
 
 std::vector<ParameterInfo> common_parameters() {
-  return {{"instruction_set",
-           std::string("automatic"),
-           {},
-           {},
-           "instruction set of the vector kernels",
-           names_of(kInstructionSets)},
-          {"max_iterations",
-           std::int64_t{0},
-           0.0,
-           9e15,
-           "largest number of basis changes; 0: chosen from n",
-           {}}};
+  return {
+      {"instruction_set",
+       std::string("automatic"),
+       {},
+       {},
+       "instruction set of the vector kernels",
+       names_of(kInstructionSets)},
+      {"max_iterations", std::int64_t{0}, 0.0, 9e15, "largest number of basis changes; 0: chosen from n", {}},
+      {"prepared", false, {}, {}, "sets of points in R^3 are prepared before the solves that are timed", {}}};
+}
+
+std::unique_ptr<SolveMethod> make_method(const DistanceOptions& options, const Parameters& parameters) {
+  return std::make_unique<EngineMethod>(options, boolean_parameter(parameters, "prepared"));
 }
 
 DistanceOptions options_from(DistanceMethod method, const Parameters& parameters) {
@@ -104,7 +108,7 @@ void register_engine_methods(MethodRegistry& registry) {
                 [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::column_generation, parameters);
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
-                  return std::make_unique<EngineMethod>(options);
+                  return make_method(options, parameters);
                 },
                 true,
                 Role::engine,
@@ -113,7 +117,7 @@ void register_engine_methods(MethodRegistry& registry) {
   registry.add({"newton",
                 "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
                 common_parameters(), [](const Parameters& parameters) {
-                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::newton, parameters));
+                  return make_method(options_from(DistanceMethod::newton, parameters), parameters);
                 }});
   std::vector<ParameterInfo> published = common_parameters();
   published.push_back(
@@ -127,7 +131,7 @@ void register_engine_methods(MethodRegistry& registry) {
                 [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::zheng_yamane, parameters);
                   options.stop_rule = kStopRules.at(string_parameter(parameters, "stop_rule"));
-                  return std::make_unique<EngineMethod>(options);
+                  return make_method(options, parameters);
                 }});
 }
 

@@ -184,6 +184,17 @@ TEST_F(DistanceCommand, GlpkStandsForItsDualSimplex) {
 }
 #endif
 
+TEST_F(DistanceCommand, PreparedSetsOfPointsHaveTheSameAnswer) {
+  const std::string cube = "2 -1 -1\n2 1 -1\n2 -1 1\n2 1 1\n4 -1 -1\n4 1 -1\n4 -1 1\n4 1 1\n3 0 0\n";
+  const std::string octahedron = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n0 0 0\n";
+  for (const char* method : {"column_generation", "newton", "zheng_yamane"}) {
+    const Json json = run_json(cube, octahedron, {"--method", method, "--prepared"});
+    expect_answer(json, 2);
+    EXPECT_EQ(json["n_points_A"], 9);
+  }
+  expect_answer(run_json(kBox, kSquare, {"--prepared"}), 3);
+}
+
 TEST_F(DistanceCommand, ThePublishedStopRuleAndEveryKernelAnswer) {
   expect_answer(run_json(kBox, kSquare, {"--method", "zheng_yamane", "--stop-rule", "published_sigma"}), 3);
   expect_answer(run_json(kBox, kSquare, {"--instruction-set", "baseline"}), 3);

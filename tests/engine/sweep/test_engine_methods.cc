@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <random>
 
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/prepared_set.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge::test_engine_methods {
@@ -83,6 +87,30 @@ TEST_F(EngineMethods, TakeTheirParameters) {
   published->solve({});
   EXPECT_NEAR(published->result().sigma, 1, 1e-6);
   EXPECT_NEAR(published->result().distance, 3, 3e-6);
+}
+
+TEST_F(EngineMethods, PrepareSetsOfPointsInSpaceWhereTheyAreTold) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd A(3, 300), Q(3, 300);
+  for (double& x : A.reshaped()) x = normal(random);
+  for (double& x : Q.reshaped()) x = normal(random);
+  A.row(0).array() += 12;
+  const Instance instance{std::make_shared<PointSet>(A), std::make_shared<PointSet>(Q), std::nullopt};
+  for (const std::string& name : registry_.names()) {
+    const auto plain = registry_.make(name, {}), prepares = registry_.make(name, {{"prepared", true}});
+    for (SolveMethod* method : {plain.get(), prepares.get()}) {
+      method->load(instance);
+      method->solve({});
+      EXPECT_EQ(method->result().status, DistanceStatus::optimal) << name;
+    }
+    EXPECT_LE(plain->result().lower, prepares->result().upper) << name;
+    EXPECT_LE(prepares->result().lower, plain->result().upper) << name;
+  }
+  const auto kept = std::dynamic_pointer_cast<const PreparedSet>(prepared(instance.A));
+  ASSERT_NE(kept, nullptr);
+  EXPECT_EQ(prepared(kept), kept);
+  EXPECT_EQ(prepared(segment_and_square().A)->dimension(), 2);
 }
 
 TEST_F(EngineMethods, RejectWhatTheyDoNotKnow) {
