@@ -12,7 +12,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/data/filter_tokens.h"
 #include "analysis/data/parameter_columns.h"
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sweep/method.h"
 

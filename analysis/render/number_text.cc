@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {

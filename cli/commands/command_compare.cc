@@ -20,7 +20,7 @@
 #include "cli/commands/rerun.h"
 #include "cli/output/json_text.h"
 #include "cli/output/terminal.h"
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 

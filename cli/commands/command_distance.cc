@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <future>
 #include <map>
@@ -10,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/commands/commands.h"
 #include "cli/commands/distance_query.h"
@@ -20,6 +23,7 @@
 #include "cli/input/shapes.h"
 #include "cli/output/distance_report.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
 #include "results/schema/dataset.h"
 
 namespace raygauge::cli {
@@ -97,23 +101,14 @@ void check_method(const std::string& name, const MethodRegistry& methods) {
   if (name != to_string(DistanceMethod::automatic)) methods.find(name);
 }
 
-void check_options(const DistanceOptions& options) {
-  if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    throw InvalidParameterError("--tolerance must lie in (0, 1), got " +
-                                to_string(ParameterValue(options.tolerance)));
-  }
-  if (!(options.time_limit >= 0)) {
-    throw InvalidParameterError("--time-limit must not be negative, got " +
-                                to_string(ParameterValue(options.time_limit)));
-  }
-  if (options.max_iterations < 0) {
-    throw InvalidParameterError("--max-iterations must not be negative, got " +
-                                std::to_string(options.max_iterations));
-  }
-  if (options.threads < 1 || options.threads > kMostThreads) {
-    throw InvalidParameterError("--threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
-                                std::to_string(options.threads));
-  }
+/// What raygauge::validate says, by the name of the command's option. The rest of `query` decides on
+/// the method later, and with it on the stop rule.
+void check_options(DistanceOptions options) {
+  options.stop_rule = StopRule::certified_gap;
+  std::string problem = validate(options);
+  if (problem.empty()) return;
+  std::replace(problem.begin(), problem.begin() + static_cast<std::ptrdiff_t>(problem.find(' ')), '_', '-');
+  throw InvalidParameterError("--" + problem);
 }
 
 /// Whether the source may be read beside another one: HDF5 has one reader at a time.
@@ -164,32 +159,33 @@ int run(DistanceArguments arguments) {
   return exit_status(report.result.status);
 }
 
-}  // namespace
-
-void add_distance_command(Command& app, int& status) {
-  const auto arguments = std::make_shared<DistanceArguments>();
-  Command command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
-  command.add_option("A", arguments->A, "Set A, the object: a file of points or a set file")
+void add_sets_and_output(Command& command, DistanceArguments& arguments) {
+  command.add_option("A", arguments.A, "Set A, the object: a file of points or a set file")
       .required()
       .type_name("FILE");
-  command.add_option("Q", arguments->Q, "Set Q, the gauge body, the origin in its interior: likewise")
+  command.add_option("Q", arguments.Q, "Set Q, the gauge body, the origin in its interior: likewise")
       .required()
       .type_name("FILE");
-  DistanceOptions& options = arguments->query.options;
   command
-      .add_option("--tolerance", options.tolerance, "Stop when upper - lower <= tolerance * upper; in (0, 1)")
+      .add_option("--tolerance", arguments.query.options.tolerance,
+                  "Stop when upper - lower <= tolerance * upper; in (0, 1)")
       .type_name("EPS");
   command
-      .add_option("--method", arguments->query.method,
+      .add_option("--method", arguments.query.method,
                   "automatic (newton where Q is smooth, column_generation otherwise) or one of " +
                       joined(all_methods().names()) +
                       "; glpk stands for glpk_dual; any set: column_generation (once called direct), "
                       "newton, zheng_yamane")
       .type_name("NAME");
-  command.add_flag("--skip-header", arguments->format.skip_header,
+  command.add_flag("--skip-header", arguments.format.skip_header,
                    "The first line of a text file of points is a heading, unless it begins with a number");
-  command.add_flag("--witness", arguments->query.witness, "Compute the contact point too");
-  command.add_flag("--json", arguments->json, "Print one JSON object, numbers with 17 significant digits");
+  command.add_flag("--witness", arguments.query.witness, "Compute the contact point too");
+  command.add_flag("--json", arguments.json, "Print one JSON object, numbers with 17 significant digits");
+}
+
+/// Returns those that are for the engine's methods alone.
+std::vector<Option> add_limits_and_engine_options(Command& command, DistanceArguments& arguments) {
+  DistanceOptions& options = arguments.query.options;
   const Option iterations = command
                                 .add_option("--max-iterations", options.max_iterations,
                                             "Largest number of basis changes; 0: chosen from n")
@@ -197,11 +193,11 @@ void add_distance_command(Command& app, int& status) {
   command.add_option("--time-limit", options.time_limit, "Seconds for the solve").type_name("SECONDS");
   const Option stop_rule =
       command
-          .add_option("--stop-rule", arguments->stop_rule,
+          .add_option("--stop-rule", arguments.stop_rule,
                       "certified_gap, or published_sigma (zheng_yamane only: |σ_k - 1| < EPS)")
           .type_name("RULE");
   const Option instruction_set = command
-                                     .add_option("--instruction-set", arguments->instruction_set,
+                                     .add_option("--instruction-set", arguments.instruction_set,
                                                  "Vector kernels: " + joined(names_of(kInstructionSets)))
                                      .type_name("NAME");
   const Option threads =
@@ -210,13 +206,22 @@ void add_distance_command(Command& app, int& status) {
                       "Threads of the solve; column_generation shares its passes over large point sets")
           .type_name("K");
   const Option prepared =
-      command.add_flag("--prepared", arguments->query.prepared,
+      command.add_flag("--prepared", arguments.query.prepared,
                        "Prepare sets of points in R^3 first, as for many queries; the seconds include it");
+  return {iterations, stop_rule, instruction_set, threads, prepared};
+}
+
+}  // namespace
+
+void add_distance_command(Command& app, int& status) {
+  const auto arguments = std::make_shared<DistanceArguments>();
+  Command command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
+  add_sets_and_output(command, *arguments);
+  const std::vector<Option> of_engine = add_limits_and_engine_options(command, *arguments);
   command.footer(distance_footer());
   command.callback([=, &status] {
-    arguments->query.engine_options_set = iterations.count() + stop_rule.count() + instruction_set.count() +
-                                              threads.count() + prepared.count() >
-                                          0;
+    arguments->query.engine_options_set = std::any_of(
+        of_engine.begin(), of_engine.end(), [](const Option& option) { return option.count() > 0; });
     status = run(*arguments);
   });
 }

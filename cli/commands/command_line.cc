@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge::cli {

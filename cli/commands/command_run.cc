@@ -93,56 +93,64 @@ int run(const RunArguments& arguments) {
   return run_experiment(arguments, experiment, generators, methods);
 }
 
-}  // namespace
-
-void add_run_command(Command& app, int& status) {
-  const auto arguments = std::make_shared<RunArguments>();
-  Command command = app.add_subcommand("run", "Run the sweep that an experiment file describes");
+void add_experiment_options(Command& command, RunArguments& arguments) {
   command
-      .add_option("experiment", arguments->experiment_path, "Experiment file (TOML; see docs/experiments.md)")
+      .add_option("experiment", arguments.experiment_path, "Experiment file (TOML; see docs/experiments.md)")
       .required()
       .type_name("EXPERIMENT.toml");
   command
-      .add_option("-o,--output", arguments->output,
+      .add_option("-o,--output", arguments.output,
                   "Results file; default: out/NAME.h5, NAME being the experiment's")
       .type_name("FILE.h5");
   command
-      .add_option("--set", arguments->overrides,
+      .add_option("--set", arguments.overrides,
                   "Replace a value of the experiment, as in --set sweep.n=3,4; may be repeated")
       .type_name("KEY=VALUE")
       .default_str("")
       .expected(1)
       .take_all();
   command
-      .add_option("--threads", arguments->threads,
+      .add_option("--threads", arguments.threads,
                   "Threads; 0: one for each core; default: the experiment's run.threads")
       .range(0, 65536)
       .type_name("K");
   command
-      .add_option("--stop-when-within", arguments->stop_when_within,
+      .add_option("--stop-when-within", arguments.stop_when_within,
                   "End a cell once the 95 % interval of each method's median time is no wider than this "
                   "fraction of the median, as in 0.05; short for --set sweep.stop_when_within=FRACTION")
       .type_name("FRACTION");
   command
       .add_option_function(
-          "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
+          "--shard", [&arguments](const std::string& text) { arguments.shard = shard_from(text); },
           "Do part I of K parts of the cells, into FILE.shard-I-of-K.h5; `raygauge merge` joins them")
       .type_name("I/K");
-  const Option resume = command.add_flag("--resume", arguments->resume,
+}
+
+void add_ways_to_run(Command& command, RunArguments& arguments) {
+  const Option resume = command.add_flag("--resume", arguments.resume,
                                          "Continue a run that was killed, interrupted or has failed");
-  command.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
-  command.add_flag("--dry-run", arguments->dry_run,
+  command.add_flag("--force", arguments.force, "Replace an existing results file").excludes(resume);
+  command.add_flag("--dry-run", arguments.dry_run,
                    "Print the grid and an estimate of the time; store nothing");
   command
-      .add_option("--ranks", arguments->ranks,
+      .add_option("--ranks", arguments.ranks,
                   "With --dry-run: predict the time and efficiency of so many MPI ranks or shards")
       .range(1, 10000000)
       .type_name("K");
   command
-      .add_option("--times", arguments->times,
+      .add_option("--times", arguments.times,
                   "With --ranks: the times of the cells from a finished run, not from an estimate")
       .type_name("FILE.h5");
-  command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
+  command.add_flag("-q,--quiet", arguments.quiet, "Print errors only");
+}
+
+}  // namespace
+
+void add_run_command(Command& app, int& status) {
+  const auto arguments = std::make_shared<RunArguments>();  // kept by the callback
+  Command command = app.add_subcommand("run", "Run the sweep that an experiment file describes");
+  add_experiment_options(command, *arguments);
+  add_ways_to_run(command, *arguments);
   command.callback([arguments, &status] {
     if (arguments->stop_when_within) {
       const ParameterValue fraction = *arguments->stop_when_within;

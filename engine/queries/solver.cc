@@ -20,31 +20,11 @@
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
 #include "raygauge/sets/minkowski_difference.h"
 
 namespace raygauge {
 namespace {
-
-void check_options(const DistanceOptions& options) {
-  if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    throw InvalidParameterError("tolerance must lie in (0, 1), got " + std::to_string(options.tolerance));
-  }
-  if (options.max_iterations < 0) {
-    throw InvalidParameterError("max_iterations must not be negative, got " +
-                                std::to_string(options.max_iterations));
-  }
-  if (!(options.time_limit >= 0)) {
-    throw InvalidParameterError("time_limit must not be negative, got " + std::to_string(options.time_limit));
-  }
-  if (options.threads < 1 || options.threads > kMostThreads) {
-    throw InvalidParameterError("threads must lie in 1 … " + std::to_string(kMostThreads) + ", got " +
-                                std::to_string(options.threads));
-  }
-  if (options.stop_rule == StopRule::published_sigma && options.method != DistanceMethod::zheng_yamane) {
-    throw InvalidParameterError("stop_rule published_sigma belongs to method zheng_yamane");
-  }
-  kernels_for(options.instruction_set);
-}
 
 // A = S - T, as far as A knows; T is nullptr for {0}.
 struct Difference {
@@ -286,7 +266,7 @@ DistanceSolver& DistanceSolver::operator=(DistanceSolver&&) noexcept = default;
 const DistanceOptions& DistanceSolver::options() const noexcept { return workspace_->options; }
 
 void DistanceSolver::set_options(const DistanceOptions& options) {
-  check_options(options);
+  if (const std::string problem = validate(options); !problem.empty()) throw InvalidParameterError(problem);
   workspace_->options = options;
 }
 

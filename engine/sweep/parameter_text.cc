@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "engine/sweep/parameter_text.h"
 
 namespace raygauge {

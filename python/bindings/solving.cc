@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge::python {
@@ -33,6 +34,7 @@ DistanceOptions options_of(std::string_view method, double tolerance, double tim
   options.method = method_of(method);
   options.tolerance = tolerance;
   options.time_limit = time_limit;
+  if (const std::string problem = validate(options); !problem.empty()) throw InvalidParameterError(problem);
   return options;
 }
 

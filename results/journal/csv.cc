@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "results/run/atomic_file.h"
 #include "results/schema/schema.h"
 

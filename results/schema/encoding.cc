@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/encoding.h"
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/sweep/method.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge {

@@ -69,6 +69,8 @@ class Distances(unittest.TestCase):
         self.assertIsNone(rg.contains(rg.Ball([0, 0], 5), [3, 4]))
         self.assertIs(rg.contains(rg.SupportMappingSet(np.zeros(2), np.sign), [0.5, -0.9]), True)
         self.assertRaises(rg.DimensionMismatchError, rg.gauge, SQUARE, [1, 2, 3])
+        with self.assertRaisesRegex(rg.InvalidParameterError, r"^tolerance must lie in \(0, 1\), got 2$"):
+            rg.distance(SQUARE, SQUARE, 2)
         self.assertRaises(rg.NonFiniteError, rg.contains, SQUARE, [np.nan, 0])
 
     def test_a_set_of_ones_own_gives_the_answer_of_the_set_that_it_is(self):

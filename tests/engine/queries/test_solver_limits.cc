@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
@@ -89,6 +90,34 @@ TEST(DistanceSolverOptions, OutsideTheirRangeAreRefused) {
   }
   refuses([](DistanceOptions& options) { options.max_iterations = -1; });
   refuses([](DistanceOptions& options) { options.stop_rule = StopRule::published_sigma; });
+}
+
+TEST(DistanceSolverOptions, SayInOneLineWhatIsWrong) {
+  EXPECT_EQ(validate(DistanceOptions{}), "");
+  const auto problem = [](const auto& change) {
+    DistanceOptions options;
+    change(options);
+    return validate(options);
+  };
+  EXPECT_EQ(problem([](auto& options) { options.tolerance = -1e-9; }),
+            "tolerance must lie in (0, 1), got -1e-9");
+  EXPECT_EQ(problem([](auto& options) { options.tolerance = std::nan(""); }),
+            "tolerance must lie in (0, 1), got nan");
+  EXPECT_EQ(problem([](auto& options) { options.max_iterations = -2; }),
+            "max_iterations must not be negative, got -2");
+  EXPECT_EQ(problem([](auto& options) { options.time_limit = -0.5; }),
+            "time_limit must not be negative, got -0.5");
+  EXPECT_EQ(problem([](auto& options) { options.threads = 65; }), "threads must lie in 1 … 64, got 65");
+  EXPECT_EQ(problem([](auto& options) { options.stop_rule = StopRule::published_sigma; }),
+            "stop_rule published_sigma belongs to method zheng_yamane");
+  try {
+    DistanceOptions options;
+    options.tolerance = 2;
+    DistanceSolver solver(options);
+    FAIL() << "not refused";
+  } catch (const InvalidParameterError& error) {
+    EXPECT_STREQ(error.what(), "tolerance must lie in (0, 1), got 2");
+  }
 }
 
 TEST(DistanceSolverOptions, ThatAreRefusedLeaveTheSolverAsItWas) {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/sweep/number_text.h"
+#include "engine/numerics/number_text.h"
 
 #include <algorithm>
 #include <array>
