@@ -227,7 +227,9 @@ TEST(PreciseDistance, CertifiesCurvedBodiesThatTouchWithEveryOtherKind) {
         EXPECT_GE(r.upper, gap - 1e-11);
         EXPECT_LE(r.lower, std::max(gap, 0.0) + 1e-11);
         uncertified += r.status == DistanceStatus::optimal && r.upper - r.lower <= 1e-6 * r.upper ? 0 : 1;
-        if (r.status == DistanceStatus::optimal) EXPECT_GE(gap, 0);
+        if (r.status == DistanceStatus::optimal) {
+          EXPECT_GE(gap, 0);
+        }
       }
     }
   }
