@@ -122,7 +122,7 @@ void register_method(const std::string& name, DistanceMethod method, StopRule ru
 
 const bool registered = [] {
   register_method("newton", DistanceMethod::newton, StopRule::certified_gap);
-  register_method("direct", DistanceMethod::column_generation, StopRule::certified_gap);
+  register_method("column_generation", DistanceMethod::column_generation, StopRule::certified_gap);
   register_method("zheng_yamane", DistanceMethod::zheng_yamane, StopRule::certified_gap);
   register_method("published_sigma", DistanceMethod::zheng_yamane, StopRule::published_sigma);
   return true;
