@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/methods/spatial/contact_program.h"
+#include "engine/methods/spatial/spatial_growth.h"
 
 namespace raygauge {
 namespace {
@@ -89,13 +90,7 @@ void PreciseGrowth::bound_from_above() {
 void PreciseGrowth::exchange(const PrecisePoint& w) {
   const double d0 = dot(p_, cross(w.s, portal_[0].s)).high, d1 = dot(p_, cross(w.s, portal_[1].s)).high,
                d2 = dot(p_, cross(w.s, portal_[2].s)).high;
-  if (d1 >= 0 && d2 <= 0) {
-    portal_[0] = w;
-  } else if (d2 >= 0 && d0 <= 0) {
-    portal_[1] = w;
-  } else {
-    portal_[2] = w;
-  }
+  portal_[leaving_corner(d0, d1, d2)] = w;
 }
 
 bool PreciseGrowth::run(double tolerance) {

@@ -331,13 +331,7 @@ void Growth::refine() {
     }
     const double d0 = dot(p_, cross(w.s, portal_[0].s)), d1 = dot(p_, cross(w.s, portal_[1].s)),
                  d2 = dot(p_, cross(w.s, portal_[2].s));
-    if (d1 >= 0 && d2 <= 0) {
-      portal_[0] = w;
-    } else if (d2 >= 0 && d0 <= 0) {
-      portal_[1] = w;
-    } else {
-      portal_[2] = w;
-    }
+    portal_[leaving_corner(d0, d1, d2)] = w;
   }
 }
 
