@@ -36,8 +36,8 @@ void dimensions(benchmark::internal::Benchmark* benchmark) {
   for (const int n : {2, 3, 5, 10, 20, 50, 100}) benchmark->Arg(n);
 }
 
-BENCHMARK_CAPTURE(growth_with_N, direct, DistanceMethod::column_generation)->Apply(sizes);
-BENCHMARK_CAPTURE(growth_with_n, direct, DistanceMethod::column_generation)->Apply(dimensions);
+BENCHMARK_CAPTURE(growth_with_N, column_generation, DistanceMethod::column_generation)->Apply(sizes);
+BENCHMARK_CAPTURE(growth_with_n, column_generation, DistanceMethod::column_generation)->Apply(dimensions);
 BENCHMARK_CAPTURE(growth_with_n, zheng_yamane, DistanceMethod::zheng_yamane)->Apply(dimensions);
 
 }  // namespace

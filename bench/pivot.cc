@@ -27,7 +27,7 @@ void dimensions(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgName("n")->Arg(2)->Arg(3)->Arg(5)->Arg(7)->Arg(10)->Arg(15)->Arg(20)->Arg(50)->Arg(100);
 }
 
-BENCHMARK_CAPTURE(pivot, direct, DistanceMethod::column_generation)->Apply(dimensions);
+BENCHMARK_CAPTURE(pivot, column_generation, DistanceMethod::column_generation)->Apply(dimensions);
 BENCHMARK_CAPTURE(pivot, zheng_yamane, DistanceMethod::zheng_yamane)->Apply(dimensions);
 
 }  // namespace

@@ -88,7 +88,7 @@ double gain_of_two_threads(const Variant& variant, int n, int N, int instances) 
 
 double print_pass_cell(const Variant& variant, int n, int N, int instances) {
   const double ratio = against_pass(variant, n, N, instances);
-  std::printf("n = %3d  N = %7d  direct / pass %6.2f\n", n, N, ratio);
+  std::printf("n = %3d  N = %7d  column_generation / pass %6.2f\n", n, N, ratio);
   std::fflush(stdout);
   return ratio;
 }
@@ -134,27 +134,28 @@ double heap_in_use() {
 }  // namespace
 
 void print_grid(const Variant& variant, const Effort& effort) {
-  Summary direct("direct / best LP");
+  Summary generation("column_generation / best LP");
   Summary published("zheng_yamane / best LP");
   for (int n = 3; n <= 10; n += effort.quick ? 7 : 1) {
     for (int N = 200; N <= 2000; N += effort.quick ? 900 : 200) {
       const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances);
-      direct.add(cell.ours[0] / cell.best_lp, n, N);
+      generation.add(cell.ours[0] / cell.best_lp, n, N);
       published.add(cell.ours[1] / cell.best_lp, n, N);
       std::printf(
-          "n = %2d  N = %4d  direct %8.2f us  / LP %.5f   zheng_yamane %8.2f us  / LP %.5f   LP %8.1f us "
+          "n = %2d  N = %4d  column_generation %8.2f us  / LP %.5f   zheng_yamane %8.2f us  / LP %.5f   LP "
+          "%8.1f us "
           "(%s)\n",
           n, N, 1e6 * cell.ours[0], cell.ours[0] / cell.best_lp, 1e6 * cell.ours[1],
           cell.ours[1] / cell.best_lp, 1e6 * cell.best_lp, cell.best_name.c_str());
       std::fflush(stdout);
     }
   }
-  direct.print();
+  generation.print();
   published.print();
 }
 
 void print_large(const Variant& variant, const Effort& effort) {
-  Summary all("direct / pass");
+  Summary all("column_generation / pass");
   Summary largest("  at N >= 2e5");
   for (const int N :
        effort.quick ? std::vector<int>{20000, 200000} : std::vector<int>{20000, 200000, 1000000}) {
@@ -190,28 +191,30 @@ void print_high(const Variant& variant, const Effort& effort) {
   if (!effort.quick) dimensions.insert(dimensions.end(), {150, 200, 400, 500});
   if (!effort.dimensions.empty()) dimensions = effort.dimensions;
   const auto print_part = [&](const char* what, const std::function<std::vector<int>(int)>& counts) {
-    Summary direct(what);
+    Summary generation(what);
     Summary zheng_yamane("  zheng_yamane");
     for (const int n : dimensions) {
       for (const int N : counts(n)) {
         const LpCell cell = against_lp({"column_generation", "zheng_yamane"}, variant, n, N, effort.instances,
                                        effort.processor_time ? Clock::processor : Clock::wall);
-        std::printf("n = %3d, N = %5d: direct %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
+        std::printf("n = %3d, N = %5d: column_generation %.4g ms, zheng_yamane %.4g ms, %s %.4g ms\n", n, N,
                     cell.ours[0] * 1e3, cell.ours[1] * 1e3, cell.best_name.c_str(), cell.best_lp * 1e3);
         std::fflush(stdout);
-        direct.add(cell.ours[0] / cell.best_lp, n, N);
+        generation.add(cell.ours[0] / cell.best_lp, n, N);
         zheng_yamane.add(cell.ours[1] / cell.best_lp, n, N);
       }
     }
-    direct.print();
+    generation.print();
     zheng_yamane.print();
   };
-  print_part("direct, many points", [&](int n) {
+  print_part("column_generation, many points", [&](int n) {
     std::vector<int> counts = {3 * n, 10 * n};
     if (!effort.quick && 100 * n <= 20000) counts.push_back(100 * n);
     return counts;
   });
-  print_part("direct, few points", [](int n) { return std::vector<int>{n + 2, 3 * n / 2, 2 * n}; });
+  print_part("column_generation, few points", [](int n) {
+    return std::vector<int>{n + 2, 3 * n / 2, 2 * n};
+  });
 }
 
 void print_certified(const Variant& variant, const Effort& effort) {
@@ -246,8 +249,8 @@ void print_certified(const Variant& variant, const Effort& effort) {
 
 void print_n100(const Variant& variant, const Effort& effort) {
   const LpCell cell = against_lp({"column_generation"}, variant, 100, 10000, effort.instances);
-  std::printf("n = 100  N = 10000  direct %.2f ms  / LP %.5f   LP %.1f ms (%s)\n", 1e3 * cell.ours[0],
-              cell.ours[0] / cell.best_lp, 1e3 * cell.best_lp, cell.best_name.c_str());
+  std::printf("n = 100  N = 10000  column_generation %.2f ms  / LP %.5f   LP %.1f ms (%s)\n",
+              1e3 * cell.ours[0], cell.ours[0] / cell.best_lp, 1e3 * cell.best_lp, cell.best_name.c_str());
 }
 
 void print_memory(const Variant& variant, const Effort& effort) {

@@ -36,15 +36,29 @@ set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 # No room waits for another one's archive before it compiles: both cores stay busy.
 set(CMAKE_OPTIMIZE_DEPENDENCIES ON)
 
-# Half of the compile time goes into a few large headers, which each room precompiles. Compiler caches cannot follow
+# Half of the compile time goes into a few large headers, which are precompiled. Compiler caches cannot follow
 # precompiled headers.
 if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
+# raygauge_require(PACKAGE DEBIAN_PACKAGE ...) finds a package or says in one line what to install.
+macro(raygauge_require package debian)
+  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "raygauge needs ${package}: apt-get install ${debian} (or ./run.sh, which installs everything)")
+  endif()
+endmacro()
+
+raygauge_require(Eigen3 libeigen3-dev 3.4)
+raygauge_require(OpenMP libgomp1 COMPONENTS CXX)
+
 # Usage requirements of our own code only, never those of a user of the library: headers of rooms, and warnings.
 add_library(raygauge_own_code INTERFACE)
 target_include_directories(raygauge_own_code INTERFACE ${PROJECT_SOURCE_DIR})
+# The threads of a solve or a sweep are the caller's to choose; Eigen is not to add its own.
+target_compile_definitions(raygauge_own_code INTERFACE EIGEN_DONT_PARALLELIZE)
+target_link_libraries(raygauge_own_code INTERFACE OpenMP::OpenMP_CXX)
 target_compile_options(raygauge_own_code INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi
                        $<$<BOOL:${RAYGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -57,6 +71,15 @@ endif()
 # every machine. The vector kernels, which ask for fused operations by name, say so themselves.
 add_compile_options(-ffp-contract=off)
 
+# Compiled once, and shared by all rooms: one set of flags for all of them. Rooms go into Python's modules and into the
+# shared library, too.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/nothing.cc CONTENT "// Headers alone.\n")
+add_library(raygauge_room_headers OBJECT ${PROJECT_BINARY_DIR}/nothing.cc)
+target_link_libraries(raygauge_room_headers PRIVATE raygauge_own_code Eigen3::Eigen)
+set_target_properties(raygauge_room_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_precompile_headers(raygauge_room_headers PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
+                                                        <Eigen/Core>)
+
 # raygauge_room(NAME [EXTRA...] [SOURCES sources...]) declares the library of one top-level folder, made of every source
 # in it (or of SOURCES alone) and of EXTRA.
 function(raygauge_room name)
@@ -68,14 +91,6 @@ function(raygauge_room name)
   add_library(raygauge_${name} STATIC ${_room_SOURCES} ${_room_UNPARSED_ARGUMENTS})
   add_library(raygauge::${name} ALIAS raygauge_${name})
   target_link_libraries(raygauge_${name} PRIVATE $<BUILD_INTERFACE:raygauge_own_code>)
-  target_precompile_headers(raygauge_${name} PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
-                                                     <Eigen/Core>)
+  set_target_properties(raygauge_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(raygauge_${name} REUSE_FROM raygauge_room_headers)
 endfunction()
-
-# raygauge_require(PACKAGE DEBIAN_PACKAGE ...) finds a package or says in one line what to install.
-macro(raygauge_require package debian)
-  find_package(${package} ${ARGN} QUIET)
-  if(NOT ${package}_FOUND)
-    message(FATAL_ERROR "raygauge needs ${package}: apt-get install ${debian} (or ./run.sh, which installs everything)")
-  endif()
-endmacro()

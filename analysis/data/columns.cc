@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/constants.h"
-#include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 #include "results/schema/schema.h"
 
@@ -86,7 +86,7 @@ struct ToNumber {
 
 struct ToText {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(double value) const { return significant(value, 6); }
+  std::string operator()(double value) const { return rounded_text(value, 6); }
   std::string operator()(const std::string& value) const { return value; }
   template <class Integer>
   std::string operator()(Integer value) const {

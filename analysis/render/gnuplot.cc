@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "results/run/atomic_file.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -98,7 +98,7 @@ int run_gnuplot(std::FILE* in, std::FILE* out, std::FILE* messages) {
 }
 
 std::string sizes(double width, double height, double scale) {
-  return significant(width * scale, 6) + "," + significant(height * scale, 6);
+  return rounded_text(width * scale, 6) + "," + rounded_text(height * scale, 6);
 }
 
 std::string terminal(ImageFormat format, double width, double height) {
@@ -107,12 +107,12 @@ std::string terminal(ImageFormat format, double width, double height) {
   constexpr double kScreenPixels = 96;
   switch (format) {
     case ImageFormat::svg: {
-      const std::string scale = significant(kScreenPixels / kPointsPerInch, 6);
+      const std::string scale = rounded_text(kScreenPixels / kPointsPerInch, 6);
       return "set terminal svg size " + sizes(width, height, kScreenPixels) +
              " fixed enhanced font 'sans-serif,8' fontscale " + scale + " background 'white'\n";
     }
     case ImageFormat::png: {
-      const std::string scale = significant(kPrintPixelsAnInch / kCairoPoints, 6);
+      const std::string scale = rounded_text(kPrintPixelsAnInch / kCairoPoints, 6);
       return "set terminal pngcairo size " + sizes(width, height, kPrintPixelsAnInch) +
              " enhanced font 'Sans,8' fontscale " + scale + " linewidth " + scale + " pointscale " + scale +
              " background 'white'\n";
@@ -120,8 +120,8 @@ std::string terminal(ImageFormat format, double width, double height) {
     case ImageFormat::pdf:
       break;
   }
-  return "set terminal pdfcairo size " + significant(width, 6) + "in," + significant(height, 6) +
-         "in enhanced font 'Sans,8' fontscale " + significant(kPointsPerInch / kCairoPoints, 6) +
+  return "set terminal pdfcairo size " + rounded_text(width, 6) + "in," + rounded_text(height, 6) +
+         "in enhanced font 'Sans,8' fontscale " + rounded_text(kPointsPerInch / kCairoPoints, 6) +
          " linewidth 1 background 'white'\n";
 }
 

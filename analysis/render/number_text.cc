@@ -27,8 +27,6 @@ int exponent_of(double value, int digits) {
 
 }  // namespace
 
-std::string significant(double value, int digits) { return rounded_text(value, digits); }
-
 std::string padded_significant(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return shortest_text(value);
   constexpr int kSmallest = -5;
@@ -44,7 +42,5 @@ std::string interval_words(double value, double lower, double upper) {
   return padded_significant(value, kShown) + " [" + padded_significant(lower, kShown) + ", " +
          padded_significant(upper, kShown) + "]";
 }
-
-std::string round_trip(double value) { return shortest_text(value); }
 
 }  // namespace raygauge

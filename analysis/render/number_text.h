@@ -6,18 +6,11 @@
 
 namespace raygauge {
 
-/// `value` with at most `digits` significant digits, as short as it gets: "0.25", "1e-6", "12300", "inf",
-/// "nan".
-std::string significant(double value, int digits);
-
 /// `value` with exactly `digits` significant digits as long as that is no more than 4 places of zeros:
 /// "0.0120", "1.36", "123", "1.2e-7"; "inf", "nan".
 std::string padded_significant(double value, int digits);
 
 /// "1.23 [1.20, 1.26]": a value and the ends of its interval, 3 digits.
 std::string interval_words(double value, double lower, double upper);
-
-/// `value` with enough digits that reading it gives the same double: for CSV.
-std::string round_trip(double value);
 
 }  // namespace raygauge

@@ -11,6 +11,7 @@
 #include "analysis/render/formats/markdown_table.h"
 #include "analysis/render/formats/text_table.h"
 #include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
@@ -28,7 +29,7 @@ void require_rectangle(const Table& table) {
 
 }  // namespace
 
-TableCell number_cell(double value, int digits) { return {significant(value, digits), value}; }
+TableCell number_cell(double value, int digits) { return {rounded_text(value, digits), value}; }
 
 TableCell padded_cell(double value, int digits) {
   if (std::isnan(value)) return {};

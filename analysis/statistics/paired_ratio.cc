@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/statistics/paired_ratio.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <string>
 
 #include "analysis/constants.h"
+#include "analysis/statistics/student_t.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
@@ -59,12 +59,12 @@ TestedRatio geometric_mean_ratio(const std::vector<double>& logarithms, double c
   const double center = mean(logs);
   if (logs.size() < 2) return {{std::exp(center), {0, kInfinity, confidence}}, 1};
   const double error = std::sqrt(variance_of_mean(logs, center));
-  const boost::math::students_t distribution(static_cast<double>(logs.size() - 1));
-  const double half = error * boost::math::quantile(distribution, (1 + confidence) / 2);
+  const std::size_t freedom = logs.size() - 1;
+  const double half = error * student_t_quantile(freedom, (1 + confidence) / 2);
   TestedRatio result;
   result.ratio = {std::exp(center), {std::exp(center - half), std::exp(center + half), confidence}};
   if (error > 0) {
-    result.p = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(center) / error));
+    result.p = 2 * student_t_tail(freedom, std::abs(center) / error);
   } else {
     result.p = center == 0 ? 1 : 0;
   }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/statistics/power_law.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <string>
 
 #include "analysis/constants.h"
+#include "analysis/statistics/student_t.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
@@ -27,9 +27,7 @@ std::vector<double> logarithms(const std::vector<double>& values, const char* na
 
 /// Half the width of the interval, in standard errors.
 double t_quantile(std::size_t points, double confidence) {
-  if (points <= 2) return kInfinity;
-  const boost::math::students_t distribution(static_cast<double>(points - 2));
-  return boost::math::quantile(distribution, (1 + confidence) / 2);
+  return points <= 2 ? kInfinity : student_t_quantile(points - 2, (1 + confidence) / 2);
 }
 
 void check(const std::vector<double>& x, const std::vector<double>& y, double confidence) {

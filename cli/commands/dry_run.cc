@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/render/number_text.h"
 #include "cli/output/terminal.h"
+#include "engine/numerics/number_text.h"
 #include "engine/sweep/makespan.h"
 #include "results/exceptions.h"
 #include "results/run/identity.h"
@@ -32,7 +32,7 @@ constexpr double kMergedRecordsPerSecond = 5e5;
 const std::string& value_text(const std::string& value) { return value; }
 std::string value_text(double value) {
   constexpr int kDigits = 6;
-  return significant(value, kDigits);
+  return rounded_text(value, kDigits);
 }
 
 std::string value_text(const ComponentSpec& component) {

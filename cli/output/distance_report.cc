@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/render/number_text.h"
 #include "cli/output/counted.h"
 #include "engine/methods/counters.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge::cli {
 namespace {
@@ -61,7 +61,7 @@ std::string bounds_text(const DistanceReport& report) {
   if (!std::isfinite(r.upper) || r.upper == 0) return fmt::format("[{:.17g}, {:.17g}]", r.lower, r.upper);
   const double gap = r.upper - r.lower;
   return fmt::format("[{:.17g}, {:.17g}], gap {} ({} of the distance; tolerance {})", r.lower, r.upper,
-                     significant(gap, 2), significant(gap / r.upper, 2), significant(report.tolerance, 6));
+                     rounded_text(gap, 2), rounded_text(gap / r.upper, 2), rounded_text(report.tolerance, 6));
 }
 
 std::string line(const char* label, const std::string& text) {

@@ -11,8 +11,8 @@
 #include <set>
 #include <vector>
 
-#include "analysis/render/number_text.h"
 #include "cli/output/build_report.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge::cli {
 namespace {
@@ -88,7 +88,7 @@ std::string tolerance_text(const Contents& contents) {
   constexpr int kDigits = 6;
   std::string text;
   for (const double tolerance : contents.tolerance)
-    text += (text.empty() ? "" : " ") + significant(tolerance, kDigits);
+    text += (text.empty() ? "" : " ") + rounded_text(tolerance, kDigits);
   return text;
 }
 

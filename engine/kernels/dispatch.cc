@@ -24,7 +24,7 @@ bool machine_has(InstructionSet isa) noexcept {
 #endif
 }
 
-const Kernels& kernels_of(InstructionSet isa) noexcept {
+const Kernels& kernels_of([[maybe_unused]] InstructionSet isa) noexcept {
 #if defined(__x86_64__)
   if (isa == InstructionSet::avx512) return avx512::kKernels;
   if (isa == InstructionSet::avx2) return avx2::kKernels;

@@ -169,57 +169,81 @@ inline bool minor_iterations(BasisView* basis, SimplexLoop* loop, Candidates bes
   return true;
 }
 
+// A pass over both sets, in single precision or in double; what it found is noted in the loop.
+template <int N>
+inline Pricing price_pass(bool single, const BasisView& basis, SimplexLoop* loop, double* u,
+                          Shortlist* list_A, Shortlist* list_Q) {
+  const PricedPoints& A = loop->A;
+  const PricedPoints& Q = loop->Q;
+  const Pricing pricing =
+      single ? price_both<N, float>(basis, *loop, {A.single_blocks, A.single_block_count},
+                                    {Q.single_blocks, Q.single_block_count}, kSingleTolerance,
+                                    reinterpret_cast<float*>(u), list_A, list_Q)
+             : price_both<N, double>(basis, *loop, {A.blocks, A.block_count}, {Q.blocks, Q.block_count},
+                                     loop->cost_tolerance, u, list_A, list_Q);
+  loop->points_priced += (A.block_count + Q.block_count) * kLanes;
+  ++loop->pricings;
+  loop->h_A = pricing.h_A;
+  loop->h_Q = pricing.h_Q;
+  return pricing;
+}
+
+inline bool gap_is_closed(const BasisView& basis, const SimplexLoop& loop, const Pricing& pricing) {
+  return loop.artificials == 0 && pricing.h_Q > 0 &&
+         basis.objective + pricing.h_A / pricing.h_Q <= loop.gap_tolerance * basis.objective;
+}
+
+// What the passes of a loop have gained. Half the bytes and twice the lanes are priced while there is much to
+// gain; every column's own arithmetic is in double.
+struct Progress {
+  bool single = false;
+  int idle = 0;
+
+  // After a pass and its pivots, whose number was `pivots` before. False where the loop stalls: even by
+  // Bland's rule, where a column enters that cannot, one that is no number.
+  bool note(double gained, const BasisView& basis, const SimplexLoop& loop, std::int64_t pivots) {
+    if (gained > 1e-14 * absolute(basis.objective)) {
+      idle = 0;
+    } else if (single) {
+      single = ++idle <= basis.m && gained > 0;
+      if (!single) idle = 0;
+    } else {
+      const int patience = 8 * basis.m + 64;
+      return ++idle <= patience || (loop.bland && basis.pivots != pivots);
+    }
+    return true;
+  }
+};
+
+// Of bases of V rows of vectors (0: any) in R^N (0: any). Those of few rows keep the column, u and -u, and
+// the shortlists on the stack.
 template <int V, int N>
-LoopEnd direct_loop_vn(BasisView* basis, SimplexLoop* loop) {
+LoopEnd simplex_loop_vn(BasisView* basis, SimplexLoop* loop) {
   constexpr int kRows = V > 0 ? V * kRowPadding : 1;
   alignas(64) double fixed_column[kRows] = {};  // padded with zeros
   alignas(64) double fixed_u[2 * kRows];
   alignas(64) double fixed_lists[2][kRows * kLanes];
   double* column = V > 0 ? fixed_column : basis->columns;
-  double* u = V > 0 ? fixed_u : column + basis->P;  // and -u
+  double* u = V > 0 ? fixed_u : column + basis->P;
   Shortlist list_A;
   Shortlist list_Q;
   list_A.block = V > 0 ? fixed_lists[0] : u + static_cast<std::ptrdiff_t>(2) * basis->P;
   list_Q.block = V > 0 ? fixed_lists[1] : list_A.block + static_cast<std::ptrdiff_t>(basis->P) * kLanes;
-  // Half the bytes and twice the lanes while there is much to gain; every column's own arithmetic is in
-  // double.
-  bool single = loop->A.single_blocks != nullptr && loop->Q.single_blocks != nullptr && !loop->bland;
-  int idle = 0;
-  const int patience = 8 * basis->m + 64;
+  Progress progress;
+  progress.single = loop->A.single_blocks != nullptr && loop->Q.single_blocks != nullptr && !loop->bland;
   while (basis->pivots < loop->pivot_limit) {
     const std::int64_t pivots = basis->pivots;
-    const Pricing pricing =
-        single ? price_both<N, float>(*basis, *loop, {loop->A.single_blocks, loop->A.single_block_count},
-                                      {loop->Q.single_blocks, loop->Q.single_block_count}, kSingleTolerance,
-                                      reinterpret_cast<float*>(u), &list_A, &list_Q)
-               : price_both<N, double>(*basis, *loop, {loop->A.blocks, loop->A.block_count},
-                                       {loop->Q.blocks, loop->Q.block_count}, loop->cost_tolerance, u,
-                                       &list_A, &list_Q);
-    loop->points_priced += (loop->A.block_count + loop->Q.block_count) * kLanes;
-    ++loop->pricings;
-    loop->h_A = pricing.h_A;
-    loop->h_Q = pricing.h_Q;
-    if (!single) {
-      if (!pricing.best.any_enters()) return LoopEnd::optimal;
-      if (loop->artificials == 0 && pricing.h_Q > 0 &&
-          basis->objective + pricing.h_A / pricing.h_Q <= loop->gap_tolerance * basis->objective) {
-        return LoopEnd::gap;
-      }
+    const Pricing pricing = price_pass<N>(progress.single, *basis, loop, u, &list_A, &list_Q);
+    const bool enters = pricing.best.any_enters();
+    if (!progress.single) {
+      if (!enters) return LoopEnd::optimal;
+      if (gap_is_closed(*basis, *loop, pricing)) return LoopEnd::gap;
     }
     double gained = 0;
-    if (pricing.best.any_enters() &&
-        !minor_iterations<V, N>(basis, loop, pricing.best, list_A, list_Q, column, &gained)) {
+    if (enters && !minor_iterations<V, N>(basis, loop, pricing.best, list_A, list_Q, column, &gained)) {
       return LoopEnd::unbounded;
     }
-    if (gained > 1e-14 * absolute(basis->objective)) {
-      idle = 0;
-    } else if (single) {
-      single = ++idle <= basis->m && gained > 0;
-      if (!single) idle = 0;
-    } else if (++idle > patience && (!loop->bland || basis->pivots == pivots)) {
-      return LoopEnd::stalled;  // even by Bland's rule, where a column enters that cannot: one that is no
-                                // number
-    }
+    if (!progress.note(gained, *basis, *loop, pivots)) return LoopEnd::stalled;
   }
   return LoopEnd::pivot_limit;
 }
@@ -227,35 +251,35 @@ LoopEnd direct_loop_vn(BasisView* basis, SimplexLoop* loop) {
 LoopEnd simplex_loop(BasisView* basis, SimplexLoop* loop) {
   switch (basis->m - 1) {
     case 2:
-      return direct_loop_vn<1, 2>(basis, loop);
+      return simplex_loop_vn<1, 2>(basis, loop);
     case 3:
-      return direct_loop_vn<1, 3>(basis, loop);
+      return simplex_loop_vn<1, 3>(basis, loop);
     case 4:
-      return direct_loop_vn<1, 4>(basis, loop);
+      return simplex_loop_vn<1, 4>(basis, loop);
     case 5:
-      return direct_loop_vn<1, 5>(basis, loop);
+      return simplex_loop_vn<1, 5>(basis, loop);
     case 6:
-      return direct_loop_vn<1, 6>(basis, loop);
+      return simplex_loop_vn<1, 6>(basis, loop);
     case 7:
-      return direct_loop_vn<1, 7>(basis, loop);
+      return simplex_loop_vn<1, 7>(basis, loop);
     case 8:
-      return direct_loop_vn<2, 8>(basis, loop);
+      return simplex_loop_vn<2, 8>(basis, loop);
     case 9:
-      return direct_loop_vn<2, 9>(basis, loop);
+      return simplex_loop_vn<2, 9>(basis, loop);
     case 10:
-      return direct_loop_vn<2, 10>(basis, loop);
+      return simplex_loop_vn<2, 10>(basis, loop);
     default:
       break;
   }
   switch (basis->P / kRowPadding) {
     case 1:
-      return direct_loop_vn<1, 0>(basis, loop);
+      return simplex_loop_vn<1, 0>(basis, loop);
     case 2:
-      return direct_loop_vn<2, 0>(basis, loop);
+      return simplex_loop_vn<2, 0>(basis, loop);
     case 3:
-      return direct_loop_vn<3, 0>(basis, loop);
+      return simplex_loop_vn<3, 0>(basis, loop);
     default:
-      return direct_loop_vn<0, 0>(basis, loop);
+      return simplex_loop_vn<0, 0>(basis, loop);
   }
 }
 

@@ -82,8 +82,8 @@ class PrimalSimplex {
   /// A fresh inverse, and from now on a stop at the optimal vertex only. False when nothing is left to try.
   bool repair();
 
-  /// Forgets how often bounds were raised and repairs were tried: call when points were added.
-  void encourage() noexcept { repairs_ = 0; }
+  /// Repairs are counted from zero again: call when points were added.
+  void allow_repairs() noexcept { repairs_ = 0; }
 
   /// Σβ of the exact basic solution, rounded up, where that solution is proven feasible; +infinity otherwise.
   double proven_upper();

@@ -27,7 +27,7 @@ inline constexpr std::array<CounterInfo, 8> kCounters = {{
     {"points_priced", "points whose reduced cost was computed, working sets included",
      &DistanceCounters::points_priced},
     {"refactorisations", "basis inverses computed afresh", &DistanceCounters::refactorisations},
-    {"exact_pivots", "basis changes in exact arithmetic, where rounding left a doubt",
+    {"exact_pivots", "basis changes in exact arithmetic, where doubles did not suffice",
      &DistanceCounters::exact_pivots},
     {"witness_evaluations", "contact points computed", &DistanceCounters::witness_evaluations},
 }};

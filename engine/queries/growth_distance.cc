@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/queries/growth_body.h"
+#include "engine/queries/method_chain.h"
 #include "engine/queries/spatial_query.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
@@ -24,16 +26,18 @@ DistanceOptions GrowthDistanceSolver::newton_options() {
 }
 
 GrowthDistanceSolver::GrowthDistanceSolver(const DistanceOptions& options)
-    : solver_(options), spatial_(std::make_unique<SpatialQuery>()) {}
+    : methods_(std::make_unique<MethodChain>(options)), spatial_(std::make_unique<SpatialQuery>()) {}
 
 GrowthDistanceSolver::~GrowthDistanceSolver() = default;
 GrowthDistanceSolver::GrowthDistanceSolver(GrowthDistanceSolver&&) noexcept = default;
 GrowthDistanceSolver& GrowthDistanceSolver::operator=(GrowthDistanceSolver&&) noexcept = default;
 
+void GrowthDistanceSolver::set_stop(std::function<bool()> stop) { methods_->set_stop(std::move(stop)); }
+
 // A is scaled about its centre, Q about the origin or its own. By fixed-size code where that has the answer.
 const DistanceResult& GrowthDistanceSolver::solve_about(const Posed& A, const Posed& Q, bool about_origin,
                                                         double threshold, WarmStart* warm) {
-  if (spatial_->growth(A, Q, about_origin, solver_.options(), threshold, warm, spatial_result_)) {
+  if (spatial_->growth(A, Q, about_origin, methods_->options(), threshold, warm, spatial_result_)) {
     return spatial_result_;
   }
   const InPose in_pose_A(A), in_pose_Q(Q);
@@ -47,9 +51,10 @@ const DistanceResult& GrowthDistanceSolver::solve_about(const Posed& A, const Po
   in_pose_A.set().center_unchecked(center_A_.data());
   for (std::size_t k = 0; k < size; ++k) ray_[k] = center_A_[k] - center_Q_[k];
   const GrowthBody body(in_pose_A.set(), center_A_.data(), in_pose_Q.set(), center_Q_.data(), !about_origin);
-  solver_.set_threshold(threshold);
   const PointView ray(ray_.data(), n);
-  return solver_.solve(Posed(ray), Posed(body), Effects::none, warm);
+  Aim aim;
+  aim.threshold = threshold;
+  return methods_->solve(Posed(ray), Posed(body), Effects::none, warm, aim);
 }
 
 const DistanceResult& GrowthDistanceSolver::solve(const ConvexSet& A, const ConvexSet& Q) {

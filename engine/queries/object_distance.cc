@@ -5,18 +5,18 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/lp/weighted_points.h"
-#include "engine/queries/object_pair.h"
+#include "engine/queries/method_chain.h"
 #include "engine/queries/spatial_query.h"
+#include "engine/sets/object_pair.h"
+#include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
-#include "raygauge/queries/solver.h"
 
 namespace raygauge {
 
 struct ObjectDistanceSolver::Workspace {
-  explicit Workspace(const DistanceOptions& options) : solver(options) {}
+  explicit Workspace(const DistanceOptions& options) : methods(options) {}
 
-  DistanceSolver solver;
+  MethodChain methods;
   SupportPairs pairs;
   WeightedPoints combination;
   ObjectDistance result;
@@ -26,7 +26,7 @@ struct ObjectDistanceSolver::Workspace {
   void find_closest_points(int n);
 };
 
-// Every point of the combination is a difference that was asked for on the way, and its parts are on record.
+// Every point of the combination is a difference that was asked for on the way, and its parts were noted.
 void ObjectDistanceSolver::Workspace::find_closest_points(int n) {
   double sum = 0;
   for (int i = 0; i < combination.count(); ++i) sum += combination.weight(i);
@@ -64,7 +64,7 @@ ObjectDistanceSolver::ObjectDistanceSolver(ObjectDistanceSolver&&) noexcept = de
 ObjectDistanceSolver& ObjectDistanceSolver::operator=(ObjectDistanceSolver&&) noexcept = default;
 
 void ObjectDistanceSolver::set_stop(std::function<bool()> stop) {
-  workspace_->solver.set_stop(std::move(stop));
+  workspace_->methods.set_stop(std::move(stop));
 }
 
 const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const ConvexSet& A2,
@@ -76,7 +76,7 @@ const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Po
                                                   const ConvexSet& Q, ObjectEffects effects,
                                                   WarmStart* warm) {
   if (posed_1.dimension() == posed_2.dimension() &&
-      workspace_->spatial.distance(posed_1, posed_2, Q, workspace_->solver.options(), effects, warm,
+      workspace_->spatial.distance(posed_1, posed_2, Q, workspace_->methods.options(), effects, warm,
                                    workspace_->result)) {
     workspace_->add_gradients(effects);
     return workspace_->result;
@@ -88,16 +88,18 @@ const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Po
   ObjectDistance& result = workspace.result;
   const bool closest_points = has_effect(effects, ObjectEffects::closest_points);
   const int n = A2.dimension();
-  workspace.pairs.clear(n);
-  const ObjectPair pair(A2, A1, closest_points ? &workspace.pairs : nullptr);
-  workspace.solver.keep_combination(closest_points);
-  result.distance = workspace.solver.solve(Posed(pair), Posed(Q), Effects::none, warm);
+  const ObjectPair pair(A2, A1, closest_points);
+  check_dimension("distance", "Q", Q.dimension(), n);
+  if (closest_points) workspace.pairs.begin(pair);
+  Aim aim;
+  aim.pairs = closest_points ? &workspace.pairs : nullptr;
+  result.distance = workspace.methods.solve(Posed(pair), Posed(Q), Effects::none, warm, aim);
   result.closest_point_evaluations = result.gradient_evaluations = 0;
   const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
   if (closest_points && apart &&
-      workspace.solver.nearest_points(result.closest_point_1, result.closest_point_2)) {
+      workspace.methods.nearest_points(result.closest_point_1, result.closest_point_2)) {
     ++result.closest_point_evaluations;
-  } else if (closest_points && apart && workspace.solver.contact_combination(workspace.combination)) {
+  } else if (closest_points && apart && workspace.methods.contact_combination(workspace.combination)) {
     workspace.find_closest_points(n);
   } else {
     result.closest_point_1.resize(0);

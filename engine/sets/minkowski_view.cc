@@ -97,16 +97,16 @@ bool MinkowskiView::is_first_alone() const {
 bool MinkowskiView::is_second_alone() const { return is_point_moved_to_origin(*S_, a_, b_); }
 
 double MinkowskiView::do_support(const double* u, double* point) const {
-  const int n = dimension();
-  Scratch of_T(n);
-  double value = sum_support(*S_, *T_, sign_, u, point, of_T.data());
-  if (a_ != nullptr) {
-    for (int k = 0; k < n; ++k) {
-      value += u[k] * shift(k);
-      point[k] += shift(k);
-    }
+  Scratch of_T(dimension());
+  return support_with_part(u, point, of_T.data());
+}
+
+double MinkowskiView::support_with_part(const double* u, double* point, double* of_T) const {
+  double value = sum_support(*S_, *T_, sign_, u, point, of_T);
+  for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
+    value += u[k] * shift(k);
+    point[k] += shift(k);
   }
-  if (records_parts()) record_parts(point, of_T.data());
   return value;
 }
 
@@ -165,38 +165,28 @@ const CoordinateSymmetry* MinkowskiView::do_symmetry() const noexcept {
 }
 
 template <class Real>
-void MinkowskiView::record(const Real* point, const Real* of_T) const {
-  const int n = dimension();
-  Scratch difference(n), part(n);
-  for (int k = 0; k < n; ++k) {
-    difference.data()[k] = static_cast<double>(point[k]);
-    part.data()[k] = static_cast<double>(of_T[k]);
-  }
-  record_parts(difference.data(), part.data());
-}
-
-template <class Real>
-void MinkowskiView::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
-  const int n = dimension();
-  const bool recording = records_parts();
-  BasicScratch<Real> of_T(recording ? SupportPieces::kCapacity * n : 0);
-  const int count_T = sum_pieces(*S_, *T_, sign_, u, pieces, capacity, recording ? of_T.data() : nullptr);
+int MinkowskiView::pieces_with_parts(const Real* u, BasicSupportPieces<Real>& pieces, int capacity,
+                                     Real* of_T) const {
+  const int count = sum_pieces(*S_, *T_, sign_, u, pieces, capacity, of_T);
   for (int i = 0; i < pieces.count; ++i) {
-    for (int k = 0; a_ != nullptr && k < n; ++k) {
+    for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
       const Real moved = Real{a_[k]} - b_[k];
       pieces.value[static_cast<std::size_t>(i)] += u[k] * moved;
       pieces.point(i)[k] += moved;
     }
-    if (recording) record(pieces.point(i), of_T.data() + std::ptrdiff_t{i % count_T} * n);
   }
+  return count;
 }
 
+template int MinkowskiView::pieces_with_parts(const double*, SupportPieces&, int, double*) const;
+template int MinkowskiView::pieces_with_parts(const Quad*, QuadSupportPieces&, int, Quad*) const;
+
 void MinkowskiView::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
+  pieces_with_parts<double>(u, pieces, capacity, nullptr);
 }
 
 void MinkowskiView::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
+  pieces_with_parts<Quad>(u, pieces, capacity, nullptr);
 }
 
 template <class Real>
@@ -216,22 +206,26 @@ bool MinkowskiView::find_facet_normal(const Real* u, const Real* v, Real* normal
 // s + t with s on the face of S and t on that of T, each as near to what the other leaves as can be; a set
 // that is not flat there has one point.
 template <class Real>
-void MinkowskiView::find_facet_point(const Real* normal, const Real* target, Real* point) const {
+bool MinkowskiView::facet_point_with_part(const Real* normal, const Real* target, Real* point,
+                                          Real* of_T) const {
   const int n = dimension();
-  BasicScratch<Real> u(n), s(n), t(n), rest(n);
+  BasicScratch<Real> u(n), s(n), rest(n);
   for (int k = 0; k < n; ++k) u.data()[k] = sign_ * normal[k];
   Real h_S = 0, h_T = 0;
-  if (!find_support(*S_, normal, s.data(), h_S) || !find_support(*T_, u.data(), t.data(), h_T)) return;
+  if (!find_support(*S_, normal, s.data(), h_S) || !find_support(*T_, u.data(), of_T, h_T)) return false;
   const auto moved = [this](int k) { return a_ != nullptr ? Real{a_[k]} - b_[k] : Real{0}; };
   for (int round = 0; round < kRounds; ++round) {
-    for (int k = 0; k < n; ++k) rest.data()[k] = target[k] - moved(k) - sign_ * t.data()[k];
+    for (int k = 0; k < n; ++k) rest.data()[k] = target[k] - moved(k) - sign_ * of_T[k];
     const bool flat_S = find_face_point(*S_, normal, h_S, rest.data(), s.data());
     for (int k = 0; k < n; ++k) rest.data()[k] = sign_ * (target[k] - moved(k) - s.data()[k]);
-    if (!find_face_point(*T_, u.data(), h_T, rest.data(), t.data()) || !flat_S) break;
+    if (!find_face_point(*T_, u.data(), h_T, rest.data(), of_T) || !flat_S) break;
   }
-  for (int k = 0; k < n; ++k) point[k] = s.data()[k] + sign_ * t.data()[k] + moved(k);
-  if (records_parts()) record(point, t.data());
+  for (int k = 0; k < n; ++k) point[k] = s.data()[k] + sign_ * of_T[k] + moved(k);
+  return true;
 }
+
+template bool MinkowskiView::facet_point_with_part(const double*, const double*, double*, double*) const;
+template bool MinkowskiView::facet_point_with_part(const Quad*, const Quad*, Quad*, Quad*) const;
 
 bool MinkowskiView::do_facet_normal(const double* u, const double* v, double* normal) const {
   return find_facet_normal(u, v, normal);
@@ -242,11 +236,13 @@ bool MinkowskiView::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* nor
 }
 
 void MinkowskiView::do_facet_point(const double* normal, const double* target, double* point) const {
-  find_facet_point(normal, target, point);
+  Scratch of_T(dimension());
+  facet_point_with_part(normal, target, point, of_T.data());
 }
 
 void MinkowskiView::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
-  find_facet_point(normal, target, point);
+  BasicScratch<Quad> of_T(dimension());
+  facet_point_with_part(normal, target, point, of_T.data());
 }
 
 // The gauge of ±T at x, that of T at ±x.
@@ -300,7 +296,7 @@ bool MinkowskiView::do_touches_origin(double* u) const {
 
 bool MinkowskiView::do_is_unconditional(double* extent) const {
   const int n = dimension();
-  if (!sum_is_unconditional(*S_, *T_, extent, !records_parts())) return false;
+  if (!sum_is_unconditional(*S_, *T_, extent, !keeps_parts())) return false;
   if (a_ == nullptr) return true;
   // The centre of a shifted sum is computed as 0, which it is if each operand is seen from its own.
   Scratch of_S(n), of_T(n);

@@ -96,9 +96,9 @@ const std::vector<Column<SceneTallyRow>>& scene_tally_columns() {
     column("asked", "1", "answers asked for: pairs times instants; pairs for time_of_impact and clearance", &Row::tally, &SceneTally::asked),
     column("solved", "1", "answers by a solve", &Row::tally, &SceneTally::solved),
     column("broad_phase", "1", "answers by bounding balls", &Row::tally, &SceneTally::broad_phase),
-    column("coherence", "1", "answers by what was known of an instant before", &Row::tally, &SceneTally::coherence),
-    column("static", "1", "answers given again, as neither body had moved", &Row::tally, &SceneTally::standing),
-    column("shared", "1", "of those solved: the solve was another query's", &Row::tally, &SceneTally::shared),
+    column("coherence", "1", "answers by bounds carried over from an earlier instant", &Row::tally, &SceneTally::coherence),
+    column("static", "1", "answers repeated because neither body had moved", &Row::tally, &SceneTally::standing),
+    column("shared", "1", "of the solved ones: taken from a solve of another query", &Row::tally, &SceneTally::shared),
   };
   return kColumns;
 }
@@ -112,7 +112,7 @@ const std::vector<Column<SceneCellRow>>& scene_cell_columns() {
     column("growth_solves", "1", "growth distances of two convex parts", &Row::counters, &SceneCounters::growth_solves),
     column("closest_points", "1", "pairs of closest points", &Row::counters, &SceneCounters::closest_points),
     column("gradients", "1", "gradients", &Row::counters, &SceneCounters::gradients),
-    column("plane_tests", "1", "looks whether a plane of before still separates two parts", &Row::counters, &SceneCounters::plane_tests),
+    column("plane_tests", "1", "tests whether an earlier separating plane still separates two parts", &Row::counters, &SceneCounters::plane_tests),
     column("ball_tests", "1", "bounds from bounding balls", &Row::counters, &SceneCounters::ball_tests),
     column("support_queries", "1", "evaluations of a support function by solves", &Row::counters, &SceneCounters::support_queries),
     column("seconds", "s", "wall time of the cell", &Row::seconds),

@@ -3,13 +3,21 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
+#if __has_include(<gmp.h>)
+#include <boost/multiprecision/gmp.hpp>
+#else  // cross-compiled (tests/cross)
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
 
 namespace raygauge {
 
 /// Doubles are dyadic rationals: with these, a claim about rounding is checked without any.
+#if __has_include(<gmp.h>)
 using Rational = boost::multiprecision::mpq_rational;
+#else
+using Rational = boost::multiprecision::cpp_rational;
+#endif
 
 /// Σ_k a_k b_k exactly.
 template <class Left, class Right>

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -71,7 +71,7 @@ std::string CellMap::font(double characters) const {
   constexpr double kEms = 0.62;  // width of a digit
   constexpr double kLargest = 7;
   const double cell_width = (right_end() - kCellLeft) / static_cast<double>(N_.size());
-  return "font '," + significant(std::min(kLargest, kPointsPerInch * cell_width / (kEms * characters)), 3) +
+  return "font '," + rounded_text(std::min(kLargest, kPointsPerInch * cell_width / (kEms * characters)), 3) +
          "'";
 }
 

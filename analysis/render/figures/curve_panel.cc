@@ -9,8 +9,8 @@
 
 #include "analysis/constants.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -27,7 +27,7 @@ std::string curve_block(const std::string& name, const PanelCurve& curve) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const auto& [x, y] = curve.points[i];
     const auto& [low, high] = curve.bars.empty() ? std::pair(y, y) : curve.bars[i];
-    for (const double value : {x, y, low, high}) text += significant(value, 6) + " ";
+    for (const double value : {x, y, low, high}) text += rounded_text(value, 6) + " ";
     text += "\n";
   }
   return text + "EOD\n";
@@ -58,7 +58,7 @@ std::string title_font(const std::string& title, const PanelGrid& grid) {
   constexpr double kUsual = 8;
   const double width = grid.width / static_cast<double>(grid.columns);
   const double fitting = kPointsPerInch * width / (kEms * static_cast<double>(title.size()));
-  return fitting >= kUsual ? "" : " font '," + significant(fitting, 2) + "'";
+  return fitting >= kUsual ? "" : " font '," + rounded_text(fitting, 2) + "'";
 }
 
 Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
@@ -128,7 +128,7 @@ double drawn_error(double error) {
 
 std::string error_axis(bool labelled) {
   const auto tick = [&](const std::string& label, double place) {
-    return (labelled ? "'" + label + "' " : "'' ") + significant(place, 1);
+    return (labelled ? "'" + label + "' " : "'' ") + rounded_text(place, 1);
   };
   std::string ticks = tick("0", kNoError) + ", " + tick("∞", kInfiniteError);
   for (const int exponent : {-15, -12, -9, -6, -3, 0})
@@ -137,7 +137,7 @@ std::string error_axis(bool labelled) {
 }
 
 std::string range_setting(const char* name, double from, double to) {
-  return std::string("set ") + name + "range [" + significant(from, 6) + ":" + significant(to, 6) + "]\n";
+  return std::string("set ") + name + "range [" + rounded_text(from, 6) + ":" + rounded_text(to, 6) + "]\n";
 }
 
 }  // namespace raygauge

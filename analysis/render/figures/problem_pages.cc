@@ -12,8 +12,8 @@
 
 #include "analysis/data/parameter_columns.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/words.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -33,7 +33,7 @@ class ProblemNames {
     if (generators_.size() > 1) words.push_back(record.generator);
     const std::string parameters = parameters_.of_generator(record);
     if (!parameters.empty()) words.push_back(parameters);
-    if (tolerances_.size() > 1) words.push_back("ε = " + significant(record.tolerance, 6));
+    if (tolerances_.size() > 1) words.push_back("ε = " + rounded_text(record.tolerance, 6));
     return joined(words, ", ");
   }
 

@@ -10,8 +10,8 @@
 #include "analysis/data/columns.h"
 #include "analysis/render/figures/figure.h"
 #include "analysis/render/method_look.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge::figure_style {
 namespace {
@@ -59,7 +59,7 @@ std::string line_color(const std::string& method, const MethodList& methods) {
   return method == kPaperCurve ? kPaperColor : look_of_method(method, methods).color;
 }
 
-std::string screen(double fraction) { return significant(fraction, 6); }
+std::string screen(double fraction) { return rounded_text(fraction, 6); }
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -80,11 +80,11 @@ std::string one_two_five_ticks(double low, double high) {
     for (const int step : {1, 2, 5}) {
       const double tick = step * std::pow(10, exponent);
       if (tick < low || tick > high) continue;
-      ticks += (ticks.empty() ? "" : ", ") + significant(tick, 12);
+      ticks += (ticks.empty() ? "" : ", ") + rounded_text(tick, 12);
       ++count;
     }
   }
-  if (count < 2) ticks = significant(low, 2) + ", " + significant(high, 2);
+  if (count < 2) ticks = rounded_text(low, 2) + ", " + rounded_text(high, 2);
   return "(" + ticks + ")";
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -38,7 +38,7 @@ std::string csv_table(const Table& table) {
     for (std::size_t c = 0; c < columns; ++c) {
       const TableCell& cell = row.cells[c];
       if (c > 0) text += ',';
-      text += std::isnan(cell.number) ? field(cell.text) : round_trip(cell.number);
+      text += std::isnan(cell.number) ? field(cell.text) : shortest_text(cell.number);
     }
     text += "\n";
   }

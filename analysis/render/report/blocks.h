@@ -2,29 +2,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "analysis/render/report/report.h"
 #include "analysis/render/table.h"
 #include "analysis/studies/table3/cell_ratio.h"
 
 namespace raygauge::report {
 
-// The blocks that a section is made of; page/*.js draws each kind. Numbers that JSON has no word for are
-// null.
+// The blocks that a section is made of, as data: blocks_json.h writes them into the page, page/*.js draws
+// each kind.
 
 /// Values of columns by which a reader chooses among series or cells: {"n": "3", "tolerance": "1e-6"}.
 using Facets = std::vector<std::pair<std::string, std::string>>;
 
 /// Paragraphs, the first ones in large letters if `lead`.
-Json text_block(const std::vector<std::string>& paragraphs, bool lead = false);
+struct Text {
+  std::vector<std::string> paragraphs;
+  bool lead = false;
+};
 
 /// Text as it stands, in a box that folds away under `title`.
-Json verbatim_block(const std::string& title, const std::string& text);
-
-Json table_block(const Table& table);
+struct Verbatim {
+  std::string title;
+  std::string text;
+};
 
 /// A point of a series; `low` and `high` are the ends of its interval, NaN without one.
 struct ChartPoint {
@@ -55,8 +60,6 @@ struct Chart {
   std::vector<Series> series;
 };
 
-Json chart_block(const Chart& chart);
-
 struct HeatCell {
   Facets facets;
   double row = 0;
@@ -74,7 +77,15 @@ struct HeatMap {
   std::vector<HeatCell> cells;
 };
 
-Json heat_map_block(const HeatMap& map);
+/// The records themselves, as a CSV file that the page offers for download.
+struct RecordsDownload {
+  std::size_t count = 0;
+  std::string name;
+  int time_digits = 0;  ///< significant digits of its times
+  std::string gzip;     ///< the file, compressed, in base64
+};
+
+using Block = std::variant<Text, Verbatim, Table, Chart, HeatMap, RecordsDownload>;
 
 /// Generator with its parameters and tolerance of a cell, as a reader chooses them.
 Facets problem_facets(const CellKey& cell);

@@ -7,6 +7,7 @@
 
 #include "analysis/render/markup.h"
 #include "analysis/render/method_look.h"
+#include "analysis/render/report/blocks_json.h"
 #include "analysis/render/report/page_assets.h"
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
@@ -118,7 +119,9 @@ std::string make_page(const MergedResults& merged, const Filter& filter,
   for (const SectionMaker& make : section_makers()) {
     const std::optional<Section> section = make(input);
     if (!section) continue;
-    data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", section->blocks}});
+    Json blocks = Json::array();
+    for (const Block& block : section->blocks) blocks.push_back(to_json(block));
+    data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", blocks}});
   }
   std::string page = page_template();
   replace_mark(page, "<!--TITLE-->", escaped_markup(data["title"]));

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +10,11 @@
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
 #include "analysis/data/truth.h"
+#include "analysis/render/report/blocks.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/sweep/record.h"
 
 namespace raygauge::report {
-
-/// An object whose members keep the order in which they were set.
-using Json = nlohmann::ordered_json;
 
 /// What a report is made of, and what more than one section needs of it.
 struct Input {
@@ -30,11 +27,11 @@ struct Input {
   std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines
 };
 
-/// A part of the page: blocks (blocks.h) under a title.
+/// A part of the page: blocks under a title.
 struct Section {
   std::string id;
   std::string title;
-  Json blocks = Json::array();
+  std::vector<Block> blocks;
 };
 
 /// Makes a section, or nothing where the records lack its data.

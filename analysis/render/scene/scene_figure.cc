@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -78,14 +78,14 @@ std::string data_block(const std::string& name, const std::vector<Sample>& sampl
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& s = samples[i];
     if (i > 0 && s.instant != samples[i - 1].instant + 1) text += "\n";
-    for (const double number : {s.time, s.value, s.lower, s.upper}) text += significant(number, 7) + " ";
+    for (const double number : {s.time, s.value, s.lower, s.upper}) text += rounded_text(number, 7) + " ";
     text += "\n";
   }
   return text + "EOD\n";
 }
 
 std::string vertical_line(double time, const char* color) {
-  const std::string t = significant(time, 7);
+  const std::string t = rounded_text(time, 7);
   return "set arrow from first " + t + ",graph 0 to first " + t + ",graph 1 nohead dt 2 lc rgb '" + color +
          "'\n";
 }
@@ -117,7 +117,7 @@ std::string time_range(const SceneFile& file) {
     from = std::min(from, row.record.time);
     to = std::max(to, row.record.time);
   }
-  return "set xrange [" + significant(from, 7) + ":" + significant(to, 7) + "]\n";
+  return "set xrange [" + rounded_text(from, 7) + ":" + rounded_text(to, 7) + "]\n";
 }
 
 std::string plot_of(const SceneFile& file, const Panel& panel, const std::string& prefix) {
@@ -164,8 +164,8 @@ Drawing draw_one_instant(const SceneFile& file, const std::vector<Panel>& panels
   for (const Panel& panel : panels) {
     for (const Curve& curve : panel.curves) {
       const Sample& s = curve.second.front();
-      drawing.script += std::to_string(count) + " " + significant(s.value, 7) + " " +
-                        significant(s.lower, 7) + " " + significant(s.upper, 7) + "\n";
+      drawing.script += std::to_string(count) + " " + rounded_text(s.value, 7) + " " +
+                        rounded_text(s.lower, 7) + " " + rounded_text(s.upper, 7) + "\n";
       const std::string pair =
           body_name(file, curve.first.first) + " – " + body_name(file, curve.first.second);
       tics += (tics.empty() ? "" : ", ") +

@@ -8,8 +8,8 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/parameter_columns.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
@@ -64,7 +64,7 @@ Table group_table(const AccuracyGroup& group) {
       TableRow row;
       row.starts_group = i == 0;
       row.cells = {{i == 0 ? curve.method : ""},
-                   {significant(point.tolerance, 6)},
+                   {rounded_text(point.tolerance, 6)},
                    known_cell(point.mean_relative_error, 2),
                    known_cell(point.largest_relative_error, 2),
                    gap_cell(point.mean_relative_gap),
@@ -87,10 +87,10 @@ TableRow floor_row(const AccuracyGroup& group, const AccuracyCurve& curve, bool 
       {first ? group.name : ""},
       {curve.method},
       known_cell(floor.reached.mean_relative_error, 2),
-      {significant(floor.reached.tolerance, 6) + (floor.still_improving ? " (the last)" : "")},
+      {rounded_text(floor.reached.tolerance, 6) + (floor.still_improving ? " (the last)" : "")},
       known_cell(1e6 * floor.reached.median_seconds, 3),
       padded_cell(1e6 * floor.seconds_a_digit, 2),
-      std::isnan(floor.certified) ? TableCell("nowhere") : TableCell(significant(floor.certified, 6))};
+      std::isnan(floor.certified) ? TableCell("nowhere") : TableCell(rounded_text(floor.certified, 6))};
   return row;
 }
 

@@ -11,8 +11,8 @@
 #include "analysis/data/truth.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -45,7 +45,7 @@ CurvePanel family_panel(const std::string& name, const Family& family, const Met
                         double tolerance) {
   CurvePanel panel;
   panel.title = name + ": " + family.hardness;
-  panel.background = significant(10 * tolerance, 6) + " with lines lc rgb '#8C8C8C' lw 0.8 dt 1";
+  panel.background = rounded_text(10 * tolerance, 6) + " with lines lc rgb '#8C8C8C' lw 0.8 dt 1";
   for (const std::string& method : methods) {
     const auto found = family.worst.find(method);
     if (found == family.worst.end()) continue;

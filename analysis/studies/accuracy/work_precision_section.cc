@@ -9,6 +9,7 @@
 #include "analysis/studies/accuracy/accuracy.h"
 #include "analysis/studies/accuracy/tolerance_groups.h"
 #include "analysis/studies/sections.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge::report {
 namespace {
@@ -25,7 +26,7 @@ ChartPoint work_point(const std::vector<const Record*>& records, const Truth& tr
   for (const Record* record : records) seconds.push_back(record->seconds);
   const Interval interval = median_interval(seconds);
   return {std::max(error, kExact), kInMilliseconds * point.median_seconds, kInMilliseconds * interval.lower,
-          kInMilliseconds * interval.upper, "ε = " + significant(point.tolerance, 3)};
+          kInMilliseconds * interval.upper, "ε = " + rounded_text(point.tolerance, 3)};
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ std::optional<Section> work_precision_section(const Input& input) {
   }
   if (chart.series.empty()) return std::nullopt;
   Section section{"work_precision", "Work and precision", {}};
-  section.blocks.push_back(chart_block(chart));
+  section.blocks.push_back(chart);
   return section;
 }
 

@@ -12,9 +12,9 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/instances.h"
-#include "analysis/render/number_text.h"
 #include "analysis/statistics/rank_tests.h"
 #include "analysis/studies/compare/judge.h"
+#include "engine/numerics/number_text.h"
 #include "engine/sweep/agreement.h"
 #include "raygauge/exceptions.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 void require_compare_options(const Runs& base, const Runs& fresh, const CompareOptions& options) {
   if (!(options.threshold >= 0) || std::isinf(options.threshold)) {
-    throw InvalidParameterError("threshold is " + significant(options.threshold, 6) +
+    throw InvalidParameterError("threshold is " + rounded_text(options.threshold, 6) +
                                 ", must be a number from 0 on");
   }
   for (const double level : {options.significance, options.confidence}) {

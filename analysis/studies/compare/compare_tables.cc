@@ -8,6 +8,7 @@
 
 #include "analysis/render/number_text.h"
 #include "analysis/render/words.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -19,7 +20,7 @@ std::string ratio_words(const Ratio& ratio) {
 
 std::string p_words(double p) {
   constexpr double kSmallest = 1e-4;
-  return p < kSmallest ? "<1e-4" : significant(p, 2);
+  return p < kSmallest ? "<1e-4" : rounded_text(p, 2);
 }
 
 TableCell change_cell(const Finding& finding) {
@@ -37,7 +38,7 @@ TableCell p_cell(const Finding& finding, const Comparison& comparison) {
 }
 
 TableCell spread_cell(const Finding& finding) {
-  return std::isnan(finding.run_spread) ? "-" : significant(100 * finding.run_spread, 2) + " %";
+  return std::isnan(finding.run_spread) ? "-" : rounded_text(100 * finding.run_spread, 2) + " %";
 }
 
 Table methods_table(const Comparison& comparison) {
@@ -76,7 +77,7 @@ TableRow cell_row(const CellChange& cell, const Comparison& comparison) {
            {cell.method},
            {std::to_string(cell.cell.n)},
            {std::to_string(cell.cell.N)},
-           {significant(cell.cell.tolerance, 3)},
+           {rounded_text(cell.cell.tolerance, 3)},
            {padded_significant(kMilli * cell.base_seconds, 3)},
            {padded_significant(kMilli * cell.new_seconds, 3)},
            {ratio_words(cell.ratio.ratio)},
@@ -102,7 +103,7 @@ Table cells_table(const Comparison& comparison, std::size_t most_rows) {
   return table;
 }
 
-std::string percent_words(double fraction) { return significant(100 * fraction, 3) + " %"; }
+std::string percent_words(double fraction) { return rounded_text(100 * fraction, 3) + " %"; }
 
 std::string threshold_words(const Comparison& comparison) {
   return percent_words(comparison.options.threshold) + " with adjusted p ";
@@ -128,11 +129,11 @@ std::vector<std::string> notes_within_runs(const Comparison& comparison) {
   notes.push_back("p adjusted by Holm over " +
                   counted(comparison.cells.size() + comparison.methods.size(), "test") +
                   "; a difference within the runs is one of more than " + threshold_words(comparison) + "< " +
-                  significant(comparison.options.significance, 3));
+                  rounded_text(comparison.options.significance, 3));
   notes.push_back(
       "one run a side does not tell how runs differ: such a difference is suspected, and a change "
       "only beyond a factor of " +
-      significant(kLargestCellDrift, 3) + " in a cell or " + significant(kLargestMethodDrift, 3) +
+      rounded_text(kLargestCellDrift, 3) + " in a cell or " + rounded_text(kLargestMethodDrift, 3) +
       " of a method, the most that a busy machine was seen to drift; compare --rerun or several "
       "files a side decide");
   return notes;
@@ -148,7 +149,7 @@ std::vector<std::string> notes_between_runs(const Comparison& comparison) {
           std::string("adjusted p: randomisation test of the ") +
               (comparison.options.paired ? "signs of the pairs" : "labels of the runs") +
               " by the largest statistic over all cells and methods; a change is one of more than " +
-              threshold_words(comparison) + "<= " + significant(comparison.options.significance, 3)};
+              threshold_words(comparison) + "<= " + rounded_text(comparison.options.significance, 3)};
 }
 
 std::vector<std::string> method_notes(const Comparison& comparison) {

@@ -10,6 +10,7 @@
 #include "analysis/studies/example1/example1_table.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "analysis/studies/table3/paper.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -45,13 +46,13 @@ TableCell error_of(const AccuracyPoint& point) {
 TableCell share_cell(std::size_t count, std::size_t solves) {
   if (count == 0) return {"0"};
   const double per_cent = 100 * static_cast<double>(count) / static_cast<double>(solves);
-  return {significant(per_cent, 2) + " %", static_cast<double>(count), Emphasis::alarm};
+  return {rounded_text(per_cent, 2) + " %", static_cast<double>(count), Emphasis::alarm};
 }
 
 TableRow engine_row(const Example1Table& table, const AccuracyPoint& point) {
   const paper::AccuracyRow paper = paper_row(table.roles, point.tolerance);
   TableRow row;
-  row.cells = {{significant(point.tolerance, 6)},
+  row.cells = {{rounded_text(point.tolerance, 6)},
                error_of(point),
                padded_cell(1e6 * point.mean_seconds, 3),
                padded_cell(point.K, 3),
@@ -71,7 +72,7 @@ TableRow engine_row(const Example1Table& table, const AccuracyPoint& point) {
 TableRow competitor_row(const Example1Table& table, const AccuracyPoint& point) {
   const paper::AccuracyRow paper = paper_row(table.roles, point.tolerance);
   TableRow row;
-  row.cells = {{significant(point.tolerance, 6)},        error_of(point),
+  row.cells = {{rounded_text(point.tolerance, 6)},       error_of(point),
                padded_cell(1e6 * point.mean_seconds, 3), padded_cell(table.time_ratio(point), 2),
                share_cell(point.failures, point.solves), share_cell(point.wrong, point.solves),
                published(paper.active_set_error, 3),     published(paper.active_set_milliseconds, 4)};

@@ -86,10 +86,10 @@ std::optional<Section> machines_section(const Input& input) {
   if (groups.size() < 2) return std::nullopt;
   Section section{"machines", "Machines", {}};
   section.blocks.push_back(
-      text_block({"The times come from " + std::to_string(groups.size()) +
-                  " machines. A filter such as host==" + groups.begin()->first + " takes those of one."}));
-  section.blocks.push_back(table_block(work_table(input, groups)));
-  if (!input.baselines.empty()) section.blocks.push_back(table_block(ratio_table(input, groups)));
+      Text{{"The times come from " + std::to_string(groups.size()) +
+            " machines. A filter such as host==" + groups.begin()->first + " takes those of one."}});
+  section.blocks.push_back(work_table(input, groups));
+  if (!input.baselines.empty()) section.blocks.push_back(ratio_table(input, groups));
   return section;
 }
 

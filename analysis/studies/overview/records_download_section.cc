@@ -9,11 +9,8 @@ namespace raygauge::report {
 std::optional<Section> records_section(const Input& input) {
   constexpr int kTimeDigits = 7;  // more than any clock has, and half the size of all 17
   Section section{"records", "Records", {}};
-  section.blocks.push_back({{"type", "records"},
-                            {"count", input.records.size()},
-                            {"name", "records.csv"},
-                            {"time_digits", kTimeDigits},
-                            {"gzip", base64(gzip(csv_text(input.records, kTimeDigits)))}});
+  section.blocks.push_back(RecordsDownload{input.records.size(), "records.csv", kTimeDigits,
+                                           base64(gzip(csv_text(input.records, kTimeDigits)))});
   return section;
 }
 

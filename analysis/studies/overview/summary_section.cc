@@ -13,6 +13,7 @@
 #include "analysis/render/words.h"
 #include "analysis/studies/sections.h"
 #include "analysis/studies/stability/stability.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge::report {
 namespace {
@@ -20,9 +21,9 @@ namespace {
 /// "3 … 10 (8 values)".
 template <class Number>
 std::string range_words(const std::set<Number>& values) {
-  std::string first = significant(static_cast<double>(*values.begin()), 3);
+  std::string first = rounded_text(static_cast<double>(*values.begin()), 3);
   if (values.size() == 1) return first;
-  return first + " … " + significant(static_cast<double>(*values.rbegin()), 6) + " (" +
+  return first + " … " + rounded_text(static_cast<double>(*values.rbegin()), 6) + " (" +
          std::to_string(values.size()) + " values)";
 }
 
@@ -85,7 +86,7 @@ std::string answers_line(const Input& input) {
 std::string times_words(double ratio) {
   const double times = ratio < 1 ? 1 / ratio : ratio;
   constexpr int kNoExponent = 12;
-  return significant(std::stod(significant(times, 2)), kNoExponent) +
+  return rounded_text(std::stod(rounded_text(times, 2)), kNoExponent) +
          (ratio < 1 ? " times faster" : " times slower");
 }
 
@@ -139,8 +140,9 @@ std::string precision_line(const Input& input) {
     const StabilityRow& sum = sums[method];
     words.push_back(method + " certified " + std::to_string(sum.certified) + " of " +
                     std::to_string(sum.solves) + " distances to the tolerance asked for (" +
-                    (std::isinf(sum.worst_width) ? "some without a bound"
-                                                 : "widest relative gap " + significant(sum.worst_width, 2)) +
+                    (std::isinf(sum.worst_width)
+                         ? "some without a bound"
+                         : "widest relative gap " + rounded_text(sum.worst_width, 2)) +
                     ")");
   }
   return words.empty() ? "Precision: only competitors were run." : "Precision: " + joined(words, "; ") + ".";
@@ -183,12 +185,12 @@ Table methods_table(const Input& input) {
 
 std::optional<Section> summary_section(const Input& input) {
   Section section{"summary", "Summary", {}};
-  section.blocks.push_back(text_block({speed_line(input), answers_line(input), precision_line(input)}, true));
-  section.blocks.push_back(text_block({run_line(input), machine_line(input)}));
+  section.blocks.push_back(Text{{speed_line(input), answers_line(input), precision_line(input)}, true});
+  section.blocks.push_back(Text{{run_line(input), machine_line(input)}});
   if (!input.filter.expression().empty())
-    section.blocks.push_back(text_block({"Only records for which " + input.filter.expression() + "."}));
-  if (!input.merged.notes.empty()) section.blocks.push_back(text_block(input.merged.notes));
-  section.blocks.push_back(table_block(methods_table(input)));
+    section.blocks.push_back(Text{{"Only records for which " + input.filter.expression() + "."}});
+  if (!input.merged.notes.empty()) section.blocks.push_back(Text{input.merged.notes});
+  section.blocks.push_back(methods_table(input));
   return section;
 }
 

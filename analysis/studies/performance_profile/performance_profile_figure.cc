@@ -7,9 +7,9 @@
 
 #include "analysis/render/figures/panel_grid.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/performance_profile/performance_profile.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -20,7 +20,7 @@ std::string profile_block(const ProfileCurve& curve, std::size_t index, double l
   constexpr std::size_t kMostSteps = 1000;
   std::string text = "$profile" + std::to_string(index) + " << EOD\n";
   for (const auto& [tau, rho] : curve.steps(last, kMostSteps))
-    text += significant(tau, 6) + " " + significant(rho, 6) + "\n";
+    text += rounded_text(tau, 6) + " " + rounded_text(rho, 6) + "\n";
   return text + "EOD\n";
 }
 
@@ -45,7 +45,7 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
     plots += (i == 0 ? "plot " : ", \\\n  ") + ("$profile" + std::to_string(i)) + " using 1:2 with steps " +
              figure_style::step_style(curves[i].method, methods);
   }
-  drawing.script += "set multiplot\nset logscale x\nset xrange [1:" + significant(last, 6) +
+  drawing.script += "set multiplot\nset logscale x\nset xrange [1:" + rounded_text(last, 6) +
                     "]\nset yrange [0:1.02]\n" +
                     grid.axis_labels("time over the fastest method''s, τ", "share of instances solved") +
                     grid.legend_plot(methods) + grid.margins(0) + "set xtics nomirror " +

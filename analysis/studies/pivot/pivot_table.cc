@@ -8,6 +8,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/render/number_text.h"
 #include "analysis/render/words.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -16,8 +17,8 @@ constexpr int kDigits = 3;
 
 std::string number_text(const Pivot& pivot, double value) {
   if (std::isinf(value))
-    return pivot.value.is_ratio() || value > 0 ? "unsolved" : significant(value, kDigits);
-  if (pivot.value.counts() || value == std::round(value)) return significant(value, 15);
+    return pivot.value.is_ratio() || value > 0 ? "unsolved" : rounded_text(value, kDigits);
+  if (pivot.value.counts() || value == std::round(value)) return rounded_text(value, 15);
   return padded_significant(value, kDigits);
 }
 
@@ -31,7 +32,7 @@ TableCell table_cell(const Pivot& pivot, const PivotCell& cell, bool intervals) 
   if (cell.records == 0) return {""};
   if (std::isnan(cell.value))
     return {cell.disagreeing == cell.records ? "disagree" : "none", Emphasis::alarm};
-  std::string text = std::isinf(cell.value) && !is_time(pivot) ? significant(cell.value, kDigits)
+  std::string text = std::isinf(cell.value) && !is_time(pivot) ? rounded_text(cell.value, kDigits)
                                                                : number_text(pivot, cell.value);
   if (intervals && cell.interval) {
     text += " [" + number_text(pivot, cell.interval->lower) + ", " +

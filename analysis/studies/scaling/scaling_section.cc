@@ -75,9 +75,9 @@ void add_axis(const Input& input, SizeAxis axis, Section& section) {
   const TimeUnit unit = unit_of(curves);
   chart.y.label = std::string("median time of a solve (") + unit.name + ")";
   for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis, unit.per_second));
-  section.blocks.push_back(chart_block(chart));
+  section.blocks.push_back(chart);
   const Table exponents = exponents_table(curves, axis);
-  if (!exponents.rows.empty()) section.blocks.push_back(table_block(exponents));
+  if (!exponents.rows.empty()) section.blocks.push_back(exponents);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@
 #include "analysis/constants.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/time_unit.h"
 #include "analysis/studies/scaling/scaling.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -44,7 +44,7 @@ struct PanelTitles {
   }
   std::string title(const ScalingCurve& curve, const std::string& size) const {
     std::string text = problems.size() > 1 ? problem_name(curve.cell) + ", " : "";
-    if (tolerances.size() > 1) text += "ε = " + significant(curve.cell.tolerance, 3) + ", ";
+    if (tolerances.size() > 1) text += "ε = " + rounded_text(curve.cell.tolerance, 3) + ", ";
     return text + size;
   }
   std::set<std::string> problems;
@@ -84,7 +84,7 @@ std::string size_ticks(const std::set<double>& sizes, const std::pair<double, do
   std::size_t named = 0;
   double begin = panel_width;  // of the label to the right
   for (const double size : std::vector<double>(sizes.rbegin(), sizes.rend())) {
-    const std::string label = significant(size, 12);
+    const std::string label = rounded_text(size, 12);
     const double half = kDigit * static_cast<double>(label.size()) / 2;
     const double place = inches * std::log(size / range.first);
     const bool fits = place + half < begin - kDigit / 2;

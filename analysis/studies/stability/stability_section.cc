@@ -16,7 +16,7 @@ std::optional<Section> stability_section(const Input& input) {
   if (!known) return std::nullopt;
   Section section{"stability", "Stability", {}};
   for (const Table& table : stability_tables(make_stability(input.records, input.truth)))
-    section.blocks.push_back(table_block(table));
+    section.blocks.push_back(table);
   return section;
 }
 

@@ -6,6 +6,7 @@
 #include "analysis/constants.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/stability/stability.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -72,11 +73,11 @@ std::vector<StabilityRow> all_rows(const StabilityTolerance& part) {
 }
 
 std::vector<std::string> notes_of(const StabilityTolerance& part) {
-  const std::string tolerance = significant(part.tolerance, 6);
+  const std::string tolerance = rounded_text(part.tolerance, 6);
   std::vector<std::string> notes = {
       "certified: solved with proven bounds of relative width at most " + tolerance +
           "; worst width: over all solves, none where a bound is missing",
-      "wrong: an answer off by a relative error of more than " + significant(10 * part.tolerance, 6) +
+      "wrong: an answer off by a relative error of more than " + rounded_text(10 * part.tolerance, 6) +
           ", or bounds that exclude the truth; failures: stopped at a limit without an answer",
       "a family is counted over all its parameters, n and N; --where chooses among them"};
   std::size_t solves = 0;
@@ -93,7 +94,7 @@ std::vector<std::string> notes_of(const StabilityTolerance& part) {
 
 Table reading_table(const StabilityTolerance& part) {
   Table table;
-  table.title = "Stability at tolerance " + significant(part.tolerance, 6);
+  table.title = "Stability at tolerance " + rounded_text(part.tolerance, 6);
   table.key_columns = 2;
   table.header = {{"family", "method", "solves", "certified", "worst width", "worst true error", "wrong",
                    "failures", "median ms"}};

@@ -13,6 +13,7 @@
 #include "analysis/render/number_text.h"
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
+#include "engine/numerics/number_text.h"
 
 namespace raygauge {
 namespace {
@@ -69,7 +70,7 @@ std::string ratio_block(std::size_t index, const std::vector<CellRatio>& ratios,
   for (const CellRatio& ratio : ratios) {
     if (ratio.times.method != method || !has_percent(ratio)) continue;
     const double percent = 100 * ratio.ratio.ratio;
-    text += map.place(ratio.times.cell) + " " + significant(percent, 6) + " " + percent_text(percent) + " " +
+    text += map.place(ratio.times.cell) + " " + rounded_text(percent, 6) + " " + percent_text(percent) + " " +
             (is_dark(percent, range) ? "0xFFFFFF" : "0x000000") + "\n";
   }
   return text + "EOD\n";
@@ -80,7 +81,7 @@ std::string ratio_block(std::size_t index, const std::vector<CellRatio>& ratios,
 std::string color_settings(const CellMap& map, const ColorRange& range, double height) {
   return "set palette defined (0 '#440154', 1 '#46327E', 2 '#365C8D', 3 '#277F8E', 4 '#1FA187', 5 "
          "'#4AC16D', 6 '#A0DA39', 7 '#FDE725')\nset logscale cb\nset cbrange [" +
-         significant(range.low, 6) + ":" + significant(range.high, 6) + "]\nset cbtics " +
+         rounded_text(range.low, 6) + ":" + rounded_text(range.high, 6) + "]\nset cbtics " +
          figure_style::one_two_five_ticks(range.low, range.high) +
          " scale 0.5\nset format cb '%g'\nset colorbox user origin screen " +
          screen((map.right_end() + 0.1) / map.width()) + ", screen " + screen(CellMap::kBottom / height) +

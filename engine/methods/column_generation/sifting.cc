@@ -180,9 +180,9 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     const bool violated = violators_A_.any || violators_Q_.any;
     if (end == PrimalSimplex::End::unreachable && !violated && !restricted && program_.separate()) continue;
     // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
-    if (violated && !is_final(end) && !restricted && estimate - lower > tolerance_ * estimate) {
+    const bool open = estimate - lower > tolerance_ * estimate;
+    if (violated && !is_final(end) && !restricted && open) {
       add_violators();
-      program_.encourage();
       continue;
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
@@ -194,19 +194,26 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
       return finish(DistanceStatus::optimal, lower, upper, effects, result);
     }
     if (!restricted && certify_refined(end, effects, result)) return;
-    if (is_final(end) || restricted) return settle(end, lower, upper, effects, result);
+    if (is_final(end) || restricted) return finish_short_of_tolerance(end, lower, upper, effects, result);
     // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
     // normal keep the answer open, not missing points.
-    const bool open = estimate - lower > tolerance_ * estimate;
-    if (violated && (open || end != PrimalSimplex::End::bounded)) {
-      add_violators();
-      program_.encourage();
-    } else if (end == PrimalSimplex::End::bounded) {
-      program_.raise_bounds();
-    } else if (!program_.repair()) {
-      return settle(end, lower, upper, effects, result);
-    }
+    const bool points_are_missing = violated && (open || end != PrimalSimplex::End::bounded);
+    if (!prepare_next(end, points_are_missing))
+      return finish_short_of_tolerance(end, lower, upper, effects, result);
   }
+}
+
+// What the program's next solve has and the last one had not: points, wider bounds on the normal, a fresh
+// inverse. False when nothing is left to try.
+bool Sifting::prepare_next(PrimalSimplex::End end, bool points_are_missing) {
+  if (points_are_missing) {
+    add_violators();
+  } else if (end == PrimalSimplex::End::bounded) {
+    program_.raise_bounds();
+  } else {
+    return program_.repair();
+  }
+  return true;
 }
 
 // The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as
@@ -319,14 +326,14 @@ double Sifting::upper_despite_residual() {
 
 // Rounding (or a default pivot limit, which it takes rounding to reach) keeps the bounds apart. Over chosen
 // points the upper bound is all that is asked for.
-void Sifting::settle(PrimalSimplex::End end, double lower, double upper, Effects effects,
-                     DistanceResult& result) {
+void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, double upper, Effects effects,
+                                        DistanceResult& result) {
   const bool restricted = !chosen_A_.empty();
   const bool limited = end == PrimalSimplex::End::time_limit ||
                        (end == PrimalSimplex::End::pivot_limit && pivots_are_limited_);
   bool late = false;
   if (!limited && !(restricted && upper < kInfinity)) {
-    const ExactSimplex::End exact = settle_exactly(lower, effects, result);
+    const ExactSimplex::End exact = finish_by_exact_simplex(lower, effects, result);
     if (exact == ExactSimplex::End::solved) return;
     late = exact == ExactSimplex::End::too_long;
   }
@@ -335,7 +342,7 @@ void Sifting::settle(PrimalSimplex::End end, double lower, double upper, Effects
 }
 
 // End::solved where the result is complete.
-ExactSimplex::End Sifting::settle_exactly(double lower, Effects effects, DistanceResult& result) {
+ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result) {
   const bool restricted = !chosen_A_.empty();
   start_.clear();
   for (int i = 0; i <= n_; ++i) {
@@ -427,6 +434,7 @@ void Sifting::add_violators() {
   };
   add(working_A_, *A_, scaling_.factor_A(), violators_A_.points);
   add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_.points);
+  program_.allow_repairs();
 }
 
 void Sifting::finish(DistanceStatus status, double lower, double upper, Effects effects,

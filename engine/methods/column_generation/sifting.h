@@ -50,6 +50,7 @@ class Sifting {
   bool choose_frame();
   void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);
+  bool prepare_next(PrimalSimplex::End end, bool points_are_missing);
   bool certify_as_priced(Effects effects, DistanceResult& result);
   bool certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result);
   double refine_lower(std::int64_t* best_A, std::int64_t* best_Q);
@@ -66,8 +67,9 @@ class Sifting {
                          double threshold, Violators& violators);
   static bool drop_known(const ColumnPool& working, std::ptrdiff_t size, double threshold, Collection& found);
   void add_violators();
-  void settle(PrimalSimplex::End end, double lower, double upper, Effects effects, DistanceResult& result);
-  ExactSimplex::End settle_exactly(double lower, Effects effects, DistanceResult& result);
+  void finish_short_of_tolerance(PrimalSimplex::End end, double lower, double upper, Effects effects,
+                                 DistanceResult& result);
+  ExactSimplex::End finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result);
   void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
   void finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
                       DistanceResult& result);

@@ -28,11 +28,12 @@ bool is_point(const double* x, int n) {
 }  // namespace
 
 void SupportColumnGeneration::begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
-                                    const Kernels& kernels) {
+                                    const Kernels& kernels, double threshold) {
   A_ = &A;
   Q_ = &Q;
   n_ = n;
   tolerance_ = options.tolerance;
+  threshold_ = threshold;
   lower_ = 0;
   upper_ = kInfinity;
   counters_ = {};
@@ -185,8 +186,8 @@ double SupportColumnGeneration::gauge_of_rounding() {
   return sum;
 }
 
-// Works with the support points as computed: upper_ is theirs until run() pays for the difference.
-DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
+// The first normal: from the centre of A towards the origin, with the support points along it.
+void SupportColumnGeneration::start() {
   double* guess = normal_.data();
   A_->center(guess);
   bool zero = true;
@@ -199,14 +200,16 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
   offer_A(point_A_.data());
   offer_Q(point_Q_.data());
   program_.start(points_A_, points_Q_, guess, kGuessError);
+}
+
+// Works with the support points as computed: upper_ is theirs until run() pays for the difference.
+DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
+  start();
   if (A_->inner_radius() > 0) {
     lower_ = upper_ = 0;
     return DistanceStatus::contains_origin;
   }
-  double best_lower = -1;
-  double best_upper = kInfinity;
-  double best_objective = kInfinity;
-  int idle = 0;
+  Best best;
   bool offered = false;
   std::int64_t pivots = 0;
   for (;;) {
@@ -216,37 +219,54 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
     pivots = program_.pivots();
     ask(program_.normal());
     if (lower_ == kInfinity) return DistanceStatus::unreachable;
-    if (end != PrimalSimplex::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
-    if (upper_ == kInfinity && end == PrimalSimplex::End::solved) {
-      upper_ = std::min(upper_, upper_despite_residual(stopwatch));
-    }
+    take_upper_bound(end, stopwatch);
     if (upper_ == 0) {
       return holds_origin(stopwatch) ? DistanceStatus::contains_origin : DistanceStatus::precision_limit;
     }
     if (is_closed(upper_) && is_closed(upper_of_the_sets(upper_, stopwatch))) return DistanceStatus::optimal;
     if (is_final(end)) return status_of(end);
-
-    const bool better = lower_ > best_lower || upper_ < best_upper || program_.objective() < best_objective;
-    idle = better ? 0 : idle + 1;
-    if (idle > patience(n_)) return DistanceStatus::precision_limit;
-    best_lower = std::max(best_lower, lower_);
-    best_upper = std::min(best_upper, upper_);
-    best_objective =
-        end == PrimalSimplex::End::bounded ? kInfinity : std::min(best_objective, program_.objective());
-
-    const bool A_enters = !stuck && h_A_.value > program_.threshold_A() && is_point(point_A_.data(), n_);
-    const bool Q_enters = !stuck && h_Q_.value > program_.threshold_Q() && is_point(point_Q_.data(), n_);
-    offered = A_enters || Q_enters;
-    if (A_enters) offer_A(point_A_.data());
-    if (Q_enters) offer_Q(point_Q_.data());
-    if (offered) {
-      program_.encourage();
-    } else if (end == PrimalSimplex::End::bounded) {
-      program_.raise_bounds();
-    } else if (!program_.repair()) {
-      return DistanceStatus::precision_limit;
-    }
+    if (note_progress(end, best) > patience(n_)) return DistanceStatus::precision_limit;
+    offered = !stuck && offer_support_points();
+    if (!offered && !prepare_next(end)) return DistanceStatus::precision_limit;
   }
+}
+
+// Of the program's last solution.
+void SupportColumnGeneration::take_upper_bound(PrimalSimplex::End end, const Stopwatch& stopwatch) {
+  if (end != PrimalSimplex::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
+  if (upper_ == kInfinity && end == PrimalSimplex::End::solved) {
+    upper_ = std::min(upper_, upper_despite_residual(stopwatch));
+  }
+}
+
+// The number of rounds since the last one that made something better. An objective under bounds on the normal
+// is no value to compare with.
+int SupportColumnGeneration::note_progress(PrimalSimplex::End end, Best& best) const {
+  const double objective = program_.objective();
+  const bool better = lower_ > best.lower || upper_ < best.upper || objective < best.objective;
+  best.idle_rounds = better ? 0 : best.idle_rounds + 1;
+  best.lower = std::max(best.lower, lower_);
+  best.upper = std::min(best.upper, upper_);
+  best.objective = end == PrimalSimplex::End::bounded ? kInfinity : std::min(best.objective, objective);
+  return best.idle_rounds;
+}
+
+// Makes those of the last support points known that price out; false if neither does.
+bool SupportColumnGeneration::offer_support_points() {
+  const bool A_enters = h_A_.value > program_.threshold_A() && is_point(point_A_.data(), n_);
+  const bool Q_enters = h_Q_.value > program_.threshold_Q() && is_point(point_Q_.data(), n_);
+  if (A_enters) offer_A(point_A_.data());
+  if (Q_enters) offer_Q(point_Q_.data());
+  if (!A_enters && !Q_enters) return false;
+  program_.allow_repairs();
+  return true;
+}
+
+// Without new points: wider bounds on the normal, or a fresh inverse. False when nothing is left to try.
+bool SupportColumnGeneration::prepare_next(PrimalSimplex::End end) {
+  if (end != PrimalSimplex::End::bounded) return program_.repair();
+  program_.raise_bounds();
+  return true;
 }
 
 void SupportColumnGeneration::solve_offered(const double* guess, const Stopwatch& stopwatch) {

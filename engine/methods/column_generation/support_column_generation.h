@@ -25,9 +25,9 @@ namespace raygauge {
 /// scaled coordinates.
 class SupportColumnGeneration {
  public:
-  /// The oracles are the caller's and must outlive the solve.
+  /// The oracles are the caller's and must outlive the solve. `threshold`: see Problem.
   void begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
-             const Kernels& kernels);
+             const Kernels& kernels, double threshold = std::numeric_limits<double>::quiet_NaN());
 
   /// Makes a support point known beforehand.
   void offer_A(const double* point) { points_A_.add(point); }
@@ -49,12 +49,20 @@ class SupportColumnGeneration {
   void contact_combination(WeightedPoints& combination) const { program_.points_of_A(combination); }
   const DistanceCounters& counters();
 
-  /// See DistanceSolver::set_threshold.
-  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
-
  private:
   void ask(const double* u);
+  struct Best {  // of the rounds so far
+    double lower = -1;
+    double upper = std::numeric_limits<double>::infinity();
+    double objective = std::numeric_limits<double>::infinity();
+    int idle_rounds = 0;  // since one of these was bettered
+  };
+  void start();
   DistanceStatus iterate(const Stopwatch& stopwatch);
+  void take_upper_bound(PrimalSimplex::End end, const Stopwatch& stopwatch);
+  int note_progress(PrimalSimplex::End end, Best& best) const;
+  bool offer_support_points();
+  bool prepare_next(PrimalSimplex::End end);
   bool is_closed(double upper) const noexcept;
   void ask_gauge(const double* x);
   double gauge_of_rounding();

@@ -9,6 +9,7 @@
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/capability_queries.h"
+#include "engine/sets/object_pair.h"
 
 namespace raygauge {
 namespace {
@@ -18,8 +19,10 @@ constexpr int kShortlistDimension = 16;
 
 }  // namespace
 
-void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels) {
+void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels,
+                         SupportPairs* pairs) {
   set_ = &S;
+  pairs_ = pairs;
   points_ = as_point_set(S);
   kernels_ = &kernels;
   const auto n = static_cast<std::size_t>(S.dimension());
@@ -67,7 +70,8 @@ double SupportOracle::query(const double* u, double sign, double* point) {
     return value;
   }
   for (int k = 0; k < n; ++k) direction[k] = sign * Scaling::direction_component(factor_[k], u[k]);
-  const double value = set_->support_unchecked(direction, point);
+  const double value =
+      pairs_ != nullptr ? pairs_->support(direction, point) : set_->support_unchecked(direction, point);
   for (int k = 0; k < n; ++k) point[k] *= factor_[k];
   return value;
 }

@@ -12,13 +12,16 @@
 
 namespace raygauge {
 
+class SupportPairs;
+
 /// Support queries of one set in the solver's scaled coordinates: the set is S' = {diag(factor) p : p in S},
 /// so that h_S'(u) = h_S(diag(factor) u). Point sets go straight to the vector kernels, large ones by way of
 /// a working set; other sets are asked through their virtual hook.
 class SupportOracle {
  public:
-  /// `factor`: dimension() powers of two; nullptr for none. It must outlive the queries.
-  void bind(const ConvexSet& S, const double* factor, const Kernels& kernels);
+  /// `factor`: dimension() powers of two; nullptr for none. It must outlive the queries, and so must `pairs`,
+  /// which S is asked through if it is not null.
+  void bind(const ConvexSet& S, const double* factor, const Kernels& kernels, SupportPairs* pairs = nullptr);
 
   /// Best of the points at hand along sign · u: those of the working set for a large point set, of all of S'
   /// otherwise. The maximiser is written to `point`. At most h_S'(sign · u).
@@ -62,6 +65,7 @@ class SupportOracle {
   SupportValue verify_points(const double* u, double sign, double known, double* point);
 
   const ConvexSet* set_ = nullptr;
+  SupportPairs* pairs_ = nullptr;
   const PointSet* points_ = nullptr;
   const double* factor_ = nullptr;
   const Kernels* kernels_ = nullptr;

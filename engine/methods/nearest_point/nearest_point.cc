@@ -7,7 +7,9 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/object_pair.h"
 #include "raygauge/sets/ball.h"
+#include "raygauge/sets/minkowski_difference.h"
 
 namespace raygauge {
 namespace {
@@ -29,23 +31,33 @@ std::int64_t default_limit(int n) { return 1000 + 50 * std::int64_t{n}; }
 
 }  // namespace
 
-bool NearestPoint::suits(const ConvexSet& S, const ConvexSet* T, const ConvexSet& Q) {
+NearestPoint::Difference NearestPoint::difference(const ConvexSet& A) {
+  if (const auto* sets = dynamic_cast<const MinkowskiDifference*>(&A))
+    return {sets->A2().get(), sets->A1().get()};
+  if (const auto* pair = dynamic_cast<const ObjectPair*>(&A)) return {&pair->A2(), &pair->A1()};
+  return {&A, nullptr};
+}
+
+bool NearestPoint::suits(const ConvexSet& A, const ConvexSet& Q) { return suits(difference(A), Q); }
+
+bool NearestPoint::suits(const Difference& sets, const ConvexSet& Q) {
   const auto* ball = dynamic_cast<const Ball*>(&Q);
-  if (ball == nullptr || !(ball->radius() > 0) || !is_polytope(S) || (T != nullptr && !is_polytope(*T))) {
-    return false;
-  }
+  if (ball == nullptr || !(ball->radius() > 0)) return false;
+  if (!is_polytope(*sets.S) || (sets.T != nullptr && !is_polytope(*sets.T))) return false;
   Scratch center(Q.dimension());
   ball->center_unchecked(center.data());
   return largest_magnitude(center.data(), Q.dimension()) == 0;
 }
 
-void NearestPoint::begin(const ConvexSet& S, const ConvexSet* T, const DistanceOptions& options) {
-  n_ = S.dimension();
+void NearestPoint::begin(const Difference& sets_of_A, const Problem& problem) {
+  const auto [S, T] = sets_of_A;
+  n_ = S->dimension();
   sides_ = T != nullptr ? 2 : 1;
-  tolerance_ = options.tolerance;
+  tolerance_ = problem.options.tolerance;
+  threshold_ = problem.threshold;
+  radius_ = dynamic_cast<const Ball&>(problem.Q).radius();
   lower_ = 0;
   upper_ = kInfinity;
-  counters_ = {};
   counters_.outer_iterations = 1;
   const auto size = static_cast<std::size_t>(n_);
   const std::size_t most = size + 3;
@@ -53,8 +65,8 @@ void NearestPoint::begin(const ConvexSet& S, const ConvexSet* T, const DistanceO
   for (auto* buffer : {&weights_, &solution_}) buffer->reserve(most);
   points_.reserve(most * size);
   nearest_.reserve(2 * size);
-  const ConvexSet* sets[2] = {&S, T};
-  kernels_ = &kernels_for(options.instruction_set);
+  const ConvexSet* sets[2] = {S, T};
+  kernels_ = &kernels_for(problem.options.instruction_set);
   magnitude_ = square_ = 0;
   std::fill_n(shift_.data(), n_, 0.0);
   std::fill_n(zero_.data(), n_, 0.0);
@@ -208,8 +220,9 @@ bool NearestPoint::enter_shortlisted() {
   return true;
 }
 
-DistanceStatus NearestPoint::iterate(const Stopwatch& stopwatch, const DistanceOptions& options) {
-  const std::int64_t limit = options.max_iterations > 0 ? options.max_iterations : default_limit(n_);
+DistanceStatus NearestPoint::iterate(const Problem& problem) {
+  const std::int64_t asked = problem.options.max_iterations;
+  const std::int64_t limit = asked > 0 ? asked : default_limit(n_);
   idle_ = 0;
   for (;;) {
     turn();
@@ -221,7 +234,7 @@ DistanceStatus NearestPoint::iterate(const Stopwatch& stopwatch, const DistanceO
       if (is_closed()) return DistanceStatus::optimal;
     }
     if (!(gap() > noise()) || idle_ > kPatience) return DistanceStatus::precision_limit;
-    const bool expired = stopwatch.expired();
+    const bool expired = problem.stopwatch.expired();
     if (expired || counters_.pivots >= limit) {
       prove();
       return expired ? DistanceStatus::time_limit : DistanceStatus::iteration_limit;
@@ -230,18 +243,18 @@ DistanceStatus NearestPoint::iterate(const Stopwatch& stopwatch, const DistanceO
   }
 }
 
-bool NearestPoint::solve(const ConvexSet& S, const ConvexSet* T, const ConvexSet& Q,
-                         const DistanceOptions& options, const Stopwatch& stopwatch, Effects effects,
-                         DistanceResult& result, const double* start) {
-  begin(S, T, options);
-  radius_ = dynamic_cast<const Ball&>(Q).radius();
+bool NearestPoint::solve(const Problem& problem, DistanceResult& result) {
+  counters_ = {};
+  const Difference sets = difference(problem.A);
+  if (!suits(sets, problem.Q)) return false;
+  begin(sets, problem);
   if (!(magnitude_ < kLargestMagnitude && magnitude_ > kSmallestMagnitude)) return false;
-  if (!choose_first_points(start)) return false;
-  const DistanceStatus status = iterate(stopwatch, options);
+  if (!choose_first_points(problem.start)) return false;
+  const DistanceStatus status = iterate(problem);
   const bool limited = status == DistanceStatus::time_limit ||
-                       (status == DistanceStatus::iteration_limit && options.max_iterations > 0);
+                       (status == DistanceStatus::iteration_limit && problem.options.max_iterations > 0);
   if (status != DistanceStatus::optimal && !limited) return false;
-  report(status, effects, result);
+  report(status, problem.effects, result);
   return true;
 }
 

@@ -6,10 +6,8 @@
 
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/methods/nearest_point/affine_basis.h"
+#include "engine/methods/problem.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/options.h"
-#include "raygauge/methods/result.h"
 
 namespace raygauge {
 
@@ -26,22 +24,17 @@ namespace raygauge {
 /// Certificates: d <= |v| / r, and -h(u) / (r|u|) <= d at u = -v, h the support function of S - T (10).
 class NearestPoint {
  public:
-  /// Whether Q is a ball about the origin and S and T (nullptr: {0}) are polytopes.
-  static bool suits(const ConvexSet& S, const ConvexSet* T, const ConvexSet& Q);
+  /// Whether Q is a ball about the origin and A a polytope, or a difference S - T of two.
+  static bool suits(const ConvexSet& A, const ConvexSet& Q);
 
   /// True if the solve was concluded: optimal, or a limit. Otherwise the caller has other means: the origin
-  /// in S - T, or rounding. `start`, n doubles: the first direction u, where one is known.
-  bool solve(const ConvexSet& S, const ConvexSet* T, const ConvexSet& Q, const DistanceOptions& options,
-             const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
-             const double* start = nullptr);
+  /// in S - T, or rounding, or not such sets.
+  bool solve(const Problem& problem, DistanceResult& result);
 
   const DistanceCounters& counters() const noexcept { return counters_; }
 
   /// The nearest points of S and of T of the last solve that was concluded with a positive distance.
   void nearest_points(double* of_S, double* of_T) const;
-
-  /// See DistanceSolver.
-  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
 
  private:
   struct Side {
@@ -54,9 +47,17 @@ class NearestPoint {
     double violation() const noexcept { return best - level; }
   };
 
-  void begin(const ConvexSet& S, const ConvexSet* T, const DistanceOptions& options);
+  // A = S - T, as far as A knows; T is nullptr for {0}.
+  struct Difference {
+    const ConvexSet* S;
+    const ConvexSet* T;
+  };
+
+  static Difference difference(const ConvexSet& A);
+  static bool suits(const Difference& sets, const ConvexSet& Q);
+  void begin(const Difference& sets_of_A, const Problem& problem);
   bool choose_first_points(const double* start);
-  DistanceStatus iterate(const Stopwatch& stopwatch, const DistanceOptions& options);
+  DistanceStatus iterate(const Problem& problem);
   void price(bool pass);
   void turn();
   double gap() const noexcept;

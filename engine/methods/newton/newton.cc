@@ -71,8 +71,9 @@ double up(Quad x) { return rounded_up(x); }
 }  // namespace
 
 template <class Real>
-bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-                         const double* start) {
+bool Newton<Real>::begin(const Problem& problem) {
+  const ConvexSet& A = problem.A;
+  const ConvexSet& Q = problem.Q;
   n_ = A.dimension();
   const auto size = static_cast<std::size_t>(n_);
   for (auto* buffer : {&center_, &ball_center_, &normal_, &contact_, &point_}) buffer->reserve(size);
@@ -88,19 +89,22 @@ bool Newton<Real>::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceO
   witness_evaluations_ = 0;
   facets_tried_ = 0;
   on_facet_ = false;
-  tolerance_ = options.tolerance;
-  max_evaluations_ = options.max_iterations > 0 ? options.max_iterations : default_evaluation_limit<Real>(n_);
+  tolerance_ = problem.options.tolerance;
+  threshold_ = problem.threshold;
+  keeps_combination_ = problem.pairs != nullptr;
+  const std::int64_t limit = problem.options.max_iterations;
+  max_evaluations_ = limit > 0 ? limit : default_evaluation_limit<Real>(n_);
   program_.begin(n_);
   if (!std::is_same_v<Real, double> && !is_smooth(A) && !is_smooth(Q)) return false;
-  const Kernels& kernels = kernels_for(options.instruction_set);
-  if (!oracle_A_.bind(A, 1.0, kernels) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
+  const Kernels& kernels = kernels_for(problem.options.instruction_set);
+  if (!oracle_A_.bind(A, 1.0, kernels, problem.pairs) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
   if (!choose_ball(Q)) return false;
   now_ = &points_[0];
   next_ = &points_[1];
   A.center_unchecked(center_.data());
   graded_ = unconditional_ = pair_.bind(A, Q);
-  if (start != nullptr) {
-    std::copy_n(start, n_, now_->u.data());
+  if (problem.start != nullptr) {
+    std::copy_n(problem.start, n_, now_->u.data());
   } else {
     choose_start(Q);
   }
@@ -354,16 +358,14 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
 }
 
 template <class Real>
-bool Newton<Real>::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-                         const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
-                         const double* start) {
-  if (!begin(A, Q, options, start)) return false;
-  const DistanceStatus status = iterate(stopwatch);
+bool Newton<Real>::solve(const Problem& problem, DistanceResult& result) {
+  if (!begin(problem)) return false;
+  const DistanceStatus status = iterate(problem.stopwatch);
   // The default limit is a guard: beyond it, and where nothing got better, column generation has other means.
   const bool limited = status == DistanceStatus::time_limit ||
-                       (status == DistanceStatus::iteration_limit && options.max_iterations > 0);
+                       (status == DistanceStatus::iteration_limit && problem.options.max_iterations > 0);
   if (status != DistanceStatus::optimal && !limited) return false;
-  report(status, effects, result);
+  report(status, problem.effects, result);
   return true;
 }
 

@@ -8,10 +8,8 @@
 #include "engine/methods/newton/power_steps.h"
 #include "engine/methods/newton/quadratic_program.h"
 #include "engine/methods/newton/sqp_oracle.h"
+#include "engine/methods/problem.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/options.h"
-#include "raygauge/methods/result.h"
 
 namespace raygauge {
 
@@ -39,11 +37,8 @@ template <class Real>
 class Newton {
  public:
   /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
-  /// and the caller hands over to column generation. `start`, n doubles: the first direction u, where one is
-  /// known.
-  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-             const Stopwatch& stopwatch, Effects effects, DistanceResult& result,
-             const double* start = nullptr);
+  /// and the caller asks another method.
+  bool solve(const Problem& problem, DistanceResult& result);
 
   /// upper - lower of the last solve, +infinity where it proved nothing.
   double gap() const noexcept { return upper_ - lower_; }
@@ -57,9 +52,8 @@ class Newton {
   /// What the last solve did, whether or not it was concluded.
   DistanceCounters counters() const;
 
-  /// See DistanceSolver.
-  void keep_combination(bool keep) noexcept { keeps_combination_ = keep; }
-  void set_threshold(double threshold) noexcept { threshold_ = threshold; }
+  /// The points of A and their weights in the combination that proves the upper bound; kept where the problem
+  /// has `pairs`.
   void contact_combination(WeightedPoints& combination) const;
 
  private:
@@ -69,7 +63,7 @@ class Newton {
     Real ratio = 0;  ///< of the phase: of `newton` or of the growth distance
   };
 
-  bool begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options, const double* start);
+  bool begin(const Problem& problem);
   void choose_start(const ConvexSet& Q);
   bool choose_ball(const ConvexSet& Q);
   void enlarge_shift(Real ratio);

@@ -15,8 +15,8 @@ namespace raygauge {
 ///
 /// with a = 1/(p - 1) for balls of a p-norm, which no straight step along u describes: a step d is taken in
 /// the coordinates |u_k|^a instead, u_k (1 + a d_k/u_k)^(1/a), the same to first order; a as it is for both
-/// sets together. Where the sets meet on faces across u_k = 0, no u_k != 0 that a number holds may tell where
-/// on them.
+/// sets together. Where the sets touch on faces across u_k = 0, the contact point within the faces may belong
+/// to no u_k != 0 that is representable.
 template <class Real>
 class PowerSteps {
  public:

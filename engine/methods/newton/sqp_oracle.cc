@@ -9,6 +9,7 @@
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/capability_queries.h"
+#include "engine/sets/object_pair.h"
 
 namespace raygauge {
 namespace {
@@ -19,10 +20,11 @@ int vertices_kept(int n) { return std::max(2 * n + 2, SupportPieces::kCapacity);
 }  // namespace
 
 template <class Real>
-bool SqpOracle<Real>::bind(const ConvexSet& S, double sign, const Kernels& kernels) {
+bool SqpOracle<Real>::bind(const ConvexSet& S, double sign, const Kernels& kernels, SupportPairs* pairs) {
   const SupportStructure structure = S.structure();
   if (structure == SupportStructure::unknown) return false;
   set_ = &S;
+  pairs_ = pairs;
   sign_ = sign;
   n_ = S.dimension();
   curved_ = structure != SupportStructure::polytope;
@@ -32,7 +34,7 @@ bool SqpOracle<Real>::bind(const ConvexSet& S, double sign, const Kernels& kerne
   if (!curved_) {
     nearest_.reserve(size);
     vertex_.reserve(size);
-    vertices_.bind(S, nullptr, kernels);
+    vertices_.bind(S, nullptr, kernels, pairs);
     coordinate_error_ = vertices_.coordinate_error();
     memory_.reserve(size * static_cast<std::size_t>(vertices_kept(n_)));
     remembered_ = next_ = 0;
@@ -85,7 +87,11 @@ void SqpOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
     magnitude += std::fabs(static_cast<double>(u[k])) * magnitude_[static_cast<std::size_t>(k)];
   }
-  support_pieces(*set_, direction_.data(), pieces);
+  if (pairs_ != nullptr) {
+    pairs_->pieces(direction_.data(), pieces);
+  } else {
+    support_pieces(*set_, direction_.data(), pieces);
+  }
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
   list.support.error = ConvexSet::rounding_error<Real>(n_) * magnitude + kUnderflow;
@@ -130,7 +136,11 @@ void SqpOracle<Real>::remember(const double* vertex) {
 template <class Real>
 void SqpOracle<Real>::replace_by_facet_point(const Real* u, const Real* target, PieceList<Real>& list) {
   for (int k = 0; k < n_; ++k) direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
-  set_->flat_faces()->point(direction_.data(), target, list.points.data());
+  if (pairs_ != nullptr) {
+    pairs_->facet_point(direction_.data(), target, list.points.data());
+  } else {
+    set_->flat_faces()->point(direction_.data(), target, list.points.data());
+  }
   std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, Real{0});
   list.count = 1;
   list.best = 0;

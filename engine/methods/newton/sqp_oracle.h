@@ -33,8 +33,9 @@ struct PieceList {
 template <class Real>
 class SqpOracle {
  public:
-  /// `sign` is that of h_S(sign · u). False if the set has no pieces to offer.
-  bool bind(const ConvexSet& S, double sign, const Kernels& kernels);
+  /// `sign` is that of h_S(sign · u); S is asked through `pairs` if that is not null. False if the set has no
+  /// pieces to offer.
+  bool bind(const ConvexSet& S, double sign, const Kernels& kernels, SupportPairs* pairs = nullptr);
 
   /// One support query: the pieces at u. False where they are more than the set can list.
   bool evaluate(const Real* u, PieceList<Real>& list);
@@ -58,6 +59,7 @@ class SqpOracle {
   void make_room(PieceList<Real>& list, int count);
 
   const ConvexSet* set_ = nullptr;
+  SupportPairs* pairs_ = nullptr;
   double sign_ = 1;
   int n_ = 0;
   bool curved_ = false;

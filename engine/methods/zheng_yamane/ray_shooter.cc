@@ -169,6 +169,38 @@ bool RayShooter::overtakes(double overtaking) const noexcept {
   return overtaking < kInfinity && best_A_ < 0 && -best_A_ >= overtaking * best_Q_;
 }
 
+// Brings the candidate column, of u·s = h_S, into the basis. False if rounding leaves no pivot.
+bool RayShooter::enter_candidate(double h_S) {
+  std::int64_t left = 0;
+  BasisView& view = basis_->view();
+  if (kernels_->pivot(&view, column_.data(), 1.0, 1.0 - h_S, free_slot_, false, &left) != PivotResult::ok) {
+    return false;
+  }
+  // The slot of the vertex that left takes the next candidate; artificial columns free one that was never
+  // used.
+  free_slot_ = left >= 0 ? left : -1 - left;
+  return true;
+}
+
+// Makes the artificial columns of the basis dearer. False where that was tried often.
+bool RayShooter::raise_artificial_costs() {
+  if (++raises_ > kRayCostRaises) return false;
+  BasisView& view = basis_->view();
+  for (int i = 0; i < n_; ++i) {
+    if (view.id[i] < 0) view.cost[i] = 8 * (view.cost[i] + 0.125);
+  }
+  basis_->refresh_duals();
+  return true;
+}
+
+// The last query was one of all points at hand: whether it promises a bound of `overtaking`, which the whole
+// sets then prove.
+bool RayShooter::is_overtaken(double eta, double overtaking) {
+  if (!overtakes(overtaking)) return false;
+  verify(basis_->view().y, eta);
+  return h_A_.value < 0 && -h_A_.value >= overtaking * h_Q_.value;
+}
+
 RayShooter::End RayShooter::shoot(double eta, double tolerance, double overtaking,
                                   std::int64_t max_iterations, const Stopwatch& stopwatch) {
   shortlisted_ = 0;
@@ -180,40 +212,26 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, double overtakin
   int idle = 0;
   double least = basis_->view().objective;
   for (;;) {
-    BasisView& view = basis_->view();
+    const BasisView& view = basis_->view();
     const std::int64_t passes = passes_;
     double h_S = best_column(view.y, eta, 1 + tolerance);
     sigma_ = view.objective;
     const bool out_of_iterations = iterations_ >= max_iterations;
     const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();
     if (h_S <= 1 + tolerance || out_of_iterations || out_of_time) h_S = verify(view.y, eta);
-    const bool overtaken = passes_ > passes && overtakes(overtaking);
-    if (overtaken) {
-      verify(view.y, eta);
-      if (h_A_.value < 0 && -h_A_.value >= overtaking * h_Q_.value) return End::overtaken;
-    }
+    if (passes_ > passes && is_overtaken(eta, overtaking)) return End::overtaken;
     if (out_of_iterations) return End::iteration_limit;
     if (out_of_time) return End::time_limit;
     if (h_S <= 1 + tolerance) {
       if (artificial_weight() <= kZero) return End::hit;
-      if (++raises_ > kRayCostRaises) return End::missed;
-      for (int i = 0; i < n_; ++i) {
-        if (view.id[i] < 0) view.cost[i] = 8 * (view.cost[i] + 0.125);
-      }
-      basis_->refresh_duals();
+      if (!raise_artificial_costs()) return End::missed;
       least = view.objective;
       continue;
     }
     idle = view.objective < least * (1 - 1e-15) ? 0 : idle + 1;
     least = std::min(least, view.objective);
     if (idle > 64 + 8 * n_) return End::failed;
-    std::int64_t left = 0;
-    if (kernels_->pivot(&view, column_.data(), 1.0, 1.0 - h_S, free_slot_, false, &left) == PivotResult::ok) {
-      // The slot of the vertex that left takes the next candidate; artificial columns free one that was never
-      // used.
-      free_slot_ = left >= 0 ? left : -1 - left;
-      continue;
-    }
+    if (enter_candidate(h_S)) continue;
     ++refactorisations_;
     if (++repairs > kRayRepairs || !basis_->refactor()) return End::failed;
   }

@@ -71,6 +71,9 @@ class RayShooter {
   void form_column(std::int64_t slot, double eta, double* column) const;
   double artificial_weight() const;
   bool overtakes(double overtaking) const noexcept;
+  bool is_overtaken(double eta, double overtaking);
+  bool enter_candidate(double h_S);
+  bool raise_artificial_costs();
 
   SupportOracle* A_ = nullptr;
   SupportOracle* Q_ = nullptr;

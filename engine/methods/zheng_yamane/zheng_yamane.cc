@@ -26,12 +26,10 @@ std::int64_t default_iteration_limit(int n) { return 500 + 200 * static_cast<std
 
 }  // namespace
 
-bool ZhengYamane::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-                        const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
-  stopwatch_ = &stopwatch;
-  begin(A, Q, options);
+bool ZhengYamane::solve(const Problem& problem, DistanceResult& result) {
+  begin(problem);
   const std::int64_t limit =
-      options.max_iterations > 0 ? options.max_iterations : default_iteration_limit(n_);
+      options_.max_iterations > 0 ? options_.max_iterations : default_iteration_limit(n_);
   for (;;) {
     const RayShooter::End end =
         shooter_.shoot(eta_, inner_tolerance_, overtaking_bound(), limit, *stopwatch_);
@@ -41,19 +39,23 @@ bool ZhengYamane::solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
     if (step == Step::done) break;
     eta_ = eta_next_;
   }
-  finish(effects, result);
+  finish(problem.effects, result);
   return true;
 }
 
-void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options) {
-  options_ = options;
-  kernels_ = &kernels_for(options.instruction_set);
+void ZhengYamane::begin(const Problem& problem) {
+  const ConvexSet& A = problem.A;
+  const ConvexSet& Q = problem.Q;
+  options_ = problem.options;
+  stopwatch_ = &problem.stopwatch;
+  kernels_ = &kernels_for(options_.instruction_set);
   n_ = A.dimension();
   const PointSet* points_A = as_point_set(A);
   const PointSet* points_Q = as_point_set(Q);
   scaled_ = points_A != nullptr && points_Q != nullptr;
   if (scaled_) scaling_.compute(*points_A, *points_Q);
-  oracle_A_.bind(A, scaled_ && !scaling_.trivial_A() ? scaling_.factor_A() : nullptr, *kernels_);
+  oracle_A_.bind(A, scaled_ && !scaling_.trivial_A() ? scaling_.factor_A() : nullptr, *kernels_,
+                 problem.pairs);
   oracle_Q_.bind(Q, scaled_ && !scaling_.trivial_Q() ? scaling_.factor_Q() : nullptr, *kernels_);
   const auto size = static_cast<std::size_t>(n_);
   center_.reserve(size);
@@ -62,7 +64,7 @@ void ZhengYamane::begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOp
   shooter_.begin(oracle_A_, oracle_Q_, n_, center_.data(), *kernels_);
   status_ = DistanceStatus::precision_limit;
   eta_ = scaled_ ? std::ldexp(1.0, scaling_.distance_shift()) : 1.0;  // η_0 = 1 in the sets' own units
-  inner_tolerance_ = std::max(0.25 * options.tolerance, kTightestRay);
+  inner_tolerance_ = std::max(0.25 * options_.tolerance, kTightestRay);
   lower_ = 0;
   estimate_ = 0;
   upper_ = kInfinity;

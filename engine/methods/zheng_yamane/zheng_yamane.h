@@ -5,11 +5,9 @@
 #include "engine/lp/scaling.h"
 #include "engine/methods/column_generation/support_column_generation.h"
 #include "engine/methods/column_generation/support_oracle.h"
+#include "engine/methods/problem.h"
 #include "engine/methods/zheng_yamane/ray_shooter.h"
 #include "engine/numerics/aligned_buffer.h"
-#include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/options.h"
-#include "raygauge/methods/result.h"
 
 namespace raygauge {
 
@@ -29,8 +27,7 @@ namespace raygauge {
 /// concluded here: solve() returns false and the caller turns to `column_generation`.
 class ZhengYamane {
  public:
-  bool solve(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
-             const Stopwatch& stopwatch, Effects effects, DistanceResult& result);
+  bool solve(const Problem& problem, DistanceResult& result);
 
   /// What the last solve did, whether or not it was concluded here.
   DistanceCounters counters() const;
@@ -42,7 +39,7 @@ class ZhengYamane {
  private:
   enum class Step : std::uint8_t { go_on, done, give_up };
 
-  void begin(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options);
+  void begin(const Problem& problem);
   double overtaking_bound() const noexcept;
   Step conclude(RayShooter::End end);
   void bound_from_below();

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "raygauge/queries/solver.h"
 
 namespace raygauge {
 
+class MethodChain;
 class SpatialQuery;
 
 enum class Separation : std::uint8_t {
@@ -51,14 +51,14 @@ class GrowthDistanceSolver {
   explicit GrowthDistanceSolver(const DistanceOptions& options = newton_options());
 
   /// See DistanceSolver::set_stop.
-  void set_stop(std::function<bool()> stop) { solver_.set_stop(std::move(stop)); }
+  void set_stop(std::function<bool()> stop);
 
   /// σ with bounds; 0 and contains_origin where a_c = 0. The result belongs to the solver and lives until its
   /// next solve or test. Throws DimensionMismatchError.
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q);
 
-  /// The same for sets in poses: solve({A, pose_A}, {Q, pose_Q}). `warm` is what the last solve of this pair
-  /// left, and is brought up to date; nullptr: every solve is a first one.
+  /// The same for sets in poses: solve({A, pose_A}, {Q, pose_Q}). `warm` is the state that the last solve of
+  /// this pair stored; this solve updates it. nullptr: a cold start.
   const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
 
   /// The growth distance of two objects, each scaled about its own centre.
@@ -68,7 +68,7 @@ class GrowthDistanceSolver {
   /// bound that is on one side of 1. Throws DimensionMismatchError.
   const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
 
-  /// The same for objects in poses, with what the last test of this pair left.
+  /// The same for objects in poses, with the state that the last test of this pair stored.
   const SeparationResult& separation(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
 
  private:
@@ -76,7 +76,7 @@ class GrowthDistanceSolver {
   const DistanceResult& solve_about(const Posed& A, const Posed& Q, bool about_origin, double threshold,
                                     WarmStart* warm);
 
-  DistanceSolver solver_;
+  std::unique_ptr<MethodChain> methods_;
   std::unique_ptr<SpatialQuery> spatial_;
   DistanceResult spatial_result_;
   SeparationResult separation_;

@@ -65,8 +65,8 @@ class ObjectDistanceSolver {
   const ObjectDistance& solve(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
                               ObjectEffects effects = ObjectEffects::none);
 
-  /// The same for objects in poses: solve({A1, pose_1}, {A2, pose_2}, Q). `warm` is what the last solve of
-  /// this pair left, and is brought up to date; nullptr: every solve is a first one.
+  /// The same for objects in poses: solve({A1, pose_1}, {A2, pose_2}, Q). `warm` is the state that
+  /// the last solve of this pair stored; this solve updates it. nullptr: a cold start.
   const ObjectDistance& solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
                               ObjectEffects effects = ObjectEffects::none, WarmStart* warm = nullptr);
 

@@ -13,7 +13,7 @@
 
 namespace raygauge {
 
-class WeightedPoints;
+class MethodChain;
 
 /// What DistanceMethod::automatic stands for: newton where Q is smooth, column_generation otherwise.
 DistanceMethod method_for(const ConvexSet& Q) noexcept;
@@ -45,32 +45,12 @@ class DistanceSolver {
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q, Effects effects = Effects::none);
 
   /// The same for sets in poses, {R x + t : x in A} and Q likewise: solve({A, pose_A}, {Q, pose_Q}). `warm`
-  /// is what the last solve of this pair left, and is brought up to date; nullptr: every solve is a first
-  /// one.
+  /// is the state that the last solve of this pair stored; this solve updates it. nullptr: a cold start.
   const DistanceResult& solve(const Posed& A, const Posed& Q, Effects effects = Effects::none,
                               WarmStart* warm = nullptr);
 
  private:
-  friend class ObjectDistanceSolver;
-  friend class GrowthDistanceSolver;
-
-  /// From now on, whether solves of general sets keep what contact_combination() gives.
-  void keep_combination(bool keep);
-
-  /// The points of A and their weights in the combination that proves the upper bound of the last solve;
-  /// false if none was kept.
-  bool contact_combination(WeightedPoints& combination) const;
-
-  /// For A = A2 - A1: the nearest points of the last solve, where its method knows them apart; false where
-  /// not.
-  bool nearest_points(Vector& of_A1, Vector& of_A2) const;
-
-  /// From now on solves of general sets also end, as `optimal`, when the bounds exclude this value; NaN:
-  /// none.
-  void set_threshold(double threshold);
-
-  struct Workspace;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<MethodChain> methods_;
 };
 
 }  // namespace raygauge

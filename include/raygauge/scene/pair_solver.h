@@ -20,7 +20,7 @@ struct SceneCounters {
   std::int64_t growth_solves = 0;      ///< growth distances of two convex parts
   std::int64_t closest_points = 0;     ///< pairs of closest points
   std::int64_t gradients = 0;
-  std::int64_t plane_tests = 0;      ///< looks whether a plane of before still separates two parts
+  std::int64_t plane_tests = 0;      ///< tests whether an earlier separating plane still separates two parts
   std::int64_t ball_tests = 0;       ///< bounds on a distance from bounding balls
   std::int64_t support_queries = 0;  ///< by solves; the two of a plane test are not among them
 

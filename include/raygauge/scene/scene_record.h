@@ -66,7 +66,7 @@ struct SceneTally {
   std::int64_t broad_phase = 0;
   std::int64_t coherence = 0;
   std::int64_t standing = 0;
-  std::int64_t shared = 0;  ///< of those solved: the solve was another query's
+  std::int64_t shared = 0;  ///< of the solved ones: taken from a solve of another query
 
   void count(SceneDecision decision, std::int64_t times = 1) noexcept;
   SceneTally& operator+=(const SceneTally& other);

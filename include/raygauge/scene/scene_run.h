@@ -27,8 +27,8 @@ struct SceneProgress {
 
 struct SceneHooks {
   std::function<bool()> stop;  ///< true: take no further cell
-  /// Deals out the numbers 0, 1, … of the cells that are left to the threads of several processes, which all
-  /// have the same `done`; empty: this process does them all. Thread safe.
+  /// Returns 0, 1, …, each once to the threads of all processes: the number of the next cell among those not
+  /// yet in `done`, which is the same in all. Empty: this process does all cells. Thread safe.
   std::function<std::uint64_t()> next;
   std::function<void(const SceneProgress&)> progress;  ///< after each cell; never by two threads at once
 };

@@ -56,8 +56,8 @@ class SmoothSupport {
     do_support_pieces(u, pieces, SupportPieces::kCapacity - used);
   }
 
-  /// The same in quadruple precision, for what is left to prove where doubles end, with errors of
-  /// rounding_error<Quad>(n). count = 0 where the set knows no more than doubles, as by default.
+  /// The same in quadruple precision, for bounds that double precision cannot prove, with errors of
+  /// rounding_error<Quad>(n). count = 0 where the set has double precision only, as by default.
   void pieces(const Quad* u, QuadSupportPieces& pieces, int used = 0) const {
     pieces.count = 0;
     do_quad_pieces(u, pieces, SupportPieces::kCapacity - used);
@@ -81,7 +81,8 @@ class FlatFaces {
   }
   bool normal(const Quad* u, const Quad* v, Quad* normal) const { return do_quad_facet_normal(u, v, normal); }
 
-  /// A point of the face across `normal`, one that normal() gave, as near to `target` as the set can say.
+  /// A point of the face across `normal`, which normal() returned: the nearest to `target` that the set
+  /// finds.
   void point(const double* normal, const double* target, double* point) const {
     do_facet_point(normal, target, point);
   }
@@ -108,9 +109,9 @@ class GaugeFormula {
   /// at x, of any length; +infinity where there is no formula for it.
   double bound(const double* x, double* normal) const { return do_gauge(x, normal); }
 
-  /// The normal alone, in quadruple precision; false where there is no formula. A direction to start from,
-  /// good where Q is long and thin: for the centre of a homothet of Q, or for a point, it is the last one
-  /// too.
+  /// The normal alone, in quadruple precision; false where there is no formula. A first direction for
+  /// newton where Q is long and thin: for the centre of a homothet of Q, or for a point, it is the optimal
+  /// one.
   bool normal(const Quad* x, Quad* normal) const { return do_quad_gauge_normal(x, normal); }
 
   /// True where it is proven, without a rounding error, that the origin is a point of S and its only one with
@@ -132,9 +133,9 @@ class GaugeFormula {
 /// A `smooth` set that is unconditional about its centre c: with c + x it has every c + diag(±1, ..., ±1) x.
 class CoordinateSymmetry {
  public:
-  /// The extents e_k of its faces along the axes, for large p those of a p-norm ball, negative where rounding
-  /// of c leaves none: if u_k = 0 and s is on the face across u, it is with any s_k in [c_k - e_k, c_k +
-  /// e_k], but for less than a rounding error of Quad. False if the set is not known to be unconditional.
+  /// The extents e_k of its faces along the axes, as a p-norm ball of large p has them; negative where c is
+  /// known too inexactly. If u_k = 0 and s is on the face across u, s stays on it for any s_k in [c_k - e_k,
+  /// c_k + e_k], up to a rounding error of Quad. False if the set is not known to be unconditional.
   bool extents(double* extent) const { return do_is_unconditional(extent); }
 
  protected:

@@ -32,10 +32,10 @@ class InequalitySimplex {
   /// Every row and its bound are multiplied by a power of two first, which changes nothing.
   InequalitySimplex(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
 
-  /// Where a point with G x <= g begins.
+  /// The start at a point with G x <= g.
   Vertex start_at(const Vector& x) const;
 
-  /// From `at`, which is left at the maximiser.
+  /// Starts from `at` and stores the maximiser there.
   End maximise(const ConstVectorRef& u, Vertex& at) const;
 
   /// λ of u = Bᵀ λ, to rounding; entries of unit vectors among them.

@@ -39,7 +39,7 @@ class LinearImage : public ConvexSet,
     map_ = map;
   }
 
-  /// M and t, with what the entries of M say of the axes.
+  /// M and t, with `exchanges_axes` and `reverses_axes` from the entries of M.
   static Map make_map(const double* M, const double* t, int n) noexcept;
 
   const ConvexSet& operand() const noexcept { return *S_; }

@@ -35,14 +35,24 @@ class MinkowskiView : public ConvexSet,
 
   double do_inner_radius(const double* c) const override;
 
+  /// s(u) with its part s_T(±u), and h(u).
+  double support_with_part(const double* u, double* point, double* of_T) const;
+
+  /// The pieces with the points of T in them, which `of_T` has room for (kCapacity points, or null): that of
+  /// piece i is number i % count, where `count` is returned.
+  template <class Real>
+  int pieces_with_parts(const Real* u, BasicSupportPieces<Real>& pieces, int capacity, Real* of_T) const;
+
+  /// FlatFaces::point with its part in T; false where there is none.
+  template <class Real>
+  bool facet_point_with_part(const Real* normal, const Real* target, Real* point, Real* of_T) const;
+
   const ConvexSet& first() const noexcept { return *S_; }
   const ConvexSet& second() const noexcept { return *T_; }
 
  private:
-  /// Whether record_parts() is to be told of each point of the set, and the part of it that is in T. Such
-  /// points are not moved along faces.
-  virtual bool records_parts() const noexcept { return false; }
-  virtual void record_parts(const double* /*point*/, const double* /*of_T*/) const {}
+  /// Whether the parts of a point are asked for. Then no method may move points along faces.
+  virtual bool keeps_parts() const noexcept { return false; }
 
   double do_support(const double* u, double* point) const final;
   void do_center(double* point) const override;
@@ -67,13 +77,7 @@ class MinkowskiView : public ConvexSet,
   bool do_is_unconditional(double* extent) const final;
 
   template <class Real>
-  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
-  template <class Real>
   bool find_facet_normal(const Real* u, const Real* v, Real* normal) const;
-  template <class Real>
-  void find_facet_point(const Real* normal, const Real* target, Real* point) const;
-  template <class Real>
-  void record(const Real* point, const Real* of_T) const;
   template <class Real>
   void add_normals(Real* normal, Real* of_T) const;
   template <class Ask, class Real>

@@ -11,9 +11,9 @@
 
 namespace raygauge {
 
-/// A rigid motion x -> R x + t of R^n, the pose of a body in the world. It is checked once, here; queries
-/// trust it. R is taken as it is given: a set in this pose is {R x + t : x in S} for these very numbers, so
-/// that what RᵀR lacks to the identity is no error of a query.
+/// A rigid motion x -> R x + t of R^n, the pose of a body in the world. The constructor checks it; queries do
+/// not check it again. R is used as given: a set in this pose is {R x + t : x in S} for the stored R and t.
+/// So it is no error of a query that RᵀR differs from the identity by rounding.
 ///
 /// Poses of R^2 and R^3 hold their numbers inside; a pose of a larger space allocates when it is made.
 class Pose {

@@ -36,7 +36,8 @@ class SolveMethod {
   virtual void solve(const SolveRequest& request) = 0;
 
   /// The outcome of the last solve. Bounds are certified by raygauge where the method itself offers none:
-  /// `lower` from its dual by weak duality, `upper` from its primal; NaN where it left nothing to certify.
+  /// `lower` from its dual by weak duality, `upper` from its primal; NaN where the method returned nothing to
+  /// certify.
   virtual DistanceResult result() = 0;
 };
 

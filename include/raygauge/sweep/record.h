@@ -42,7 +42,7 @@ struct Record {
   DistanceStatus status = DistanceStatus::optimal;
 
   /// Whether this method's interval [lower, upper] meets those of all other methods on the instance, and the
-  /// distance lies within the tolerance of them. Times of records that disagree are not averaged in.
+  /// distance lies within the tolerance of them. Averages leave out the times of records that disagree.
   bool agrees = true;
 
   DistanceCounters counters;  ///< outer_iterations is K, ray_iterations is N_rs

@@ -23,7 +23,7 @@ struct TimedSolve {
 };
 
 /// Times solves of the loaded model. A first solve that lasts `min_seconds` or longer is the sample.
-/// A shorter one says how many solves fill `min_seconds`; those are timed together, and itself is left out.
+/// After a shorter one, as many solves as fill `min_seconds` are timed together, without the first.
 /// Allocates nothing.
 TimedSolve time_solve(SolveMethod& method, const SolveRequest& request, double min_seconds);
 

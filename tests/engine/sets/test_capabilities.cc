@@ -16,8 +16,8 @@
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/queries/growth_body.h"
-#include "engine/queries/object_pair.h"
 #include "engine/sets/capability_queries.h"
+#include "engine/sets/object_pair.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/scene/placement.h"
@@ -114,7 +114,7 @@ Set pair_of_objects(const Set& A2, const Set& A1) {
   auto held = std::make_shared<Held<ObjectPair>>();
   held->S = A2;
   held->other = A1;
-  held->view = std::make_unique<const ObjectPair>(*A2, *A1, nullptr);
+  held->view = std::make_unique<const ObjectPair>(*A2, *A1, false);
   return {held, held->view.get()};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/render/report/blocks_json.h"
 #include "analysis/render/report/deflate.h"
 #include "raygauge/exceptions.h"
 #include "tests/analysis/records.h"

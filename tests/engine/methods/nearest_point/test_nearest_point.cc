@@ -50,11 +50,11 @@ TEST(NearestPoint, IsWhatAutomaticTakesForPolytopesAndABallAboutTheOrigin) {
   const Points A = cloud(4, 20, 9, 1);
   const auto ball = std::make_shared<Ball>(Vector::Zero(4), 2.0);
   const Ball off(Vector::Unit(4, 0), 2.0);
-  EXPECT_TRUE(NearestPoint::suits(*A, A.get(), *ball));
-  EXPECT_TRUE(NearestPoint::suits(*A, nullptr, *ball));
-  EXPECT_FALSE(NearestPoint::suits(*A, ball.get(), *ball));
-  EXPECT_FALSE(NearestPoint::suits(*A, nullptr, off));
-  EXPECT_FALSE(NearestPoint::suits(*A, nullptr, *A));
+  EXPECT_TRUE(NearestPoint::suits(MinkowskiDifference(A, A), *ball));
+  EXPECT_TRUE(NearestPoint::suits(*A, *ball));
+  EXPECT_FALSE(NearestPoint::suits(MinkowskiDifference(A, ball), *ball));
+  EXPECT_FALSE(NearestPoint::suits(*A, off));
+  EXPECT_FALSE(NearestPoint::suits(*A, *A));
   EXPECT_EQ(method_for(*ball), DistanceMethod::newton);
   EXPECT_EQ(method_for(*A), DistanceMethod::column_generation);
 }

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/method_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/methods/counters.h"
+#include "engine/numerics/floating_point.h"
+#include "engine/sets/capability_queries.h"
+#include "engine/sets/posed_view.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
+#include "raygauge/queries/solver.h"
+
+namespace raygauge {
+namespace {
+
+Problem afresh(const Problem& problem) {
+  Problem again = problem;
+  again.start = nullptr;
+  return again;
+}
+
+}  // namespace
+
+// Each turn is taken where none before it has finished the solve. Column generation always answers, but may
+// stop short of the tolerance: the turns after it narrow the bounds that it leaves.
+const MethodChain::Turn MethodChain::kTurns[] = {
+    // The Euclidean distance of polytopes needs no gauge body; a start that leads nowhere is forgotten.
+    {&MethodChain::is_newton_asked_for_with_start, &MethodChain::by_nearest_point},
+    {&MethodChain::is_newton_asked_for_with_start, &MethodChain::by_newton},
+    {&MethodChain::is_newton_asked_for, &MethodChain::by_nearest_point_afresh},
+    {&MethodChain::is_newton_asked_for, &MethodChain::by_newton_afresh},
+    {&MethodChain::is_newton_asked_for, &MethodChain::by_quad_newton_after_newton},
+    {&MethodChain::is_zheng_yamane_asked_for, &MethodChain::by_zheng_yamane},
+    {&MethodChain::always, &MethodChain::by_column_generation},
+    {&MethodChain::always, &MethodChain::by_tangent_plane},
+    // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
+    {&MethodChain::is_newton_untried, &MethodChain::refined_by_newton},
+    {&MethodChain::has_normal, &MethodChain::refined_by_quad_newton},
+    {&MethodChain::always, &MethodChain::refined_by_quad_newton_afresh},
+};
+
+bool MethodChain::is_newton_asked_for_with_start(const Problem& problem) const {
+  return chosen_ == DistanceMethod::newton && problem.start != nullptr;
+}
+
+bool MethodChain::has_normal(const Problem& problem) const {
+  return result_.lower > 0 && result_.normal.size() == problem.A.dimension();
+}
+
+void MethodChain::set_options(const DistanceOptions& options) {
+  if (const std::string problem = validate(options); !problem.empty()) throw InvalidParameterError(problem);
+  options_ = options;
+}
+
+const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects,
+                                         const double* start, const Aim& aim) {
+  stopwatch_.start(options_.time_limit, &stop_);
+  result_.sigma = DistanceResult::kUnset;
+  result_.origin_weights.clear();
+  counters_ = {};
+  chosen_ = options_.method == DistanceMethod::automatic ? method_for(Q) : options_.method;
+  const Problem problem{A, Q, options_, stopwatch_, effects, start, aim.threshold, aim.pairs};
+  for (const Turn& turn : kTurns) {
+    if ((this->*turn.is_due)(problem) && (this->*turn.solve)(problem)) break;
+  }
+  if (concluded_ == Concluded::support_column_generation) report_contact_by_support(A.dimension(), effects);
+  result_.counters = counters_;
+  result_.seconds = stopwatch_.seconds();
+  // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
+  if (!(result_.lower <= result_.upper)) {
+    result_.status = DistanceStatus::precision_limit;
+    result_.lower = 0;
+    result_.upper = kInfinity;
+  }
+  return result_;
+}
+
+const DistanceResult& MethodChain::solve(const Posed& A, const Posed& Q, Effects effects, WarmStart* warm,
+                                         const Aim& aim) {
+  const InPose posed_A(A);
+  const InPose posed_Q(Q);
+  const double* start = warm != nullptr ? recorded_normal(*warm, A.dimension()) : nullptr;
+  solve(posed_A.set(), posed_Q.set(), effects, start, aim);
+  if (warm != nullptr) record_normal(result_.normal, *warm);
+  return result_;
+}
+
+// False where the method gives up: the result is what it was then.
+template <class Method>
+bool MethodChain::answers(Method& method, Concluded name, const Problem& problem) {
+  concluded_ = name;
+  const bool done = method.solve(problem, result_);
+  account(method.counters());
+  return done;
+}
+
+bool MethodChain::by_nearest_point(const Problem& problem) {
+  return answers(nearest_point_, Concluded::nearest_point, problem);
+}
+
+bool MethodChain::by_nearest_point_afresh(const Problem& problem) {
+  return by_nearest_point(afresh(problem));
+}
+
+bool MethodChain::by_newton(const Problem& problem) { return answers(newton_, Concluded::newton, problem); }
+
+bool MethodChain::by_newton_afresh(const Problem& problem) { return by_newton(afresh(problem)); }
+
+bool MethodChain::by_quad_newton_after_newton(const Problem& problem) {
+  Problem from_there = problem;
+  from_there.start = newton_.direction();
+  return answers(quad_newton_, Concluded::quad_newton, from_there);
+}
+
+bool MethodChain::by_zheng_yamane(const Problem& problem) {
+  return answers(zheng_yamane_, Concluded::zheng_yamane, problem);
+}
+
+bool MethodChain::by_column_generation(const Problem& problem) {
+  const PointSet* A = as_point_set(problem.A);
+  const PointSet* Q = as_point_set(problem.Q);
+  if (A != nullptr && Q != nullptr) {
+    concluded_ = Concluded::sifting;
+    sifting_.solve(*A, *Q, options_, stopwatch_, problem.effects, result_);
+    account(result_.counters);
+  } else {
+    concluded_ = Concluded::support_column_generation;
+    generate_columns_by_support(problem);
+  }
+  return is_finished();
+}
+
+// The tolerances of the linear program suit a gauge body of magnitude 1.
+void MethodChain::bind_oracles(const Problem& problem) {
+  const Kernels& kernels = kernels_for(options_.instruction_set);
+  oracle_A_.bind(problem.A, nullptr, kernels, problem.pairs);
+  oracle_Q_.bind(problem.Q, nullptr, kernels);
+  scaling_.compute_common(problem.A, problem.Q, oracle_Q_.magnitude());
+  if (scaling_.trivial_A()) return;
+  oracle_A_.bind(problem.A, scaling_.factor_A(), kernels, problem.pairs);
+  oracle_Q_.bind(problem.Q, scaling_.factor_Q(), kernels);
+}
+
+void MethodChain::generate_columns_by_support(const Problem& problem) {
+  const int n = problem.A.dimension();
+  bind_oracles(problem);
+  SupportColumnGeneration& method = support_column_generation_;
+  method.begin(oracle_A_, oracle_Q_, n, options_, kernels_for(options_.instruction_set), problem.threshold);
+  result_.status = method.run(stopwatch_);
+  result_.lower = method.lower();
+  result_.upper = method.upper();
+  // In this order an objective that is not a number gives way to the lower bound.
+  result_.distance = std::max(result_.lower, std::min(method.objective(), result_.upper));
+  result_.normal = scaling_.factor_A()[0] * Vector::Map(method.normal(), n);
+  account(method.counters());
+}
+
+// Once it is certain whose answer it is: room that is taken and given back would be allocated at every solve.
+void MethodChain::report_contact_by_support(int n, Effects effects) {
+  if (double* contact = result_.room_for_contact(effects, n)) {
+    support_column_generation_.contact_point(contact);
+    const bool at_origin = result_.status == DistanceStatus::contains_origin;
+    const double share = at_origin ? 0.0 : 1 / scaling_.factor_A()[0];
+    for (int k = 0; k < n; ++k) contact[k] *= share;
+    ++counters_.witness_evaluations;
+  }
+}
+
+// Where Q touches the origin, its multiples reach all that is strictly on their side of the tangent plane,
+// and nothing else: A may lie in that plane, which no Farkas direction separates from them. True where A
+// does.
+bool MethodChain::by_tangent_plane(const Problem& problem) {
+  const int n = problem.A.dimension();
+  start_.reserve(2 * static_cast<std::size_t>(n));
+  double* u = start_.data();
+  if (!(result_.lower > 0) || !touches_origin(problem.Q, u)) return false;
+  oracle_A_.bind(problem.A, nullptr, kernels_for(options_.instruction_set));
+  if (oracle_A_.verify(u, -1.0, kInfinity, u + n).above() > 0) return false;
+  result_.status = DistanceStatus::unreachable;
+  result_.distance = result_.lower = result_.upper = kInfinity;
+  result_.normal = -Vector::Map(u, n);
+  return true;
+}
+
+bool MethodChain::refined_by_newton(const Problem& problem) {
+  refine(newton_, Concluded::newton, afresh(problem));
+  return is_finished();
+}
+
+// From the normal of the bounds at hand.
+bool MethodChain::refined_by_quad_newton(const Problem& problem) {
+  const int n = problem.A.dimension();
+  start_.reserve(static_cast<std::size_t>(n));
+  std::copy_n(result_.normal.data(), n, start_.data());
+  Problem from_there = problem;
+  from_there.start = start_.data();
+  refine(quad_newton_, Concluded::quad_newton, from_there);
+  return is_finished();
+}
+
+bool MethodChain::refined_by_quad_newton_afresh(const Problem& problem) {
+  refine(quad_newton_, Concluded::quad_newton, afresh(problem));
+  return is_finished();
+}
+
+// The answer is that of `method` from now on if it concluded the solve or has the closer pair of bounds.
+template <class Method>
+void MethodChain::refine(Method& method, Concluded name, const Problem& problem) {
+  const bool done = method.solve(problem, result_);
+  const bool closer = !done && method.gap() < result_.upper - result_.lower;
+  if (closer) method.report(DistanceStatus::precision_limit, problem.effects, result_);
+  account(method.counters());
+  if (done || closer) concluded_ = name;
+}
+
+// Adds what a method did. K is that of the first that did anything: the others did not scale Q again.
+void MethodChain::account(const DistanceCounters& of_method) {
+  const std::int64_t scalings =
+      counters_.outer_iterations == 0 ? of_method.outer_iterations : counters_.outer_iterations;
+  for (const CounterInfo& counter : kCounters) counters_.*counter.member += of_method.*counter.member;
+  counters_.outer_iterations = scalings;
+}
+
+// Not at the limit of a method's precision, nor of the iterations that are usually enough.
+bool MethodChain::is_finished() const {
+  return result_.status != DistanceStatus::precision_limit &&
+         (result_.status != DistanceStatus::iteration_limit || options_.max_iterations > 0);
+}
+
+bool MethodChain::contact_combination(WeightedPoints& combination) const {
+  combination.clear(static_cast<int>(result_.normal.size()));
+  switch (concluded_) {
+    case Concluded::sifting:
+    case Concluded::nearest_point:
+      break;
+    case Concluded::support_column_generation:
+      support_column_generation_.contact_combination(combination);
+      combination.scale(1 / scaling_.factor_A()[0]);
+      break;
+    case Concluded::zheng_yamane:
+      zheng_yamane_.contact_combination(combination);
+      break;
+    case Concluded::newton:
+      newton_.contact_combination(combination);
+      break;
+    case Concluded::quad_newton:
+      quad_newton_.contact_combination(combination);
+      break;
+  }
+  return combination.count() > 0;
+}
+
+bool MethodChain::nearest_points(Vector& of_A1, Vector& of_A2) const {
+  if (concluded_ != Concluded::nearest_point) return false;
+  const auto n = result_.normal.size();
+  of_A1.resize(n);
+  of_A2.resize(n);
+  nearest_point_.nearest_points(of_A2.data(), of_A1.data());
+  return true;
+}
+
+}  // namespace raygauge
