@@ -30,8 +30,8 @@ _NOT_KNOWN = float("nan")
 COLUMNS = {
     "method_name": ("", "registered name of the method"),
     "role": ("", "whose the method is: engine, baseline or oracle"),
-    "exact_distance_rounding": ("1", "relative rounding error of exact_distance; 0 where it is the distance of the very"
-                                     " doubles"),
+    "exact_distance_rounding": ("1", "relative rounding error of exact_distance; 0 where exact_distance is exact for the"
+                                     " stored coordinates"),
     "hardness_label": ("", "what hardness is, as in 1/δ; empty where the generator has no such parameter"),
     "hardness": ("1", "how hard the generator's parameters make the instance; nan where it has no such parameter"),
     "host": ("", "name of the machine that ran the cell"),
