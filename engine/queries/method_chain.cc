@@ -8,7 +8,6 @@
 
 #include "engine/methods/counters.h"
 #include "engine/numerics/floating_point.h"
-#include "engine/sets/capability_queries.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/validate.h"
@@ -36,7 +35,7 @@ const MethodChain::Turn MethodChain::kTurns[] = {
     {&MethodChain::is_newton_asked_for, &MethodChain::by_quad_newton_after_newton},
     {&MethodChain::is_zheng_yamane_asked_for, &MethodChain::by_zheng_yamane},
     {&MethodChain::always, &MethodChain::by_column_generation},
-    {&MethodChain::always, &MethodChain::by_tangent_plane},
+    {&MethodChain::is_distant, &MethodChain::by_tangent_plane},
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     {&MethodChain::is_newton_untried, &MethodChain::refined_by_newton},
     {&MethodChain::has_normal, &MethodChain::refined_by_quad_newton},
@@ -67,7 +66,9 @@ const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q,
   for (const Turn& turn : kTurns) {
     if ((this->*turn.is_due)(problem) && (this->*turn.solve)(problem)) break;
   }
-  if (concluded_ == Concluded::support_column_generation) report_contact_by_support(A.dimension(), effects);
+  if (concluded_ == Concluded::column_generation && column_generation_.report_contact(problem, result_)) {
+    ++counters_.witness_evaluations;
+  }
   result_.counters = counters_;
   result_.seconds = stopwatch_.seconds();
   // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
@@ -121,70 +122,11 @@ bool MethodChain::by_zheng_yamane(const Problem& problem) {
 }
 
 bool MethodChain::by_column_generation(const Problem& problem) {
-  const PointSet* A = as_point_set(problem.A);
-  const PointSet* Q = as_point_set(problem.Q);
-  if (A != nullptr && Q != nullptr) {
-    concluded_ = Concluded::sifting;
-    sifting_.solve(*A, *Q, options_, stopwatch_, problem.effects, result_);
-    account(result_.counters);
-  } else {
-    concluded_ = Concluded::support_column_generation;
-    generate_columns_by_support(problem);
-  }
+  answers(column_generation_, Concluded::column_generation, problem);
   return is_finished();
 }
 
-// The tolerances of the linear program suit a gauge body of magnitude 1.
-void MethodChain::bind_oracles(const Problem& problem) {
-  const Kernels& kernels = kernels_for(options_.instruction_set);
-  oracle_A_.bind(problem.A, nullptr, kernels, problem.pairs);
-  oracle_Q_.bind(problem.Q, nullptr, kernels);
-  scaling_.compute_common(problem.A, problem.Q, oracle_Q_.magnitude());
-  if (scaling_.trivial_A()) return;
-  oracle_A_.bind(problem.A, scaling_.factor_A(), kernels, problem.pairs);
-  oracle_Q_.bind(problem.Q, scaling_.factor_Q(), kernels);
-}
-
-void MethodChain::generate_columns_by_support(const Problem& problem) {
-  const int n = problem.A.dimension();
-  bind_oracles(problem);
-  SupportColumnGeneration& method = support_column_generation_;
-  method.begin(oracle_A_, oracle_Q_, n, options_, kernels_for(options_.instruction_set), problem.threshold);
-  result_.status = method.run(stopwatch_);
-  result_.lower = method.lower();
-  result_.upper = method.upper();
-  // In this order an objective that is not a number gives way to the lower bound.
-  result_.distance = std::max(result_.lower, std::min(method.objective(), result_.upper));
-  result_.normal = scaling_.factor_A()[0] * Vector::Map(method.normal(), n);
-  account(method.counters());
-}
-
-// Once it is certain whose answer it is: room that is taken and given back would be allocated at every solve.
-void MethodChain::report_contact_by_support(int n, Effects effects) {
-  if (double* contact = result_.room_for_contact(effects, n)) {
-    support_column_generation_.contact_point(contact);
-    const bool at_origin = result_.status == DistanceStatus::contains_origin;
-    const double share = at_origin ? 0.0 : 1 / scaling_.factor_A()[0];
-    for (int k = 0; k < n; ++k) contact[k] *= share;
-    ++counters_.witness_evaluations;
-  }
-}
-
-// Where Q touches the origin, its multiples reach all that is strictly on their side of the tangent plane,
-// and nothing else: A may lie in that plane, which no Farkas direction separates from them. True where A
-// does.
-bool MethodChain::by_tangent_plane(const Problem& problem) {
-  const int n = problem.A.dimension();
-  start_.reserve(2 * static_cast<std::size_t>(n));
-  double* u = start_.data();
-  if (!(result_.lower > 0) || !touches_origin(problem.Q, u)) return false;
-  oracle_A_.bind(problem.A, nullptr, kernels_for(options_.instruction_set));
-  if (oracle_A_.verify(u, -1.0, kInfinity, u + n).above() > 0) return false;
-  result_.status = DistanceStatus::unreachable;
-  result_.distance = result_.lower = result_.upper = kInfinity;
-  result_.normal = -Vector::Map(u, n);
-  return true;
-}
+bool MethodChain::by_tangent_plane(const Problem& problem) { return tangent_plane_.solve(problem, result_); }
 
 bool MethodChain::refined_by_newton(const Problem& problem) {
   refine(newton_, Concluded::newton, afresh(problem));
@@ -234,12 +176,10 @@ bool MethodChain::is_finished() const {
 bool MethodChain::contact_combination(WeightedPoints& combination) const {
   combination.clear(static_cast<int>(result_.normal.size()));
   switch (concluded_) {
-    case Concluded::sifting:
     case Concluded::nearest_point:
       break;
-    case Concluded::support_column_generation:
-      support_column_generation_.contact_combination(combination);
-      combination.scale(1 / scaling_.factor_A()[0]);
+    case Concluded::column_generation:
+      column_generation_.contact_combination(combination);
       break;
     case Concluded::zheng_yamane:
       zheng_yamane_.contact_combination(combination);

@@ -7,13 +7,12 @@
 #include <limits>
 #include <utility>
 
-#include "engine/lp/scaling.h"
 #include "engine/lp/weighted_points.h"
-#include "engine/methods/column_generation/sifting.h"
-#include "engine/methods/column_generation/support_column_generation.h"
+#include "engine/methods/column_generation/column_generation.h"
 #include "engine/methods/nearest_point/nearest_point.h"
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/problem.h"
+#include "engine/methods/tangent_plane/tangent_plane.h"
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "raygauge/queries/warm_start.h"
@@ -56,14 +55,7 @@ class MethodChain {
   bool nearest_points(Vector& of_A1, Vector& of_A2) const;
 
  private:
-  enum class Concluded : std::uint8_t {
-    sifting,
-    support_column_generation,
-    zheng_yamane,
-    nearest_point,
-    newton,
-    quad_newton
-  };
+  enum class Concluded : std::uint8_t { column_generation, zheng_yamane, nearest_point, newton, quad_newton };
 
   /// One entry of the list: a method, when it is asked, and how. `solve` is true where the solve is over.
   struct Turn {
@@ -77,6 +69,7 @@ class MethodChain {
   bool is_zheng_yamane_asked_for(const Problem&) const { return chosen_ == DistanceMethod::zheng_yamane; }
   bool is_newton_untried(const Problem&) const { return chosen_ != DistanceMethod::newton; }
   bool has_normal(const Problem& problem) const;
+  bool is_distant(const Problem&) const { return result_.lower > 0; }
   bool always(const Problem&) const { return true; }
 
   bool by_nearest_point(const Problem& problem);
@@ -97,23 +90,17 @@ class MethodChain {
   void refine(Method& method, Concluded name, const Problem& problem);
   void account(const DistanceCounters& of_method);
   bool is_finished() const;
-  void bind_oracles(const Problem& problem);
-  void generate_columns_by_support(const Problem& problem);
-  void report_contact_by_support(int n, Effects effects);
 
   DistanceOptions options_;
   std::function<bool()> stop_;
   DistanceResult result_;
-  Sifting sifting_;
-  SupportColumnGeneration support_column_generation_;
-  SupportOracle oracle_A_;
-  SupportOracle oracle_Q_;
-  Scaling scaling_;  // of the oracles
+  ColumnGeneration column_generation_;
+  TangentPlane tangent_plane_;
   ZhengYamane zheng_yamane_;
   NearestPoint nearest_point_;
   Newton<double> newton_;
   Newton<Quad> quad_newton_;
-  Concluded concluded_ = Concluded::sifting;
+  Concluded concluded_ = Concluded::column_generation;
   DistanceMethod chosen_ = DistanceMethod::column_generation;  // the method of this solve
 
   AlignedBuffer<double> start_;
