@@ -38,7 +38,7 @@ void whole_solve(benchmark::State& state, const std::string& method, int n, int 
   }
 }
 
-const bool registered = [] {
+void register_solves() {
   std::vector<std::string> methods = {"column_generation", "zheng_yamane"};
   for (const std::string& lp : lp_methods()) methods.push_back(lp);
   constexpr std::array<std::array<int, 2>, 6> kCells{
@@ -50,8 +50,16 @@ const bool registered = [] {
       benchmark::RegisterBenchmark(name.c_str(), whole_solve, method, n, N)->Unit(benchmark::kMicrosecond);
     }
   }
-  return true;
-}();
+}
 
 }  // namespace
 }  // namespace raygauge::bench
+
+// Not at static initialization: names and defaults of the methods' parameters may not be there yet.
+int main(int argc, char** argv) {
+  raygauge::bench::register_solves();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
