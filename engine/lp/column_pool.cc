@@ -25,7 +25,10 @@ constexpr std::ptrdiff_t kSampleOverDimension = 8;
 std::ptrdiff_t sample_blocks(const PointSet& S) {
   const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
   const auto sample = static_cast<std::ptrdiff_t>(balanced / 16);
-  if (S.dimension() < kManyDimensions) return std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, sample);
+  if (S.dimension() < kManyDimensions) {
+    const auto few = std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, sample);
+    return 2 * few >= S.block_count() ? S.block_count() : few;
+  }
   const std::ptrdiff_t enough = std::max(sample, kSampleOverDimension * S.dimension() / kLanes);
   return 2 * enough >= S.block_count() ? S.block_count() : enough;
 }
@@ -90,6 +93,13 @@ void ColumnPool::mark(std::int64_t index) noexcept {
   marks_[static_cast<std::size_t>(index) / 64] |= std::uint64_t{1} << (index % 64);
 }
 
+// The lanes of a last block that no point fills are marked, too; no index is theirs.
+void ColumnPool::mark_block(std::ptrdiff_t block) noexcept {
+  constexpr std::uint64_t kAllLanes = (std::uint64_t{1} << kLanes) - 1;
+  const std::ptrdiff_t first = block * kLanes;
+  marks_[static_cast<std::size_t>(first) / 64] |= kAllLanes << (first % 64);
+}
+
 bool ColumnPool::holds(std::int64_t index) const noexcept {
   if (complete_) return true;
   if (index >= marked_size_) return false;
@@ -145,10 +155,10 @@ void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdi
     const std::ptrdiff_t first = s * S.block_count() / blocks;
     const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
     // Which block of the stratum is fixed, so that a solve is reproducible.
-    const auto jump = static_cast<std::ptrdiff_t>(splitmix64(static_cast<std::uint64_t>(s)) %
-                                                  static_cast<std::uint64_t>(width));
+    const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(s)) >> 32U;
+    const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
     const std::ptrdiff_t b = first + jump;
-    for (int lane = 0; lane < kLanes; ++lane) mark(std::min(b * kLanes + lane, S.size() - 1));
+    mark_block(b);
     for (int k = 0; k < n_; ++k) {
       const double* from = S.data() + (b * n_ + k) * kLanes;
       double* to = copy + (s * n_ + k) * kLanes;

@@ -56,6 +56,7 @@ class ColumnPool {
   void grow_to(std::ptrdiff_t size);
   void forget_marks(std::ptrdiff_t size);
   void mark(std::int64_t index) noexcept;
+  void mark_block(std::ptrdiff_t block) noexcept;
   void place_single(std::ptrdiff_t position, const double* slot);
   void place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride, const double* factor);
 

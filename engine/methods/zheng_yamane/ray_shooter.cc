@@ -14,6 +14,11 @@ namespace {
 constexpr double kZero = 1e-13;      // weight of artificial columns that is rounding noise
 constexpr double kFeasible = 1e-11;  // how negative a weight may be after the vertices were moved
 constexpr int kRayCostRaises = 14;
+// How far the first normals may be from -a_c, in parts of its largest entry: what takes the fewest iterations
+// on the grid of the paper, and at n = 20 to 100.
+constexpr int kFewDimensions = 16;
+constexpr double kMarginOfFew = 0.14;
+constexpr double kMarginOfMany = 0.5;
 constexpr int kRayRepairs = 2;
 constexpr int kIterationsBetweenLooks = 64;  // at the clock
 constexpr int kShortlistQueries = 8;         // after a pass
@@ -112,6 +117,7 @@ void RayShooter::start_cold(double eta) {
   std::fill_n(column_.data(), padded_rows(n_), 0.0);
   double* u = view.y;
   double largest = 0;
+  const double margin = n_ < kFewDimensions ? kMarginOfFew : kMarginOfMany;
   for (int k = 0; k < n_; ++k) u[k] = -center_[static_cast<std::size_t>(k)];
   const double h_S = query(u, eta);
   const double length = h_S > 0 ? 1.0 / h_S : 1.0;
@@ -127,7 +133,7 @@ void RayShooter::start_cold(double eta) {
     view.B[diagonal] = sign;
     view.R[diagonal] = sign;
     view.x()[k] = std::fabs(b);
-    view.cost[k] = std::max(sign * u[k], 0.0) + 0.25 * largest;
+    view.cost[k] = std::max(sign * u[k], 0.0) + margin * largest;
     view.y[k] = sign * view.cost[k];
     view.id[k] = -1 - k;
     view.objective += view.cost[k] * view.x()[k];

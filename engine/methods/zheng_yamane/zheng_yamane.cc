@@ -18,6 +18,9 @@ constexpr int kPatience = 3;  // outer iterations that do not raise the bound: r
 constexpr int kOvertakenDimension = 16;
 constexpr double kOvertaking = 2;
 constexpr int kMostOvertaken = 16;
+// The first ray, at an η far from the distance, is shot this loosely: its end would be left at the next η
+// anyway.
+constexpr double kFirstRayTolerance = 0.03;
 constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
 
 // Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for
@@ -31,8 +34,9 @@ bool ZhengYamane::solve(const Problem& problem, DistanceResult& result) {
   const std::int64_t limit =
       options_.max_iterations > 0 ? options_.max_iterations : default_iteration_limit(n_);
   for (;;) {
-    const RayShooter::End end =
-        shooter_.shoot(eta_, inner_tolerance_, overtaking_bound(), limit, *stopwatch_);
+    is_loose_ = outer_iterations_ == 0 && options_.stop_rule == StopRule::certified_gap;
+    const double tolerance = is_loose_ ? std::max(kFirstRayTolerance, inner_tolerance_) : inner_tolerance_;
+    const RayShooter::End end = shooter_.shoot(eta_, tolerance, overtaking_bound(), limit, *stopwatch_);
     ++outer_iterations_;
     const Step step = conclude(end);
     if (step == Step::give_up) return false;
@@ -104,7 +108,8 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
     return Step::done;
   }
   if (!(eta_next_ > 0)) return Step::give_up;  // h_A(n_k) >= 0: the origin may lie in A
-  if (std::fabs(sigma_ - 1) >= options_.tolerance) return idle_ > kPatience ? Step::give_up : Step::go_on;
+  if (is_loose_ || std::fabs(sigma_ - 1) >= options_.tolerance)
+    return idle_ > kPatience ? Step::give_up : Step::go_on;
 
   bound_from_above();
   const bool closed = is_closed(lower_, upper_, options_.tolerance);
