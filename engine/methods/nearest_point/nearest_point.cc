@@ -38,12 +38,11 @@ NearestPoint::Difference NearestPoint::difference(const ConvexSet& A) {
   return {&A, nullptr};
 }
 
-bool NearestPoint::suits(const ConvexSet& A, const ConvexSet& Q) { return suits(difference(A), Q); }
-
-bool NearestPoint::suits(const Difference& sets, const ConvexSet& Q) {
+// The structure first: it is asked of every problem, and types are dear to ask.
+bool NearestPoint::suits(const ConvexSet& A, const ConvexSet& Q) {
+  if (!is_polytope(A)) return false;  // a difference is one if both operands are
   const auto* ball = dynamic_cast<const Ball*>(&Q);
   if (ball == nullptr || !(ball->radius() > 0)) return false;
-  if (!is_polytope(*sets.S) || (sets.T != nullptr && !is_polytope(*sets.T))) return false;
   Scratch center(Q.dimension());
   ball->center_unchecked(center.data());
   return largest_magnitude(center.data(), Q.dimension()) == 0;
@@ -245,9 +244,8 @@ DistanceStatus NearestPoint::iterate(const Problem& problem) {
 
 bool NearestPoint::solve(const Problem& problem, DistanceResult& result) {
   counters_ = {};
-  const Difference sets = difference(problem.A);
-  if (!suits(sets, problem.Q)) return false;
-  begin(sets, problem);
+  if (!suits(problem.A, problem.Q)) return false;
+  begin(difference(problem.A), problem);
   if (!(magnitude_ < kLargestMagnitude && magnitude_ > kSmallestMagnitude)) return false;
   if (!choose_first_points(problem.start)) return false;
   const DistanceStatus status = iterate(problem);

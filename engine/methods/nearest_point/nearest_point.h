@@ -54,7 +54,6 @@ class NearestPoint {
   };
 
   static Difference difference(const ConvexSet& A);
-  static bool suits(const Difference& sets, const ConvexSet& Q);
   void begin(const Difference& sets_of_A, const Problem& problem);
   bool choose_first_points(const double* start);
   DistanceStatus iterate(const Problem& problem);

@@ -170,28 +170,47 @@ bool QuadraticProgram<Real>::solve_system(const Real* u, const Objective& object
   return true;
 }
 
+// The systems of R^2 and R^3 have sizes known when compiled.
+template <class Real>
+bool QuadraticProgram<Real>::eliminate(int size, bool graded) {
+  switch (size) {
+    case 2:
+      return eliminate_sized(std::integral_constant<int, 2>{}, graded);
+    case 3:
+      return eliminate_sized(std::integral_constant<int, 3>{}, graded);
+    case 4:
+      return eliminate_sized(std::integral_constant<int, 4>{}, graded);
+    case 5:
+      return eliminate_sized(std::integral_constant<int, 5>{}, graded);
+    default:
+      return eliminate_sized(size, graded);
+  }
+}
+
 // Gaussian elimination; the solution is left in step_. Without multipliers the matrix is positive definite
 // and needs no exchange of rows; nor do its pivots change, relative to its diagonal, with the scale of a row
 // and its column.
 template <class Real>
-bool QuadraticProgram<Real>::eliminate(int size, bool graded) {
+template <class Size>
+bool QuadraticProgram<Real>::eliminate_sized(Size size, bool graded) {
   const bool definite = size == n_;
+  const int columns = size + 1;
   Real* K = system_.data();
   Real* x = step_.data();
   Real largest = 0;
   for (int i = 0; i < size; ++i) {
     const int end = definite ? i + 1 : size;
     for (int k = definite ? i : 0; k < end; ++k)
-      largest = std::max(largest, elementary::fabs(K[i * columns_ + k]));
+      largest = std::max(largest, elementary::fabs(K[i * columns + k]));
   }
-  for (int i = 0; i < size; ++i) x[i] = graded ? K[i * columns_ + i] : largest;
+  for (int i = 0; i < size; ++i) x[i] = graded ? K[i * columns + i] : largest;
   for (int p = 0; p < size; ++p) {
     if (!definite) exchange_rows(p, size);
-    Real* row = K + std::ptrdiff_t{p} * columns_;
+    Real* row = K + p * columns;
     if (!(elementary::fabs(row[p]) > Real{1e-3} * kNoPivot<Real> * x[p])) return false;
     const Real inverse = 1 / row[p];
     for (int i = p + 1; i < size; ++i) {
-      Real* other = K + std::ptrdiff_t{i} * columns_;
+      Real* other = K + i * columns;
       const Real factor = other[p] * inverse;
       for (int k = p + 1; k <= size; ++k) other[k] -= factor * row[k];
     }
@@ -199,7 +218,7 @@ bool QuadraticProgram<Real>::eliminate(int size, bool graded) {
   }
   bool finite = true;
   for (int p = size - 1; p >= 0; --p) {
-    const Real* row = K + std::ptrdiff_t{p} * columns_;
+    const Real* row = K + p * columns;
     Real sum = row[size];
     for (int k = p + 1; k < size; ++k) sum -= row[k] * x[k];
     x[p] = sum * row[p];

@@ -43,6 +43,8 @@ class QuadraticProgram {
   void add_curvature(const PieceList<Real>& list, Real weight);
   void add_differences(const PieceList<Real>& list, int sign, int row, Real along);
   bool eliminate(int size, bool graded);
+  template <class Size>
+  bool eliminate_sized(Size size, bool graded);
   void exchange_rows(int p, int size);
   void read_weights(PieceList<Real>& list, Real scale, int row) const;
   bool drop_negative(PieceList<Real>& list) const;

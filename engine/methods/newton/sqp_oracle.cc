@@ -8,7 +8,6 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
-#include "engine/sets/capability_queries.h"
 #include "engine/sets/object_pair.h"
 
 namespace raygauge {
@@ -24,6 +23,8 @@ bool SqpOracle<Real>::bind(const ConvexSet& S, double sign, const Kernels& kerne
   const SupportStructure structure = S.structure();
   if (structure == SupportStructure::unknown) return false;
   set_ = &S;
+  smooth_ = S.smooth();
+  flat_faces_ = S.flat_faces();
   pairs_ = pairs;
   sign_ = sign;
   n_ = S.dimension();
@@ -89,8 +90,8 @@ void SqpOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
   }
   if (pairs_ != nullptr) {
     pairs_->pieces(direction_.data(), pieces);
-  } else {
-    support_pieces(*set_, direction_.data(), pieces);
+  } else if (smooth_ != nullptr) {
+    smooth_->pieces(direction_.data(), pieces);
   }
   list.count = pieces.count;
   std::copy_n(pieces.value.data(), pieces.count, list.value.data());
@@ -139,7 +140,7 @@ void SqpOracle<Real>::replace_by_facet_point(const Real* u, const Real* target, 
   if (pairs_ != nullptr) {
     pairs_->facet_point(direction_.data(), target, list.points.data());
   } else {
-    set_->flat_faces()->point(direction_.data(), target, list.points.data());
+    flat_faces_->point(direction_.data(), target, list.points.data());
   }
   std::fill_n(list.hessians.data(), static_cast<std::ptrdiff_t>(n_) * n_, Real{0});
   list.count = 1;
@@ -154,7 +155,7 @@ bool SqpOracle<Real>::facet_normal(const Real* u, const Real* v, Real* normal) {
     direction_[static_cast<std::size_t>(k)] = sign_ * u[k];
     other_[static_cast<std::size_t>(k)] = sign_ * v[k];
   }
-  if (!raygauge::facet_normal(*set_, direction_.data(), other_.data(), normal)) return false;
+  if (flat_faces_ == nullptr || !flat_faces_->normal(direction_.data(), other_.data(), normal)) return false;
   for (int k = 0; k < n_; ++k) normal[k] *= sign_;
   return true;
 }

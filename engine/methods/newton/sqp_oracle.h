@@ -59,6 +59,8 @@ class SqpOracle {
   void make_room(PieceList<Real>& list, int count);
 
   const ConvexSet* set_ = nullptr;
+  const SmoothSupport* smooth_ = nullptr;  // capabilities of *set_
+  const FlatFaces* flat_faces_ = nullptr;
   SupportPairs* pairs_ = nullptr;
   double sign_ = 1;
   int n_ = 0;
