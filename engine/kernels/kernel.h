@@ -196,6 +196,11 @@ struct Kernels {
   /// Solves R x = x for an upper triangular R of `count` rows, kept by rows of ld entries, zeros left of the
   /// diagonal.
   void (*back_substitute)(const double* R, std::ptrdiff_t ld, int count, double* x);
+
+  /// M becomes its inverse: m columns of ld = padded_rows(m) entries, padding zero. Gauss-Jordan elimination
+  /// with exchanges of rows, noted in `exchanged` (m entries). False at a pivot that is not above `smallest`;
+  /// M is lost then.
+  bool (*invert)(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

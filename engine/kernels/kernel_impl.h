@@ -9,6 +9,7 @@
 
 #include "engine/kernels/certificate_kernels.h"
 #include "engine/kernels/gram_kernels.h"
+#include "engine/kernels/inverse_kernels.h"
 #include "engine/kernels/orthogonal_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
 #include "engine/kernels/twofold_kernels.h"
@@ -16,9 +17,9 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,         price_single, best_of_lanes, collect,        pivot,
-                          simplex_loop,  norms,        refine,        refine_twofold, residual_twofold,
-                          duals_twofold, duals,        add_gram,      cholesky,       add_weighted,
-                          products,      project_out,  rotate,        back_substitute};
+const Kernels kKernels = {price,         price_single, best_of_lanes, collect,         pivot,
+                          simplex_loop,  norms,        refine,        refine_twofold,  residual_twofold,
+                          duals_twofold, duals,        add_gram,      cholesky,        add_weighted,
+                          products,      project_out,  rotate,        back_substitute, invert};
 
 }  // namespace raygauge::RAYGAUGE_ISA

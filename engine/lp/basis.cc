@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/lp/basis.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -15,41 +14,6 @@ namespace {
 
 // A pivot of the equilibrated column below this makes the matrix numerically singular.
 constexpr double kSingular = 1e-14;
-
-// factor = [B | I] is reduced to [I | B⁻¹], row by row with row exchanges; every row is 2m long.
-bool gauss_jordan(double* factor, int m) {
-  const std::ptrdiff_t width = 2 * static_cast<std::ptrdiff_t>(m);
-  for (int k = 0; k < m; ++k) {
-    int pivot_row = k;
-    double largest = std::fabs(factor[k * width + k]);
-    for (int i = k + 1; i < m; ++i) {
-      const double candidate = std::fabs(factor[i * width + k]);
-      if (candidate > largest) {
-        largest = candidate;
-        pivot_row = i;
-      }
-    }
-    if (!(largest > kSingular)) return false;
-    if (pivot_row != k)
-      std::swap_ranges(factor + k * width, factor + (k + 1) * width, factor + pivot_row * width);
-    double* row = factor + k * width;
-    const double inverse = 1.0 / row[k];
-    for (std::ptrdiff_t j = 0; j < width; ++j) row[j] *= inverse;
-    for (int i = 0; i < m; ++i) {
-      if (i == k) continue;
-      double* other = factor + i * width;
-      const double multiple = other[k];
-      if (multiple == 0.0) continue;
-      for (std::ptrdiff_t j = 0; j < width; ++j) other[j] -= multiple * row[j];
-    }
-  }
-  return true;
-}
-
-// Rows from which on a blocked LU factorisation is faster than Gauss-Jordan.
-constexpr int kBlocked = 48;
-
-using Matrix = Eigen::Map<Eigen::MatrixXd>;
 
 }  // namespace
 
@@ -92,7 +56,7 @@ void Basis::set_column(int i, const double* column, double cost, std::int64_t id
 bool Basis::refactor() {
   share_pivots_ = -1;
   view_.pending = 0;
-  if (view_.m >= kBlocked ? !invert_in_blocks() : !invert_by_rows()) return false;
+  if (!invert()) return false;
   const int m = view_.m;
   double* x = view_.x();
   std::fill_n(x, view_.P, 0.0);
@@ -106,37 +70,14 @@ bool Basis::refactor() {
   return true;
 }
 
-bool Basis::invert_in_blocks() {
-  const int m = view_.m;
-  factor_.reserve(static_cast<std::size_t>(m) * static_cast<std::size_t>(m));
-  Matrix factor(factor_.data(), m, m);
-  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> B(view_.B, m, m,
-                                                                     Eigen::OuterStride<>(view_.P));
-  factor = B;
-  const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu(factor);
-  if (!(factor.diagonal().cwiseAbs().minCoeff() > kSingular)) return false;
-  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> R(view_.R, m, m, Eigen::OuterStride<>(view_.P));
-  R = lu.inverse();
-  return true;
-}
-
-bool Basis::invert_by_rows() {
-  const int m = view_.m;
-  const std::ptrdiff_t width = 2 * static_cast<std::ptrdiff_t>(m);
-  factor_.reserve(static_cast<std::size_t>(m * width));
-  for (int i = 0; i < m; ++i) {
-    for (int j = 0; j < m; ++j) {
-      factor_[static_cast<std::size_t>(i * width + j)] = column(j)[i];
-      factor_[static_cast<std::size_t>(i * width + m + j)] = i == j ? 1.0 : 0.0;
-    }
-  }
-  if (!gauss_jordan(factor_.data(), m)) return false;
-  for (int i = 0; i < m; ++i) {
-    for (int k = 0; k < m; ++k) {
-      view_.R[static_cast<std::ptrdiff_t>(k) * view_.P + i] =
-          factor_[static_cast<std::size_t>(i * width + m + k)];
-    }
-  }
+// R stays as it was where B is singular.
+bool Basis::invert() {
+  const std::size_t size = static_cast<std::size_t>(view_.m) * static_cast<std::size_t>(view_.P);
+  factor_.reserve(size);
+  exchanged_.reserve(static_cast<std::size_t>(view_.m));
+  std::copy_n(view_.B, size, factor_.data());
+  if (!kernels_->invert(factor_.data(), view_.P, view_.m, kSingular, exchanged_.data())) return false;
+  std::copy_n(factor_.data(), size, view_.R);
   return true;
 }
 

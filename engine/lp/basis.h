@@ -52,8 +52,7 @@ class Basis {
   const double* column(int i) const noexcept { return view_.B + static_cast<std::ptrdiff_t>(i) * view_.P; }
 
  private:
-  bool invert_by_rows();
-  bool invert_in_blocks();
+  bool invert();
 
   BasisView view_;
   const Kernels* kernels_ = nullptr;
@@ -61,6 +60,7 @@ class Basis {
   AlignedBuffer<std::int64_t> ids_;
   AlignedBuffer<double> b_;
   AlignedBuffer<double> factor_;
+  AlignedBuffer<int> exchanged_;
   double share_ = 0;                // residual_share(),
   std::int64_t share_pivots_ = -1;  // after so many basis changes; -1: of no inverse
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/lp/shared_pass.h"
 #include "engine/numerics/floating_point.h"
@@ -174,11 +175,10 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     if (solved && complete && certify_as_priced(effects, result)) return;
     if (solved) program_.refresh_duals();
     const double estimate = program_.objective();
-    price_everything();
-    const double lower = lower_bound(h_A_, h_Q_);
-    if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    double lower = 0;
+    if (price_or_separate(end, restricted, lower)) continue;
     const bool violated = violators_A_.any || violators_Q_.any;
-    if (end == PrimalSimplex::End::unreachable && !violated && !restricted && program_.separate()) continue;
+    if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
     // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
     const bool open = estimate - lower > tolerance_ * estimate;
     if (violated && !is_final(end) && !restricted && open) {
@@ -201,6 +201,18 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     if (!prepare_next(end, points_are_missing))
       return finish_short_of_tolerance(end, lower, upper, effects, result);
   }
+}
+
+// The lower bound of the normal at hand. The normal of a program without a solution is tight at a vertex of
+// Q: h_Q is zero, but for rounding. True where the program can look for one that separates by a margin
+// instead.
+bool Sifting::price_or_separate(PrimalSimplex::End end, bool restricted, double& lower) {
+  const bool roughly = end == PrimalSimplex::End::unreachable && !restricted;
+  lower = price_everything(roughly);
+  if (!roughly || lower == kInfinity || violators_A_.any || violators_Q_.any) return false;
+  if (program_.separate()) return true;
+  lower = price_everything(false);
+  return false;
 }
 
 // What the program's next solve has and the last one had not: points, wider bounds on the normal, a fresh
@@ -372,7 +384,8 @@ ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects
 
 // h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
 // out.
-void Sifting::price_everything() {
+// The lower bound of the program's normal; `roughly`: with no more than the plain bound on rounding errors.
+double Sifting::price_everything(bool roughly) {
   const double* y = program_.normal();
   double* u = direction_.data();
   double* v = u + n_;
@@ -389,15 +402,16 @@ void Sifting::price_everything() {
     violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
                            ColumnPool::growth(*Q_), 0, kInfinity};
   }
-  h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), violators_A_);
-  h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), violators_Q_);
+  const double resolution = roughly ? std::numeric_limits<double>::max() : resolution_for(tolerance_);
+  h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), resolution, violators_A_);
+  h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), resolution, violators_Q_);
+  return lower_bound(h_A_, h_Q_);
 }
 
 SupportValue Sifting::price_set(const PointSet& S, const ColumnPool& working, const double* direction,
-                                double threshold, Violators& violators) {
+                                double threshold, double resolution, Violators& violators) {
   ++counters_.support_queries;
   counters_.points_priced += S.size();
-  const double resolution = resolution_for(tolerance_);
   if (working.is_complete()) return support_value(*kernels_, S, direction, nullptr, resolution);
   violators.points.threshold = threshold - violators.reach;
   const double value = shared_pass(*kernels_, S, direction, violators.points, threads_, team_);

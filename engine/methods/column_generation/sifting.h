@@ -56,7 +56,8 @@ class Sifting {
   double refine_lower(std::int64_t* best_A, std::int64_t* best_Q);
   bool enter_refined(std::int64_t best_A, std::int64_t best_Q);
   bool bounds_mislead() const noexcept;
-  void price_everything();
+  double price_everything(bool roughly);
+  bool price_or_separate(PrimalSimplex::End end, bool restricted, double& lower);
   double upper_despite_residual();
   struct Violators {
     Collection points;  // new ones above the threshold, and those as near below it as `reach`
@@ -64,7 +65,7 @@ class Sifting {
     double reach = 0;
   };
   SupportValue price_set(const PointSet& S, const ColumnPool& working, const double* direction,
-                         double threshold, Violators& violators);
+                         double threshold, double resolution, Violators& violators);
   static bool drop_known(const ColumnPool& working, std::ptrdiff_t size, double threshold, Collection& found);
   void add_violators();
   void finish_short_of_tolerance(PrimalSimplex::End end, double lower, double upper, Effects effects,

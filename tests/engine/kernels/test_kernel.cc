@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/certificates/certificate.h"
+#include "engine/numerics/aligned_buffer.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/instruction_sets.h"
@@ -162,6 +163,43 @@ TEST(Kernels, RefuseAnInstructionSetThatTheMachineLacks) {
     } else {
       EXPECT_THROW(kernels_for(isa), InvalidParameterError) << to_string(isa);
     }
+  }
+}
+
+TEST_P(EveryInstructionSet, InvertsWithExchangesOfRows) {
+  Random random(12);
+  for (const int m : {1, 2, 3, 7, 8, 9, 16, 17, 31, 50, 64, 101, 203}) {
+    Eigen::MatrixXd B = gaussian_points(m, m, random);
+    for (int k = 0; k < m; k += 3) B(k, k) = 0;
+    if (m == 1) B(0, 0) = 3;
+    const std::ptrdiff_t ld = padded_rows(m);
+    AlignedBuffer<double> memory;
+    memory.reserve(static_cast<std::size_t>(ld * m));
+    Eigen::Map<Eigen::MatrixXd> M(memory.data(), ld, m);
+    M.setZero();
+    M.topRows(m) = B;
+    std::vector<int> exchanged(static_cast<std::size_t>(m));
+    ASSERT_TRUE(kernels().invert(memory.data(), ld, m, 1e-14, exchanged.data())) << m;
+    const Eigen::MatrixXd inverse = M.topRows(m);
+    const double growth = B.cwiseAbs().sum() * inverse.cwiseAbs().maxCoeff();
+    EXPECT_LT((inverse * B - Eigen::MatrixXd::Identity(m, m)).cwiseAbs().maxCoeff(), 1e-15 * m * growth) << m;
+    EXPECT_EQ(M.bottomRows(ld - m).cwiseAbs().sum(), 0) << m;
+  }
+}
+
+TEST_P(EveryInstructionSet, InvertsNoSingularMatrix) {
+  Random random(13);
+  for (const int m : {1, 2, 9, 40}) {
+    Eigen::MatrixXd B = gaussian_points(m, m, random);
+    B.col(m - 1) = m > 1 ? Vector(B.col(0)) : Vector(Vector::Zero(m));
+    const std::ptrdiff_t ld = padded_rows(m);
+    AlignedBuffer<double> memory;
+    memory.reserve(static_cast<std::size_t>(ld * m));
+    Eigen::Map<Eigen::MatrixXd> M(memory.data(), ld, m);
+    M.setZero();
+    M.topRows(m) = B;
+    std::vector<int> exchanged(static_cast<std::size_t>(m));
+    EXPECT_FALSE(kernels().invert(memory.data(), ld, m, 1e-13, exchanged.data())) << m;
   }
 }
 
