@@ -23,14 +23,11 @@ constexpr int kMoments = 24;       // of the grid
 constexpr int kNarrowings = 28;    // of a golden section: to 1e-6 of the grid's step; of a bisection: to 4e-9
 constexpr double kOverlap = 1e-9;  // bodies overlap clearly where they do so when shrunk by this share
 
-constexpr double kAccurate = 1e-6;
-constexpr double kRough = 1e-3;  // near a contact every digit more takes quadruple precision
-
 // A limit on the iterations is what only the general methods have: it sends a query their way.
-DistanceOptions options_of(bool general, double tolerance = kAccurate) {
+DistanceOptions options_of(bool general) {
   DistanceOptions options;
   options.method = DistanceMethod::newton;
-  options.tolerance = tolerance;
+  options.tolerance = 1e-6;
   options.time_limit = 1;
   if (general) options.max_iterations = 100000;
   return options;
@@ -116,49 +113,44 @@ RandomMotions::RandomMotions(std::uint64_t seed)
     : seed_(seed),
       distance_(options_of(false)),
       general_distance_(options_of(true)),
-      rough_distance_(options_of(false, kRough)),
-      rough_general_distance_(options_of(true, kRough)),
       growth_(options_of(true)) {}
 
 DistanceResult RandomMotions::distance(const Pair& pair, double t) {
-  return distance_by(pair.general ? general_distance_ : distance_, pair, t);
-}
-
-DistanceResult RandomMotions::distance_by(ObjectDistanceSolver& solver, const Pair& pair, double t) {
   ++tally_.tests;
+  ObjectDistanceSolver& solver = pair.general ? general_distance_ : distance_;
   return solver.solve({*pair.A.set, pose_at(pair.a, t)}, {*pair.B.set, pose_at(pair.b, t)}, pair.euclidean)
       .distance;
 }
 
 bool RandomMotions::overlap(const Pair& pair, double t) {
-  if (distance_by(pair.general ? rough_general_distance_ : rough_distance_, pair, t).lower > 0) return false;
+  if (distance(pair, t).lower > 0) return false;
   return growth_.solve_about_centers({*pair.A.set, pose_at(pair.a, t)}, {*pair.B.set, pose_at(pair.b, t)})
              .upper < 1 - kOverlap;
 }
 
 /// Near the least distance of the grid over [from, to], by a golden section beside it.
-double RandomMotions::nearest_moment(ObjectDistanceSolver& solver, const Pair& pair, double from, double to) {
+double RandomMotions::nearest_moment(const Pair& pair, double from, double to) {
   const double step = (to - from) / kMoments;
   double best = from, least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kMoments; ++k) {
-    const double found = distance_by(solver, pair, from + k * step).upper;
+    const double found = distance(pair, from + k * step).upper;
     if (found < least) std::tie(best, least) = std::pair(from + k * step, found);
   }
   double low = std::max(from, best - step), high = std::min(to, best + step);
   const double share = (std::sqrt(5.0) - 1) / 2;
   double inner = high - share * (high - low), outer = low + share * (high - low);
-  double at_inner = distance_by(solver, pair, inner).upper, at_outer = distance_by(solver, pair, outer).upper;
+  double at_inner = distance(pair, inner).upper, at_outer = distance(pair, outer).upper;
   for (int k = 0; k < kNarrowings && std::min(at_inner, at_outer) > 0; ++k) {
     if (at_inner < at_outer) {
       high = std::exchange(outer, inner);
       at_outer = at_inner;
       inner = high - share * (high - low);
-      at_inner = distance_by(solver, pair, inner).upper;
+      at_inner = distance(pair, inner).upper;
     } else {
       low = std::exchange(inner, outer);
       at_inner = at_outer;
       outer = low + share * (high - low);
-      at_outer = distance_by(solver, pair, outer).upper;
+      at_outer = distance(pair, outer).upper;
     }
   }
   if (at_inner < least) std::tie(best, least) = std::pair(inner, at_inner);
@@ -189,7 +181,7 @@ double RandomMotions::first_overlap(const Pair& pair, double last) {
 
 /// Shifts B so that the least distance becomes about `gap`; false where it cannot be told which way.
 bool RandomMotions::graze(Pair& pair, double gap) {
-  const double t = nearest_moment(pair.general ? general_distance_ : distance_, pair, 0, 1);
+  const double t = nearest_moment(pair, 0, 1);
   const DistanceResult nearest = distance(pair, t);
   if (!(nearest.lower > 0) || nearest.normal.size() == 0) return false;
   const SmallVector u = nearest.normal.normalized();
@@ -227,8 +219,7 @@ std::optional<std::string> RandomMotions::check(std::int64_t number) {
   if (impact.outcome == Outcome::contact && distance(pair, impact.upper).lower > over.contact * (1 + 1e-6))
     wrong = "no contact at " + number_text(impact.upper);
   const double last = impact.outcome == Outcome::free ? 1 : impact.lower;
-  ObjectDistanceSolver& rough = pair.general ? rough_general_distance_ : rough_distance_;
-  const double nearest = last > 0 ? nearest_moment(rough, pair, 0, last) : 0;
+  const double nearest = last > 0 ? nearest_moment(pair, 0, last) : 0;
   if (last > 0 && overlap(pair, nearest)) {
     const double first = first_overlap(pair, nearest);
     if (first < last) wrong = "overlap at " + number_text(first) + ", before " + number_text(last);

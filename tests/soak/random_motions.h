@@ -39,15 +39,13 @@ class RandomMotions {
   struct Pair;
 
   DistanceResult distance(const Pair& pair, double t);
-  DistanceResult distance_by(ObjectDistanceSolver& solver, const Pair& pair, double t);
   bool overlap(const Pair& pair, double t);
-  double nearest_moment(ObjectDistanceSolver& solver, const Pair& pair, double from, double to);
+  double nearest_moment(const Pair& pair, double from, double to);
   double first_overlap(const Pair& pair, double last);
   bool graze(Pair& pair, double gap);
 
   std::uint64_t seed_;
   ObjectDistanceSolver distance_, general_distance_;
-  ObjectDistanceSolver rough_distance_, rough_general_distance_;  // for where to look, not for what is found
   GrowthDistanceSolver growth_;
   MotionTally tally_;
 };
