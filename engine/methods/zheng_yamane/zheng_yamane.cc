@@ -34,8 +34,9 @@ bool ZhengYamane::solve(const Problem& problem, DistanceResult& result) {
   const std::int64_t limit =
       options_.max_iterations > 0 ? options_.max_iterations : default_iteration_limit(n_);
   for (;;) {
-    is_loose_ = outer_iterations_ == 0 && options_.stop_rule == StopRule::certified_gap;
-    const double tolerance = is_loose_ ? std::max(kFirstRayTolerance, inner_tolerance_) : inner_tolerance_;
+    is_loose_ = outer_iterations_ == 0 && options_.stop_rule == StopRule::certified_gap &&
+                inner_tolerance_ < kFirstRayTolerance;
+    const double tolerance = is_loose_ ? kFirstRayTolerance : inner_tolerance_;
     const RayShooter::End end = shooter_.shoot(eta_, tolerance, overtaking_bound(), limit, *stopwatch_);
     ++outer_iterations_;
     const Step step = conclude(end);

@@ -18,22 +18,31 @@ std::vector<double> point_at(const ColumnPool& pool, std::ptrdiff_t i, int n) {
   return point;
 }
 
-TEST(ColumnPool, TakesAllOfASmallSet) {
-  Random random(1);
-  const PointSet S(gaussian_points(3, 20, random));
-  const Vector ones = Vector::Ones(3);
+PointSet random_set(int n, int N, unsigned seed) {
+  Random random(seed);
+  return PointSet(gaussian_points(n, N, random));
+}
+
+// Of S as it is.
+ColumnPool chosen(const PointSet& S) {
+  const Vector ones = Vector::Ones(S.dimension());
   ColumnPool pool;
   pool.choose(S, ones.data(), true, false);
+  return pool;
+}
+
+TEST(ColumnPool, TakesAllOfASmallSet) {
+  const PointSet S = random_set(3, 20, 1);
+  const ColumnPool pool = chosen(S);
   EXPECT_TRUE(pool.is_complete());
   EXPECT_EQ(pool.size(), 20);
   for (std::int64_t i = 0; i < 20; ++i) EXPECT_TRUE(pool.holds(i));
 }
 
 TEST(ColumnPool, TakesASampleOfALargeSetAlwaysTheSame) {
-  Random random(2);
   const int n = 3;
   for (const int N : {1001, 1008, 5000}) {  // with a last block that is full, and with one that is not
-    const PointSet S(gaussian_points(n, N, random));
+    const PointSet S = random_set(n, N, 2);
     const Vector factor = Vector::Constant(n, 0.25);
     ColumnPool pool, again;
     pool.choose(S, factor.data(), false, false);
@@ -58,11 +67,9 @@ TEST(ColumnPool, TakesASampleOfALargeSetAlwaysTheSame) {
 }
 
 TEST(ColumnPool, AddsAPointOnce) {
-  Random random(3);
-  const PointSet S(gaussian_points(4, 3000, random));
+  const PointSet S = random_set(4, 3000, 3);
+  ColumnPool pool = chosen(S);
   const Vector ones = Vector::Ones(4);
-  ColumnPool pool;
-  pool.choose(S, ones.data(), true, false);
   std::int64_t absent = 0;
   while (pool.holds(absent)) ++absent;
   const std::ptrdiff_t size = pool.size();

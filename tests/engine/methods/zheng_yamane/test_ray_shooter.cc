@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "raygauge/sets/ball.h"
@@ -35,6 +36,19 @@ struct Rays {
   RayShooter shooter;
 };
 
+// Points on two unit spheres, the first shifted along the first axis.
+struct Spheres {
+  Spheres(int n, int N, double shift, unsigned seed)
+      : A(points(n, N, shift, seed)), Q(points(n, N, 0, seed)) {}
+  static Eigen::MatrixXd points(int n, int N, double shift, unsigned seed) {
+    Random random(seed);
+    Eigen::MatrixXd points = sphere_points(n, N, random);
+    points.row(0).array() += shift;
+    return points;
+  }
+  PointSet A, Q;
+};
+
 // A and ηQ both grow by σ until they touch: (1 + η) σ = |a_c|.
 TEST(RayShooter, FindsTheGrowthOfTwoBalls) {
   for (const int n : {2, 3, 6}) {
@@ -64,12 +78,8 @@ TEST(RayShooter, HitsAFaceOfBoxes) {
 
 // The vertices are pairs of points whose hull the ray leaves through.
 TEST(RayShooter, HitsPointSetsAtTheirOwnPoints) {
-  Random random(6);
   for (const int n : {2, 4, 20}) {
-    Eigen::MatrixXd points = sphere_points(n, 30 * n, random);
-    const PointSet Q(points);
-    points.row(0).array() += 3;
-    const PointSet A(points);
+    const auto [A, Q] = Spheres(n, 30 * n, 3, 6);
     Rays rays(A, Q);
     ASSERT_EQ(rays.shoot(1), RayShooter::End::hit) << n;
     EXPECT_GT(rays.shooter.sigma(), 1);
@@ -88,22 +98,14 @@ TEST(RayShooter, HitsPointSetsAtTheirOwnPoints) {
 }
 
 TEST(RayShooter, LeavesARayWhoseNormalProvesAMuchLargerEta) {
-  Random random(7);
-  Eigen::MatrixXd points = sphere_points(30, 200, random);
-  const PointSet Q(points);
-  points.row(0).array() += 40;
-  const PointSet A(points);
+  const auto [A, Q] = Spheres(30, 200, 40, 7);
   Rays rays(A, Q);
   ASSERT_EQ(rays.shoot(1, 1e-7, 2.0), RayShooter::End::overtaken);
   EXPECT_GE(-rays.shooter.h_A().value / rays.shooter.h_Q().value, 2);
 }
 
 TEST(RayShooter, StopsAtItsLimitOfIterations) {
-  Random random(8);
-  Eigen::MatrixXd points = sphere_points(10, 400, random);
-  const PointSet Q(points);
-  points.row(0).array() += 3;
-  const PointSet A(points);
+  const auto [A, Q] = Spheres(10, 400, 3, 8);
   Rays rays(A, Q);
   EXPECT_EQ(rays.shoot(1, 1e-12, kInfinity, 5), RayShooter::End::iteration_limit);
   EXPECT_LE(rays.shooter.iterations(), 6);
