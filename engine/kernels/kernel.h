@@ -91,6 +91,7 @@ struct SimplexLoop {
 constexpr std::int64_t id_of_A(std::ptrdiff_t i) { return 2 * static_cast<std::int64_t>(i); }
 constexpr std::int64_t id_of_Q(std::ptrdiff_t j) { return 2 * static_cast<std::int64_t>(j) + 1; }
 constexpr bool is_from_Q(std::int64_t id) { return id >= 0 && id % 2 == 1; }
+constexpr bool is_artificial(std::int64_t id) { return id < 0; }
 
 /// Result of bringing one column into the basis.
 enum class PivotResult : std::uint8_t { ok, no_pivot };

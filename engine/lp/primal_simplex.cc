@@ -7,8 +7,6 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/numerics/double_double.h"
-#include "engine/numerics/exact_sum.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -18,18 +16,16 @@ namespace {
 // inverse and of the points passed over, some 10 ms.
 constexpr std::int64_t kPivotsBetweenLooks = 512;
 constexpr double kEntriesBetweenLooks = 2e7;
-constexpr double kArtificialZero = 1e-13;  // weight of artificial columns that is rounding noise
-constexpr double kFeasible = 1e-11;        // how negative a weight may be in a first basis
-constexpr int kCostRaises = 14;            // 8^14 = 2^42: beyond, the first phase decides
+constexpr double kFeasible = 1e-11;  // how negative a weight may be in a first basis
+constexpr int kCostRaises = 14;      // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
 // Margins of Farkas directions, tried in turn: far above the rounding in u·q, and far below most margins that
 // random points leave.
 constexpr double kMargins[] = {0x1p-24, 0x1p-36};
-constexpr double kDrift = 1e-9;             // of the equations, after which the inverse is computed afresh
-constexpr double kProgress = 1e-12;         // of the objective, relative, between two looks
-constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
-constexpr int kIdleLooks = 4;               // without progress: rounding leads the pivots in circles
+constexpr double kDrift = 1e-9;      // of the equations, after which the inverse is computed afresh
+constexpr double kProgress = 1e-12;  // of the objective, relative, between two looks
+constexpr int kIdleLooks = 4;        // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
 
@@ -38,8 +34,6 @@ std::int64_t pivots_between_looks(int m, std::ptrdiff_t points) {
   return std::clamp(static_cast<std::int64_t>(kEntriesBetweenLooks / entries), std::int64_t{8},
                     kPivotsBetweenLooks);
 }
-
-bool is_artificial(std::int64_t id) { return id < 0; }
 
 }  // namespace
 
@@ -353,109 +347,6 @@ double PrimalSimplex::dual_length() const noexcept {
   double sum = 0;
   for (int k = 0; k < n_; ++k) sum += std::fabs(basis_.view().y[k]);
   return sum;
-}
-
-double PrimalSimplex::proven_upper() {
-  if (stage_ != Stage::optimise) return kInfinity;
-  // As accurate as the gap asks for, most basic solutions are from the start; the others are refined.
-  double upper = loop_.gap_tolerance > 0 ? enclosed_upper(false) : kInfinity;
-  if (!(upper < kInfinity)) upper = enclosed_upper(true);
-  return upper < kInfinity ? upper : exact_upper();
-}
-
-// Σβ where every weight is proven to be positive; +infinity otherwise, or where the unrefined solution is not
-// good enough.
-double PrimalSimplex::enclosed_upper(bool refine) {
-  BasisView& view = basis_.view();
-  // The enclosure takes n³ operations, and artificial columns with weight leave nothing to prove with it.
-  if (artificial_weight() > kArtificialZero) return kInfinity;
-  const Enclosure enclosure = basis_.enclose(refine);
-  if (!enclosure.valid) return kInfinity;
-  left_out_ = 0;
-  double sum = 0;
-  double error = 0;
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || view.x()[i] < enclosure.error) return kInfinity;
-    if (!is_from_Q(view.id[i])) continue;
-    sum += view.x()[i];
-    error += enclosure.error;
-  }
-  if (!refine && error > kNegligibleError * loop_.gap_tolerance * sum) return kInfinity;
-  view.objective = sum;
-  return (sum + error) * (1 + 2 * (view.m + 2) * kUnitRoundoff);
-}
-
-// Degenerate: some basic variables are zero. If leaving them out solves the equations exactly, that is a
-// proof too.
-double PrimalSimplex::exact_upper() {
-  left_out_ = kArtificialZero;
-  const BasisView& view = basis_.view();
-  const double* x = view.x();
-  double sum = 0;
-  for (int i = 0; i < view.m; ++i) {
-    if (x[i] <= kArtificialZero) continue;
-    if (is_artificial(view.id[i])) return kInfinity;
-    if (is_from_Q(view.id[i])) sum += x[i];
-  }
-  for (int k = 0; k < view.m; ++k) {
-    ExactSum row;
-    if (k == n_) row.add(-1.0);
-    for (int i = 0; i < view.m; ++i) {
-      if (x[i] > kArtificialZero) row.add_product(x[i], basis_.column(i)[k]);
-    }
-    if (!row.is_zero()) return kInfinity;
-  }
-  return sum * (1 + 2 * (view.m + 1) * kUnitRoundoff);
-}
-
-double PrimalSimplex::upper_with_residual(double gauge_bound) const {
-  const BasisView& view = basis_.view();
-  const double* x = view.x();
-  double alpha = 0;
-  double beta = 0;
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
-    (is_from_Q(view.id[i]) ? beta : alpha) += x[i];
-  }
-  if (!(alpha > 0.5)) return kInfinity;
-  double residual = 0;
-  for (int k = 0; k < n_; ++k) {
-    DoubleDouble sum;
-    double magnitude = 0;
-    for (int i = 0; i < view.m; ++i) {
-      if (is_artificial(view.id[i]) || !(x[i] > 0)) continue;
-      const DoubleDouble term = two_product(x[i], basis_.column(i)[k]);
-      sum = sum + term;
-      magnitude += std::fabs(term.high);
-    }
-    const double lost = view.m * 0x1p-99 * magnitude + kUnderflow;
-    const double row = std::fabs(sum.rounded()) + lost;
-    if (!(row < kInfinity)) return kInfinity;  // an overflow, of which a maximum might lose sight
-    residual = std::max(residual, row);
-  }
-  const double rounding = 4 * (view.m + 4) * kUnitRoundoff;
-  return (beta + gauge_bound * residual) / alpha * (1 + rounding);
-}
-
-double PrimalSimplex::cone_radius() {
-  const Enclosure enclosure = basis_.enclose(true);
-  if (!enclosure.valid) return 0;
-  const BasisView& view = basis_.view();
-  double smallest = kInfinity;
-  double norm = 0;  // of R without its last column: r changes the first n equations only
-  int points_of_Q = 0;
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i])) return 0;
-    double row = 0;
-    for (int k = 0; k < n_; ++k) row += std::fabs(view.R[static_cast<std::ptrdiff_t>(k) * view.P + i]);
-    norm = std::max(norm, row);
-    if (!is_from_Q(view.id[i])) continue;
-    ++points_of_Q;
-    smallest = std::min(smallest, view.x()[i]);
-  }
-  if (points_of_Q != n_ || !(smallest > enclosure.error)) return 0;
-  // |B⁻¹ r|∞ <= |R r|∞ / (1 - ‖E‖) <= 2 ‖R‖ |r|∞, and that must not exceed the smallest weight.
-  return 0.49 * (smallest - enclosure.error) / norm;
 }
 
 void PrimalSimplex::origin_weights(std::vector<PointWeight>& weights) const {

@@ -92,6 +92,10 @@ class PrimalSimplex {
   /// gauge_Q(r) <= gauge_bound |r|∞ (GaugeBound),  d <= (Σβ + gauge_bound |r|∞) / Σα,  rounded up.
   double upper_with_residual(double gauge_bound) const;
 
+  /// As proven_upper(), for points of which those known are within error_A resp. error_Q of, in each
+  /// coordinate.
+  double upper_of_moved_points(double error_A, double error_Q);
+
   /// Brings a point of a pool (identity as in id_of_A, id_of_Q) into the basis, whose reduced cost the caller
   /// knows. False if rounding leaves no pivot.
   bool enter(const ColumnPool& pool, std::int64_t id, double reduced_cost);
@@ -141,8 +145,11 @@ class PrimalSimplex {
   void enter_stage(Stage stage);
   bool is_separated();
   double cost_of_Q(Stage stage) const noexcept;
+  double norm_of_inverse() const;
   double enclosed_upper(bool refine);
   double exact_upper();
+
+  static constexpr double kArtificialZero = 1e-13;  // weight of artificial columns that is rounding noise
 
   const Kernels* kernels_ = nullptr;
   int n_ = 0;

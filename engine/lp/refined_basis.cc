@@ -52,7 +52,7 @@ double RefinedBasis::upper(Basis& basis, const Kernels& kernels) {
   const double error = 1.02 * residual / (1.0 - share);
   DoubleDouble sum;
   for (int i = 0; i < view.m; ++i) {
-    if (view.id[i] < 0 || !(view.x()[i] > 2 * error)) return kInfinity;  // x_low is u x at most
+    if (is_artificial(view.id[i]) || !(view.x()[i] > 2 * error)) return kInfinity;  // x_low is u x at most
     if (is_from_Q(view.id[i])) sum = sum + DoubleDouble{view.x()[i], x_low_[static_cast<std::size_t>(i)]};
   }
   view.objective = sum.rounded();
@@ -66,7 +66,7 @@ double RefinedBasis::upper_with_residual(Basis& basis, const Kernels& kernels, d
   for (int i = 0; i < view.m; ++i) {
     double& x = view.x()[i];
     double& x_low = x_low_[static_cast<std::size_t>(i)];
-    const bool artificial = view.id[i] < 0;
+    const bool artificial = is_artificial(view.id[i]);
     if (!(x >= -kNegative) || (artificial && !(x <= kNegative))) return kInfinity;
     if (artificial || x <= 0) x = x_low = 0;
     DoubleDouble& sum = is_from_Q(view.id[i]) ? beta : alpha;

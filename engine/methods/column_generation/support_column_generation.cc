@@ -41,6 +41,7 @@ void SupportColumnGeneration::begin(SupportOracle& A, SupportOracle& Q, int n, c
   points_A_.clear(n);
   points_Q_.clear(n);
   gauge_per_residual_ = 0;
+  moved_upper_ = kInfinity;
   const auto size = static_cast<std::size_t>(n);
   point_A_.reserve(size);
   point_Q_.reserve(size);
@@ -119,14 +120,18 @@ double SupportColumnGeneration::upper_despite_residual(const Stopwatch& stopwatc
 
 // Σβ is proven for the support points as computed. Those of A and Q themselves lie within e_A and e_Q of
 // them, in any coordinate; with them the equations keep a residual |r|∞ <= e_A + Σβ e_Q, which costs G |r|∞.
-// G is known for the computed points of Q: for Q itself it is G / (1 - G e_Q).
+// G is known for the computed points of Q: for Q itself it is G / (1 - G e_Q). Where the origin is not in the
+// interior there is no G; weights well above zero stay so when the points move.
 double SupportColumnGeneration::upper_of_the_sets(double upper_of_the_points, const Stopwatch& stopwatch) {
   const double error_A = A_->coordinate_error();
   const double error_Q = Q_->coordinate_error();
   if (!(upper_of_the_points < kInfinity) || (error_A == 0 && error_Q == 0)) return upper_of_the_points;
   const double gauge = gauge_per_residual(stopwatch);
   const double left = 1 - gauge * error_Q;
-  if (!(gauge < kInfinity) || !(left > 0.5)) return kInfinity;
+  if (!(gauge < kInfinity) || !(left > 0.5)) {
+    moved_upper_ = std::min(moved_upper_, program_.upper_of_moved_points(error_A, error_Q));
+    return moved_upper_;
+  }
   constexpr double kRoundedUp = 1 + 16 * std::numeric_limits<double>::epsilon();
   return (upper_of_the_points + gauge / left * (error_A + upper_of_the_points * error_Q)) * kRoundedUp;
 }
@@ -231,10 +236,11 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
   }
 }
 
-// Of the program's last solution.
+// Of the program's last solution. What an earlier one proved says nothing of this one's residual.
 void SupportColumnGeneration::take_upper_bound(PrimalSimplex::End end, const Stopwatch& stopwatch) {
   if (end != PrimalSimplex::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
-  if (upper_ == kInfinity && end == PrimalSimplex::End::solved) {
+  const bool proven = upper_ < kInfinity && upper_ - program_.objective() <= tolerance_ * upper_;
+  if (!proven && end == PrimalSimplex::End::solved) {
     upper_ = std::min(upper_, upper_despite_residual(stopwatch));
   }
 }

@@ -82,6 +82,7 @@ class SupportColumnGeneration {
   PrimalSimplex program_;
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
+  double moved_upper_ = 0;         // proven by a basis whose weights stay positive when rounding moves points
   ColumnPool points_A_;
   ColumnPool points_Q_;
   SupportValue h_A_;

@@ -146,7 +146,7 @@ bool RayShooter::move_vertices(double eta) {
   pivots_ += spare_->view().pivots;
   spare_->reset(n_, *kernels_);
   for (int i = 0; i < n_; ++i) {
-    if (old.id[i] < 0) return false;
+    if (is_artificial(old.id[i])) return false;
     form_column(old.id[i], eta, column_.data());
     spare_->set_column(i, column_.data(), 1.0, old.id[i]);
     spare_->right_hand_side()[i] = basis_->right_hand_side()[i];
@@ -165,7 +165,7 @@ double RayShooter::artificial_weight() const {
   const BasisView& view = basis_->view();
   double weight = 0;
   for (int i = 0; i < n_; ++i) {
-    if (view.id[i] < 0) weight += std::fabs(view.x()[i]);
+    if (is_artificial(view.id[i])) weight += std::fabs(view.x()[i]);
   }
   return weight;
 }
@@ -193,7 +193,7 @@ bool RayShooter::raise_artificial_costs() {
   if (++raises_ > kRayCostRaises) return false;
   BasisView& view = basis_->view();
   for (int i = 0; i < n_; ++i) {
-    if (view.id[i] < 0) view.cost[i] = 8 * (view.cost[i] + 0.125);
+    if (is_artificial(view.id[i])) view.cost[i] = 8 * (view.cost[i] + 0.125);
   }
   basis_->refresh_duals();
   return true;
