@@ -29,6 +29,7 @@ constexpr double kTimeTolerance =
 constexpr int kRepetitions = 5;
 
 struct Settings {
+  std::string one, other;  // kinds; empty: all
   int pairs = 2000;
   double spin = 3;
   double contact =
@@ -124,12 +125,21 @@ void print(const std::string& what, const Tally& tally) {
       100.0 * tally.right / tally.pairs, ours, theirs, ours / theirs);
 }
 
+bool is_asked_for(const Settings& settings, std::size_t one, std::size_t other) {
+  const auto is = [](const std::string& name, std::size_t kind) {
+    return name.empty() || name == kNames[kind];
+  };
+  return (is(settings.one, one) && is(settings.other, other)) ||
+         (is(settings.one, other) && is(settings.other, one));
+}
+
 void run(const Settings& settings) {
   Random random(1);
   PairSolver solver(3);
   Tally all;
   for (std::size_t one = 0; one < kKinds.size(); ++one) {
     for (std::size_t other = one; other < kKinds.size(); ++other) {
+      if (!is_asked_for(settings, one, other)) continue;
       Tally tally;
       for (int i = 0; i < settings.pairs; ++i) {
         const Flight a = make_flight(one, random, -1, settings.spin);
@@ -155,6 +165,9 @@ void run(const Settings& settings) {
 }
 
 void add_options(CLI::App& app, Settings& settings) {
+  const CLI::IsMember is_kind(std::vector<std::string>(kNames.begin(), kNames.end()));
+  app.add_option("--one", settings.one, "only pairs with this kind of body")->check(is_kind);
+  app.add_option("--other", settings.other, "and this other one")->check(is_kind);
   app.add_option("--pairs", settings.pairs, "motions of each pair of kinds")->check(CLI::PositiveNumber);
   app.add_option("--spin", settings.spin, "greatest turn of a body, radians")->check(CLI::NonNegativeNumber);
   app.add_option("--contact", settings.contact, "distance that is a contact")->check(CLI::PositiveNumber);

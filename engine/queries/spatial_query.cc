@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/closed_form_distance.h"
 #include "engine/methods/spatial/contact_distance.h"
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/precise_growth.h"
@@ -91,8 +92,9 @@ void SpatialQuery::closest_points(const SpatialAnswer& answer, ObjectDistance& r
   ++result.closest_point_evaluations;
 }
 
-// Curved bodies that are near are left to Newton steps; the long way is for what these do not close.
+// Balls and capsules have formulas. Curved bodies that are near are left to Newton steps; the long way is for what these do not close.
 bool SpatialQuery::find_distance(const Posed& A1, const Posed& A2, const DistanceOptions& options) {
+  if (closed_form_distance(pair_, options.tolerance, answer_)) return true;
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
   const Kernels& kernels = kernels_for(options.instruction_set);
   for (const bool leave_near : {true, false}) {

@@ -9,6 +9,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 namespace {
@@ -52,6 +53,13 @@ double radius_by_directions(const ConvexSet& S, const SmallVector& center) {
 double rounding_of(const SmallVector& magnitude) {
   const int n = static_cast<int>(magnitude.size());
   return 4 * ConvexSet::rounding_error(n) * magnitude.sum();
+}
+
+// What a turn about the origin moves of S: S = core + radius B, and the ball B is the same from all sides.
+double reach_of_core(const ConvexSet& S, double reach) {
+  SpatialShape shape;
+  if (!S.spatial_shape_unchecked(shape) || !(shape.radius > 0)) return reach;
+  return std::min({reach, shape.extent, std::max(0.0, reach - shape.radius)}) * kOutward;
 }
 
 // Hulls of so many points are climbed: from here on a step costs less than a pass over the points.
@@ -105,9 +113,11 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
                                    std::to_string(set->dimension()) + ", the motion in R^" +
                                    std::to_string(n));
     }
-    BodyPart part{set, bounding_ball(*set), 0, SmallVector(n)};
+    BodyPart part{set, bounding_ball(*set), 0, 0, SmallVector(n)};
     part.reach = (part.ball.center.norm() + part.ball.radius) * kOutward;
+    part.core_reach = reach_of_core(*set, part.reach);
     set->magnitude_unchecked(part.magnitude.data());
+    body.core_reach = std::max(body.core_reach, part.core_reach);
     body.reach = std::max(body.reach, part.reach);
     sum += part.ball.center;
     body.parts.push_back(std::move(part));

@@ -20,6 +20,7 @@ Body part_of(const Body& body, const BodyPart& part) {
   single.motion = body.motion;
   single.ball = part.ball;
   single.reach = part.reach;
+  single.core_reach = part.core_reach;
   return single;
 }
 
@@ -81,8 +82,8 @@ double PartWatch::end_of_piece(double t, double to) const {
 
 double PartWatch::closing_speed(const SmallVector& u, double from, double to) const {
   const SmallVector minus = -u;
-  return b_.motion->bound(from, to).speed_along(u, b_.reach) +
-         a_.motion->bound(from, to).speed_along(minus, a_.reach);
+  return b_.motion->bound(from, to).speed_along(u, b_.core_reach) +
+         a_.motion->bound(from, to).speed_along(minus, a_.core_reach);
 }
 
 std::vector<std::pair<Body, Body>> part_pairs(const Body& a, const Body& b, double t) {

@@ -35,6 +35,14 @@ class PartWatch {
   /// planes.
   double apart_along(double t, const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
 
+  /// Both bodies as they are at t from now on.
+  void place(double t);
+  const Placement& placement_a() const noexcept { return solver_.placement_a(); }
+  const Placement& placement_b() const noexcept { return solver_.placement_b(); }
+
+  /// How far computed points are from those of the exact motions, at most.
+  double slack() const noexcept { return slack_; }
+
   /// The end of the piece of the motions that t is in, at most `to`.
   double end_of_piece(double t, double to) const;
 
@@ -46,15 +54,13 @@ class PartWatch {
   const Body* metric_body() const noexcept { return metric_body_; }
 
  private:
-  void place(double t);
-
   PairSolver& solver_;
   const Body& a_;
   const Body& b_;
   const Body* metric_body_;
   PairMemory memory_;
   double placed_at_;
-  double slack_ = 0;  ///< how far computed points are from those of the exact motions
+  double slack_ = 0;
 };
 
 /// The pairs of parts of two bodies as bodies of their own, those nearest at `t` first.

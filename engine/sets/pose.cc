@@ -29,6 +29,27 @@ int checked_dimension(int n) {
   return n;
 }
 
+bool exchanges_axes(const double* R, int n) {
+  return std::all_of(R, R + n * n, [](double r) { return r == 0 || std::fabs(r) == 1; });
+}
+
+// The largest entry of RᵀR - 1, which times n bounds the spectral norm; a product of columns loses n + 2
+// roundings. Not finite where R is not. N: n, or 0 where that is not known when compiled.
+template <int N>
+double largest_defect(const double* R, int given) {
+  const int n = N > 0 ? N : given;
+  double largest = 0;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      double product = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < n; ++k) product += R[i * n + k] * R[j * n + k];
+      product = std::fabs(product);
+      largest = product > largest || product != product ? product : largest;
+    }
+  }
+  return largest;
+}
+
 }  // namespace
 
 Pose::Pose(int n) : dimension_(checked_dimension(n)) {
@@ -54,8 +75,6 @@ void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorR
   const int n = dimension_;
   check_dimension("pose", "a column of R", R.rows(), n);
   check_dimension("pose", "a row of R", R.cols(), n);
-  check_finite_matrix("pose", "R", R);
-  checked_finite("pose", "t", t);
   const auto size = static_cast<std::size_t>(n);
   if (n > 3) large_.resize(size * size + size);
   for (int j = 0; j < n; ++j) {
@@ -63,11 +82,8 @@ void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorR
   }
   std::copy_n(t.data(), n, translation_data());
   measure();
-  if (defect_ > n * kOrthogonality) {
-    throw InvalidParameterError(
-        "pose: the columns of R must be orthonormal to 1e-12, but RᵀR differs from 1 by " +
-        std::to_string(defect_ / n));
-  }
+  // Also where a number is not finite: then so is the defect.
+  if (!(defect_ <= n * kOrthogonality) || !t.allFinite()) throw_what_is_wrong(R, t);
   const double determinant = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
                              : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
                                       : rotation().determinant();
@@ -76,28 +92,23 @@ void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorR
   }
 }
 
-// The largest entry times n bounds the spectral norm; a product of columns loses n + 2 roundings.
+void Pose::throw_what_is_wrong(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t) const {
+  check_finite_matrix("pose", "R", R);
+  checked_finite("pose", "t", t);
+  throw InvalidParameterError(
+      "pose: the columns of R must be orthonormal to 1e-12, but RᵀR differs from 1 by " +
+      std::to_string(defect_ / dimension_));
+}
+
 double Pose::defect_of(const double* R, int n) noexcept {
-  double largest = 0;
-  bool exact = true;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      double product = i == j ? -1.0 : 0.0;
-      for (int k = 0; k < n; ++k) product += R[i * n + k] * R[j * n + k];
-      largest = std::max(largest, std::fabs(product));
-    }
-    exact =
-        exact && std::all_of(R + i * n, R + i * n + n, [](double r) { return r == 0 || std::fabs(r) == 1; });
-  }
-  if (exact && largest == 0) return 0;
+  const double largest = n == 3 ? largest_defect<3>(R, 3) : largest_defect<0>(R, n);
+  if (largest == 0 && exchanges_axes(R, n)) return 0;
   return n * (largest + 2 * (n + 2) * std::numeric_limits<double>::epsilon());
 }
 
 void Pose::measure() {
-  const double* R = rotation_data();
-  axis_exchange_ =
-      std::all_of(R, R + dimension_ * dimension_, [](double r) { return r == 0 || std::fabs(r) == 1; });
-  defect_ = defect_of(R, dimension_);
+  axis_exchange_ = exchanges_axes(rotation_data(), dimension_);
+  defect_ = defect_of(rotation_data(), dimension_);
 }
 
 Vector Pose::apply(const ConstVectorRef& x) const {

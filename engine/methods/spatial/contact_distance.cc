@@ -13,11 +13,10 @@ namespace {
 constexpr int kMostSteps = 16;
 constexpr double kConverged = 1e-15;  // radians that the next step would go
 constexpr double kLongestStep = 0.5, kShorter = 0.3;
-constexpr double kNoise = 8;               // a rise of so many error() is rounding
-constexpr double kDamping = 1e-2;          // of the last step: superlinear, and safe far from the solution
-constexpr double kNearAxis = 0.5;          // sine of the angle at which a disc is tried
-constexpr double kInside = 1 - 1e-9;       // of a disc's radius
-constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
+constexpr double kNoise = 8;          // a rise of so many error() is rounding
+constexpr double kDamping = 1e-2;     // of the last step: superlinear, and safe far from the solution
+constexpr double kNearAxis = 0.5;     // sine of the angle at which a disc is tried
+constexpr double kInside = 1 - 1e-9;  // of a disc's radius
 
 class ContactDescent {
  public:
@@ -93,7 +92,7 @@ bool ContactDescent::is_closed() {
 
 // By v, a point of the difference of the cores that the combination has.
 void ContactDescent::bound(const Vector3& v) {
-  answer_.upper = (length(v) + pair_.error()) * kRounding - pair_.radius();
+  answer_.upper = upper_bound(pair_, length(v));
   if (answer_.upper < 0) answer_.end = SpatialEnd::intersecting;
 }
 
@@ -117,7 +116,7 @@ bool ContactDescent::try_disc(int i, const Vector3& v) {
   answer_.combination.count = 1;
   answer_.combination.point[0] = point;
   answer_.combination.weight[0] = 1;
-  const double lower = (-dot(n, point.s) - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+  const double lower = lower_bound(pair_, dot(n, point.s));
   if (lower > answer_.lower) answer_.lower = lower, answer_.normal = n;
   bound(point.s);
   is_closed();
@@ -161,7 +160,7 @@ double ContactDescent::look() {
   SpatialPoint w;
   pair_.support(u_, w);
   double height = dot(u_, w.s);
-  const double lower = (-height - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+  const double lower = lower_bound(pair_, height);
   if (lower > answer_.lower) answer_.lower = lower, answer_.normal = u_;
   if (height > lowest_ + kNoise * pair_.error()) {
     u_ = lowest_u_;

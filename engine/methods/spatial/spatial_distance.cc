@@ -94,7 +94,7 @@ double Descent::reduce() {
 
 // `along` is u·w for the support point w for u: what is certain of it, after its rounding error.
 void Descent::bound_from_below(const Vector3& u, double along) {
-  const double lower = (-along - pair_.error()) * (2 - kRounding) - pair_.radius() * kRounding;
+  const double lower = lower_bound(pair_, along);
   if (!(lower > answer_.lower)) return;
   answer_.lower = lower;
   answer_.normal = u;
@@ -104,7 +104,7 @@ void Descent::bound_from_below(const Vector3& u, double along) {
 bool Descent::step(double depth) {
   const Vector3 v = combine(simplex_);
   const double size = length(v);
-  answer_.upper = (size + pair_.error()) * kRounding - pair_.radius();
+  answer_.upper = upper_bound(pair_, size);
   if (depth > 2 * pair_.error() || answer_.upper < 0) {
     answer_.end = SpatialEnd::intersecting;
     return false;

@@ -43,6 +43,17 @@ struct SpatialStart {
   std::int32_t index_1[4], index_2[4];
 };
 
+/// Bounds on the distance of the bodies, rounding errors outward: from above by the length of a difference of
+/// points of their cores, from below by u·s(u) of a unit vector u, `along`.
+inline double upper_bound(const SpatialPair& pair, double length) noexcept {
+  constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
+  return (length + pair.error()) * kRounding - pair.radius();
+}
+inline double lower_bound(const SpatialPair& pair, double along) noexcept {
+  constexpr double kUp = 1 + 0x1p-48, kDown = 1 - 0x1p-48;
+  return (-along - pair.error()) * kDown - pair.radius() * kUp;
+}
+
 /// The Euclidean distance of two bodies: that of the origin to D, less the balls of both, by the algorithm of
 /// Gilbert, Johnson & Keerthi on the cores. With s_l support points, v = Σ c_l s_l the point nearest to the
 /// origin of their hull, and w the support point for -v,

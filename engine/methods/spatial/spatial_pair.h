@@ -84,6 +84,9 @@ class SpatialPair {
   /// A point of the second body's frame in the first one's.
   Vector3 from_second(const Vector3& point) const noexcept { return R_ * point + t_; }
 
+  /// A point of the first body's frame in the second one's.
+  Vector3 to_second(const Vector3& point) const noexcept { return R_.transposed_times(point - t_); }
+
   /// A vector of the world in the first body's frame.
   Vector3 to_body(const double* vector) const noexcept;
 

@@ -26,6 +26,7 @@ struct BodyPart {
   std::shared_ptr<const ConvexSet> set;
   BoundingBall ball;
   double reach = 0;       ///< no point of the part is farther from the body's origin
+  double core_reach = 0;  ///< and none of its core, all within a radius of which it is: what a turn moves
   SmallVector magnitude;  ///< ConvexSet::magnitude_unchecked
 };
 
@@ -36,6 +37,7 @@ struct Body {
   MotionPointer motion;
   BoundingBall ball;  ///< around all parts
   double reach = 0;   ///< the greatest of the parts'
+  double core_reach = 0;
 
   int dimension() const noexcept { return motion->dimension(); }
 };

@@ -72,6 +72,9 @@ class PairSolver {
   /// Where they stand from now on. `metric_at` is the placement of the body that the metric follows, if any.
   void place(const Placement& a, const Placement& b, const Placement* metric_at = nullptr);
 
+  const Placement& placement_a() const noexcept { return at_a_; }
+  const Placement& placement_b() const noexcept { return at_b_; }
+
   /// A certified lower bound on the distance from the bounding balls of the whole bodies; it falls by at most
   /// ball_rate() times the way of their middles.
   double ball_bound(const double* center_a, const double* center_b);

@@ -68,6 +68,8 @@ class Pose {
                            : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
   }
   void assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
+  [[noreturn]] void throw_what_is_wrong(const Eigen::Ref<const Eigen::MatrixXd>& R,
+                                        const ConstVectorRef& t) const;
   void measure();
 
   int dimension_;
