@@ -96,6 +96,10 @@ BoundingBall bounding_ball(const ConvexSet& S) {
   return ball;
 }
 
+double turned_magnitude(const SmallVector& magnitude) {
+  return 2 * std::sqrt(static_cast<double>(magnitude.size())) * magnitude.norm() * kOutward;
+}
+
 Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexSet>>& parts,
                MotionPointer motion) {
   if (parts.empty()) throw EmptySetError("body '" + name + "' has no part");
@@ -113,10 +117,14 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
                                    std::to_string(set->dimension()) + ", the motion in R^" +
                                    std::to_string(n));
     }
-    BodyPart part{set, bounding_ball(*set), 0, 0, SmallVector(n)};
+    BodyPart part;
+    part.set = set;
+    part.ball = bounding_ball(*set);
     part.reach = (part.ball.center.norm() + part.ball.radius) * kOutward;
     part.core_reach = reach_of_core(*set, part.reach);
+    part.magnitude.resize(n);
     set->magnitude_unchecked(part.magnitude.data());
+    part.turned_magnitude = turned_magnitude(part.magnitude);
     body.core_reach = std::max(body.core_reach, part.core_reach);
     body.reach = std::max(body.reach, part.reach);
     sum += part.ball.center;

@@ -32,16 +32,17 @@ ImpactResult advance(PairSolver& solver, const Body& a, const Body& b, const Con
   PlaneSteps planes(watch);
   ImpactResult result;
   result.lower = result.upper = options.from;
-  double t = options.from, apart = kInfinity;
+  double t = options.from;
+  double piece_end = -kInfinity;
+  PairMotion speeds(watch, t, t);
   while (result.steps < options.max_steps) {
     ++result.steps;
-    const bool touching = apart <= options.contact;  // most likely
-    const PartLook look = watch.at(t, touching);
+    const PartLook look = watch.at(t, true);
     result.lower = t;
     if (look.answer.intersecting() || look.upper <= options.contact) {
       result.outcome = ImpactResult::Outcome::contact;
       result.upper = t;
-      result.at_upper = touching ? look.answer : watch.at(t, true).answer;
+      result.at_upper = look.answer;
       return result;
     }
     result.upper = options.to;
@@ -51,15 +52,15 @@ ImpactResult advance(PairSolver& solver, const Body& a, const Body& b, const Con
     }
     if (!(look.lower > 0)) return result;
     const double end = watch.end_of_piece(t, options.to);
-    const PairMotion speeds(watch, t, end);
+    if (end != piece_end || speeds.varies()) speeds = PairMotion(watch, t, end);
+    piece_end = end;
     const double safe = safe_until(watch, look, speeds, end);
     if (safe == kInfinity && end >= options.to) {
       result.outcome = ImpactResult::Outcome::free;
       result.lower = options.to;
       return result;
     }
-    apart = kInfinity;
-    const double next = safe < end ? planes.next(look, speeds, safe, end, apart) : end;
+    const double next = safe < end ? planes.next(look, speeds, safe, end) : end;
     if (!(next > t)) return result;
     t = next;
   }

@@ -16,13 +16,19 @@ namespace {
 // What the sums and products below may lose, with room to spare.
 constexpr double kOutward = 1 + 1e-13;
 
-SmallMatrix rotation_by(const Eigen::Vector3d& turn, int n) {
-  if (n == 3) return rotation_about(turn);
-  if (n == 2) return plane_rotation(turn[2]);
-  return SmallMatrix::Identity(n, n);
+// `frame`, turned by |turn| about that vector.
+SmallMatrix turned_by(const Eigen::Vector3d& turn, const SmallMatrix& frame) {
+  if (frame.rows() == 3) {
+    const double angle = turn.norm();
+    if (angle == 0) return frame;
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    return R * Eigen::Matrix3d::Map(frame.data());
+  }
+  if (frame.rows() == 2) return plane_rotation(turn[2]) * frame;
+  return frame;
 }
 
-// r with rotation_by(r) R0 = R1, the shorter way.
+// r with turned_by(r, R0) = R1, the shorter way.
 Eigen::Vector3d turn_between(const SmallMatrix& R0, const SmallMatrix& R1) {
   const SmallMatrix D = R1 * R0.transpose();
   if (D.rows() == 2) return {0, 0, std::atan2(D(1, 0), D(0, 0))};
@@ -55,8 +61,9 @@ double MotionBound::turning(const SmallVector& u) const {
 }
 
 double MotionBound::speed_along(const SmallVector& u, double reach) const {
-  const double spread = velocity_error * u.norm() + (turning(u) + spin_error * u.norm()) * reach;
-  return velocity.dot(u) + spread * kOutward + (kOutward - 1) * velocity.norm() * u.norm();
+  const double size = u.norm();
+  const double spread = velocity_error * size + (turning(u) + spin_error * size) * reach;
+  return velocity.dot(u) + spread * kOutward + (kOutward - 1) * velocity.lpNorm<1>() * size;
 }
 
 double MotionBound::speed(double reach) const {
@@ -110,8 +117,7 @@ Placement KeyframeMotion::do_at(double t) const {
   if (t == times_[i]) return frames_[i];
   if (t == times_[i + 1]) return frames_[i + 1];
   const double s = (t - times_[i]) / (times_[i + 1] - times_[i]);
-  return {rotation_by(s * turns_[i], dimension()) * frames_[i].R,
-          (1 - s) * frames_[i].t + s * frames_[i + 1].t};
+  return {turned_by(s * turns_[i], frames_[i].R), (1 - s) * frames_[i].t + s * frames_[i + 1].t};
 }
 
 MotionBound KeyframeMotion::do_bound(double from, double) const {
@@ -144,7 +150,7 @@ TwistMotion::TwistMotion(Placement first, Rates rates, double start, double stop
 
 Placement TwistMotion::do_at(double t) const {
   const double s = t - start();
-  return {rotation_by(s * rates_.spin, dimension()) * first_.R,
+  return {turned_by(s * rates_.spin, first_.R),
           first_.t + s * rates_.velocity + s * s / 2 * rates_.acceleration};
 }
 

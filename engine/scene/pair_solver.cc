@@ -22,12 +22,11 @@ DistanceOptions newton_options(double tolerance) {
   return options;
 }
 
-// |u| and what h(u) of a placed set may lose: rounding_error(n) Σ_k |u_k| m_k with the magnitudes of
-// PlacedSet, each at most |t_k| + 2√n |m|.
-double support_error(const SmallVector& u, const SmallVector& magnitude, const Placement& at) {
+// What h(u) of a placed set may lose: rounding_error(n) Σ_k |u_k| m_k with the magnitudes of PlacedSet, each
+// at most |t_k| + `turned` (turned_magnitude).
+double support_error(const SmallVector& u, double turned, const Placement& at) {
   const int n = static_cast<int>(u.size());
-  const double size = at.t.cwiseAbs().maxCoeff() + 2 * std::sqrt(static_cast<double>(n)) * magnitude.norm();
-  return 2 * ConvexSet::rounding_error(n) * u.lpNorm<1>() * size;
+  return 2 * ConvexSet::rounding_error(n) * u.lpNorm<1>() * (at.t.lpNorm<1>() + turned);
 }
 
 }  // namespace
@@ -118,11 +117,12 @@ double PairSolver::depth_along(int i, int j, const SmallVector& u, SmallVector& 
   const BodyPart& part_b = b_->parts[static_cast<std::size_t>(j)];
   point_a.resize(dimension_);
   point_b.resize(dimension_);
-  const SmallVector inner_a = -(at_a_.R.transpose() * u);
-  const SmallVector inner_b = at_b_.R.transpose() * u;
+  const SmallVector inner_a = -at_a_.turned_back(u);
+  const SmallVector inner_b = at_b_.turned_back(u);
   const double h = part_b.set->support_unchecked(inner_b.data(), point_b.data()) +
                    part_a.set->support_unchecked(inner_a.data(), point_a.data()) + u.dot(at_b_.t - at_a_.t);
-  const double error = support_error(u, part_a.magnitude, at_a_) + support_error(u, part_b.magnitude, at_b_);
+  const double error =
+      support_error(u, part_a.turned_magnitude, at_a_) + support_error(u, part_b.turned_magnitude, at_b_);
   return -(h + error);
 }
 
@@ -130,8 +130,8 @@ double PairSolver::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVe
   ++counters_.plane_tests;
   SmallVector point_a, point_b;
   const double depth = depth_along(0, 0, u, point_a, point_b);
-  arm_a = at_a_.R * point_a;
-  arm_b = at_b_.R * point_b;
+  arm_a = at_a_.turned(point_a);
+  arm_b = at_b_.turned(point_b);
   return depth / (u.norm() * (depth > 0 ? kOutward : 1.0));
 }
 
@@ -143,7 +143,7 @@ double PairSolver::part_plane_bound(int i, int j, const SmallVector& u) const {
   if (metric_->euclidean()) return depth / (u.norm() * kOutward);
   const SmallVector minus = -u;
   const double h_Q = set_Q_.support_unchecked(minus.data(), point.data()) +
-                     support_error(u, magnitude_Q_, Placement::identity(dimension_));
+                     support_error(u, turned_magnitude(magnitude_Q_), Placement::identity(dimension_));
   return h_Q > 0 ? depth / (h_Q * kOutward) : 0.0;
 }
 
@@ -201,8 +201,8 @@ double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
 
 void PairSolver::pose_bodies() {
   if (posed_) return;
-  pose_a_ = Pose(at_a_.R, at_a_.t);
-  pose_b_ = Pose(at_b_.R, at_b_.t);
+  pose_a_.assign(at_a_.R.data(), at_a_.t.data());
+  pose_b_.assign(at_b_.R.data(), at_b_.t.data());
   posed_ = true;
 }
 

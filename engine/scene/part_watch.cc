@@ -24,14 +24,6 @@ Body part_of(const Body& body, const BodyPart& part) {
   return single;
 }
 
-// How far computed points of the pair may be from those of the exact motions.
-double placement_slack(const Body& body, const Placement& at, double t) {
-  const double start = body.motion->start();
-  const double since = std::isfinite(start) && !body.motion->is_static() ? t - start : 0.0;
-  const double travelled = since > 0 ? body.motion->bound(t, t).speed(body.reach) * since : 0.0;
-  return kPlacementRounding * (at.t.norm() + body.reach + travelled);
-}
-
 }  // namespace
 
 PartWatch::PartWatch(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
@@ -40,8 +32,27 @@ PartWatch::PartWatch(PairSolver& solver, const Body& a, const Body& b, const Sce
       a_(a),
       b_(b),
       metric_body_(metric_body),
+      pace_a_(a),
+      pace_b_(b),
       placed_at_(std::numeric_limits<double>::quiet_NaN()) {
   solver_.bind(a, b, metric);
+}
+
+PartWatch::Pace::Pace(const Body& body) : body_(body), start_(body.motion->start()) {
+  if (!std::isfinite(start_) || body.motion->is_static()) start_ = kInfinity;
+}
+
+double PartWatch::Pace::slack(const Placement& at, double t) {
+  const double since = std::max(0.0, t - start_);
+  if (since > 0 && !(from_ <= t && t <= to_)) {
+    from_ = t;
+    to_ = std::min({body_.motion->next_break(t), body_.motion->stop(), t + 1 + std::fabs(t)});
+    const MotionBound over = body_.motion->bound(from_, to_);
+    if (over.velocity_error + over.spin_error != 0) to_ = t;
+    speed_ = body_.motion->bound(from_, to_).speed(body_.reach);
+  }
+  const double travelled = since > 0 ? speed_ * since : 0.0;
+  return kPlacementRounding * (at.t.norm() + body_.reach + travelled);
 }
 
 void PartWatch::place(double t) {
@@ -54,7 +65,7 @@ void PartWatch::place(double t) {
     const Placement at_metric = metric_body_->motion->at(t);
     solver_.place(at_a, at_b, &at_metric);
   }
-  slack_ = placement_slack(a_, at_a, t) + placement_slack(b_, at_b, t);
+  slack_ = pace_a_.slack(at_a, t) + pace_b_.slack(at_b, t);
   placed_at_ = t;
 }
 

@@ -54,10 +54,24 @@ class PartWatch {
   const Body* metric_body() const noexcept { return metric_body_; }
 
  private:
+  /// How far computed points of a body may be from those of the exact motion; its speed is kept while it is
+  /// the same.
+  class Pace {
+   public:
+    explicit Pace(const Body& body);
+    double slack(const Placement& at, double t);
+
+   private:
+    const Body& body_;
+    double start_;
+    double from_ = 0, to_ = -1, speed_ = 0;
+  };
+
   PairSolver& solver_;
   const Body& a_;
   const Body& b_;
   const Body* metric_body_;
+  Pace pace_a_, pace_b_;
   PairMemory memory_;
   double placed_at_;
   double slack_ = 0;

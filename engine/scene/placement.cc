@@ -23,6 +23,16 @@ SmallMatrix nearest_rotation(const SmallMatrix& R) {
 
 Placement Placement::identity(int n) { return {SmallMatrix::Identity(n, n), SmallVector::Zero(n)}; }
 
+SmallVector Placement::turned(const SmallVector& u) const {
+  if (dimension() == 3) return Eigen::Matrix3d::Map(R.data()) * Eigen::Vector3d::Map(u.data());
+  return R * u;
+}
+
+SmallVector Placement::turned_back(const SmallVector& u) const {
+  if (dimension() == 3) return Eigen::Matrix3d::Map(R.data()).transpose() * Eigen::Vector3d::Map(u.data());
+  return R.transpose() * u;
+}
+
 Placement Placement::operator*(const Placement& inner) const { return {R * inner.R, R * inner.t + t}; }
 
 Placement make_placement(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t) {

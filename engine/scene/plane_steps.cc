@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kOutward = 1 + 1e-12;  // of a few operations
 constexpr int kTrials = 4;
+constexpr double kLong = 0.5;                         // a step, as a share of what the speed of now leads to
+constexpr double kShortest = 0.25, kLongest = 0.999;  // of a time that was too long
 
 // Seen from the body the unit vector u turns, w' = w × spin, and the height is h(w), convex and at most reach
 // |w| for the core: its excess over the chord is reach times that of w, |w''| T²/8 with |w''| = |spin| |spin
@@ -23,20 +25,21 @@ double drift_of(const MotionBound& bound, double reach) {
   return bound.velocity_error / 2 + 2 * bound.spin_error * reach;
 }
 
-// u, which is carried by a body from one placement to another.
-SmallVector carried(const SmallVector& u, const Placement& from, const Placement& to) {
-  const SmallVector seen = from.R.transpose() * u;
-  return to.R * seen;
-}
-
 }  // namespace
 
 double PlaneSteps::Bulge::over(double T) const { return (curvature * T + drift) * T * kOutward; }
 
 void PlaneSteps::look_along(double t, Planes& planes) {
   planes.apart = watch_.apart_along(t, planes.u, planes.arm_a, planes.arm_b);
-  planes.at_a = watch_.placement_a();
-  planes.at_b = watch_.placement_b();
+  planes.way = watch_.placement_b().t - watch_.placement_a().t;
+}
+
+// A vector of the time of the look, to the time of the watch.
+SmallVector PlaneSteps::carried(const SmallVector& u, Carrier carrier) const {
+  if (carrier == Carrier::space) return u;
+  const Body& body = carrier == Carrier::a ? watch_.a() : watch_.b();
+  const Placement& then = carrier == Carrier::a ? watch_.placement_a() : watch_.placement_b();
+  return then.turned(body.motion->at(time_).turned_back(u));
 }
 
 // `places`: |p_b - p_a| at most. Seen from the body that does not carry the planes w = Rᵀu has
@@ -60,15 +63,14 @@ PlaneSteps::Bulge PlaneSteps::bulge(const PairMotion& motion, double places, Car
 
 // Of the planes, now.
 double PlaneSteps::closing_speed(const PairMotion& motion, Carrier carrier) const {
-  const SmallVector way = now_.at_b.t - now_.at_a.t;
-  const SmallVector arm_a = carrier == Carrier::a ? SmallVector(now_.arm_b + way) : now_.arm_a;
-  const SmallVector arm_b = carrier == Carrier::b ? SmallVector(now_.arm_a - way) : now_.arm_b;
+  const SmallVector arm_a = carrier == Carrier::a ? SmallVector(now_.arm_b + now_.way) : now_.arm_a;
+  const SmallVector arm_b = carrier == Carrier::b ? SmallVector(now_.arm_a - now_.way) : now_.arm_b;
   return motion.b.velocity_of(arm_b).dot(now_.u) - motion.a.velocity_of(arm_a).dot(now_.u);
 }
 
 // Where the closing speed leads to, less what the turning of the bodies may take at both ends.
 double PlaneSteps::predicted(const PairMotion& motion, double longest, Carrier carrier) const {
-  const Bulge bulge_now = bulge(motion, (now_.at_b.t - now_.at_a.t).norm(), carrier);
+  const Bulge bulge_now = bulge(motion, now_.way.norm(), carrier);
   const double v = closing_speed(motion, carrier) + bulge_now.drift;
   const double root = std::sqrt(v * v + 32 * bulge_now.curvature * now_.apart);
   return v + root > 0 ? std::min(longest, 2 * now_.apart / (v + root)) : longest;
@@ -77,41 +79,46 @@ double PlaneSteps::predicted(const PairMotion& motion, double longest, Carrier c
 // The body on whose surface the plane that stands still has slid farther towards the other body.
 PlaneSteps::Carrier PlaneSteps::of_turned_face() const {
   const SmallVector& u = now_.u;
-  const double slid_a = u.dot(carried(now_.arm_a, now_.at_a, then_.at_a) - then_.arm_a);
-  const double slid_b = u.dot(then_.arm_b - carried(now_.arm_b, now_.at_b, then_.at_b));
+  const double slid_a = u.dot(carried(now_.arm_a, Carrier::a) - then_.arm_a);
+  const double slid_b = u.dot(then_.arm_b - carried(now_.arm_b, Carrier::b));
   return slid_a > slid_b ? Carrier::a : Carrier::b;
 }
 
-double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end,
-                        double& apart) {
-  const double t = look.time;
+// Takes other planes where these are expected to lead farther than `time`.
+void PlaneSteps::change_carrier(const PairMotion& motion, double longest, double& time) {
+  const Carrier other = carrier_ == Carrier::space ? of_turned_face() : Carrier::space;
+  const double by_other = predicted(motion, longest, other);
+  if (by_other <= time) return;
+  carrier_ = other;
+  time = by_other;
+}
+
+double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
+  const double t = time_ = look.time;
+  if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;
   now_.u = look.normal / look.normal.norm();
-  look_along(t, now_);
-  if (!(now_.apart > 0)) return safe;
+  now_.apart = look.lower;
+  now_.arm_a = look.answer.point_a - watch_.placement_a().t;
+  now_.arm_b = look.answer.point_b - watch_.placement_b().t;
+  now_.way = watch_.placement_b().t - watch_.placement_a().t;
   const bool varies = motion.varies();
   if (varies) carrier_ = Carrier::space;
+  bool may_change = !varies;
   double time = predicted(motion, end - t, carrier_);
-  for (int trial = 0; trial < kTrials && t + time > safe; ++trial) {
+  for (int trial = 1; trial <= kTrials && t + time > safe; ++trial) {
     const double until = std::min(t + time, end);
     watch_.place(until);
-    then_.u = carrier_ == Carrier::space ? now_.u
-              : carrier_ == Carrier::a   ? carried(now_.u, now_.at_a, watch_.placement_a())
-                                         : carried(now_.u, now_.at_b, watch_.placement_b());
+    then_.u = carried(now_.u, carrier_);
     look_along(until, then_);
-    const double places = std::max((now_.at_b.t - now_.at_a.t).norm(), (then_.at_b.t - then_.at_a.t).norm());
+    const double places = std::max(now_.way.norm(), then_.way.norm());
     const Bulge bulge_then = bulge(varies ? PairMotion(watch_, t, until) : motion, places, carrier_);
     const double over = bulge_then.over(until - t) + (carrier_ == Carrier::space ? 0.0 : watch_.slack());
-    if (std::min(now_.apart, then_.apart) > over) {
-      apart = then_.apart;
-      return until;
-    }
-    time *= std::clamp((now_.apart - 3 * over) / (now_.apart - then_.apart), 0.25, 0.9);
-    if (varies) continue;
-    const Carrier other = carrier_ == Carrier::space ? of_turned_face() : Carrier::space;
-    const double by_other = predicted(motion, end - t, other);
-    if (by_other <= time) continue;
-    carrier_ = other;
-    time = by_other;
+    if (now_.apart > over && then_.apart > over) return until;  // not where either is no number
+    // Short of where the line through both ends leads, the more so the more often that was too far.
+    const double too_far = 1 - (now_.apart - 3 * over) / (now_.apart - then_.apart);
+    time *= std::clamp(1 - 2 * trial * too_far, kShortest, kLongest);
+    if (may_change) change_carrier(motion, end - t, time);
+    may_change = false;
   }
   return safe;
 }

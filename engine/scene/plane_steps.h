@@ -34,9 +34,9 @@ class PlaneSteps {
  public:
   explicit PlaneSteps(PartWatch& watch) : watch_(watch) {}
 
-  /// A time up to which nothing touches, at most `end`; `safe` if planes prove no later one. `apart`: how far
-  /// the planes are apart then, unchanged where it is `safe`.
-  double next(const PartLook& look, const PairMotion& motion, double safe, double end, double& apart);
+  /// A time up to which nothing touches, at most `end`; `safe` if planes prove no later one. The bodies are
+  /// as at the time of the look, which has closest points.
+  double next(const PartLook& look, const PairMotion& motion, double safe, double end);
 
  private:
   enum class Carrier : std::uint8_t { space, a, b };
@@ -44,8 +44,8 @@ class PlaneSteps {
   struct Planes {
     SmallVector u;             // of length 1, from b to a
     SmallVector arm_a, arm_b;  // from the origins of the bodies to where the planes touch
+    SmallVector way;           // between the origins, from a to b
     double apart = 0;
-    Placement at_a, at_b;
   };
 
   // What is between the planes may be less than its linear interpolation by curvature T² + drift T.
@@ -59,8 +59,12 @@ class PlaneSteps {
   double closing_speed(const PairMotion& motion, Carrier carrier) const;
   Bulge bulge(const PairMotion& motion, double places, Carrier carrier) const;
   Carrier of_turned_face() const;
+  void change_carrier(const PairMotion& motion, double longest, double& time);
+
+  SmallVector carried(const SmallVector& u, Carrier carrier) const;
 
   PartWatch& watch_;
+  double time_ = 0;                   // of the look
   Carrier carrier_ = Carrier::space;  // of the last step
   Planes now_, then_;
 };

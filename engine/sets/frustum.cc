@@ -23,7 +23,11 @@ Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base
       base_(base),
       top_(top),
       base_radius_(base_radius),
-      top_radius_(top_radius) {}
+      top_radius_(top_radius) {
+  Vector center(dimension());
+  Frustum::do_center(center.data());
+  center_radius_ = Frustum::do_inner_radius(center.data());
+}
 
 double Frustum::do_support(const double* u, double* point) const {
   const int n = dimension();
@@ -139,8 +143,7 @@ bool Frustum::do_spatial_shape(SpatialShape& shape) const {
   shape.top = spatial(top_, n);
   shape.base_radius = base_radius_;
   shape.top_radius = top_radius_;
-  const double c[3] = {shape.center.x, shape.center.y, shape.center.z};
-  shape.inner_radius = do_inner_radius(c);
+  shape.inner_radius = center_radius_;
   shape.extent = std::max(length(shape.base), length(shape.top)) + std::max(base_radius_, top_radius_);
   return true;
 }

@@ -73,17 +73,32 @@ Pose::Pose(const Eigen::Isometry2d& pose) : dimension_(2) { assign(pose.linear()
 
 void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t) {
   const int n = dimension_;
-  check_dimension("pose", "a column of R", R.rows(), n);
-  check_dimension("pose", "a row of R", R.cols(), n);
+  if (R.rows() != n || R.cols() != n) {
+    check_dimension("pose", "a column of R", R.rows(), n);
+    check_dimension("pose", "a row of R", R.cols(), n);
+  }
   const auto size = static_cast<std::size_t>(n);
   if (n > 3) large_.resize(size * size + size);
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) rotation_data()[j * n + i] = R(i, j);
   }
   std::copy_n(t.data(), n, translation_data());
+  check();
+}
+
+void Pose::assign(const double* R, const double* t) {
+  std::copy_n(R, dimension_ * dimension_, rotation_data());
+  std::copy_n(t, dimension_, translation_data());
+  check();
+}
+
+void Pose::check() {
+  const int n = dimension_;
   measure();
-  // Also where a number is not finite: then so is the defect.
-  if (!(defect_ <= n * kOrthogonality) || !t.allFinite()) throw_what_is_wrong(R, t);
+  const double* t = translation_data();
+  const bool is_finite = std::all_of(t, t + n, [](double t_k) { return std::isfinite(t_k); });
+  // A defect that is no number comes from entries that are not finite.
+  if (!(defect_ <= n * kOrthogonality) || !is_finite) throw_what_is_wrong();
   const double determinant = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
                              : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
                                       : rotation().determinant();
@@ -92,9 +107,9 @@ void Pose::assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorR
   }
 }
 
-void Pose::throw_what_is_wrong(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t) const {
-  check_finite_matrix("pose", "R", R);
-  checked_finite("pose", "t", t);
+void Pose::throw_what_is_wrong() const {
+  check_finite_matrix("pose", "R", rotation());
+  checked_finite("pose", "t", translation());
   throw InvalidParameterError(
       "pose: the columns of R must be orthonormal to 1e-12, but RᵀR differs from 1 by " +
       std::to_string(defect_ / dimension_));

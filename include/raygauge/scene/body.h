@@ -28,7 +28,11 @@ struct BodyPart {
   double reach = 0;       ///< no point of the part is farther from the body's origin
   double core_reach = 0;  ///< and none of its core, all within a radius of which it is: what a turn moves
   SmallVector magnitude;  ///< ConvexSet::magnitude_unchecked
+  double turned_magnitude = 0;  ///< of that, however the part is turned
 };
+
+/// 2 √n |m|: no coordinate of a set of magnitude m, turned in any way, is computed from more than that.
+double turned_magnitude(const SmallVector& magnitude);
 
 /// A rigid body: the union of convex parts, under a motion.
 struct Body {

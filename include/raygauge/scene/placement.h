@@ -25,6 +25,10 @@ struct Placement {
 
   int dimension() const noexcept { return static_cast<int>(t.size()); }
 
+  /// R u, and Rᵀ u.
+  SmallVector turned(const SmallVector& u) const;
+  SmallVector turned_back(const SmallVector& u) const;
+
   /// First `inner`, then this.
   Placement operator*(const Placement& inner) const;
 };

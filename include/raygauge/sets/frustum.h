@@ -55,6 +55,7 @@ class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
   Vector top_;
   double base_radius_;
   double top_radius_;
+  double center_radius_;  // of a ball about the centre, inside
 };
 
 }  // namespace raygauge

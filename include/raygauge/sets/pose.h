@@ -32,6 +32,10 @@ class Pose {
   Pose(const Eigen::Isometry3d& pose);  // NOLINT(google-explicit-constructor)
   Pose(const Eigen::Isometry2d& pose);  // NOLINT(google-explicit-constructor)
 
+  /// The pose with these, R n × n by columns, t of n numbers, in the same space; no allocation. Throws as the
+  /// constructors do, and is then not to be used.
+  void assign(const double* R, const double* t);
+
   int dimension() const noexcept { return dimension_; }
 
   /// R, n × n, by columns; t, n doubles.
@@ -68,8 +72,8 @@ class Pose {
                            : large_.data() + static_cast<std::ptrdiff_t>(dimension_) * dimension_;
   }
   void assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
-  [[noreturn]] void throw_what_is_wrong(const Eigen::Ref<const Eigen::MatrixXd>& R,
-                                        const ConstVectorRef& t) const;
+  void check();
+  [[noreturn]] void throw_what_is_wrong() const;
   void measure();
 
   int dimension_;

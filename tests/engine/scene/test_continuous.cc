@@ -49,6 +49,7 @@ TEST(TimeOfImpact, TwoBallsMeetWhenTheirRadiiSay) {
   EXPECT_LE(impact.lower, 2.0);
   EXPECT_GE(impact.lower, 2.0 - 1e-6);
   EXPECT_NEAR(impact.upper, 2.0, 1e-6);
+  EXPECT_LE(impact.steps, 3);  // a ball that turns about its centre is the same ball
   EXPECT_EQ(time_of_impact(solver, still, moving, over(0, 1.9)).outcome, ImpactResult::Outcome::free);
 }
 
@@ -67,6 +68,35 @@ TEST(TimeOfImpact, ASpinningRodMeetsWhatItsTipReaches) {
   ASSERT_EQ(impact.outcome, ImpactResult::Outcome::contact);
   EXPECT_GT(impact.lower, 0.2);
   EXPECT_LT(impact.upper, 0.25);
+}
+
+// The face of a turning box is a plane that turns: planes that stand still come nearer by a tenth a step
+// only.
+TEST(TimeOfImpact, ATurningFaceIsMetInFewSteps) {
+  const auto box = std::make_shared<Box>(Eigen::Vector3d(-1, -1, -0.1), Eigen::Vector3d(1, 1, 0.1));
+  const auto ball = std::make_shared<Ball>(Vector::Zero(3), 0.1);
+  Random random(19);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int contacts = 0;
+  std::int64_t steps = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Eigen::Vector3d spin(2 * uniform(random), 2 * uniform(random), 2 * uniform(random));
+    const Body turning = make_body("box", {box}, flying(vector3(0, 0, 0), vector3(0, 0, 0), spin));
+    const SmallVector start = vector3(uniform(random), uniform(random), 3);
+    const Body falling = make_body("ball", {ball}, flying(start, vector3(0, 0, -6), {0, 0, 0}));
+    PairSolver solver(3);
+    ContinuousOptions closely = over(0, 1);
+    closely.contact = 1e-11;
+    const ImpactResult impact = time_of_impact(solver, turning, falling, closely);
+    ASSERT_NE(impact.outcome, ImpactResult::Outcome::undecided);
+    if (impact.outcome == ImpactResult::Outcome::free) continue;
+    ++contacts;
+    steps += impact.steps;
+    const double before = impact.lower - 1e-6;
+    EXPECT_GT(brute_force(turning, falling, before).lower, 0);
+  }
+  EXPECT_GT(contacts, 100);
+  EXPECT_LT(static_cast<double>(steps) / contacts, 10);  // 7.5; with planes that stand still 27
 }
 
 /// The first of `steps` moments at which exact tests do not find the bodies apart by more than the contact
