@@ -92,7 +92,8 @@ void SpatialQuery::closest_points(const SpatialAnswer& answer, ObjectDistance& r
   ++result.closest_point_evaluations;
 }
 
-// Balls and capsules have formulas. Curved bodies that are near are left to Newton steps; the long way is for what these do not close.
+// Balls and capsules have formulas. Curved bodies that are near are left to Newton steps; the long way is for
+// what these do not close.
 bool SpatialQuery::find_distance(const Posed& A1, const Posed& A2, const DistanceOptions& options) {
   if (closed_form_distance(pair_, options.tolerance, answer_)) return true;
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
@@ -142,10 +143,22 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   return true;
 }
 
+// The bodies share their centre.
+bool SpatialQuery::no_growth(WarmStart* warm, DistanceResult& result) {
+  answer_.reset();
+  result.status = DistanceStatus::contains_origin;
+  result.distance = result.lower = result.upper = 0;
+  result.normal.resize(0);
+  set_counters(pair_, answer_, result);
+  record(answer_, result.normal, warm);
+  return true;
+}
+
 bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
                           double threshold, WarmStart* warm, DistanceResult& result) {
   if (!bind(Q, A, options)) return false;
   if (about_origin && !pair_.scale_first_about_origin(Q)) return false;
+  if (!about_origin && pair_.is_concentric()) return no_growth(warm, result);
   begin(warm);
   const SpatialAnswer& answer = answer_;
   spatial_growth(pair_, options.tolerance, threshold, start_, answer_);

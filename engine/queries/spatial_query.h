@@ -25,6 +25,7 @@ class SpatialQuery {
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
   void begin(const WarmStart* warm);
+  bool no_growth(WarmStart* warm, DistanceResult& result);
   bool find_distance(const Posed& A1, const Posed& A2, const DistanceOptions& options);
   void record(const SpatialAnswer& answer, const Vector& normal, WarmStart* warm) const;
   void closest_points(const SpatialAnswer& answer, ObjectDistance& result) const;

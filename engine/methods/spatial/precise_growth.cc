@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMostExchanges = 40;
 constexpr int kMostNewtonSteps = 4;
+constexpr int kMostIdleTurns = 3;
 constexpr double kUp = 1 + 0x1p-48,
                  kDown = 1 - 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
@@ -24,7 +25,7 @@ class PreciseGrowth {
  public:
   PreciseGrowth(PrecisePair& pair, const PreciseVector3& p) : pair_(pair), p_(p) {}
 
-  bool begin(const SpatialCombination& portal);
+  bool begin(const SpatialPair& pair, const SpatialAnswer& answer);
   bool run(double tolerance);
   bool newton_step(const SpatialPair& pair, const PreciseVector3& gap, PreciseVector3& u) const;
   bool at_normal(const SpatialPair& pair, const Vector3& normal, double tolerance);
@@ -34,21 +35,43 @@ class PreciseGrowth {
   void bound_from_below(const PreciseVector3& n, const DoubleDouble& height);
   void bound_from_above();
   void exchange(const PrecisePoint& w);
-  void add_way(PrecisePoint& point) const { point.s = point.s + p_; }
+  bool turn_portal(const PreciseVector3& u);
+  PreciseVector3 in_B(const PrecisePoint& point) const { return point.s + beyond_cores_; }
 
   PrecisePair& pair_;
   PreciseVector3 p_;
-  PrecisePoint portal_[3];  // s of B = D + p
+  PrecisePoint portal_[3];       // of the cores
+  PreciseVector3 beyond_cores_;  // p and the balls' points for the normal: what leads from the cores to B
   PreciseVector3 normal_;
   double lower_ = 0, upper_ = __builtin_inf();
   int iterations_ = 0;
 };
 
-bool PreciseGrowth::begin(const SpatialCombination& portal) {
+// The pieces of the portal, which must not be the same.
+bool PreciseGrowth::begin(const SpatialPair& pair, const SpatialAnswer& answer) {
+  const double size = length(answer.normal);
+  if (!(size > 0) || answer.combination.count != 3) return false;
   for (int i = 0; i < 3; ++i) {
-    if (!pair_.vertex(portal.point[i].index_1, portal.point[i].index_2, portal_[i])) return false;
-    add_way(portal_[i]);
+    portal_[i].index_1 = answer.combination.point[i].index_1;
+    portal_[i].index_2 = answer.combination.point[i].index_2;
+    for (int k = 0; k < i; ++k) {
+      if (portal_[i].index_1 == portal_[k].index_1 && portal_[i].index_2 == portal_[k].index_2) return false;
+    }
   }
+  double world[3] = {0, 0, 0};
+  pair.to_world(answer.normal * (1 / size), world);
+  if (!turn_portal({{world[0], 0}, {world[1], 0}, {world[2], 0}})) return false;
+  if (dot(cross(in_B(portal_[0]), in_B(portal_[1])), in_B(portal_[2])).high < 0)
+    std::swap(portal_[0], portal_[1]);
+  return true;
+}
+
+// Rims and curved surfaces follow the normal, as do the balls' points.
+bool PreciseGrowth::turn_portal(const PreciseVector3& u) {
+  for (PrecisePoint& corner : portal_) {
+    if (!pair_.follow(u, corner)) return false;
+  }
+  beyond_cores_ = p_ + u - pair_.through_balls(u);
   return true;
 }
 
@@ -64,9 +87,10 @@ void PreciseGrowth::bound_from_below(const PreciseVector3& n, const DoubleDouble
 }
 
 void PreciseGrowth::bound_from_above() {
-  const PreciseVector3 n[3] = {cross(portal_[1].s, portal_[2].s), cross(portal_[2].s, portal_[0].s),
-                               cross(portal_[0].s, portal_[1].s)};
-  const DoubleDouble determinant = dot(n[0], portal_[0].s);
+  const PreciseVector3 corner[3] = {in_B(portal_[0]), in_B(portal_[1]), in_B(portal_[2])};
+  const PreciseVector3 n[3] = {cross(corner[1], corner[2]), cross(corner[2], corner[0]),
+                               cross(corner[0], corner[1])};
+  const DoubleDouble determinant = dot(n[0], corner[0]);
   if (!(std::fabs(determinant.high) > 0)) return;
   DoubleDouble weight[3], sum;
   PreciseVector3 r = p_;
@@ -74,7 +98,7 @@ void PreciseGrowth::bound_from_above() {
   for (int i = 0; i < 3; ++i) {
     weight[i] = dot(n[i], p_) / determinant;
     sum = sum + weight[i];
-    r = r - portal_[i].s * weight[i];
+    r = r - corner[i] * weight[i];
     norm += size_of(n[i]) / std::fabs(determinant.high);
   }
   const double error = pair_.error();
@@ -86,29 +110,37 @@ void PreciseGrowth::bound_from_above() {
   if (least >= uncertainty && upper < upper_) upper_ = upper;
 }
 
-// Puts w in the place of the vertex without which the cone still holds p.
+// Puts w in the place of the corner without which the cone still holds p.
 void PreciseGrowth::exchange(const PrecisePoint& w) {
-  const double d0 = dot(p_, cross(w.s, portal_[0].s)).high, d1 = dot(p_, cross(w.s, portal_[1].s)).high,
-               d2 = dot(p_, cross(w.s, portal_[2].s)).high;
+  const PreciseVector3 s = in_B(w);
+  const double d0 = dot(p_, cross(s, in_B(portal_[0]))).high, d1 = dot(p_, cross(s, in_B(portal_[1]))).high,
+               d2 = dot(p_, cross(s, in_B(portal_[2]))).high;
   portal_[leaving_corner(d0, d1, d2)] = w;
 }
 
+// Pieces that are curved are as good as flat on needles: their points hardly move as the normal turns.
 bool PreciseGrowth::run(double tolerance) {
-  if (dot(cross(portal_[0].s, portal_[1].s), portal_[2].s).high < 0) std::swap(portal_[0], portal_[1]);
+  double closest = __builtin_inf();
+  int idle = 0;
   for (iterations_ = 0; iterations_ < kMostExchanges; ++iterations_) {
     PreciseVector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
     if (dot(n, p_).high < 0) n = -n;
     const double scale = size_of(n);
     if (!(scale > 0)) return false;
     n = n * DoubleDouble{1 / scale};
+    if (!turn_portal(n)) return false;
     DoubleDouble height;
-    PrecisePoint w = pair_.support(n, height);
-    add_way(w);
+    const PrecisePoint w = pair_.support(n, height);
     bound_from_below(n, height + dot(n, p_));
     bound_from_above();
     if (upper_ - lower_ <= tolerance * upper_) return true;
-    if (!(dot(n, w.s - portal_[0].s).high > pair_.error())) return false;
-    exchange(w);
+    if (dot(n, w.s - portal_[0].s).high > pair_.error()) {
+      exchange(w);
+      continue;
+    }
+    idle = upper_ - lower_ < 0.5 * closest ? 0 : idle + 1;
+    closest = std::min(closest, upper_ - lower_);
+    if (!pair_.is_curved() || idle > kMostIdleTurns) return false;
   }
   return false;
 }
@@ -141,15 +173,14 @@ bool PreciseGrowth::at_normal(const SpatialPair& pair, const Vector3& normal, do
   PreciseVector3 u{{world[0], 0}, {world[1], 0}, {world[2], 0}};
   for (iterations_ = 0; iterations_ < kMostNewtonSteps; ++iterations_) {
     DoubleDouble height;
-    PrecisePoint w = pair_.support(u, height);
-    add_way(w);
+    const PreciseVector3 s = pair_.support(u, height).s + p_;
     const DoubleDouble along = dot(u, p_), ratio = along / (height + along);
     if (!(ratio.high > 0)) return false;
     bound_from_below(u, height + along);
-    const double residual = size_of(p_ - w.s * ratio) + 4 * pair_.error() * (1 + ratio.high);
+    const double residual = size_of(p_ - s * ratio) + 4 * pair_.error() * (1 + ratio.high);
     upper_ = std::min(upper_, (ratio.rounded() + residual / radius) * kUp);
     if (upper_ - lower_ <= tolerance * upper_) return true;
-    if (!newton_step(pair, p_ * (DoubleDouble{1} / ratio) - w.s, u)) return false;
+    if (!newton_step(pair, p_ * (DoubleDouble{1} / ratio) - s, u)) return false;
   }
   return false;
 }
@@ -172,11 +203,11 @@ void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const
 void precise_growth(const SpatialPair& pair, const Posed& first, const Posed& second, const Kernels& kernels,
                     double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
-  if (pair.radius() > 0 || !precise.bind(pair, first, second, kernels)) return;
+  if (!precise.bind(pair, first, second, kernels)) return;
   PreciseGrowth growth(precise, precise.between_centers());
-  const bool portal = pair.has_vertices() && answer.combination.count == 3;
-  const bool closed = portal ? growth.begin(answer.combination) && growth.run(tolerance)
-                             : growth.at_normal(pair, answer.normal, tolerance);
+  const bool closed = growth.begin(pair, answer)
+                          ? growth.run(tolerance)
+                          : pair.radius() == 0 && growth.at_normal(pair, answer.normal, tolerance);
   if (closed) growth.record(pair, answer);
 }
 

@@ -41,6 +41,8 @@ Frame frame_of(const Pose* pose) {
   return frame;
 }
 
+bool same(const Vector3& u, const Vector3& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
+
 // The unit vector across the axis of a frustum that is nearest to v, or zero; and how far v goes across.
 Vector3 across_axis(const SpatialShape& shape, const Vector3& v, double& across) {
   const Vector3& a = shape.axis.column[0];
@@ -155,6 +157,7 @@ bool SpatialPair::bind(const Posed& first, const Posed& second, InstructionSet i
   height_ = dimension_ == 2 ? size : 0.0;
   vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
+  concentric_ = same(one.t, two.t) && same(shape_[0].center, {}) && same(shape_[1].center, {});
   for (int i = 0; i < 2; ++i) {
     if (shape_[i].kind == Kind::ellipsoid) place_ellipsoid(i);
   }

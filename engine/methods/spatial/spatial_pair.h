@@ -77,6 +77,9 @@ class SpatialPair {
   /// c_2 - c_1 in the frame of the first body, from the centre of the first to that of the second.
   const Vector3& between_centers() const noexcept { return between_centers_; }
 
+  /// Whether both centres are the same point, without a rounding error.
+  bool is_concentric() const noexcept { return concentric_; }
+
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
   void to_world(const Vector3& vector, double* out) const noexcept;
   void point_to_world(const Vector3& point, double* out) const noexcept;
@@ -122,6 +125,7 @@ class SpatialPair {
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;
+  bool concentric_ = false;
   std::int64_t queries_ = 0;
 };
 

@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_precise_growth {
 namespace {
@@ -82,15 +86,66 @@ TEST(PreciseGrowth, HoldsTheValueOfCrossedNeedlesThatIsKnownExactly) {
   const Ellipsoid smooth_x(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(1, kHalf, kHalf).asDiagonal()));
   const Ellipsoid smooth_y(Vector3d::Zero(), Eigen::MatrixXd(Vector3d(kHalf, 1, kHalf).asDiagonal()));
   const Pose pose(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), Vector3d(0, 0, 3));
+  const Capsule capsule_x(Vector3d(-1, 0, 0), Vector3d(1, 0, 0), kHalf);
+  const Capsule capsule_y(Vector3d(0, -1, 0), Vector3d(0, 1, 0), kHalf);
   const double exact = 3 / (2 * kHalf);
-  for (const auto& [one, two] :
-       {std::pair<const ConvexSet*, const ConvexSet*>{&box_x, &box_y}, {&smooth_x, &smooth_y}}) {
+  for (const auto& [one, two] : {std::pair<const ConvexSet*, const ConvexSet*>{&box_x, &box_y},
+                                 {&smooth_x, &smooth_y},
+                                 {&capsule_x, &capsule_y},
+                                 {&box_x, &capsule_y}}) {
     const DistanceResult& r = solver.solve_about_centers(Posed(*one), {*two, pose});
     EXPECT_EQ(to_string(r.status), "optimal");
     EXPECT_LE(r.lower, exact);
     EXPECT_GE(r.upper, exact);
     EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper);
   }
+}
+
+// Beside the general methods, which a limit on the iterations sends them to.
+TEST(PreciseGrowth, CertifiesRoundNeedles) {
+  Random random(2);
+  std::uniform_real_distribution<double> uniform(0.2, 1);
+  GrowthDistanceSolver solver = make_solver();
+  DistanceOptions general;
+  general.method = DistanceMethod::newton;
+  general.max_iterations = 100000;
+  GrowthDistanceSolver other(general);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<std::shared_ptr<const ConvexSet>> sets;
+    for (int i = 0; i < 2; ++i) {
+      const Vector3d end(uniform(random), 0, 0);
+      if ((trial >> i) % 2 == 0) {
+        sets.push_back(std::make_shared<Capsule>(Vector3d(-end), end, kThin * uniform(random)));
+      } else {
+        sets.push_back(std::make_shared<TruncatedCone>(Vector3d(-end), kThin * uniform(random), end,
+                                                       kThin * uniform(random)));
+      }
+    }
+    const Pose pose_1 = random_pose(random), pose_2 = random_pose(random);
+    const DistanceResult& r = solver.solve_about_centers({*sets[0], pose_1}, {*sets[1], pose_2});
+    EXPECT_EQ(to_string(r.status), "optimal") << trial;
+    EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << trial;
+    const DistanceResult& s = other.solve_about_centers({*sets[0], pose_1}, {*sets[1], pose_2});
+    EXPECT_LE(r.lower, s.upper) << trial;
+    EXPECT_LE(s.lower, r.upper) << trial;
+  }
+}
+
+// Bodies with the same centre need not grow at all.
+TEST(PreciseGrowth, IsZeroOfBodiesWithTheSameCenter) {
+  Random random(3);
+  GrowthDistanceSolver solver = make_solver();
+  const Box box(Vector3d(-1, -2, -3), Vector3d(1, 2, 3));
+  const Capsule capsule(Vector3d(-1, 0, 0), Vector3d(1, 0, 0), 0.5);
+  const Capsule beside(Vector3d(1, 0, 0), Vector3d(3, 0, 0), 0.5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Pose one = random_pose(random), turned(random_pose(random).rotation(), one.translation());
+    EXPECT_EQ(solver.solve_about_centers({box, one}, {capsule, turned}).status,
+              DistanceStatus::contains_origin);
+    EXPECT_EQ(solver.solve_about_centers({box, one}, {capsule, turned}).upper, 0);
+    EXPECT_EQ(solver.separation({box, one}, {capsule, turned}).outcome, Separation::intersecting);
+  }
+  EXPECT_EQ(solver.solve_about_centers(Posed(beside), Posed(capsule)).status, DistanceStatus::optimal);
 }
 
 }  // namespace
