@@ -27,45 +27,98 @@ double safe_until(const PartWatch& watch, const PartLook& look, const PairMotion
   return std::max(whole, reached(PairMotion(watch, t, ahead), ahead));
 }
 
-ImpactResult advance(PairSolver& solver, const Body& a, const Body& b, const ContinuousOptions& options) {
-  PartWatch watch(solver, a, b, kEuclidean, nullptr);
-  PlaneSteps planes(watch);
-  ImpactResult result;
-  result.lower = result.upper = options.from;
-  double t = options.from;
-  double piece_end = -kInfinity;
-  PairMotion speeds(watch, t, t);
-  while (result.steps < options.max_steps) {
-    ++result.steps;
-    const PartLook look = watch.at(t, true);
-    result.lower = t;
-    if (look.answer.intersecting() || look.upper <= options.contact) {
-      result.outcome = ImpactResult::Outcome::contact;
-      result.upper = t;
-      result.at_upper = look.answer;
-      return result;
-    }
-    result.upper = options.to;
-    if (t >= options.to && look.lower > 0) {
-      result.outcome = ImpactResult::Outcome::free;
-      return result;
-    }
-    if (!(look.lower > 0)) return result;
-    const double end = watch.end_of_piece(t, options.to);
-    if (end != piece_end || speeds.varies()) speeds = PairMotion(watch, t, end);
-    piece_end = end;
-    const double safe = safe_until(watch, look, speeds, end);
-    if (safe == kInfinity && end >= options.to) {
-      result.outcome = ImpactResult::Outcome::free;
-      result.lower = options.to;
-      return result;
-    }
-    const double next = safe < end ? planes.next(look, speeds, safe, end) : end;
-    if (!(next > t)) return result;
-    t = next;
-  }
-  return result;
+// The time until which the balls about the bodies' origins that hold the bodies are apart by more than
+// `contact`, as these fly straight: no more than `end`, and t where that proves nothing. Radii are larger
+// than rounding errors ask for, and so is the discriminant of the quadratic equation |way + v T| = radius.
+double balls_until(PartWatch& watch, const PairMotion& speeds, double t, double end, double contact) {
+  constexpr double kMargin = 1e-9;
+  if (speeds.varies()) return t;
+  watch.place(t);
+  const SmallVector& from = watch.placement_a().t;
+  const SmallVector way = watch.placement_b().t - from;
+  const SmallVector v = speeds.b.velocity - speeds.a.velocity;
+  const double reach = watch.a().reach + watch.b().reach + contact;
+  const double radius = reach + kMargin * (reach + way.norm() + 2 * from.norm());
+  const double c = way.squaredNorm() - radius * radius, b = way.dot(v), rounding = 1e-12 * b * b;
+  if (!(c > 0)) return t;
+  const double discriminant = b * b - v.squaredNorm() * c;
+  if (b >= 0 || discriminant < -rounding) return end;
+  const double time = c / (std::sqrt(std::max(discriminant, 0.0) + rounding) - b);
+  return std::min(t + (1 - kMargin) * time, end);
 }
+
+/// The advance of one pair of parts to its first contact.
+class Advance {
+ public:
+  Advance(PairSolver& solver, const Body& a, const Body& b, const ContinuousOptions& options)
+      : watch_(solver, a, b, kEuclidean, nullptr),
+        planes_(watch_),
+        options_(options),
+        t_(options.from),
+        speeds_(watch_, t_, t_) {
+    result_.lower = result_.upper = options.from;
+  }
+
+  ImpactResult run() {
+    while (result_.steps < options_.max_steps) {
+      const double end = watch_.end_of_piece(t_, options_.to);
+      if (end != piece_end_ && t_ < options_.to) {
+        enter_piece(end);
+        if (t_ >= options_.to) return end_free();
+        if (t_ >= end) continue;
+      }
+      if (!step(end)) break;
+    }
+    return result_;
+  }
+
+ private:
+  void enter_piece(double end) {
+    speeds_ = PairMotion(watch_, t_, end);
+    piece_end_ = end;
+    t_ = balls_until(watch_, speeds_, t_, end, options_.contact);
+  }
+
+  /// A look, and how far it leads. False at the end.
+  bool step(double end) {
+    ++result_.steps;
+    const PartLook look = watch_.at(t_, true);
+    result_.lower = t_;
+    if (look.answer.intersecting() || look.upper <= options_.contact) {
+      result_.outcome = ImpactResult::Outcome::contact;
+      result_.upper = t_;
+      result_.at_upper = look.answer;
+      return false;
+    }
+    result_.upper = options_.to;
+    if (t_ >= options_.to && look.lower > 0) result_.outcome = ImpactResult::Outcome::free;
+    if (t_ >= options_.to || !(look.lower > 0)) return false;
+    if (speeds_.varies()) speeds_ = PairMotion(watch_, t_, end);
+    const double safe = safe_until(watch_, look, speeds_, end);
+    if (safe == kInfinity && end >= options_.to) {
+      end_free();
+      return false;
+    }
+    const double next = safe < end ? planes_.next(look, speeds_, safe, end) : end;
+    const bool ahead = next > t_;
+    t_ = next;
+    return ahead;
+  }
+
+  const ImpactResult& end_free() {
+    result_.outcome = ImpactResult::Outcome::free;
+    result_.lower = result_.upper = options_.to;
+    return result_;
+  }
+
+  PartWatch watch_;
+  PlaneSteps planes_;
+  const ContinuousOptions& options_;
+  ImpactResult result_;
+  double t_;
+  double piece_end_ = -kInfinity;
+  PairMotion speeds_;  // over what is left of the piece
+};
 
 // A later pair of parts touches no sooner than its own bound says; what was proven is the least of all.
 void take_sooner(ImpactResult& all, const ImpactResult& one) {
@@ -85,13 +138,13 @@ void take_sooner(ImpactResult& all, const ImpactResult& one) {
 ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
                             const ContinuousOptions& options) {
   solver.set_tolerance(PartWatch::kStepTolerance);
-  if (a.parts.size() == 1 && b.parts.size() == 1) return advance(solver, a, b, options);
+  if (a.parts.size() == 1 && b.parts.size() == 1) return Advance(solver, a, b, options).run();
   ImpactResult result;
   result.outcome = ImpactResult::Outcome::free;
   result.lower = result.upper = options.to;
   ContinuousOptions remaining = options;
   for (const auto& [part_a, part_b] : part_pairs(a, b, options.from)) {
-    take_sooner(result, advance(solver, part_a, part_b, remaining));
+    take_sooner(result, Advance(solver, part_a, part_b, remaining).run());
     if (result.outcome == ImpactResult::Outcome::contact) remaining.to = result.upper;
   }
   return result;

@@ -37,9 +37,9 @@ void PlaneSteps::look_along(double t, Planes& planes) {
 // A vector of the time of the look, to the time of the watch.
 SmallVector PlaneSteps::carried(const SmallVector& u, Carrier carrier) const {
   if (carrier == Carrier::space) return u;
-  const Body& body = carrier == Carrier::a ? watch_.a() : watch_.b();
+  const Placement& now = carrier == Carrier::a ? at_a_ : at_b_;
   const Placement& then = carrier == Carrier::a ? watch_.placement_a() : watch_.placement_b();
-  return then.turned(body.motion->at(time_).turned_back(u));
+  return then.turned(now.turned_back(u));
 }
 
 // `places`: |p_b - p_a| at most. Seen from the body that does not carry the planes w = Rᵀu has
@@ -94,13 +94,15 @@ void PlaneSteps::change_carrier(const PairMotion& motion, double longest, double
 }
 
 double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
-  const double t = time_ = look.time;
+  const double t = look.time;
   if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;
   now_.u = look.normal / look.normal.norm();
   now_.apart = look.lower;
-  now_.arm_a = look.answer.point_a - watch_.placement_a().t;
-  now_.arm_b = look.answer.point_b - watch_.placement_b().t;
-  now_.way = watch_.placement_b().t - watch_.placement_a().t;
+  at_a_ = watch_.placement_a();
+  at_b_ = watch_.placement_b();
+  now_.arm_a = look.answer.point_a - at_a_.t;
+  now_.arm_b = look.answer.point_b - at_b_.t;
+  now_.way = at_b_.t - at_a_.t;
   const bool varies = motion.varies();
   if (varies) carrier_ = Carrier::space;
   bool may_change = !varies;

@@ -64,7 +64,7 @@ class PlaneSteps {
   SmallVector carried(const SmallVector& u, Carrier carrier) const;
 
   PartWatch& watch_;
-  double time_ = 0;                   // of the look
+  Placement at_a_, at_b_;             // at the time of the look
   Carrier carrier_ = Carrier::space;  // of the last step
   Planes now_, then_;
 };
