@@ -162,6 +162,7 @@ SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
     }
   };
   run_team(summary.threads, {}, work);
+  sink.flush();
   summary.stopped = summary.stopped && summary.cells_done < cells.size();
   summary.wall_seconds = seconds_since(begin);
   return summary;

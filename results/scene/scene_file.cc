@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "results/exceptions.h"
 #include "results/hdf5/hdf5_library.h"
@@ -116,24 +118,39 @@ bool is_scene_file(const fs::path& path) {
   return scene;
 }
 
+namespace {
+
+// Cells of `part` that are not `known` yet.
+void add_cells(const SceneFile& part, std::set<std::uint64_t>& known, SceneFile& all) {
+  const auto add = [&known](const auto& rows, auto& to) {
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(to),
+                 [&known](const auto& row) { return known.count(row.cell) == 0; });
+  };
+  add(part.records, all.records);
+  add(part.tallies, all.tallies);
+  add(part.cells, all.cells);
+  for (const SceneCellRow& row : part.cells) known.insert(row.cell);
+}
+
+}  // namespace
+
 SceneFile read_scene_file(const fs::path& path) {
   const std::vector<fs::path> parts = list_scene_parts(path);
   if (parts.empty()) return decode_scene(path);
   SceneFile all;
   bool first = true;
+  std::set<std::uint64_t> known;
   if (fs::exists(path)) {
     all = decode_scene(path);
     first = false;
+    for (const SceneCellRow& row : all.cells) known.insert(row.cell);
   }
   for (const fs::path& part_path : parts) {
     SceneFile part = decode_scene(part_path);
-    const auto known = [&](std::uint64_t cell) {
-      return std::any_of(all.cells.begin(), all.cells.end(),
-                         [&](const SceneCellRow& row) { return row.cell == cell; });
-    };
     if (first) {
       all = std::move(part);
       first = false;
+      for (const SceneCellRow& row : all.cells) known.insert(row.cell);
       continue;
     }
     if (part.identity != all.identity) {
@@ -141,10 +158,7 @@ SceneFile read_scene_file(const fs::path& path) {
     }
     if (all.drawing.empty()) all.drawing = part.drawing;
     if (part.sessions.size() > all.sessions.size()) all.sessions = part.sessions;
-    if (part.cells.empty() || known(part.cells.front().cell)) continue;
-    all.records.insert(all.records.end(), part.records.begin(), part.records.end());
-    all.tallies.insert(all.tallies.end(), part.tallies.begin(), part.tallies.end());
-    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
+    add_cells(part, known, all);
   }
   sort_scene(all);
   return all;

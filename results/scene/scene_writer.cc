@@ -24,13 +24,17 @@ std::string part_name(std::uint64_t cell) {
   return std::string(kPart) + number + ".h5";
 }
 
-void append_cell(SceneFile& file, const SceneCellResult& cell, std::int32_t session) {
-  for (const SceneRecord& record : cell.records) file.records.push_back({cell.cell, session, record});
-  for (std::size_t q = 0; q < cell.tallies.size(); ++q) {
-    if (cell.tallies[q].asked > 0)
-      file.tallies.push_back({cell.cell, static_cast<std::int32_t>(q), cell.tallies[q]});
-  }
-  file.cells.push_back({cell.cell, cell.counters, cell.seconds});
+// `cells` with what describes the scene.
+SceneFile part_of(const SceneFile& head, SceneFile cells, bool drawing) {
+  cells.name = head.name;
+  cells.text = head.text;
+  cells.identity = head.identity;
+  if (drawing) cells.drawing = head.drawing;
+  cells.cell_count = head.cell_count;
+  cells.sessions = head.sessions;
+  cells.bodies = head.bodies;
+  cells.queries = head.queries;
+  return cells;
 }
 
 }  // namespace
@@ -47,7 +51,11 @@ std::vector<fs::path> list_scene_parts(const fs::path& target) {
 }
 
 SceneWriter::SceneWriter(const std::string& path, SceneFile head, RunMode mode)
-    : path_(behind_links(path)), mode_(mode), head_(std::move(head)), directory_(path_) {
+    : path_(behind_links(path)),
+      mode_(mode),
+      head_(std::move(head)),
+      directory_(path_),
+      batch_([this](SceneFile cells) { store_part(std::move(cells)); }) {
   if (mode == RunMode::create) refuse_existing();
   if (mode == RunMode::resume) resume_existing();
   if (mode == RunMode::force && fs::exists(path_) && !is_scene_file(path_)) {
@@ -99,19 +107,25 @@ void SceneWriter::begin() {
 }
 
 void SceneWriter::store(const SceneCellResult& cell) {
+  {
+    const std::scoped_lock lock(mutex_);
+    append_cell(all_, cell, session_);
+  }
+  batch_.add(cell, session_);
+}
+
+// The first part of a session has the drawing for all.
+void SceneWriter::store_part(SceneFile cells) {
   const std::scoped_lock lock(mutex_);  // HDF5 is not for several threads at once
-  SceneFile part = head_;
-  if (stored_any_) part.drawing.clear();  // the first part of a session has it for all
-  append_cell(part, cell, session_);
-  const std::string bytes = encode_scene(part);
+  const fs::path path = directory_.folder() / part_name(cells.cells.front().cell);
+  const std::string bytes = encode_scene(part_of(head_, std::move(cells), !stored_any_));
   if (mode_ == RunMode::force && !stored_any_) discard_earlier(bytes);
   stored_any_ = true;
-  const fs::path path = directory_.folder() / part_name(cell.cell);
   write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
-  append_cell(all_, cell, session_);
 }
 
 void SceneWriter::finish() {
+  batch_.flush();
   const std::scoped_lock lock(mutex_);
   const std::vector<fs::path> parts = list_scene_parts(path_);
   if (parts.empty() && fs::exists(path_)) return;
@@ -127,17 +141,18 @@ void SceneWriter::finish() {
 }
 
 SceneRankSink::SceneRankSink(const fs::path& path, SceneFile head, std::int32_t session)
-    : folder_(parts_folder(behind_links(path))), head_(std::move(head)), session_(session) {
+    : folder_(parts_folder(behind_links(path))),
+      head_(std::move(head)),
+      session_(session),
+      batch_([this](SceneFile cells) { store_part(std::move(cells)); }) {
   head_.sessions.clear();  // the process that began the run has stored them
   head_.drawing.clear();
 }
 
-void SceneRankSink::store(const SceneCellResult& cell) {
-  const std::scoped_lock lock(mutex_);
-  SceneFile part = head_;
-  append_cell(part, cell, session_);
-  const fs::path path = folder_ / part_name(cell.cell);
-  write_atomically(path, encode_scene(part), path.string() + std::string(kTemporarySuffix));
+void SceneRankSink::store_part(SceneFile cells) {
+  const fs::path path = folder_ / part_name(cells.cells.front().cell);
+  write_atomically(path, encode_scene(part_of(head_, std::move(cells), false)),
+                   path.string() + std::string(kTemporarySuffix));
 }
 
 }  // namespace raygauge

@@ -11,16 +11,18 @@
 #include "results/merge/merge_parts.h"
 #include "results/run/run_directory.h"
 #include "results/run/run_writer.h"
+#include "results/scene/scene_batch.h"
 #include "results/scene/scene_file.h"
 
 namespace raygauge {
 
-/// The parts of an unfinished run of a scene, one small file a cell, in the folder TARGET.parts:
-/// scene-000012.h5 holds cell 12 and all that describes the scene.
+/// The parts of an unfinished run of a scene, small files in the folder TARGET.parts: scene-000012.h5 holds
+/// cell 12, those that ended at about the same time, and all that describes the scene.
 std::vector<std::filesystem::path> list_scene_parts(const std::filesystem::path& target);
 
-/// A scene's results being written. Each cell lands as a file of its own, written aside and renamed; finish()
-/// merges them into `path`. A run that is killed keeps every cell that has landed.
+/// A scene's results being written. Cells land in files, written aside and renamed, a quarter of a second
+/// after they end at the latest (SceneBatch); finish() merges them into `path`. A run that is killed keeps
+/// every cell that has landed.
 class SceneWriter final : public SceneSink {
  public:
   /// `head` holds what describes the scene, with one session for each process that works on it, this one's
@@ -37,6 +39,7 @@ class SceneWriter final : public SceneSink {
   std::int32_t session() const noexcept { return session_; }
 
   void store(const SceneCellResult& cell) override;
+  void flush() override { batch_.flush(); }
 
   /// Merges what is stored into the file and removes the parts.
   void finish();
@@ -48,6 +51,7 @@ class SceneWriter final : public SceneSink {
   void refuse_existing() const;
   void resume_existing();
   void discard_earlier(const std::string& bytes);
+  void store_part(SceneFile cells);
 
   std::filesystem::path path_;
   RunMode mode_;
@@ -59,6 +63,7 @@ class SceneWriter final : public SceneSink {
   std::int32_t session_ = 0;
   bool begun_ = false;  ///< for several processes
   bool stored_any_ = false;
+  SceneBatch batch_;  // the last member: its thread uses the others
 };
 
 /// Cells of a process that works on a run which another one has begun.
@@ -66,13 +71,16 @@ class SceneRankSink final : public SceneSink {
  public:
   SceneRankSink(const std::filesystem::path& path, SceneFile head, std::int32_t session);
 
-  void store(const SceneCellResult& cell) override;
+  void store(const SceneCellResult& cell) override { batch_.add(cell, session_); }
+  void flush() override { batch_.flush(); }
 
  private:
+  void store_part(SceneFile cells);
+
   std::filesystem::path folder_;
   SceneFile head_;
   std::int32_t session_;
-  std::mutex mutex_;
+  SceneBatch batch_;  // the last member: its thread uses the others
 };
 
 /// Joins parts of one scene, such as shards, into `target`, each cell once; `partial`: even if cells are

@@ -17,6 +17,9 @@ class SceneSink {
  public:
   virtual ~SceneSink() = default;
   virtual void store(const SceneCellResult& cell) = 0;
+
+  /// All cells given so far are safe when it returns. Called once, at the end of a run.
+  virtual void flush() {}
 };
 
 struct SceneProgress {
