@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/scene/scene_batch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace raygauge {
@@ -30,7 +31,7 @@ void SceneBatch::add(const SceneCellResult& cell, std::int32_t session) {
   const std::scoped_lock lock(mutex_);
   rethrow();
   append_cell(waiting_, cell, session);
-  if (Clock::now() - last_ < kPause) {
+  if (Clock::now() < due_) {
     added_.notify_one();
     return;
   }
@@ -51,21 +52,22 @@ void SceneBatch::rethrow() {
 
 void SceneBatch::store_waiting() {
   if (waiting_.cells.empty()) return;
+  const Clock::time_point begin = Clock::now();
   try {
     store_(std::exchange(waiting_, {}));
   } catch (...) {
     error_ = std::current_exception();
   }
-  last_ = Clock::now();
+  const Clock::time_point end = Clock::now();
+  due_ = end + std::max<Clock::duration>(kPause, kShare * (end - begin));
 }
 
 void SceneBatch::wait_and_store(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (added_.wait(lock, stop, [this] { return !waiting_.cells.empty() && error_ == nullptr; })) {
-    const Clock::time_point due = last_ + kPause;
-    added_.wait_until(lock, stop, due, [] { return false; });
+    added_.wait_until(lock, stop, due_, [] { return false; });
     if (stop.stop_requested()) return;
-    if (Clock::now() >= due) store_waiting();
+    if (Clock::now() >= due_) store_waiting();
   }
 }
 

@@ -16,11 +16,13 @@ namespace raygauge {
 /// Appends what a cell gave.
 void append_cell(SceneFile& file, const SceneCellResult& cell, std::int32_t session);
 
-/// Cells on their way to the disk. Those that end within kPause of each other share a file: one of its own
-/// takes some milliseconds, more than the work on most cells. None waits for longer.
+/// Cells on their way to the disk. Those that end within a pause share a file: one of its own takes some
+/// milliseconds, more than the work on most cells. The pause is kPause, or kShare times what storing took
+/// before if that is longer, and no cell waits for longer.
 class SceneBatch {
  public:
   static constexpr std::chrono::milliseconds kPause{250};
+  static constexpr int kShare = 4;  ///< storing takes a fifth of the time at most
 
   /// `store` writes cells (what a SceneFile has of them, nothing else); called by any thread, one at a time.
   using Store = std::function<void(SceneFile cells)>;
@@ -46,7 +48,7 @@ class SceneBatch {
   std::mutex mutex_;
   std::condition_variable_any added_;
   SceneFile waiting_;
-  Clock::time_point last_ = Clock::now() - kPause;  ///< when cells were stored
+  Clock::time_point due_ = Clock::now();  ///< when cells are stored next
   std::exception_ptr error_;
   std::jthread thread_;
 };

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 #include "results/exceptions.h"
@@ -55,13 +56,27 @@ std::string field_of(const Value& value) {
       value);
 }
 
+// Rows are long: each is moved once.
+template <class Row>
+void sort_by_cell(std::vector<Row>& rows) {
+  const auto by_cell = [](const Row& x, const Row& y) { return x.cell < y.cell; };
+  if (std::is_sorted(rows.begin(), rows.end(), by_cell)) return;
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&rows](std::size_t x, std::size_t y) { return rows[x].cell < rows[y].cell; });
+  std::vector<Row> sorted;
+  sorted.reserve(rows.size());
+  for (const std::size_t i : order) sorted.push_back(std::move(rows[i]));
+  rows = std::move(sorted);
+}
+
 }  // namespace
 
 void sort_scene(SceneFile& file) {
-  const auto by_cell = [](const auto& x, const auto& y) { return x.cell < y.cell; };
-  std::stable_sort(file.records.begin(), file.records.end(), by_cell);
-  std::stable_sort(file.tallies.begin(), file.tallies.end(), by_cell);
-  std::stable_sort(file.cells.begin(), file.cells.end(), by_cell);
+  sort_by_cell(file.records);
+  sort_by_cell(file.tallies);
+  sort_by_cell(file.cells);
 }
 
 std::string encode_scene(const SceneFile& file) {

@@ -20,8 +20,8 @@ namespace raygauge {
 /// cell 12, those that ended at about the same time, and all that describes the scene.
 std::vector<std::filesystem::path> list_scene_parts(const std::filesystem::path& target);
 
-/// A scene's results being written. Cells land in files, written aside and renamed, a quarter of a second
-/// after they end at the latest (SceneBatch); finish() merges them into `path`. A run that is killed keeps
+/// A scene's results being written. Cells land in files, written aside and renamed, soon after they
+/// end (SceneBatch); finish() merges them into `path`. A run that is killed keeps
 /// every cell that has landed.
 class SceneWriter final : public SceneSink {
  public:
