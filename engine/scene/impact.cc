@@ -38,7 +38,7 @@ double balls_until(PartWatch& watch, const PairMotion& speeds, double t, double 
   const SmallVector way = watch.placement_b().t - from;
   const SmallVector v = speeds.b.velocity - speeds.a.velocity;
   const double reach = watch.a().reach + watch.b().reach + contact;
-  const double radius = reach + kMargin * (reach + way.norm() + 2 * from.norm());
+  const double radius = reach + 2 * watch.slack() + kMargin * (reach + way.norm() + 2 * from.norm());
   const double c = way.squaredNorm() - radius * radius, b = way.dot(v), rounding = 1e-12 * b * b;
   if (!(c > 0)) return t;
   const double discriminant = b * b - v.squaredNorm() * c;

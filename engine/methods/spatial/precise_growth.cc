@@ -71,7 +71,7 @@ bool PreciseGrowth::turn_portal(const PreciseVector3& u) {
   for (PrecisePoint& corner : portal_) {
     if (!pair_.follow(u, corner)) return false;
   }
-  beyond_cores_ = p_ + u - pair_.through_balls(u);
+  beyond_cores_ = p_ + pair_.ball_points(u);
   return true;
 }
 

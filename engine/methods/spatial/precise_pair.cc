@@ -344,17 +344,18 @@ bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) co
   return false;
 }
 
-PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const {
-  PreciseVector3 point = v;
+PreciseVector3 PrecisePair::ball_points(const PreciseVector3& u) const {
+  PreciseVector3 sum;
   for (const Body& body : body_) {
     if (!(body.shape->radius > 0)) continue;
-    const PreciseVector3 inner = turn_back(body, v);
+    const PreciseVector3 inner = turn_back(body, u);
     const DoubleDouble size = sqrt(dot(inner, inner));
-    if (!(size.high > 0)) continue;
-    point = point - turn(body, inner * (DoubleDouble{body.shape->radius} / size));
+    if (size.high > 0) sum = sum + turn(body, inner * (DoubleDouble{body.shape->radius} / size));
   }
-  return point;
+  return sum;
 }
+
+PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const { return v - ball_points(v); }
 
 PreciseVector3 PrecisePair::between_centers() const {
   return turn(body_[1], body_[1].shape->center) - turn(body_[0], body_[0].shape->center) - apart_;

@@ -53,6 +53,9 @@ class PrecisePair {
   /// The difference of two vertices; false where there are none.
   bool vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const;
 
+  /// What the balls of both bodies add to a support point of the cores for u.
+  PreciseVector3 ball_points(const PreciseVector3& u) const;
+
   /// The point of D that is reached from v, a point of the cores, by going back along it through both balls.
   PreciseVector3 through_balls(const PreciseVector3& v) const;
 

@@ -131,6 +131,28 @@ TEST(PreciseGrowth, CertifiesRoundNeedles) {
   }
 }
 
+// To the last bit: powers of two scale every rounding error, too.
+TEST(PreciseGrowth, DoesNotDependOnTheScale) {
+  Random random(4);
+  GrowthDistanceSolver solver = make_solver();
+  for (int trial = 0; trial < 20; ++trial) {
+    const Pose pose_1 = random_pose(random), pose_2 = random_pose(random);
+    DistanceResult results[2];
+    for (int i = 0; i < 2; ++i) {
+      const double scale = i == 0 ? 1 : 0x1p-80;
+      const Vector3d end(scale, 0, 0);
+      const Capsule one(Vector3d(-end), end, 0x1p-26 * scale);
+      const TruncatedCone two(Vector3d(-end), 0x1p-26 * scale, end, 0x1p-27 * scale);
+      const Pose at_1(pose_1.rotation(), Vector(scale * pose_1.translation()));
+      const Pose at_2(pose_2.rotation(), Vector(scale * pose_2.translation()));
+      results[i] = solver.solve_about_centers({one, at_1}, {two, at_2});
+    }
+    EXPECT_EQ(results[0].status, DistanceStatus::optimal);
+    EXPECT_EQ(results[0].lower, results[1].lower);
+    EXPECT_EQ(results[0].upper, results[1].upper);
+  }
+}
+
 // Bodies with the same centre need not grow at all.
 TEST(PreciseGrowth, IsZeroOfBodiesWithTheSameCenter) {
   Random random(3);
