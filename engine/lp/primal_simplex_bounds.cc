@@ -99,7 +99,7 @@ double PrimalSimplex::upper_with_residual(double gauge_bound) const {
   return (beta + gauge_bound * residual) / alpha * (1 + rounding);
 }
 
-// max |r_i| Σ_k |R_ik| over the rows i, without R's last column: what changes are the first n equations.
+// max_i Σ_k |R_ik| without R's last column: what changes are the first n equations.
 double PrimalSimplex::norm_of_inverse() const {
   const BasisView& view = basis_.view();
   double norm = 0;

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kOutward = 1 + 1e-12;  // of a few operations
 constexpr int kTrials = 4;
-constexpr double kLong = 0.5;                         // a step, as a share of what the speed of now leads to
 constexpr double kShortest = 0.25, kLongest = 0.999;  // of a time that was too long
 
 // Seen from the body the unit vector u turns, w' = w × spin, and the height is h(w), convex and at most reach

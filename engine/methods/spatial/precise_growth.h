@@ -6,15 +6,16 @@
 
 namespace raygauge {
 
-/// Goes on where spatial_growth ended `open` on two bodies about their centres. For polytopes with the three
-/// vertices of its portal: needles a million times as long as thick, for which the rounding errors of doubles
-/// are too large a share of the thickness. The same exchanges and bounds in double-double arithmetic; the
-/// exact weights are enclosed:
+/// Goes on where spatial_growth ended `open` on two bodies about their centres: needles a million times as
+/// long as thick, for which the rounding errors of doubles are too large a share of the thickness. With three
+/// different vertices or rims, those of its portal: the same exchanges and bounds in double-double
+/// arithmetic, the points of rims and balls being those for the portal's normal. The exact weights are
+/// enclosed:
 ///
 ///     σ <= Σ c_l + 3 δ,   c_l >= δ,      δ = 2 |S⁻¹| (|p - Σ c_l s_l| + error).
 ///
-/// For others by Newton steps from its normal u, with the one support point s there and R the radius of a
-/// ball inside B: σ <= c + (|p - c s| + error)/R with c = u·p / h_B(u), the lower bound.
+/// For others without balls by Newton steps from its normal u, with the one support point s there and R the
+/// radius of a ball inside B: σ <= c + (|p - c s| + error)/R with c = u·p / h_B(u), the lower bound.
 ///
 /// `answer` stays as it was where this does not do.
 void precise_growth(const SpatialPair& pair, const Posed& first, const Posed& second, const Kernels& kernels,

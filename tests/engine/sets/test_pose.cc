@@ -32,6 +32,21 @@ TEST(Pose, TakesMatrixQuaternionAndIsometryForTheSameMotion) {
   }
 }
 
+TEST(Pose, IsAssignedInPlaceWithTheSameChecks) {
+  const Pose given(Eigen::Quaterniond(0.4, -0.2, 0.8, 0.1), Eigen::Vector3d(1, -2, 3));
+  Pose pose(3);
+  pose.assign(given.rotation_data(), given.translation_data());
+  EXPECT_EQ(pose.rotation(), given.rotation());
+  EXPECT_EQ(pose.translation(), given.translation());
+  EXPECT_EQ(pose.defect(), given.defect());
+  EXPECT_FALSE(pose.is_axis_exchange());
+  double R[9] = {1, 1e-9, 0, 0, 1, 0, 0, 0, 1}, t[3] = {0, 0, 0};
+  EXPECT_THROW(pose.assign(R, t), InvalidParameterError);
+  R[1] = 0;
+  t[2] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(pose.assign(R, t), NonFiniteError);
+}
+
 TEST(Pose, TurnsThePlane) {
   Eigen::Isometry2d quarter = Eigen::Isometry2d::Identity();
   quarter.linear() << 0, -1, 1, 0;
