@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/methods/spatial/spatial_distance.h"
+#include "engine/queries/spatial_solve.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/queries/warm_start.h"
 
 namespace raygauge {
 
-/// Queries about bodies of R^2 and R^3 by fixed-size code, where it has what it needs: both sets have a
-/// SpatialShape and the options leave the way to it open. Each function returns false where it has no answer
-/// that is as certain and as precise as was asked for; nothing is lost then but its time.
+/// Queries about bodies of R^2 and R^3 by SpatialSolve, where the options leave the way to it open. Each
+/// function returns false where it has no answer that is as certain and as precise as was asked for; nothing
+/// is lost then but its time.
 class SpatialQuery {
  public:
   /// The Euclidean distance, in units of the radius of the ball `metric`.
@@ -24,15 +23,9 @@ class SpatialQuery {
 
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
-  void begin(const WarmStart* warm);
-  bool no_growth(WarmStart* warm, DistanceResult& result);
-  bool find_distance(const Posed& A1, const Posed& A2, const DistanceOptions& options);
-  void record(const SpatialAnswer& answer, const Vector& normal, WarmStart* warm) const;
-  void closest_points(const SpatialAnswer& answer, ObjectDistance& result) const;
+  void set_counters(DistanceResult& result) const;
 
-  SpatialPair pair_;
-  SpatialStart start_;
-  SpatialAnswer answer_;
+  SpatialSolve solve_;
   SpatialShape metric_;
 };
 

@@ -162,11 +162,13 @@ void InstantRun::solve(std::size_t k) {
   const std::int64_t before = solver_.counters().solves();
   const bool follows = scene_.queries[static_cast<std::size_t>(task_.queries.front())].metric.body >= 0;
   if (any_distance_) {
-    known_.answer = solver_.distance(memory_, exact_ ? kInfinity : enough_, closest_points_, gradient_);
-    known_.status = status_of(known_.answer);
-    if (!exact_ && known_.answer.lower > enough_) {
+    const PairAnswer& answer =
+        solver_.distance(memory_, exact_ ? kInfinity : enough_, closest_points_, gradient_);
+    known_.answer = &answer;
+    known_.status = status_of(answer);
+    if (!exact_ && answer.lower > enough_) {
       known_.beyond = true;
-      if (!follows) hold(k, known_.answer.lower, known_.answer.rate, false, SceneDecision::coherence);
+      if (!follows) hold(k, answer.lower, answer.rate, false, SceneDecision::coherence);
     }
   } else {
     known_.status = status_of(solver_.separation(memory_));
@@ -188,25 +190,28 @@ void InstantRun::solve_growth(std::size_t k) {
   for (const int q : task_.queries) {
     const SceneQuery& query = scene_.queries[static_cast<std::size_t>(q)];
     if (!has_effect(query.effects, SceneEffects::growth)) continue;
-    wanted |= !std::isfinite(query.within) || (!known_.beyond && known_.answer.lower <= query.within);
+    wanted |= !std::isfinite(query.within) || is_within(query);
   }
   if (!wanted) return;
   place(k);
   const auto begin = std::chrono::steady_clock::now();
   const std::int64_t before = solver_.counters().solves();
-  known_.growth = solver_.growth(memory_);
-  known_.growth.rate = 1;  // says that there is one
+  known_.growth = &solver_.growth(memory_);
   if (!any_distance_ && !any_separation_) {
-    if (known_.growth.lower > 1) known_.status = SceneStatus::separated;
-    if (known_.growth.upper < 1) known_.status = SceneStatus::intersecting;
+    if (known_.growth->lower > 1) known_.status = SceneStatus::separated;
+    if (known_.growth->upper < 1) known_.status = SceneStatus::intersecting;
   }
   known_.solves += solver_.counters().solves() - before;
   known_.seconds += seconds_since(begin);
   known_.decided = SceneDecision::solved;
 }
 
+bool InstantRun::is_within(const SceneQuery& query) const {
+  return !known_.beyond && (known_.answer == nullptr || known_.answer->lower <= query.within);
+}
+
 bool InstantRun::is_recorded(const SceneQuery& query, SceneStatus before) const {
-  if (std::isfinite(query.within)) return !known_.beyond && known_.answer.lower <= query.within;
+  if (std::isfinite(query.within)) return is_within(query);
   const bool only_separated = query.effects == SceneEffects::separated ||
                               !has_effect(query.effects, kDistanceEffects | SceneEffects::growth);
   if (!only_separated || query.every_instant) return true;
@@ -238,22 +243,23 @@ void InstantRun::write_row(std::size_t k, int q) {
   row.solves = known_.solves;
   row.seconds = known_.seconds;
   const bool distance = has_effect(query.effects, kDistanceEffects) || std::isfinite(query.within);
-  if (distance && !known_.beyond) {
-    row.part_a = known_.answer.part_a;
-    row.part_b = known_.answer.part_b;
-    row.lower = known_.answer.lower;
-    row.upper = known_.answer.upper;
-    row.distance = known_.answer.value;
+  if (distance && !known_.beyond && known_.answer != nullptr) {
+    const PairAnswer& answer = *known_.answer;
+    row.part_a = answer.part_a;
+    row.part_b = answer.part_b;
+    row.lower = answer.lower;
+    row.upper = answer.upper;
+    row.distance = answer.value;
     if (has_effect(query.effects, SceneEffects::closest_points)) {
-      row.point_a = known_.answer.point_a;
-      row.point_b = known_.answer.point_b;
+      row.point_a = answer.point_a;
+      row.point_b = answer.point_b;
     }
-    if (has_effect(query.effects, SceneEffects::gradient)) row.gradient = known_.answer.gradient;
+    if (has_effect(query.effects, SceneEffects::gradient)) row.gradient = answer.gradient;
   }
-  if (has_effect(query.effects, SceneEffects::growth) && known_.growth.rate > 0) {
-    row.growth = known_.growth.value;
-    row.growth_lower = known_.growth.lower;
-    row.growth_upper = known_.growth.upper;
+  if (has_effect(query.effects, SceneEffects::growth) && known_.growth != nullptr) {
+    row.growth = known_.growth->value;
+    row.growth_lower = known_.growth->lower;
+    row.growth_upper = known_.growth->upper;
   }
   result_.records.push_back(std::move(row));
 }

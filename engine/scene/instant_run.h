@@ -25,9 +25,9 @@ class InstantRun {
   struct Known {
     SceneDecision decided = SceneDecision::solved;
     SceneStatus status = SceneStatus::undecided;
-    bool beyond = false;  ///< farther than any query cares; nothing more is known
-    PairAnswer answer;
-    PairAnswer growth;
+    bool beyond = false;                 ///< farther than any query cares; nothing more is known
+    const PairAnswer* answer = nullptr;  ///< the solver's, which it keeps until it is asked again
+    const PairAnswer* growth = nullptr;
     std::int64_t solves = 0;
     double seconds = 0;
   };
@@ -43,6 +43,7 @@ class InstantRun {
   void solve_growth(std::size_t k);
   void write(std::size_t k);
   void write_row(std::size_t k, int query);
+  bool is_within(const SceneQuery& query) const;
   bool is_recorded(const SceneQuery& query, SceneStatus before) const;
 
   const Scene& scene_;

@@ -144,7 +144,7 @@ class NearestRun {
     row.seconds = found.seconds;
     if (has_effect(query_.effects, SceneEffects::growth)) {
       bind(found.pair, k);
-      const PairAnswer growth = solver_.growth(memories_[found.pair]);
+      const PairAnswer& growth = solver_.growth(memories_[found.pair]);
       row.growth = growth.value;
       row.growth_lower = growth.lower;
       row.growth_upper = growth.upper;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
+#include "engine/queries/spatial_solve.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {
@@ -15,11 +16,30 @@ namespace {
 constexpr double kRounding = 1e-13;
 constexpr double kOutward = 1 + kRounding;
 
+constexpr double kNoThreshold = std::numeric_limits<double>::quiet_NaN();
+
 DistanceOptions newton_options(double tolerance) {
   DistanceOptions options;
   options.method = DistanceMethod::newton;
   options.tolerance = tolerance;
   return options;
+}
+
+void pose(const Placement& at, Pose& result) {
+  if (at.defect == Placement::kUnchecked) {
+    result.assign(at.R.data(), at.t.data());
+  } else {
+    result.assign_checked(at.R.data(), at.t.data(), at.defect);
+  }
+}
+
+void copy(const double* numbers, int n, SmallVector& v) {
+  v.resize(n);
+  if (n == 3) {
+    Eigen::Vector3d::Map(v.data()) = Eigen::Vector3d::Map(numbers);
+  } else {
+    v = SmallVector::Map(numbers, n);
+  }
 }
 
 // What h(u) of a placed set may lose: rounding_error(n) Σ_k |u_k| m_k with the magnitudes of PlacedSet, each
@@ -30,6 +50,28 @@ double support_error(const SmallVector& u, double turned, const Placement& at) {
 }
 
 }  // namespace
+
+// A solve by fixed-size code, which keeps what it made of two parts while these move.
+class PairSolver::FixedSolve {
+ public:
+  void forget() noexcept { first_ = nullptr; }
+
+  // The solve about two bodies where they stand; nullptr where there is none.
+  SpatialSolve* about(const Posed& first, const Posed& second) {
+    if (first_ != &first.set || second_ != &second.set) {
+      first_ = &first.set;
+      second_ = &second.set;
+      bound_ = solve_.bind(first.set, second.set, InstructionSet::automatic);
+    }
+    return bound_ && solve_.place(first.pose, second.pose) ? &solve_ : nullptr;
+  }
+
+ private:
+  SpatialSolve solve_;
+  const ConvexSet* first_ = nullptr;
+  const ConvexSet* second_ = nullptr;
+  bool bound_ = false;
+};
 
 SceneCounters& SceneCounters::operator+=(const SceneCounters& other) {
   distance_solves += other.distance_solves;
@@ -43,6 +85,30 @@ SceneCounters& SceneCounters::operator+=(const SceneCounters& other) {
   return *this;
 }
 
+void PairAnswer::begin(int a, int b) noexcept {
+  lower = value = rate = 0;
+  upper = std::numeric_limits<double>::infinity();
+  status = DistanceStatus::optimal;
+  part_a = a;
+  part_b = b;
+  for (SmallVector* vector : {&normal, &point_a, &point_b, &gradient}) vector->resize(0);
+}
+
+PairAnswer& PairSolver::Nearest::next(const PartPair& pair) noexcept {
+  next_->begin(pair.a, pair.b);
+  return *next_;
+}
+
+// The nearest of several parts is that of the least upper bound; common points end the search.
+void PairSolver::Nearest::take_next() {
+  const bool first = best_->part_a < 0;
+  const double lower = first ? next_->lower : std::min(best_->lower, next_->lower);
+  const double rate = std::max(best_->rate, next_->rate);
+  if (first || next_->upper < best_->upper || next_->intersecting()) std::swap(best_, next_);
+  best_->lower = lower;
+  best_->rate = rate;
+}
+
 PairSolver::PairSolver(int dimension)
     : dimension_(dimension),
       distance_(newton_options(1e-6)),
@@ -50,9 +116,12 @@ PairSolver::PairSolver(int dimension)
       growth_(newton_options(1e-6)),
       set_Q_(dimension),
       ball_(std::make_shared<Ball>(Vector::Zero(dimension), 1.0)),
+      fixed_(std::make_unique<FixedSolve>()),
       pose_a_(dimension),
       pose_b_(dimension),
       tolerance_(1e-6) {}
+
+PairSolver::~PairSolver() = default;
 
 void PairSolver::set_tolerance(double tolerance) {
   if (tolerance == tolerance_) return;
@@ -65,6 +134,7 @@ void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
   a_ = &a;
   b_ = &b;
   metric_ = &metric;
+  fixed_->forget();
   part_pairs_.clear();
   for (int i = 0; i < static_cast<int>(a.parts.size()); ++i) {
     for (int j = 0; j < static_cast<int>(b.parts.size()); ++j) part_pairs_.push_back({i, j, 0});
@@ -201,8 +271,8 @@ double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
 
 void PairSolver::pose_bodies() {
   if (posed_) return;
-  pose_a_.assign(at_a_.R.data(), at_a_.t.data());
-  pose_b_.assign(at_b_.R.data(), at_b_.t.data());
+  pose(at_a_, pose_a_);
+  pose(at_b_, pose_b_);
   posed_ = true;
 }
 
@@ -216,69 +286,88 @@ Posed PairSolver::part_of_b(const PartPair& pair) const {
 
 // Parts that overlapped before are asked first whether they still do: a growth distance, stopped at 1, proves
 // it for a small part of what it costs a distance of smooth sets to end at 0.
-bool PairSolver::still_overlap(const PartPair& pair, PartMemory& memory, PairAnswer& best) {
+bool PairSolver::still_overlap(const PartPair& pair, PartMemory& memory) {
   if (!memory.overlapped) return false;
   const SeparationResult& found = separation_.separation(part_of_a(pair), part_of_b(pair), &memory.growth);
   counters_.support_queries += found.counters.support_queries;
-  if (found.outcome != Separation::intersecting) return false;
-  ++counters_.distance_solves;
-  best = PairAnswer{};
-  best.upper = 0;
-  best.status = DistanceStatus::contains_origin;
-  best.part_a = pair.a;
-  best.part_b = pair.b;
+  return found.outcome == Separation::intersecting;
+}
+
+bool PairSolver::solve_fixed(const PartPair& pair, bool closest_points, PartMemory& memory,
+                             PairAnswer& answer) {
+  if (!metric_->euclidean()) return false;
+  SpatialSolve* solve = fixed_->about(part_of_a(pair), part_of_b(pair));
+  if (solve == nullptr || !solve->distance(tolerance_, &memory.distance)) return false;
+  counters_.support_queries += solve->support_queries();
+  const SpatialAnswer& found = solve->answer();
+  memory.overlapped = found.end == SpatialEnd::intersecting;
+  if (memory.overlapped) {
+    answer.upper = 0;
+    answer.status = DistanceStatus::contains_origin;
+    return true;
+  }
+  answer.lower = found.lower;
+  answer.value = answer.upper = found.upper;
+  copy(solve->normal(), dimension_, answer.normal);
+  copy(solve->normal(), dimension_, memory.normal);
+  answer.rate = kOutward;
+  if (!closest_points) return true;
+  answer.point_a.resize(dimension_);
+  answer.point_b.resize(dimension_);
+  solve->closest_points(answer.point_a.data(), answer.point_b.data());
+  ++counters_.closest_points;
   return true;
 }
 
-void PairSolver::solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory,
-                             PairAnswer& best) {
-  pose_bodies();
-  PartMemory& kept = memory[memory_index(pair)];
-  if (still_overlap(pair, kept, best)) return;
+void PairSolver::solve_parts(const PartPair& pair, bool closest_points, PartMemory& memory,
+                             PairAnswer& answer) {
+  ++counters_.distance_solves;
+  if (still_overlap(pair, memory)) {
+    answer.upper = 0;
+    answer.status = DistanceStatus::contains_origin;
+    return;
+  }
+  if (solve_fixed(pair, closest_points, memory, answer)) return;
   const ConvexSet& Q = metric_->euclidean() ? *ball_ : static_cast<const ConvexSet&>(set_Q_);
   const ObjectDistance& found =
       distance_.solve(part_of_a(pair), part_of_b(pair), Q,
-                      closest_points ? ObjectEffects::closest_points : ObjectEffects::none, &kept.distance);
+                      closest_points ? ObjectEffects::closest_points : ObjectEffects::none, &memory.distance);
   const DistanceResult& distance = found.distance;
-  ++counters_.distance_solves;
   counters_.closest_points += found.closest_point_evaluations;
   counters_.support_queries += distance.counters.support_queries;
-  if (distance.lower > 0 && distance.normal.size() == dimension_) kept.normal = distance.normal;
-  kept.overlapped = distance.status == DistanceStatus::contains_origin;
-  const double rate = distance.lower > 0 ? distance.normal.norm() * kOutward : 0.0;
-  best.rate = std::max(best.rate, rate);
-  if (best.part_a >= 0 && distance.upper >= best.upper) {
-    best.lower = std::min(best.lower, distance.lower);
-    return;
-  }
-  best.lower = best.part_a >= 0 ? std::min(best.lower, distance.lower) : distance.lower;
-  best.upper = distance.upper;
-  best.value = distance.distance;
-  best.status = distance.status;
-  best.part_a = pair.a;
-  best.part_b = pair.b;
-  best.normal.resize(0);
-  if (distance.lower > 0) best.normal = distance.normal;
-  best.point_a = found.closest_point_1;
-  best.point_b = found.closest_point_2;
+  memory.overlapped = distance.status == DistanceStatus::contains_origin;
+  answer.lower = distance.lower;
+  answer.upper = distance.upper;
+  answer.value = distance.distance;
+  answer.status = distance.status;
+  answer.point_a = found.closest_point_1;
+  answer.point_b = found.closest_point_2;
+  if (!(distance.lower > 0)) return;
+  answer.rate = distance.normal.norm() * kOutward;
+  answer.normal = distance.normal;
+  if (distance.normal.size() == dimension_) memory.normal = distance.normal;
 }
 
-PairAnswer PairSolver::distance(PairMemory& memory, double enough, bool closest_points, bool gradient) {
+const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool closest_points,
+                                       bool gradient) {
   memory.resize(part_pairs_.size());
   sort_part_pairs();
-  PairAnswer best;
+  nearest_.clear();
   double beyond = kInfinity;  // a lower bound of the parts that were not solved
   double beyond_rate = 0;
   for (const PartPair& pair : part_pairs_) {
-    if (best.part_a >= 0 && pair.ball_bound >= best.upper) break;
+    if (nearest_.best().part_a >= 0 && pair.ball_bound >= nearest_.best().upper) break;
     if (pair.ball_bound > enough) {
       beyond = std::min(beyond, pair.ball_bound);
       beyond_rate = std::max(beyond_rate, ball_rate());
       break;
     }
-    solve_parts(pair, closest_points, memory, best);
-    if (best.intersecting()) break;
+    pose_bodies();
+    solve_parts(pair, closest_points, memory[memory_index(pair)], nearest_.next(pair));
+    nearest_.take_next();
+    if (nearest_.best().intersecting()) break;
   }
+  PairAnswer& best = nearest_.best();
   if (best.part_a < 0) {
     best.lower = beyond;
   } else {
@@ -318,25 +407,35 @@ PairSeparation PairSolver::separation(PairMemory& memory) {
   return outcome;
 }
 
-PairAnswer PairSolver::growth(PairMemory& memory) {
+void PairSolver::growth_of_parts(const PartPair& pair, WarmStart& warm, PairAnswer& answer) {
+  ++counters_.growth_solves;
+  SpatialSolve* solve = fixed_->about(part_of_a(pair), part_of_b(pair));
+  if (solve != nullptr && solve->growth(false, tolerance_, kNoThreshold, &warm)) {
+    counters_.support_queries += solve->support_queries();
+    answer.lower = solve->answer().lower;
+    answer.upper = solve->answer().upper;
+    answer.value = std::min(answer.upper, std::numeric_limits<double>::max());
+    if (answer.upper == 0) answer.status = DistanceStatus::contains_origin;
+    return;
+  }
+  const DistanceResult& found = growth_.solve_about_centers(part_of_a(pair), part_of_b(pair), &warm);
+  counters_.support_queries += found.counters.support_queries;
+  answer.lower = found.lower;
+  answer.upper = found.upper;
+  answer.value = found.distance;
+  answer.status = found.status;
+}
+
+const PairAnswer& PairSolver::growth(PairMemory& memory) {
   memory.resize(part_pairs_.size());
   sort_part_pairs();
   pose_bodies();
-  PairAnswer best;
-  best.lower = kInfinity;
+  least_growth_.clear();
   for (const PartPair& pair : part_pairs_) {
-    WarmStart& warm = memory[memory_index(pair)].growth;
-    const DistanceResult& found = growth_.solve_about_centers(part_of_a(pair), part_of_b(pair), &warm);
-    ++counters_.growth_solves;
-    counters_.support_queries += found.counters.support_queries;
-    best.lower = std::min(best.lower, found.lower);
-    if (best.part_a >= 0 && found.upper >= best.upper) continue;
-    best.upper = found.upper;
-    best.value = found.distance;
-    best.status = found.status;
-    best.part_a = pair.a;
-    best.part_b = pair.b;
+    growth_of_parts(pair, memory[memory_index(pair)].growth, least_growth_.next(pair));
+    least_growth_.take_next();
   }
+  PairAnswer& best = least_growth_.best();
   best.value = std::clamp(best.value, best.lower, best.upper);
   return best;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/threads/team.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge {
 namespace {
@@ -32,7 +33,7 @@ Timeline::Timeline(const Scene& scene, int threads)
     : dimension_(scene.dimension()), size_(scene.instants.size()) {
   const std::size_t total = scene.bodies.size() * size_;
   const auto n = static_cast<std::size_t>(dimension_);
-  placements_ = std::make_unique_for_overwrite<double[]>(total * n * (n + 1));
+  placements_ = std::make_unique_for_overwrite<double[]>(total * numbers_of_placement());
   centers_ = std::make_unique_for_overwrite<double[]>(total * n);
   moved_ = std::make_unique_for_overwrite<double[]>(total);
   shifted_ = std::make_unique_for_overwrite<double[]>(total);
@@ -50,6 +51,7 @@ void Timeline::follow(const Scene& scene, std::size_t number) {
   double shifted = 0;
   Placement before;
   SmallVector center_before;
+  Pose pose(dimension_);
   for (std::size_t k = 0; k < size_; ++k) {
     const std::size_t at = number * size_ + k;
     const Placement here = body.motion->at(scene.instants[k]);
@@ -59,9 +61,11 @@ void Timeline::follow(const Scene& scene, std::size_t number) {
       const double rounding = 1e-15 * (center.norm() + body.reach);
       if (moved > moved_[at - 1]) shifted += (center - center_before).norm() * kOutward + rounding;
     }
-    double* placement = placements_.get() + at * n * (n + 1);
+    pose.assign(here.R.data(), here.t.data());
+    double* placement = placements_.get() + at * numbers_of_placement();
     std::copy_n(here.R.data(), n * n, placement);
     std::copy_n(here.t.data(), n, placement + n * n);
+    placement[n * n + n] = pose.defect();
     std::copy_n(center.data(), n, centers_.get() + at * n);
     before = here;
     center_before = center;
@@ -72,8 +76,9 @@ void Timeline::follow(const Scene& scene, std::size_t number) {
 
 Placement Timeline::placement(int body, std::size_t k) const {
   const int n = dimension_;
-  const double* numbers = placements_.get() + index(body, k) * static_cast<std::size_t>(n * (n + 1));
-  return {SmallMatrix::Map(numbers, n, n), SmallVector::Map(numbers + std::ptrdiff_t{n} * n, n)};
+  const double* numbers = placements_.get() + index(body, k) * numbers_of_placement();
+  const double* t = numbers + std::ptrdiff_t{n} * n;
+  return {SmallMatrix::Map(numbers, n, n), SmallVector::Map(t, n), t[n]};
 }
 
 std::size_t Timeline::last_within(BodyPair pair, std::size_t from, double budget, bool balls) const {

@@ -361,8 +361,8 @@ void PreciseDescent::record(const SpatialPair& pair) {
 
 }  // namespace
 
-void precise_distance(const SpatialPair& pair, const Posed& first, const Posed& second,
-                      const Kernels& kernels, double tolerance, SpatialAnswer& answer) {
+void precise_distance(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels,
+                      double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
   if (!precise.bind(pair, first, second, kernels)) return;
   const double lower = answer.lower;

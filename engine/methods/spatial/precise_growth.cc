@@ -200,7 +200,7 @@ void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const
 
 }  // namespace
 
-void precise_growth(const SpatialPair& pair, const Posed& first, const Posed& second, const Kernels& kernels,
+void precise_growth(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels,
                     double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
   if (!precise.bind(pair, first, second, kernels)) return;

@@ -106,10 +106,10 @@ PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3
 
 }  // namespace
 
-bool PrecisePair::bind(const SpatialPair& pair, const Posed& first, const Posed& second,
+bool PrecisePair::bind(const SpatialPair& pair, const Pose* first, const Pose* second,
                        const Kernels& kernels) {
-  const Pose* poses[2] = {first.pose, second.pose};
-  const int n = first.dimension();
+  const Pose* poses[2] = {first, second};
+  const int n = pair.dimension();
   double size = 0;
   double t[2][3] = {{0, 0, 0}, {0, 0, 0}};
   for (int i = 0; i < 2; ++i) {

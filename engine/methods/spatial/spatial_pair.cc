@@ -18,27 +18,23 @@ constexpr double kSmallest = 1e-70,
 constexpr double kAlongAxis = 1e-14;  // |v_⊥|/|v| that is nothing but rounding
 constexpr int kLanes = 8;             // of PointSet's blocks
 
-struct Frame {
-  Matrix3 R{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Vector3 t;
-  double defect = 0;
-};
-
-Frame frame_of(const Pose* pose) {
-  Frame frame;
-  if (pose == nullptr) return frame;
-  const int n = pose->dimension();
-  const double* R = pose->rotation_data();
-  const double* t = pose->translation_data();
-  frame.defect = pose->defect();
-  if (n == 3) {
-    frame.R = {{{R[0], R[1], R[2]}, {R[3], R[4], R[5]}, {R[6], R[7], R[8]}}};
-    frame.t = {t[0], t[1], t[2]};
-  } else {
-    frame.R = {{{R[0], R[1], 0}, {R[2], R[3], 0}, {0, 0, 1}}};
-    frame.t = {t[0], t[1], 0};
+// The rotation and the translation of a pose; of R^2 in the plane z = 0.
+double numbers_of(const Pose* pose, Matrix3& R, Vector3& t) {
+  if (pose != nullptr && pose->dimension() == 3) {
+    const double* r = pose->rotation_data();
+    const double* w = pose->translation_data();
+    R = {{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}};
+    t = {w[0], w[1], w[2]};
+    return pose->defect();
   }
-  return frame;
+  R = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  t = {};
+  if (pose == nullptr) return 0;
+  const double* r = pose->rotation_data();
+  R.column[0] = {r[0], r[1], 0};
+  R.column[1] = {r[2], r[3], 0};
+  t = {pose->translation_data()[0], pose->translation_data()[1], 0};
+  return pose->defect();
 }
 
 bool same(const Vector3& u, const Vector3& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
@@ -134,30 +130,33 @@ void add_projector(double w, const Vector3& a, const Vector3& b, Matrix3& H) {
 
 }  // namespace
 
-bool SpatialPair::bind(const Posed& first, const Posed& second, InstructionSet isa) {
+bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
   dimension_ = first.dimension();
-  if (dimension_ != 2 && dimension_ != 3) return false;
-  if (!first.set.spatial_shape_unchecked(shape_[0]) || !second.set.spatial_shape_unchecked(shape_[1]))
-    return false;
+  if ((dimension_ != 2 && dimension_ != 3) || second.dimension() != dimension_) return false;
+  if (!first.spatial_shape_unchecked(shape_[0]) || !second.spatial_shape_unchecked(shape_[1])) return false;
   isa_ = isa;
-  const Frame one = frame_of(first.pose);
-  const Frame two = frame_of(second.pose);
+  vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
+  return true;
+}
+
+bool SpatialPair::place(const Pose* first, const Pose* second) {
+  Matrix3 R;
+  Vector3 t;
+  defect_ = numbers_of(first, W_, w_);
+  const double defect_2 = numbers_of(second, R, t);
   anchor_ = shape_[0].center;
   anchor_radius_ = shape_[0].inner_radius;
-  W_ = one.R;
-  w_ = one.t;
-  for (int j = 0; j < 3; ++j) R_.column[j] = one.R.transposed_times(two.R.column[j]);
-  const Vector3 apart = two.t - one.t;
-  t_ = one.R.transposed_times(apart);
+  for (int j = 0; j < 3; ++j) R_.column[j] = W_.transposed_times(R.column[j]);
+  const Vector3 apart = t - w_;
+  t_ = W_.transposed_times(apart);
   const double size =
       shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius + length(apart);
   if (!(size > kSmallest && size < kLargest)) return false;
   size_ = size;
-  error_ = size * (kRounding + 2 * (one.defect + two.defect));
+  error_ = size * (kRounding + 2 * (defect_ + defect_2));
   height_ = dimension_ == 2 ? size : 0.0;
-  vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
-  concentric_ = same(one.t, two.t) && same(shape_[0].center, {}) && same(shape_[1].center, {});
+  concentric_ = same(w_, t) && same(shape_[0].center, {}) && same(shape_[1].center, {});
   for (int i = 0; i < 2; ++i) {
     if (shape_[i].kind == Kind::ellipsoid) place_ellipsoid(i);
   }
@@ -173,15 +172,15 @@ void SpatialPair::place_ellipsoid(int i) {
   square_[i].column[2] = L * Vector3{L.column[0].z, L.column[1].z, L.column[2].z};
 }
 
-bool SpatialPair::scale_first_about_origin(const Posed& first) {
+bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
   const Vector3 origin = W_.transposed_times(-w_);
   if (length(origin - anchor_) == 0) return true;
   const double size = error_ / kRounding + length(w_);
-  error_ = size * (kRounding + 4 * (first.pose == nullptr ? 0.0 : first.pose->defect())) + error_;
+  error_ = size * (kRounding + 4 * defect_) + error_;
   const double c[3] = {origin.x, origin.y, origin.z};
   anchor_ = origin;
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
-  anchor_radius_ = first.set.inner_radius_unchecked(c);
+  anchor_radius_ = first.inner_radius_unchecked(c);
   return anchor_radius_ > 0;
 }
 

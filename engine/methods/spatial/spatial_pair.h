@@ -30,13 +30,16 @@ struct SpatialPoint {
 /// more.
 class SpatialPair {
  public:
-  /// False if one of the sets has no shape, or its size is out of the range of squares.
-  bool bind(const Posed& first, const Posed& second, InstructionSet isa);
+  /// The sets. False if one of them has no shape, or they live in other spaces than R^2 or R^3.
+  bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
+
+  /// Where they are; nullptr: the identity. False if their size is out of the range of squares.
+  bool place(const Pose* first, const Pose* second);
 
   /// From now on the first body is scaled about the origin of the world, not about its centre. False unless
   /// that is known to be inside the body: only then a ball inside the other one is inside the difference,
   /// too.
-  bool scale_first_about_origin(const Posed& first);
+  bool scale_first_about_origin(const ConvexSet& first);
 
   /// s_D(u): of the cores.
   void support(const Vector3& u, SpatialPoint& point);
@@ -122,6 +125,7 @@ class SpatialPair {
   InstructionSet isa_ = InstructionSet::automatic;
   double error_ = 0;
   double size_ = 0;
+  double defect_ = 0;  // of the first pose
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;

@@ -43,6 +43,9 @@ struct PairAnswer {
 
   /// Common points are proven.
   bool intersecting() const noexcept { return status == DistanceStatus::contains_origin; }
+
+  /// As a new one, of parts a and b.
+  void begin(int a, int b) noexcept;
 };
 
 enum class PairSeparation : std::uint8_t { separated, intersecting, undecided };
@@ -62,6 +65,7 @@ using PairMemory = std::vector<PartMemory>;
 class PairSolver {
  public:
   explicit PairSolver(int dimension);
+  ~PairSolver();
 
   /// The tolerance of distances from now on.
   void set_tolerance(double tolerance);
@@ -90,14 +94,15 @@ class PairSolver {
   double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
 
   /// The distance. A lower bound above `enough` ends it early; upper is then +infinity where it was not
-  /// needed.
-  PairAnswer distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
+  /// needed. The answer belongs to the solver and lives until the next distance.
+  const PairAnswer& distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
 
   /// Whether they are apart.
   PairSeparation separation(PairMemory& memory);
 
-  /// The growth distance about the centres of the parts, the least over all pairs of parts.
-  PairAnswer growth(PairMemory& memory);
+  /// The growth distance about the centres of the parts, the least over all pairs of parts. Lives until the
+  /// next one.
+  const PairAnswer& growth(PairMemory& memory);
 
   const SceneCounters& counters() const noexcept { return counters_; }
 
@@ -113,8 +118,10 @@ class PairSolver {
   double part_ball_bound(int i, int j) const;
   double depth_along(int i, int j, const SmallVector& u, SmallVector& point_a, SmallVector& point_b) const;
   double part_plane_bound(int i, int j, const SmallVector& u) const;
-  void solve_parts(const PartPair& pair, bool closest_points, PairMemory& memory, PairAnswer& best);
-  bool still_overlap(const PartPair& pair, PartMemory& memory, PairAnswer& best);
+  void solve_parts(const PartPair& pair, bool closest_points, PartMemory& memory, PairAnswer& answer);
+  bool solve_fixed(const PartPair& pair, bool closest_points, PartMemory& memory, PairAnswer& answer);
+  bool still_overlap(const PartPair& pair, PartMemory& memory);
+  void growth_of_parts(const PartPair& pair, WarmStart& warm, PairAnswer& answer);
   void pose_bodies();
   Posed part_of_a(const PartPair& pair) const;
   Posed part_of_b(const PartPair& pair) const;
@@ -127,6 +134,8 @@ class PairSolver {
   const Body* a_ = nullptr;
   const Body* b_ = nullptr;
   const SceneMetric* metric_ = nullptr;
+  class FixedSolve;
+  std::unique_ptr<FixedSolve> fixed_;
   Placement at_a_, at_b_;
   Pose pose_a_, pose_b_;  ///< the same, where posed_
   bool posed_ = false;
@@ -134,6 +143,21 @@ class PairSolver {
   double outer_radius_ = 1;  ///< of Q about the origin
   SmallVector magnitude_Q_;
   std::vector<PartPair> part_pairs_;
+
+  /// The answer about the nearest parts so far, and room for the next one.
+  class Nearest {
+   public:
+    void clear() noexcept { best_->begin(-1, -1); }
+    PairAnswer& best() noexcept { return *best_; }
+    PairAnswer& next(const PartPair& pair) noexcept;
+    void take_next();
+
+   private:
+    PairAnswer answers_[2];
+    PairAnswer* best_ = &answers_[0];
+    PairAnswer* next_ = &answers_[1];
+  };
+  Nearest nearest_, least_growth_;
   SceneCounters counters_;
 };
 

@@ -20,6 +20,9 @@ using SmallMatrix =
 struct Placement {
   SmallMatrix R;
   SmallVector t;
+  double defect = kUnchecked;  ///< Pose::defect of a pose with this R and t, where one was made
+
+  static constexpr double kUnchecked = -1;
 
   static Placement identity(int n);
 

@@ -39,10 +39,15 @@ class Timeline {
   void follow(const Scene& scene, std::size_t body);
   std::size_t index(int body, std::size_t k) const { return static_cast<std::size_t>(body) * size_ + k; }
 
+  std::size_t numbers_of_placement() const {
+    const auto n = static_cast<std::size_t>(dimension_);
+    return n * (n + 1) + 1;
+  }
+
   int dimension_;
   std::size_t size_;
   // Arrays that the threads are the first to write to.
-  std::unique_ptr<double[]> placements_;  // R by columns, then t
+  std::unique_ptr<double[]> placements_;  // R by columns, then t, then the defect of R
   std::unique_ptr<double[]> centers_;
   std::unique_ptr<double[]> moved_, shifted_;
 };

@@ -36,6 +36,10 @@ class Pose {
   /// constructors do, and is then not to be used.
   void assign(const double* R, const double* t);
 
+  /// The same for numbers that a pose was made of before, when its defect() was `defect`: they are not looked
+  /// at again.
+  void assign_checked(const double* R, const double* t, double defect) noexcept;
+
   int dimension() const noexcept { return dimension_; }
 
   /// R, n × n, by columns; t, n doubles.

@@ -47,6 +47,23 @@ TEST(Pose, IsAssignedInPlaceWithTheSameChecks) {
   EXPECT_THROW(pose.assign(R, t), NonFiniteError);
 }
 
+TEST(Pose, IsAssignedAgainWithoutAChangeForAnyPoseThatWasChecked) {
+  const Pose turned(Eigen::Quaterniond(0.4, -0.2, 0.8, 0.1), Eigen::Vector3d(1, -2, 3));
+  Eigen::Isometry2d quarter = Eigen::Isometry2d::Identity();
+  quarter.linear() << 0, -1, 1, 0;
+  Eigen::MatrixXd swap = Eigen::MatrixXd::Identity(5, 5);
+  swap.col(1).swap(swap.col(3));
+  swap.col(0) *= -1;
+  for (const Pose& given : {turned, Pose(quarter), Pose(swap, Eigen::VectorXd::Ones(5))}) {
+    Pose pose(given.dimension());
+    pose.assign_checked(given.rotation_data(), given.translation_data(), given.defect());
+    EXPECT_EQ(pose.rotation(), given.rotation());
+    EXPECT_EQ(pose.translation(), given.translation());
+    EXPECT_EQ(pose.defect(), given.defect());
+    EXPECT_EQ(pose.is_axis_exchange(), given.is_axis_exchange());
+  }
+}
+
 TEST(Pose, TurnsThePlane) {
   Eigen::Isometry2d quarter = Eigen::Isometry2d::Identity();
   quarter.linear() << 0, -1, 1, 0;

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/spatial_solve.h"
+
+#include <algorithm>
+
+#include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/closed_form_distance.h"
+#include "engine/methods/spatial/contact_distance.h"
+#include "engine/methods/spatial/precise_distance.h"
+#include "engine/methods/spatial/precise_growth.h"
+#include "engine/methods/spatial/spatial_growth.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
+
+}  // namespace
+
+bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
+  first_ = &first;
+  second_ = &second;
+  isa_ = isa;
+  return pair_.bind(first, second, isa);
+}
+
+bool SpatialSolve::place(const Pose* first, const Pose* second) {
+  pose_1_ = first;
+  pose_2_ = second;
+  return pair_.place(first, second);
+}
+
+// Whether the start has vertices.
+bool SpatialSolve::begin_with_vertices(const WarmStart* warm) {
+  start_.has_normal = false;
+  start_.count = 0;
+  const bool known = warm != nullptr && warm->dimension == pair_.dimension() && pair_.has_vertices();
+  if (!known || warm->count <= 0) return false;
+  start_.count = std::min(warm->count, 4);
+  std::copy_n(warm->point_A.begin(), 4, start_.index_1);
+  std::copy_n(warm->point_Q.begin(), 4, start_.index_2);
+  return true;
+}
+
+void SpatialSolve::begin_with_normal(const WarmStart* warm) {
+  if (warm == nullptr) return;
+  const double* normal = recorded_normal(*warm, pair_.dimension());
+  if (normal == nullptr) return;
+  start_.normal = -pair_.to_body(normal);
+  const double square = dot(start_.normal, start_.normal);
+  start_.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
+}
+
+void SpatialSolve::record(bool has_normal, WarmStart* warm) const {
+  if (warm == nullptr) return;
+  warm->dimension = pair_.dimension();
+  warm->normal = {0, 0, 0};
+  if (has_normal) std::copy_n(normal_, 3, warm->normal.begin());
+  warm->count = 0;
+  if (!pair_.has_vertices()) return;
+  warm->count = answer_.combination.count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(warm->count); ++i) {
+    warm->point_A[i] = answer_.combination.point[i].index_1;
+    warm->point_Q[i] = answer_.combination.point[i].index_2;
+  }
+}
+
+void SpatialSolve::closest_points(double* point_1, double* point_2) const {
+  const SpatialCombination& combination = answer_.combination;
+  Vector3 a1, a2;
+  for (int i = 0; i < combination.count; ++i) {
+    a1 = a1 + combination.point[i].a1 * combination.weight[i];
+    a2 = a2 + combination.point[i].a2 * combination.weight[i];
+  }
+  const Vector3 way = a2 - a1;
+  const double size = pair_.radius() > 0 ? length(way) : 0.0;
+  if (size > 0) {
+    a1 = a1 + way * (pair_.shape(0).radius / size);
+    a2 = a2 - way * (pair_.shape(1).radius / size);
+  }
+  pair_.point_to_world(a1, point_1);
+  pair_.point_to_world(a2, point_2);
+}
+
+// Balls and capsules have formulas. Curved bodies that are near are left to Newton steps; the long way is for
+// what these do not close.
+bool SpatialSolve::find_distance(double tolerance) {
+  if (closed_form_distance(pair_, tolerance, answer_)) return true;
+  const bool newton = pair_.is_curved() && pair_.dimension() == 3;
+  for (const bool leave_near : {true, false}) {
+    spatial_distance(pair_, tolerance, start_, newton && leave_near, answer_);
+    if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, answer_);
+    if (answer_.end == SpatialEnd::open) {
+      precise_distance(pair_, pose_1_, pose_2_, kernels_for(isa_), tolerance, answer_);
+    }
+    if (answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting) return true;
+    if (!newton) break;
+  }
+  return false;
+}
+
+bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
+  if (!begin_with_vertices(warm)) begin_with_normal(warm);
+  if (!find_distance(tolerance)) return false;
+  const bool apart = answer_.end == SpatialEnd::closed;
+  if (apart) pair_.to_world(answer_.normal * (-1 / length(answer_.normal)), normal_);
+  record(apart, warm);
+  return true;
+}
+
+bool SpatialSolve::find_growth(bool about_origin, double tolerance, double threshold) {
+  if (about_origin && !pair_.scale_first_about_origin(*first_)) return false;
+  if (!about_origin && pair_.is_concentric()) {
+    answer_.reset();  // a factor of 0
+    answer_.end = SpatialEnd::closed;
+    return true;
+  }
+  spatial_growth(pair_, tolerance, threshold, start_, answer_);
+  if (answer_.end == SpatialEnd::open && !about_origin) {
+    precise_growth(pair_, pose_1_, pose_2_, kernels_for(isa_), tolerance, answer_);
+  }
+  return answer_.end != SpatialEnd::open;
+}
+
+bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
+  begin_with_vertices(warm);
+  begin_with_normal(warm);
+  if (!find_growth(about_origin, tolerance, threshold)) return false;
+  const bool apart = answer_.lower > 0;
+  if (apart) {
+    const double along = dot(answer_.normal, pair_.between_centers());
+    pair_.to_world(answer_.normal * (-answer_.lower / along), normal_);
+  }
+  record(apart, warm);
+  return true;
+}
+
+}  // namespace raygauge

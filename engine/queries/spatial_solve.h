@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/methods/spatial/spatial_distance.h"
+#include "raygauge/queries/warm_start.h"
+
+namespace raygauge {
+
+/// Solves about two bodies of R^2 or R^3 by fixed-size code. What is made of the sets stays from one solve to
+/// the next: place() is all that a body in motion costs. A solve that returns false has no answer that is as
+/// certain and as precise as was asked for; nothing is lost then but its time.
+class SpatialSolve {
+ public:
+  /// The sets of what follows, which must outlive it. False if one of them has no SpatialShape, or they live
+  /// in other spaces.
+  bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
+
+  /// Their poses, which must outlive the solves; nullptr: the identity. False if sizes are out of range.
+  bool place(const Pose* first, const Pose* second);
+
+  /// The Euclidean distance. Where true, answer().end is `closed`, and normal() and closest_points() hold, or
+  /// `intersecting`.
+  bool distance(double tolerance, WarmStart* warm);
+
+  /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
+  /// the first one about the origin of the world, to touch. Ends early where it is proven to be on one side
+  /// of `threshold`; NaN: never.
+  bool growth(bool about_origin, double tolerance, double threshold, WarmStart* warm);
+
+  const SpatialAnswer& answer() const noexcept { return answer_; }
+  int dimension() const noexcept { return pair_.dimension(); }
+  std::int64_t support_queries() const noexcept { return pair_.queries(); }
+
+  /// The normal u that proves answer().lower, of the world, n numbers: of length one for a distance; of
+  /// one that proves `lower` of a DistanceResult for a growth distance.
+  const double* normal() const noexcept { return normal_; }
+
+  /// The closest points of the bodies in the world, n numbers each.
+  void closest_points(double* point_1, double* point_2) const;
+
+ private:
+  bool find_distance(double tolerance);
+  bool find_growth(bool about_origin, double tolerance, double threshold);
+  bool begin_with_vertices(const WarmStart* warm);
+  void begin_with_normal(const WarmStart* warm);
+  void record(bool has_normal, WarmStart* warm) const;
+
+  SpatialPair pair_;
+  SpatialStart start_;
+  SpatialAnswer answer_;
+  const ConvexSet* first_ = nullptr;
+  const ConvexSet* second_ = nullptr;
+  const Pose* pose_1_ = nullptr;
+  const Pose* pose_2_ = nullptr;
+  InstructionSet isa_ = InstructionSet::automatic;
+  double normal_[3] = {0, 0, 0};
+};
+
+}  // namespace raygauge
