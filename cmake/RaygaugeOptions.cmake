@@ -71,6 +71,9 @@ endif()
 # every machine. The vector kernels, which ask for fused operations by name, say so themselves.
 add_compile_options(-ffp-contract=off)
 
+# Nobody replaces a function of the library at load time: position-independent code may call and inline it directly.
+add_compile_options(-fno-semantic-interposition)
+
 # Compiled once, and shared by all rooms: one set of flags for all of them. Rooms go into Python's modules and into the
 # shared library, too.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/nothing.cc CONTENT "// Headers alone.\n")

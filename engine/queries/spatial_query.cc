@@ -22,7 +22,7 @@ bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceO
   const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0 &&
                     options.time_limit == std::numeric_limits<double>::infinity();
   return open && solve_.bind(first.set, second.set, options.instruction_set) &&
-         solve_.place(first.pose, second.pose);
+         solve_.place(PoseNumbers(first.pose), PoseNumbers(second.pose));
 }
 
 void SpatialQuery::set_counters(DistanceResult& result) const {

@@ -20,15 +20,8 @@ constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
 
 bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
   first_ = &first;
-  second_ = &second;
   isa_ = isa;
   return pair_.bind(first, second, isa);
-}
-
-bool SpatialSolve::place(const Pose* first, const Pose* second) {
-  pose_1_ = first;
-  pose_2_ = second;
-  return pair_.place(first, second);
 }
 
 // Whether the start has vertices.
@@ -92,7 +85,7 @@ bool SpatialSolve::find_distance(double tolerance) {
     spatial_distance(pair_, tolerance, start_, newton && leave_near, answer_);
     if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, answer_);
     if (answer_.end == SpatialEnd::open) {
-      precise_distance(pair_, pose_1_, pose_2_, kernels_for(isa_), tolerance, answer_);
+      precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
     }
     if (answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting) return true;
     if (!newton) break;
@@ -118,14 +111,13 @@ bool SpatialSolve::find_growth(bool about_origin, double tolerance, double thres
   }
   spatial_growth(pair_, tolerance, threshold, start_, answer_);
   if (answer_.end == SpatialEnd::open && !about_origin) {
-    precise_growth(pair_, pose_1_, pose_2_, kernels_for(isa_), tolerance, answer_);
+    precise_growth(pair_, kernels_for(isa_), tolerance, answer_);
   }
   return answer_.end != SpatialEnd::open;
 }
 
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
-  begin_with_vertices(warm);
-  begin_with_normal(warm);
+  if (!begin_with_vertices(warm) || start_.count != 3) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;
   const bool apart = answer_.lower > 0;
   if (apart) {

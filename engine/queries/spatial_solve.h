@@ -16,8 +16,8 @@ class SpatialSolve {
   /// in other spaces.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
 
-  /// Their poses, which must outlive the solves; nullptr: the identity. False if sizes are out of range.
-  bool place(const Pose* first, const Pose* second);
+  /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
+  bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 
   /// The Euclidean distance. Where true, answer().end is `closed`, and normal() and closest_points() hold, or
   /// `intersecting`.
@@ -50,9 +50,6 @@ class SpatialSolve {
   SpatialStart start_;
   SpatialAnswer answer_;
   const ConvexSet* first_ = nullptr;
-  const ConvexSet* second_ = nullptr;
-  const Pose* pose_1_ = nullptr;
-  const Pose* pose_2_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
   double normal_[3] = {0, 0, 0};
 };

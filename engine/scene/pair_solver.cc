@@ -25,13 +25,7 @@ DistanceOptions newton_options(double tolerance) {
   return options;
 }
 
-void pose(const Placement& at, Pose& result) {
-  if (at.defect == Placement::kUnchecked) {
-    result.assign(at.R.data(), at.t.data());
-  } else {
-    result.assign_checked(at.R.data(), at.t.data(), at.defect);
-  }
-}
+PoseNumbers numbers_of(const Placement& at) { return {at.R.data(), at.t.data(), at.defect}; }
 
 void copy(const double* numbers, int n, SmallVector& v) {
   v.resize(n);
@@ -57,13 +51,14 @@ class PairSolver::FixedSolve {
   void forget() noexcept { first_ = nullptr; }
 
   // The solve about two bodies where they stand; nullptr where there is none.
-  SpatialSolve* about(const Posed& first, const Posed& second) {
-    if (first_ != &first.set || second_ != &second.set) {
-      first_ = &first.set;
-      second_ = &second.set;
-      bound_ = solve_.bind(first.set, second.set, InstructionSet::automatic);
+  SpatialSolve* about(const ConvexSet& first, const PoseNumbers& at_1, const ConvexSet& second,
+                      const PoseNumbers& at_2) {
+    if (first_ != &first || second_ != &second) {
+      first_ = &first;
+      second_ = &second;
+      bound_ = solve_.bind(first, second, InstructionSet::automatic);
     }
-    return bound_ && solve_.place(first.pose, second.pose) ? &solve_ : nullptr;
+    return bound_ && solve_.place(at_1, at_2) ? &solve_ : nullptr;
   }
 
  private:
@@ -269,19 +264,39 @@ double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
   return lower;
 }
 
+// Checks where they stand, unless that was done before.
+void PairSolver::check_placements() {
+  for (Placement* at : {&at_a_, &at_b_}) {
+    if (at->defect != Placement::kUnchecked) continue;
+    Pose& pose = at == &at_a_ ? pose_a_ : pose_b_;
+    pose.assign(at->R.data(), at->t.data());
+    at->defect = pose.defect();
+  }
+}
+
 void PairSolver::pose_bodies() {
   if (posed_) return;
-  pose(at_a_, pose_a_);
-  pose(at_b_, pose_b_);
+  pose_a_.assign_checked(at_a_.R.data(), at_a_.t.data(), at_a_.defect);
+  pose_b_.assign_checked(at_b_.R.data(), at_b_.t.data(), at_b_.defect);
   posed_ = true;
 }
 
-Posed PairSolver::part_of_a(const PartPair& pair) const {
-  return {*a_->parts[static_cast<std::size_t>(pair.a)].set, pose_a_};
+const ConvexSet& PairSolver::set_of_a(const PartPair& pair) const {
+  return *a_->parts[static_cast<std::size_t>(pair.a)].set;
 }
 
-Posed PairSolver::part_of_b(const PartPair& pair) const {
-  return {*b_->parts[static_cast<std::size_t>(pair.b)].set, pose_b_};
+const ConvexSet& PairSolver::set_of_b(const PartPair& pair) const {
+  return *b_->parts[static_cast<std::size_t>(pair.b)].set;
+}
+
+Posed PairSolver::part_of_a(const PartPair& pair) {
+  pose_bodies();
+  return {set_of_a(pair), pose_a_};
+}
+
+Posed PairSolver::part_of_b(const PartPair& pair) {
+  pose_bodies();
+  return {set_of_b(pair), pose_b_};
 }
 
 // Parts that overlapped before are asked first whether they still do: a growth distance, stopped at 1, proves
@@ -296,7 +311,7 @@ bool PairSolver::still_overlap(const PartPair& pair, PartMemory& memory) {
 bool PairSolver::solve_fixed(const PartPair& pair, bool closest_points, PartMemory& memory,
                              PairAnswer& answer) {
   if (!metric_->euclidean()) return false;
-  SpatialSolve* solve = fixed_->about(part_of_a(pair), part_of_b(pair));
+  SpatialSolve* solve = fixed_->about(set_of_a(pair), numbers_of(at_a_), set_of_b(pair), numbers_of(at_b_));
   if (solve == nullptr || !solve->distance(tolerance_, &memory.distance)) return false;
   counters_.support_queries += solve->support_queries();
   const SpatialAnswer& found = solve->answer();
@@ -362,7 +377,7 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
       beyond_rate = std::max(beyond_rate, ball_rate());
       break;
     }
-    pose_bodies();
+    check_placements();
     solve_parts(pair, closest_points, memory[memory_index(pair)], nearest_.next(pair));
     nearest_.take_next();
     if (nearest_.best().intersecting()) break;
@@ -393,7 +408,7 @@ PairSeparation PairSolver::separation(PairMemory& memory) {
       ++counters_.plane_tests;
       if (part_plane_bound(pair.a, pair.b, kept.normal) > 0) continue;
     }
-    pose_bodies();
+    check_placements();
     const SeparationResult& found = separation_.separation(part_of_a(pair), part_of_b(pair), &kept.growth);
     ++counters_.separation_solves;
     counters_.support_queries += found.counters.support_queries;
@@ -409,7 +424,7 @@ PairSeparation PairSolver::separation(PairMemory& memory) {
 
 void PairSolver::growth_of_parts(const PartPair& pair, WarmStart& warm, PairAnswer& answer) {
   ++counters_.growth_solves;
-  SpatialSolve* solve = fixed_->about(part_of_a(pair), part_of_b(pair));
+  SpatialSolve* solve = fixed_->about(set_of_a(pair), numbers_of(at_a_), set_of_b(pair), numbers_of(at_b_));
   if (solve != nullptr && solve->growth(false, tolerance_, kNoThreshold, &warm)) {
     counters_.support_queries += solve->support_queries();
     answer.lower = solve->answer().lower;
@@ -429,7 +444,7 @@ void PairSolver::growth_of_parts(const PartPair& pair, WarmStart& warm, PairAnsw
 const PairAnswer& PairSolver::growth(PairMemory& memory) {
   memory.resize(part_pairs_.size());
   sort_part_pairs();
-  pose_bodies();
+  check_placements();
   least_growth_.clear();
   for (const PartPair& pair : part_pairs_) {
     growth_of_parts(pair, memory[memory_index(pair)].growth, least_growth_.next(pair));

@@ -361,10 +361,10 @@ void PreciseDescent::record(const SpatialPair& pair) {
 
 }  // namespace
 
-void precise_distance(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels,
-                      double tolerance, SpatialAnswer& answer) {
+void precise_distance(const SpatialPair& pair, const Kernels& kernels, double tolerance,
+                      SpatialAnswer& answer) {
   PrecisePair precise;
-  if (!precise.bind(pair, first, second, kernels)) return;
+  if (!precise.bind(pair, kernels)) return;
   const double lower = answer.lower;
   answer.lower = 0;
   PreciseDescent descent(precise, tolerance, answer);

@@ -200,10 +200,10 @@ void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const
 
 }  // namespace
 
-void precise_growth(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels,
-                    double tolerance, SpatialAnswer& answer) {
+void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tolerance,
+                    SpatialAnswer& answer) {
   PrecisePair precise;
-  if (!precise.bind(pair, first, second, kernels)) return;
+  if (!precise.bind(pair, kernels)) return;
   PreciseGrowth growth(precise, precise.between_centers());
   const bool closed = growth.begin(pair, answer)
                           ? growth.run(tolerance)

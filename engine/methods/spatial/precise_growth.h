@@ -18,7 +18,6 @@ namespace raygauge {
 /// radius of a ball inside B: σ <= c + (|p - c s| + error)/R with c = u·p / h_B(u), the lower bound.
 ///
 /// `answer` stays as it was where this does not do.
-void precise_growth(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels,
-                    double tolerance, SpatialAnswer& answer);
+void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tolerance, SpatialAnswer& answer);
 
 }  // namespace raygauge

@@ -106,25 +106,23 @@ PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3
 
 }  // namespace
 
-bool PrecisePair::bind(const SpatialPair& pair, const Pose* first, const Pose* second,
-                       const Kernels& kernels) {
-  const Pose* poses[2] = {first, second};
+bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
   const int n = pair.dimension();
   double size = 0;
   double t[2][3] = {{0, 0, 0}, {0, 0, 0}};
   for (int i = 0; i < 2; ++i) {
     Body& body = body_[i];
+    const PoseNumbers& pose = pair.pose(i);
     body.shape = &pair.shape(i);
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) {
-        const bool given = poses[i] != nullptr && j < n && k < n;
-        body.R[j][k] = given ? poses[i]->rotation_data()[k * n + j] : (j == k ? 1.0 : 0.0);
+        const bool given = pose.R != nullptr && j < n && k < n;
+        body.R[j][k] = given ? pose.R[k * n + j] : (j == k ? 1.0 : 0.0);
       }
-      if (poses[i] != nullptr && j < n) t[i][j] = poses[i]->translation_data()[j];
+      if (pose.t != nullptr && j < n) t[i][j] = pose.t[j];
     }
-    const double defect = poses[i] == nullptr ? 0.0 : poses[i]->defect();
-    body.defect = defect;
-    body.ball = body.shape->radius * (1 - defect) * (1 - 0x1p-50);
+    body.defect = pose.defect;
+    body.ball = body.shape->radius * (1 - pose.defect) * (1 - 0x1p-50);
     size += body.shape->extent + body.shape->radius;
   }
   apart_ = {two_sum(t[0][0], -t[1][0]), two_sum(t[0][1], -t[1][1]), two_sum(t[0][2], -t[1][2])};

@@ -26,7 +26,7 @@ struct PrecisePoint {
 class PrecisePair {
  public:
   /// False where the numbers are too large or too small to be split in two.
-  bool bind(const SpatialPair& pair, const Pose* first, const Pose* second, const Kernels& kernels);
+  bool bind(const SpatialPair& pair, const Kernels& kernels);
 
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);

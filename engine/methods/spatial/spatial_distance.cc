@@ -134,7 +134,8 @@ bool Descent::step(double depth) {
 void Descent::run(const SpatialStart& start) {
   answer_.upper = 1e300;
   // The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
-  if (length(pair_.between_centers()) < pair_.inner_radius() * (2 - kRounding) - 4 * pair_.error()) {
+  const double inner = pair_.inner_radius() * (2 - kRounding) - 4 * pair_.error();
+  if (inner > 0 && dot(pair_.between_centers(), pair_.between_centers()) * kRounding < inner * inner) {
     answer_.end = SpatialEnd::intersecting;
     return;
   }

@@ -46,7 +46,7 @@ class Growth {
   Vector3 way_to_ray(int known, const Vector3& u, double h);
   bool adopt(const SpatialPoint& w, int known);
   bool discover(Vector3 u);
-  bool recall(const SpatialStart& start);
+  bool recall(const SpatialStart& start, Vector3& u);
   void refine();
   void find_inner_radius();
   bool weigh(double* weight) const;
@@ -269,8 +269,9 @@ bool Growth::discover(Vector3 u) {
   return false;
 }
 
-// The vertices of the last solve, if their cone still holds p.
-bool Growth::recall(const SpatialStart& start) {
+// The vertices of the last solve, if their cone still holds p. Where it does not, the normal of their plane
+// is a direction to begin with.
+bool Growth::recall(const SpatialStart& start, Vector3& u) {
   if (start.count != 3) return false;
   for (int i = 0; i < 3; ++i) {
     if (!pair_.vertex(start.index_1[i], start.index_2[i], portal_[i])) return false;
@@ -279,8 +280,13 @@ bool Growth::recall(const SpatialStart& start) {
   }
   const Vector3 n = cross(portal_[0].s, portal_[1].s);
   if (dot(n, portal_[2].s) < 0) std::swap(portal_[0], portal_[1]);
-  return dot(p_, cross(portal_[0].s, portal_[1].s)) >= 0 && dot(p_, cross(portal_[1].s, portal_[2].s)) >= 0 &&
-         dot(p_, cross(portal_[2].s, portal_[0].s)) >= 0;
+  if (dot(p_, cross(portal_[0].s, portal_[1].s)) >= 0 && dot(p_, cross(portal_[1].s, portal_[2].s)) >= 0 &&
+      dot(p_, cross(portal_[2].s, portal_[0].s)) >= 0) {
+    return true;
+  }
+  const Vector3 plane = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
+  if (dot(plane, p_) > 0 && dot(plane, portal_[0].s) > 0) u = plane;
+  return false;
 }
 
 // Where the bodies know of no ball: the origin is deep inside some four support points, which are found as
@@ -346,8 +352,8 @@ void Growth::run(const SpatialStart& start) {
     bound_from_below(u, support(u));
     if (is_done()) return;
   }
-  const Vector3 u = answer_.lower > 0 ? answer_.normal : steered ? start.normal : p_;
-  if (!recall(start) && !discover(u)) return;
+  Vector3 u = answer_.lower > 0 ? answer_.normal : steered ? start.normal : p_;
+  if (!recall(start, u) && !discover(u)) return;
   refine();
   answer_.combination.count = 3;
 }

@@ -18,23 +18,20 @@ constexpr double kSmallest = 1e-70,
 constexpr double kAlongAxis = 1e-14;  // |v_⊥|/|v| that is nothing but rounding
 constexpr int kLanes = 8;             // of PointSet's blocks
 
-// The rotation and the translation of a pose; of R^2 in the plane z = 0.
-double numbers_of(const Pose* pose, Matrix3& R, Vector3& t) {
-  if (pose != nullptr && pose->dimension() == 3) {
-    const double* r = pose->rotation_data();
-    const double* w = pose->translation_data();
+// The rotation and the translation of a pose of R^n; of R^2 in the plane z = 0.
+void read(const PoseNumbers& pose, int n, Matrix3& R, Vector3& t) {
+  const double* r = pose.R;
+  if (r != nullptr && n == 3) {
     R = {{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}};
-    t = {w[0], w[1], w[2]};
-    return pose->defect();
+    t = {pose.t[0], pose.t[1], pose.t[2]};
+    return;
   }
   R = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   t = {};
-  if (pose == nullptr) return 0;
-  const double* r = pose->rotation_data();
+  if (r == nullptr) return;
   R.column[0] = {r[0], r[1], 0};
   R.column[1] = {r[2], r[3], 0};
-  t = {pose->translation_data()[0], pose->translation_data()[1], 0};
-  return pose->defect();
+  t = {pose.t[0], pose.t[1], 0};
 }
 
 bool same(const Vector3& u, const Vector3& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
@@ -139,11 +136,13 @@ bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, Instruct
   return true;
 }
 
-bool SpatialPair::place(const Pose* first, const Pose* second) {
+bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
+  pose_[0] = first;
+  pose_[1] = second;
   Matrix3 R;
   Vector3 t;
-  defect_ = numbers_of(first, W_, w_);
-  const double defect_2 = numbers_of(second, R, t);
+  read(first, dimension_, W_, w_);
+  read(second, dimension_, R, t);
   anchor_ = shape_[0].center;
   anchor_radius_ = shape_[0].inner_radius;
   for (int j = 0; j < 3; ++j) R_.column[j] = W_.transposed_times(R.column[j]);
@@ -153,7 +152,7 @@ bool SpatialPair::place(const Pose* first, const Pose* second) {
       shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius + length(apart);
   if (!(size > kSmallest && size < kLargest)) return false;
   size_ = size;
-  error_ = size * (kRounding + 2 * (defect_ + defect_2));
+  error_ = size * (kRounding + 2 * (first.defect + second.defect));
   height_ = dimension_ == 2 ? size : 0.0;
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
   concentric_ = same(w_, t) && same(shape_[0].center, {}) && same(shape_[1].center, {});
@@ -176,7 +175,7 @@ bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
   const Vector3 origin = W_.transposed_times(-w_);
   if (length(origin - anchor_) == 0) return true;
   const double size = error_ / kRounding + length(w_);
-  error_ = size * (kRounding + 4 * defect_) + error_;
+  error_ = size * (kRounding + 4 * pose_[0].defect) + error_;
   const double c[3] = {origin.x, origin.y, origin.z};
   anchor_ = origin;
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;

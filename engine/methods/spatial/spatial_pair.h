@@ -21,6 +21,21 @@ struct SpatialPoint {
   static constexpr std::int32_t kBaseDisc = -4, kTopDisc = -5;  ///< within it
 };
 
+/// The numbers of a pose that was checked: R, n × n by columns, t, and Pose::defect. They are not copied. The
+/// identity has none.
+struct PoseNumbers {
+  PoseNumbers() = default;
+  PoseNumbers(const double* rotation, const double* translation, double pose_defect)
+      : R(rotation), t(translation), defect(pose_defect) {}
+  explicit PoseNumbers(const Pose* pose) {
+    if (pose != nullptr) *this = {pose->rotation_data(), pose->translation_data(), pose->defect()};
+  }
+
+  const double* R = nullptr;
+  const double* t = nullptr;
+  double defect = 0;
+};
+
 /// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
 ///
 /// Rounding errors are covered by one number. Where |x| is at most Z on everything that is computed with, a
@@ -33,8 +48,8 @@ class SpatialPair {
   /// The sets. False if one of them has no shape, or they live in other spaces than R^2 or R^3.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
 
-  /// Where they are; nullptr: the identity. False if their size is out of the range of squares.
-  bool place(const Pose* first, const Pose* second);
+  /// Where they are. False if their size is out of the range of squares.
+  bool place(const PoseNumbers& first, const PoseNumbers& second);
 
   /// From now on the first body is scaled about the origin of the world, not about its centre. False unless
   /// that is known to be inside the body: only then a ball inside the other one is inside the difference,
@@ -72,6 +87,7 @@ class SpatialPair {
   double radius() const noexcept { return shape_[0].radius + shape_[1].radius; }
   const SpatialShape& shape(int i) const noexcept { return shape_[i]; }
   const Matrix3& rotation() const noexcept { return R_; }
+  const PoseNumbers& pose(int i) const noexcept { return pose_[i]; }
 
   /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
   /// but for rounding; 0 where none is known.
@@ -115,7 +131,8 @@ class SpatialPair {
 
   SpatialShape shape_[2];
   Matrix3 axis_[2], square_[2];  // of ellipsoids, in the first frame: L and L Lᵀ
-  Matrix3 R_;                    // second frame to first
+  PoseNumbers pose_[2];
+  Matrix3 R_;  // second frame to first
   Vector3 t_;
   Vector3 between_centers_;
   Vector3 anchor_;            // what the first body is scaled about ...
@@ -125,7 +142,6 @@ class SpatialPair {
   InstructionSet isa_ = InstructionSet::automatic;
   double error_ = 0;
   double size_ = 0;
-  double defect_ = 0;  // of the first pose
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;

@@ -122,9 +122,12 @@ class PairSolver {
   bool solve_fixed(const PartPair& pair, bool closest_points, PartMemory& memory, PairAnswer& answer);
   bool still_overlap(const PartPair& pair, PartMemory& memory);
   void growth_of_parts(const PartPair& pair, WarmStart& warm, PairAnswer& answer);
+  void check_placements();
   void pose_bodies();
-  Posed part_of_a(const PartPair& pair) const;
-  Posed part_of_b(const PartPair& pair) const;
+  const ConvexSet& set_of_a(const PartPair& pair) const;
+  const ConvexSet& set_of_b(const PartPair& pair) const;
+  Posed part_of_a(const PartPair& pair);
+  Posed part_of_b(const PartPair& pair);
 
   int dimension_;
   ObjectDistanceSolver distance_;

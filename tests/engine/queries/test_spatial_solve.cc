@@ -51,7 +51,8 @@ TEST(SpatialSolve, AnswersAsOneBoundAnewDoesWhereverTheBodiesAreMoved) {
         const Pose one(3), two = flight(k);
         SpatialSolve fresh;
         ASSERT_TRUE(fresh.bind(*first, *second, InstructionSet::automatic));
-        ASSERT_TRUE(fresh.place(&one, &two) && kept.place(&one, &two));
+        ASSERT_TRUE(fresh.place(PoseNumbers(&one), PoseNumbers(&two)) &&
+                    kept.place(PoseNumbers(&one), PoseNumbers(&two)));
         const bool found = kept.distance(1e-6, nullptr);
         ASSERT_EQ(fresh.distance(1e-6, nullptr), found);
         if (!found) continue;
@@ -71,10 +72,12 @@ TEST(SpatialSolve, ForgetsAboutTheOriginWhenTheBodiesAreMoved) {
   const Pose here(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.5, 0, 0));
   const Pose there(Eigen::Quaterniond::Identity(), Eigen::Vector3d(4, 0, 0));
   SpatialSolve solve;
-  ASSERT_TRUE(solve.bind(box, box, InstructionSet::automatic) && solve.place(&here, &there));
+  ASSERT_TRUE(solve.bind(box, box, InstructionSet::automatic) &&
+              solve.place(PoseNumbers(&here), PoseNumbers(&there)));
   ASSERT_TRUE(solve.growth(true, 1e-9, kNever, nullptr));  // 1.5 σ = 4 - σ
   EXPECT_NEAR(solve.answer().upper, 1.6, 1e-8);
-  ASSERT_TRUE(solve.place(&here, &there) && solve.growth(false, 1e-9, kNever, nullptr));
+  ASSERT_TRUE(solve.place(PoseNumbers(&here), PoseNumbers(&there)) &&
+              solve.growth(false, 1e-9, kNever, nullptr));
   EXPECT_NEAR(solve.answer().upper, 1.75, 1e-8);  // 0.5 + σ = 4 - σ
 }
 
@@ -86,7 +89,8 @@ TEST(SpatialSolve, ProvesItsBoundsFromAnyStart) {
     for (const auto& second : sets) {
       SpatialSolve solve;
       const Pose one(3), two = flight(3);
-      ASSERT_TRUE(solve.bind(*first, *second, InstructionSet::automatic) && solve.place(&one, &two));
+      ASSERT_TRUE(solve.bind(*first, *second, InstructionSet::automatic) &&
+                  solve.place(PoseNumbers(&one), PoseNumbers(&two)));
       ASSERT_TRUE(solve.distance(1e-9, nullptr));
       const double lower = solve.answer().lower, upper = solve.answer().upper;
       for (int trial = 0; trial < 100; ++trial) {

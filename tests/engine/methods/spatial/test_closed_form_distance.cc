@@ -85,7 +85,7 @@ TEST(ClosedFormDistance, OfTwoCapsulesIsThatOfTheirSegments) {
     const Vector3d e = trial % 4 == 0 ? Vector3d(d * 0.7) : draw.vector(1);  // parallel ones too
     const Capsule A(p, p + d, 0.01), B(r, r + e, 0.02);
     SpatialPair pair;
-    ASSERT_TRUE(pair.bind(A, B, InstructionSet::automatic) && pair.place(nullptr, nullptr));
+    ASSERT_TRUE(pair.bind(A, B, InstructionSet::automatic) && pair.place({}, {}));
     SpatialAnswer answer;
     if (!closed_form_distance(pair, 1e-9, answer) || answer.end != SpatialEnd::closed) continue;
     ++closed;
@@ -103,11 +103,11 @@ TEST(ClosedFormDistance, IsLeftToOthersWhereThereIsNoFormulaOrTheCoresOverlap) {
   const Ellipsoid ellipsoid(Vector3d::Zero(), Eigen::Matrix3d::Identity());
   SpatialPair pair;
   SpatialAnswer answer;
-  ASSERT_TRUE(pair.bind(box, inside, InstructionSet::automatic) && pair.place(nullptr, nullptr));
+  ASSERT_TRUE(pair.bind(box, inside, InstructionSet::automatic) && pair.place({}, {}));
   EXPECT_FALSE(closed_form_distance(pair, 1e-6, answer));
-  ASSERT_TRUE(pair.bind(ellipsoid, far, InstructionSet::automatic) && pair.place(nullptr, nullptr));
+  ASSERT_TRUE(pair.bind(ellipsoid, far, InstructionSet::automatic) && pair.place({}, {}));
   EXPECT_FALSE(closed_form_distance(pair, 1e-6, answer));
-  ASSERT_TRUE(pair.bind(box, far, InstructionSet::automatic) && pair.place(nullptr, nullptr));
+  ASSERT_TRUE(pair.bind(box, far, InstructionSet::automatic) && pair.place({}, {}));
   ASSERT_TRUE(closed_form_distance(pair, 1e-6, answer));
   EXPECT_LE(answer.lower, 3.9);
   EXPECT_GE(answer.upper, 3.9);
