@@ -72,7 +72,7 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   result.upper = answer.upper;
   result.distance = std::min(answer.upper, std::numeric_limits<double>::max());
   result.normal.resize(answer.lower > 0 ? solve_.dimension() : 0);
-  std::copy_n(solve_.normal(), result.normal.size(), result.normal.data());
+  if (answer.lower > 0) solve_.growth_normal(result.normal.data());
   set_counters(result);
   return true;
 }

@@ -3,6 +3,7 @@
 #include "engine/queries/spatial_solve.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/closed_form_distance.h"
@@ -15,6 +16,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
+constexpr double kUnitSquare = 0x1p-50;  // how far from 1 the square of a unit vector may be
 
 }  // namespace
 
@@ -45,11 +47,10 @@ void SpatialSolve::begin_with_normal(const WarmStart* warm) {
   start_.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
 }
 
-void SpatialSolve::record(bool has_normal, WarmStart* warm) const {
-  if (warm == nullptr) return;
+// All but the normal.
+void SpatialSolve::record(WarmStart* warm) const {
   warm->dimension = pair_.dimension();
   warm->normal = {0, 0, 0};
-  if (has_normal) std::copy_n(normal_, 3, warm->normal.begin());
   warm->count = 0;
   if (!pair_.has_vertices()) return;
   warm->count = answer_.combination.count;
@@ -97,8 +98,12 @@ bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
   if (!begin_with_vertices(warm)) begin_with_normal(warm);
   if (!find_distance(tolerance)) return false;
   const bool apart = answer_.end == SpatialEnd::closed;
-  if (apart) pair_.to_world(answer_.normal * (-1 / length(answer_.normal)), normal_);
-  record(apart, warm);
+  if (warm != nullptr) record(warm);
+  if (!apart) return true;
+  const double square = dot(answer_.normal, answer_.normal);
+  const bool is_unit = std::fabs(square - 1) <= kUnitSquare;  // nearly always: no root to wait for
+  pair_.to_world(answer_.normal * (is_unit ? -1.0 : -1 / std::sqrt(square)), normal_);
+  if (warm != nullptr) std::copy_n(normal_, 3, warm->normal.begin());
   return true;
 }
 
@@ -119,13 +124,15 @@ bool SpatialSolve::find_growth(bool about_origin, double tolerance, double thres
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
   if (!begin_with_vertices(warm) || start_.count != 3) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;
-  const bool apart = answer_.lower > 0;
-  if (apart) {
-    const double along = dot(answer_.normal, pair_.between_centers());
-    pair_.to_world(answer_.normal * (-answer_.lower / along), normal_);
-  }
-  record(apart, warm);
+  if (warm == nullptr) return true;
+  record(warm);
+  if (answer_.lower > 0) pair_.to_world(-answer_.normal, warm->normal.data());
   return true;
+}
+
+void SpatialSolve::growth_normal(double* normal) const {
+  const double along = dot(answer_.normal, pair_.between_centers());
+  pair_.to_world(answer_.normal * (-answer_.lower / along), normal);
 }
 
 }  // namespace raygauge

@@ -32,9 +32,11 @@ class SpatialSolve {
   int dimension() const noexcept { return pair_.dimension(); }
   std::int64_t support_queries() const noexcept { return pair_.queries(); }
 
-  /// The normal u that proves answer().lower, of the world, n numbers: of length one for a distance; of
-  /// one that proves `lower` of a DistanceResult for a growth distance.
+  /// The normal that proves answer().lower of the last distance, of length one, in the world: n numbers.
   const double* normal() const noexcept { return normal_; }
+
+  /// The same of the last growth distance where that is above 0, scaled as DistanceResult::normal is.
+  void growth_normal(double* normal) const;
 
   /// The closest points of the bodies in the world, n numbers each.
   void closest_points(double* point_1, double* point_2) const;
@@ -44,7 +46,7 @@ class SpatialSolve {
   bool find_growth(bool about_origin, double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);
   void begin_with_normal(const WarmStart* warm);
-  void record(bool has_normal, WarmStart* warm) const;
+  void record(WarmStart* warm) const;
 
   SpatialPair pair_;
   SpatialStart start_;

@@ -96,10 +96,10 @@ PairAnswer& PairSolver::Nearest::next(const PartPair& pair) noexcept {
 
 // The nearest of several parts is that of the least upper bound; common points end the search.
 void PairSolver::Nearest::take_next() {
-  const bool first = best_->part_a < 0;
-  const double lower = first ? next_->lower : std::min(best_->lower, next_->lower);
+  if (best_->part_a < 0) return std::swap(best_, next_);
+  const double lower = std::min(best_->lower, next_->lower);
   const double rate = std::max(best_->rate, next_->rate);
-  if (first || next_->upper < best_->upper || next_->intersecting()) std::swap(best_, next_);
+  if (next_->upper < best_->upper || next_->intersecting()) std::swap(best_, next_);
   best_->lower = lower;
   best_->rate = rate;
 }
@@ -384,6 +384,7 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
   }
   PairAnswer& best = nearest_.best();
   if (best.part_a < 0) {
+    best.begin(-1, -1);
     best.lower = beyond;
   } else {
     best.lower = std::min(best.lower, beyond);

@@ -34,8 +34,6 @@ void read(const PoseNumbers& pose, int n, Matrix3& R, Vector3& t) {
   t = {pose.t[0], pose.t[1], 0};
 }
 
-bool same(const Vector3& u, const Vector3& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
-
 // The unit vector across the axis of a frustum that is nearest to v, or zero; and how far v goes across.
 Vector3 across_axis(const SpatialShape& shape, const Vector3& v, double& across) {
   const Vector3& a = shape.axis.column[0];
@@ -132,6 +130,7 @@ bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, Instruct
   if ((dimension_ != 2 && dimension_ != 3) || second.dimension() != dimension_) return false;
   if (!first.spatial_shape_unchecked(shape_[0]) || !second.spatial_shape_unchecked(shape_[1])) return false;
   isa_ = isa;
+  size_of_shapes_ = shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius;
   vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
   return true;
 }
@@ -146,16 +145,14 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   anchor_ = shape_[0].center;
   anchor_radius_ = shape_[0].inner_radius;
   for (int j = 0; j < 3; ++j) R_.column[j] = W_.transposed_times(R.column[j]);
-  const Vector3 apart = t - w_;
-  t_ = W_.transposed_times(apart);
-  const double size =
-      shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius + length(apart);
+  apart_ = t - w_;
+  t_ = W_.transposed_times(apart_);
+  const double size = size_of_shapes_ + length(apart_);
   if (!(size > kSmallest && size < kLargest)) return false;
   size_ = size;
   error_ = size * (kRounding + 2 * (first.defect + second.defect));
   height_ = dimension_ == 2 ? size : 0.0;
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
-  concentric_ = same(w_, t) && same(shape_[0].center, {}) && same(shape_[1].center, {});
   for (int i = 0; i < 2; ++i) {
     if (shape_[i].kind == Kind::ellipsoid) place_ellipsoid(i);
   }

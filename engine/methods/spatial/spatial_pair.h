@@ -97,7 +97,9 @@ class SpatialPair {
   const Vector3& between_centers() const noexcept { return between_centers_; }
 
   /// Whether both centres are the same point, without a rounding error.
-  bool is_concentric() const noexcept { return concentric_; }
+  bool is_concentric() const noexcept {
+    return is_zero(apart_) && is_zero(shape_[0].center) && is_zero(shape_[1].center);
+  }
 
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
   void to_world(const Vector3& vector, double* out) const noexcept;
@@ -122,6 +124,7 @@ class SpatialPair {
   static bool is_curved(SpatialShape::Kind kind) noexcept {
     return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::frustum;
   }
+  static bool is_zero(const Vector3& v) noexcept { return v.x == 0 && v.y == 0 && v.z == 0; }
   static constexpr double kRounding = 256 * 0x1p-53;
 
   Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
@@ -134,6 +137,7 @@ class SpatialPair {
   PoseNumbers pose_[2];
   Matrix3 R_;  // second frame to first
   Vector3 t_;
+  Vector3 apart_;  // between the origins of both frames, in the world
   Vector3 between_centers_;
   Vector3 anchor_;            // what the first body is scaled about ...
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
@@ -141,11 +145,11 @@ class SpatialPair {
   Vector3 w_;
   InstructionSet isa_ = InstructionSet::automatic;
   double error_ = 0;
+  double size_of_shapes_ = 0;
   double size_ = 0;
   double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
   int dimension_ = 3;
   bool vertices_ = false;
-  bool concentric_ = false;
   std::int64_t queries_ = 0;
 };
 

@@ -150,7 +150,7 @@ class PairSolver {
   /// The answer about the nearest parts so far, and room for the next one.
   class Nearest {
    public:
-    void clear() noexcept { best_->begin(-1, -1); }
+    void clear() noexcept { best_->part_a = -1; }  // of no parts: the rest is not read
     PairAnswer& best() noexcept { return *best_; }
     PairAnswer& next(const PartPair& pair) noexcept;
     void take_next();
