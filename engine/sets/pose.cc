@@ -93,13 +93,8 @@ void Pose::assign(const double* R, const double* t) {
 }
 
 void Pose::assign_checked(const double* R, const double* t, double defect) noexcept {
-  if (dimension_ == 3) {
-    std::copy_n(R, 9, small_.data());
-    std::copy_n(t, 3, small_.data() + 9);
-  } else {
-    std::copy_n(R, dimension_ * dimension_, rotation_data());
-    std::copy_n(t, dimension_, translation_data());
-  }
+  std::copy_n(R, dimension_ * dimension_, rotation_data());
+  std::copy_n(t, dimension_, translation_data());
   defect_ = defect;
   axis_exchange_ = defect == 0;  // only then: see defect_of()
 }
