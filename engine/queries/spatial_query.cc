@@ -9,6 +9,8 @@ namespace raygauge {
 namespace {
 
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
+constexpr std::ptrdiff_t kPointsUnderLimit =
+    10000;  // a hundred passes over so many end before the clock would be read
 
 // The radius of a ball about the origin; 0 for every other set.
 double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
@@ -19,10 +21,11 @@ double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
 }  // namespace
 
 bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceOptions& options) {
-  const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0 &&
-                    options.time_limit == std::numeric_limits<double>::infinity();
-  return open && solve_.bind(first.set, second.set, options.instruction_set) &&
-         solve_.place(PoseNumbers(first.pose), PoseNumbers(second.pose));
+  const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
+  if (!open || !solve_.bind(first.set, second.set, options.instruction_set)) return false;
+  const bool limited = options.time_limit != std::numeric_limits<double>::infinity();
+  if (limited && solve_.points() > kPointsUnderLimit) return false;
+  return solve_.place(PoseNumbers(first.pose), PoseNumbers(second.pose));
 }
 
 void SpatialQuery::set_counters(DistanceResult& result) const {

@@ -77,10 +77,15 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
   pair_.point_to_world(a2, point_2);
 }
 
-// Balls and capsules have formulas. Curved bodies that are near are left to Newton steps; the long way is for
-// what these do not close.
+// Balls and capsules have formulas, which name where to go on in double-double arithmetic. Curved bodies that
+// are near are left to Newton steps; the long way is for what these do not close.
 bool SpatialSolve::find_distance(double tolerance) {
+  answer_.combination.count = 0;
   if (closed_form_distance(pair_, tolerance, answer_)) return true;
+  if (answer_.combination.count > 0) {
+    precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
+    if (answer_.end != SpatialEnd::open) return true;
+  }
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
   for (const bool leave_near : {true, false}) {
     spatial_distance(pair_, tolerance, start_, newton && leave_near, answer_);

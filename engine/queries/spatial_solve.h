@@ -30,6 +30,8 @@ class SpatialSolve {
 
   const SpatialAnswer& answer() const noexcept { return answer_; }
   int dimension() const noexcept { return pair_.dimension(); }
+  /// Points that one pass over both bodies looks at.
+  std::ptrdiff_t points() const noexcept { return points_of(pair_.shape(0)) + points_of(pair_.shape(1)); }
   std::int64_t support_queries() const noexcept { return pair_.queries(); }
 
   /// The normal that proves answer().lower of the last distance, of length one, in the world: n numbers.
@@ -42,6 +44,9 @@ class SpatialSolve {
   void closest_points(double* point_1, double* point_2) const;
 
  private:
+  static std::ptrdiff_t points_of(const SpatialShape& shape) noexcept {
+    return shape.kind == SpatialShape::Kind::points ? shape.size : 0;
+  }
   bool find_distance(double tolerance);
   bool find_growth(bool about_origin, double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);

@@ -6,16 +6,35 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numerics/double_double.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
+namespace {
+
+// o and o + a_k e_k, unless one of them is rounded.
+std::unique_ptr<const PointSet> exact_vertices(const Vector& corner, const Vector& legs) {
+  const Eigen::Index n = corner.size();
+  if (n != 2 && n != 3) return nullptr;
+  DenseMatrix vertices = corner.replicate(1, n + 1);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const DoubleDouble end = two_sum(corner[k], legs[k]);
+    if (end.low != 0 || !std::isfinite(end.high)) return nullptr;
+    vertices(k, k + 1) = end.high;
+  }
+  return std::make_unique<const PointSet>(vertices);
+}
+
+}  // namespace
 
 Simplex::Simplex(const ConstVectorRef& corner, const ConstVectorRef& legs)
     : ConvexSet(static_cast<int>(corner.size())),
       corner_(checked_finite("simplex", "corner", corner)),
       legs_(checked_finite("simplex", "legs", legs)) {
   check_dimension("simplex", "legs", legs.size(), dimension());
+  vertices_ = exact_vertices(corner_, legs_);
 }
 
 double Simplex::do_support(const double* u, double* point) const {
@@ -57,6 +76,15 @@ double Simplex::do_inner_radius(const double* c) const {
   const double left = across - 4 * dimension() * std::numeric_limits<double>::epsilon();
   least = std::min(least, shortest * left / std::sqrt(steepness));
   return proven_length(least, size, dimension());
+}
+
+bool Simplex::do_spatial_shape(SpatialShape& shape) const {
+  if (!vertices_ || !vertices_->spatial_shape_unchecked(shape)) return false;
+  double center[3] = {0, 0, 0};
+  do_center(center);
+  shape.center = {center[0], center[1], center[2]};
+  shape.inner_radius = do_inner_radius(center);
+  return true;
 }
 
 SupportStructure Simplex::do_structure() const noexcept { return SupportStructure::polytope; }

@@ -12,6 +12,7 @@
 #include "generators/registry.h"
 #include "raygauge/queries/solver.h"
 #include "tests/soak/certificate_check.h"
+#include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
@@ -213,6 +214,16 @@ TEST(Soak, PosedBodiesHaveBoundsThatTheGeneralMethodsDoNotContradict) {
     ASSERT_FALSE(violation) << *violation;
   }
   EXPECT_GT(bodies.tally().certified, bodies.tally().frames);
+}
+
+TEST(Soak, PlacedBodiesHaveBoundsAboutTheirKnownDistance) {
+  soak::PlacedBodies bodies(1);
+  for (int i = 0; i < 100; ++i) {
+    const auto violation = bodies.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_EQ(bodies.tally().poses, 100 * soak::PlacedBodies::kPoses);
+  EXPECT_GT(bodies.tally().certified, bodies.tally().poses * 9 / 10);
 }
 
 }  // namespace

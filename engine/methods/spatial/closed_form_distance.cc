@@ -72,6 +72,37 @@ void nearest_of_capsules(const SpatialPair& pair, SpatialPoint& point) {
   point.a2 = q + y * t;
 }
 
+// The ends of a core without area between which x is, in its own frame; the nearer one first. 0: of other
+// cores.
+int ends_around(const SpatialShape& shape, const Vector3& x, std::int32_t* ends) {
+  constexpr double kAtEnd = 1 - 1e-6;
+  if (shape.kind != Kind::point && shape.kind != Kind::segment) return 0;
+  ends[0] = 0;
+  if (shape.kind == Kind::point) return 1;
+  const Vector3& half = shape.axis.column[0];
+  const double along = dot(x - shape.center, half), square = dot(half, half);
+  ends[0] = along < 0 ? 1 : 0;
+  ends[1] = 1 - ends[0];
+  return std::fabs(along) > kAtEnd * square ? 1 : 2;
+}
+
+// Vertices around the nearest points of such cores, of which double-double arithmetic makes a start: at most
+// three, as the fourth corner of a parallelogram is the farthest.
+void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialCombination& combination) {
+  std::int32_t ends_1[2], ends_2[2];
+  const int count_1 = ends_around(pair.shape(0), nearest.a1, ends_1);
+  const int count_2 = ends_around(pair.shape(1), pair.to_second(nearest.a2), ends_2);
+  combination.count = 0;
+  for (int i = 0; i < count_1; ++i) {
+    for (int k = 0; k < count_2; ++k) {
+      if (i == 1 && k == 1) continue;
+      SpatialPoint& vertex = combination.point[combination.count++];
+      vertex.index_1 = ends_1[i];
+      vertex.index_2 = ends_2[k];
+    }
+  }
+}
+
 bool nearest_points(const SpatialPair& pair, SpatialPoint& point) {
   const Kind one = pair.shape(0).kind, two = pair.shape(1).kind;
   if (two == Kind::point) {
@@ -131,7 +162,10 @@ bool closed_form_distance(SpatialPair& pair, double tolerance, SpatialAnswer& an
   SpatialPoint touched;
   pair.support(answer.normal, touched);
   answer.lower = lower_bound(pair, dot(answer.normal, touched.s));
-  if (!(answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper)) return false;
+  if (!(answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper)) {
+    name_ends(pair, nearest, answer.combination);
+    return false;
+  }
   answer.end = SpatialEnd::closed;
   return true;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/double_double.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
@@ -104,21 +105,8 @@ ContactStep<double> find_active(const ContactPiece<double>* pieces, int count) {
   return step;
 }
 
-}  // namespace
-
-TangentMetric::TangentMetric(const Vector3& u, const Matrix3& H, double lambda) {
-  tangent[0] = any_orthogonal(u);
-  tangent[1] = cross(u, tangent[0]);
-  const Vector3 H0 = H * tangent[0], H1 = H * tangent[1];
-  const double a = dot(tangent[0], H0) + lambda, b = dot(tangent[0], H1), c = dot(tangent[1], H1) + lambda;
-  trace = a + c;
-  factor[0] = std::sqrt(std::fmax(a, 1e-15 * trace));
-  factor[1] = b / factor[0];
-  factor[2] = std::sqrt(std::fmax(c - factor[1] * factor[1], 1e-15 * trace));
-}
-
 template <class Real>
-ContactStep<Real> contact_step(const ContactPiece<Real>* pieces, int count) {
+ContactStep<Real> contact_step_of(const ContactPiece<Real>* pieces, int count) {
   ContactPiece<double> near[kMostContactPieces];
   int top = 0;
   for (int i = 1; i < count; ++i) {
@@ -139,7 +127,27 @@ ContactStep<Real> contact_step(const ContactPiece<Real>* pieces, int count) {
   return step;
 }
 
-template ContactStep<double> contact_step(const ContactPiece<double>* pieces, int count);
-template ContactStep<DoubleDouble> contact_step(const ContactPiece<DoubleDouble>* pieces, int count);
+}  // namespace
+
+TangentMetric::TangentMetric(const Vector3& u, const Matrix3& H, double lambda) {
+  tangent[0] = any_orthogonal(u);
+  tangent[1] = cross(u, tangent[0]);
+  const Vector3 H0 = H * tangent[0], H1 = H * tangent[1];
+  const double a = dot(tangent[0], H0) + lambda, b = dot(tangent[0], H1), c = dot(tangent[1], H1) + lambda;
+  trace = a + c;
+  factor[0] = std::sqrt(std::fmax(a, 1e-15 * trace));
+  factor[1] = b / factor[0];
+  factor[2] = std::sqrt(std::fmax(c - factor[1] * factor[1], 1e-15 * trace));
+}
+
+template <>
+ContactStep<double> contact_step(const ContactPiece<double>* pieces, int count) {
+  return contact_step_of<double>(pieces, count);
+}
+
+template <>
+RAYGAUGE_FUSED ContactStep<DoubleDouble> contact_step(const ContactPiece<DoubleDouble>* pieces, int count) {
+  return contact_step_of<DoubleDouble>(pieces, count);
+}
 
 }  // namespace raygauge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/numerics/double_double.h"
 #include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
@@ -50,5 +51,10 @@ struct ContactStep {
 inline constexpr int kMostContactPieces = 8;
 template <class Real>
 ContactStep<Real> contact_step(const ContactPiece<Real>* pieces, int count);
+
+template <>
+ContactStep<double> contact_step(const ContactPiece<double>* pieces, int count);
+template <>
+ContactStep<DoubleDouble> contact_step(const ContactPiece<DoubleDouble>* pieces, int count);
 
 }  // namespace raygauge

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "engine/numerics/fused.h"
+
 namespace raygauge {
 namespace {
 
@@ -86,7 +88,8 @@ double high(const DoubleDouble& value) { return value.high; }
 template <class Real>
 constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
 
-constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};  // and the corner opposite
+// Corners in ascending order, as in SimplexFace; facet f lies opposite to corner f.
+constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
 // A facet f with its normal n: n·x above the facet's plane, for the corner opposite and for the origin.
 template <class Real>
@@ -111,7 +114,9 @@ FacetSide<Real> side_of(Points<Real> points, int f) {
 // for.
 template <class Real>
 bool is_deep(Points<Real> points, const FacetSide<Real>* sides, SimplexFace<Real>& face) {
-  const auto size = [](const BasicVector3<Real>& v) { return std::sqrt(high(dot(v, v))); };
+  const auto size = [](const BasicVector3<Real>& v) {
+    return length({high(v.x), high(v.y), high(v.z)}) * (1 + 0x1p-50);
+  };
   Real sum{};
   for (int f = 0; f < 4; ++f) {
     const FacetSide<Real>& side = sides[f];
@@ -150,6 +155,16 @@ SimplexFace<Real> nearest_of_four(Points<Real> points) {
   return face;
 }
 
+template <class Real>
+SimplexFace<Real> nearest_face_of(Points<Real> points, int count) {
+  if (count == 4) return nearest_of_four<Real>(points);
+  SimplexFace<Real> face;
+  if (count == 1) take<Real>(points, 0, dot(*points[0], *points[0]), face);
+  if (count == 2) try_segment<Real>(points, 0, 1, face);
+  if (count == 3) try_triangle<Real>(points, 0, 1, 2, face);
+  return face;
+}
+
 }  // namespace
 
 template <class Real>
@@ -161,21 +176,19 @@ BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVecto
   return m >= k ? cross(ca, ab) : cross(ab, bc);
 }
 
-template <class Real>
-SimplexFace<Real> nearest_face(const BasicVector3<Real>* const* points, int count) {
-  if (count == 4) return nearest_of_four<Real>(points);
-  SimplexFace<Real> face;
-  if (count == 1) take<Real>(points, 0, dot(*points[0], *points[0]), face);
-  if (count == 2) try_segment<Real>(points, 0, 1, face);
-  if (count == 3) try_triangle<Real>(points, 0, 1, 2, face);
-  return face;
-}
-
 template Vector3 triangle_normal(const Vector3& a, const Vector3& b, const Vector3& c);
 template BasicVector3<DoubleDouble> triangle_normal(const BasicVector3<DoubleDouble>& a,
                                                     const BasicVector3<DoubleDouble>& b,
                                                     const BasicVector3<DoubleDouble>& c);
-template SimplexFace<double> nearest_face(const Vector3* const* points, int count);
-template SimplexFace<DoubleDouble> nearest_face(const BasicVector3<DoubleDouble>* const* points, int count);
+template <>
+SimplexFace<double> nearest_face(const Vector3* const* points, int count) {
+  return nearest_face_of<double>(points, count);
+}
+
+template <>
+RAYGAUGE_FUSED SimplexFace<DoubleDouble> nearest_face(const BasicVector3<DoubleDouble>* const* points,
+                                                      int count) {
+  return nearest_face_of<DoubleDouble>(points, count);
+}
 
 }  // namespace raygauge

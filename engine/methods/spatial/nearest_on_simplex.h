@@ -11,7 +11,7 @@ namespace raygauge {
 template <class Real>
 struct SimplexFace {
   int count = 0;
-  int corner[4] = {0, 0, 0, 0};
+  int corner[4] = {0, 0, 0, 0};  ///< ascending
   Real weight[4] = {};  ///< barycentric coordinates of that point; their sum is 1 to 8 rounding units
   BasicVector3<Real> v;
   Real square{};
@@ -29,8 +29,9 @@ template <class Real>
 BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVector3<Real>& b,
                                    const BasicVector3<Real>& c);
 
-extern template SimplexFace<double> nearest_face(const Vector3* const* points, int count);
-extern template SimplexFace<DoubleDouble> nearest_face(const BasicVector3<DoubleDouble>* const* points,
-                                                       int count);
+template <>
+SimplexFace<double> nearest_face(const Vector3* const* points, int count);
+template <>
+SimplexFace<DoubleDouble> nearest_face(const BasicVector3<DoubleDouble>* const* points, int count);
 
 }  // namespace raygauge

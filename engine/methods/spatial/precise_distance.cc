@@ -7,6 +7,7 @@
 
 #include "engine/methods/spatial/contact_program.h"
 #include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
@@ -49,7 +50,7 @@ class PreciseDescent {
   PrecisePoint combine(const ContactStep<DoubleDouble>& step) const;
   bool holds(const PrecisePoint& w) const;
   bool has_piece(const PrecisePoint& piece) const;
-  void bound_from_above(const PreciseVector3& v);
+  void bound_from_above(double length);
   void bound_from_below(const PreciseVector3& u, const DoubleDouble& height);
 
   PrecisePair& precise_;
@@ -132,11 +133,10 @@ SimplexFace<DoubleDouble> PreciseDescent::reduce() {
   return face;
 }
 
+// Corners are in ascending order.
 void PreciseDescent::keep(const SimplexFace<DoubleDouble>& face) {
-  PrecisePoint kept[4];
-  for (int i = 0; i < face.count; ++i) kept[i] = point_[face.corner[i]];
   for (int i = 0; i < face.count; ++i) {
-    point_[i] = kept[i];
+    if (face.corner[i] != i) point_[i] = point_[face.corner[i]];
     weight_[i] = face.weight[i].rounded();
   }
   count_ = face.count;
@@ -144,6 +144,7 @@ void PreciseDescent::keep(const SimplexFace<DoubleDouble>& face) {
 
 // Σ c_l s_l of the weights as they are, not negative, over their sum: a point of the simplex.
 PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) const {
+  if (face.count == 1) return point_[0].s;
   PreciseVector3 v;
   DoubleDouble sum;
   for (int i = 0; i < face.count; ++i) {
@@ -174,9 +175,10 @@ PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) cons
   return sum;
 }
 
-// Of length 1 in about, from the simplex to the origin.
+// Of length 1 in about, from the simplex to the origin; of a vertex in doubles, as the height of a ball
+// hardly depends on it.
 PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
-  PreciseVector3 u = -v;
+  PreciseVector3 u = count_ == 1 ? precise(rounded(-v)) : -v;
   if (count_ == 2) {
     const double size = 1 / std::sqrt(dot(u, u).high);
     u = u * DoubleDouble{size};
@@ -187,12 +189,14 @@ PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
     if (dot(u, point_[0].s).high > 0) u = -u;
   }
   const double square = dot(u, u).high;
-  return square > 0 ? u * DoubleDouble{1 / std::sqrt(square)} : PreciseVector3{};
+  if (!(square > 0)) return {};
+  if (count_ == 1) return precise(rounded(u) * (1 / std::sqrt(square)));
+  return u * DoubleDouble{1 / std::sqrt(square)};
 }
 
-void PreciseDescent::bound_from_above(const PreciseVector3& v) {
-  const PreciseVector3 point = precise_.through_balls(v);
-  const double upper = (length(rounded(point)) + precise_.error()) * kUp;
+// By the length of a vector of D that the combination has.
+void PreciseDescent::bound_from_above(double length) {
+  const double upper = (length + precise_.error()) * kUp;
   if (!(upper < answer_.upper) && best_count_ > 0) return;
   answer_.upper = upper;
   best_count_ = count_;
@@ -211,7 +215,7 @@ void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDoubl
   normal_ = u;
 }
 
-bool PreciseDescent::step() {
+RAYGAUGE_FUSED bool PreciseDescent::step() {
   const SimplexFace<DoubleDouble> face = reduce();
   const PreciseVector3 v = combine(face);
   const double size = std::sqrt(dot(v, v).high);
@@ -219,14 +223,18 @@ bool PreciseDescent::step() {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
-  bound_from_above(v);
-  if (count_ == 4 || !(size > precise_.error())) return false;
-  const PreciseVector3 u = direction(v);
-  if (is_zero(u)) return false;
+  const PreciseVector3 u = count_ < 4 && size > precise_.error() ? direction(v) : PreciseVector3{};
+  if (is_zero(u)) {
+    bound_from_above(length(rounded(precise_.through_balls(v))));
+    return false;
+  }
   DoubleDouble height;
-  const PrecisePoint w = precise_.support(u, height);
+  PrecisePoint w = precise_.support_parts(u, height);
+  bound_from_above(precise_.length_beyond_balls(v, u));
   bound_from_below(u, height);
-  if (is_closed() || holds(w)) return false;
+  if (is_closed()) return false;
+  precise_.place(w);
+  if (holds(w)) return false;
   point_[count_++] = w;
   return true;
 }
@@ -246,12 +254,12 @@ bool PreciseDescent::conclude(const PreciseVector3& v, const PrecisePoint& point
     answer_.end = SpatialEnd::intersecting;
     return true;
   }
-  bound_from_above(v);
+  bound_from_above(length(rounded(precise_.through_balls(v))));
   return is_closed();
 }
 
 // On the disc that the combination names. True where that is all.
-bool PreciseDescent::disc_step() {
+RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
   const SpatialPoint& known = before_.point[0];
   const int i = known.index_1 <= SpatialPoint::kBaseDisc ? 0 : 1;
   const std::int32_t index = i == 0 ? known.index_1 : known.index_2;
@@ -315,7 +323,7 @@ void PreciseDescent::keep(const ContactStep<DoubleDouble>& found) {
 }
 
 // A step of contact_distance, whose pieces are all that is left of the bodies.
-bool PreciseDescent::curved_step(const SpatialPair& pair) {
+RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
   DoubleDouble height;
   const PrecisePoint w = precise_.support(u_, height);
   bound_from_below(u_, height);

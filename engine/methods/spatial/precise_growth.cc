@@ -7,6 +7,7 @@
 
 #include "engine/methods/spatial/contact_program.h"
 #include "engine/methods/spatial/spatial_growth.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
@@ -119,7 +120,7 @@ void PreciseGrowth::exchange(const PrecisePoint& w) {
 }
 
 // Pieces that are curved are as good as flat on needles: their points hardly move as the normal turns.
-bool PreciseGrowth::run(double tolerance) {
+RAYGAUGE_FUSED bool PreciseGrowth::run(double tolerance) {
   double closest = __builtin_inf();
   int idle = 0;
   for (iterations_ = 0; iterations_ < kMostExchanges; ++iterations_) {
@@ -165,7 +166,8 @@ bool PreciseGrowth::newton_step(const SpatialPair& pair, const PreciseVector3& g
   return true;
 }
 
-bool PreciseGrowth::at_normal(const SpatialPair& pair, const Vector3& normal, double tolerance) {
+RAYGAUGE_FUSED bool PreciseGrowth::at_normal(const SpatialPair& pair, const Vector3& normal,
+                                             double tolerance) {
   const double size = length(normal), radius = pair.inner_radius() * kDown - 2 * pair.error();
   if (!(size > 0) || !(radius > 0)) return false;
   double world[3] = {0, 0, 0};

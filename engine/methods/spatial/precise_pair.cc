@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/fused.h"
+#include "raygauge/sets/direction_table.h"
+
 namespace raygauge {
 namespace {
 
@@ -155,13 +158,44 @@ PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) {
 PreciseVector3 PrecisePair::turn_back(const Body& body, const PreciseVector3& u) {
   PreciseVector3 v;
   DoubleDouble* out[3] = {&v.x, &v.y, &v.z};
+  if (u.x.low == 0 && u.y.low == 0 && u.z.low == 0) {
+    for (int k = 0; k < 3; ++k) {
+      *out[k] = two_product(u.x.high, body.R[0][k]) + two_product(u.y.high, body.R[1][k]) +
+                two_product(u.z.high, body.R[2][k]);
+    }
+    return v;
+  }
   for (int k = 0; k < 3; ++k) *out[k] = u.x * body.R[0][k] + u.y * body.R[1][k] + u.z * body.R[2][k];
   return v;
+}
+
+// Of the points that a table lists for v, which holds the highest of all; as below.
+std::int32_t PrecisePair::highest_of(const SpatialShape& shape, std::span<const std::int32_t> listed,
+                                     const PreciseVector3& v) {
+  const Vector3 w = rounded(v);
+  double top = -__builtin_inf();
+  for (const std::int32_t i : listed) top = std::max(top, dot(w, shape.table->point(i)));
+  const double size = (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
+  std::int32_t best = -1;
+  DoubleDouble height;
+  for (const std::int32_t i : listed) {
+    const Vector3 point = shape.table->point(i);
+    if (!(dot(w, point) >= top - 4 * kHeightError * size)) continue;
+    const DoubleDouble other = dot(v, precise(point));
+    if (best >= 0 && !(other > height)) continue;
+    height = other;
+    best = i;
+  }
+  return best;
 }
 
 // Every point that may be the highest, but for rounding in doubles, is compared precisely.
 std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector3& v) const {
   const Vector3 w = rounded(v);
+  if (shape.table != nullptr) {
+    const std::int32_t listed = highest_of(shape, shape.table->listed(w), v);
+    if (listed >= 0) return listed;
+  }
   const double u[3] = {w.x, w.y, w.z};
   const int n = shape.coordinates;
   std::ptrdiff_t index = 0;
@@ -191,7 +225,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   return best;
 }
 
-// h(v) of the body in its own frame.
+// h(v) of the core in its own frame.
 DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index) {
   const SpatialShape& shape = *body_[i].shape;
   ++queries_;
@@ -219,26 +253,44 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       break;
   }
   if (index >= 0) x = precise(vertex_of(shape, index));
-  DoubleDouble height = dot(v, x);
-  if (shape.radius > 0) height = height + sqrt(dot(v, v)) * shape.radius;
+  const DoubleDouble height = dot(v, x);
+  if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
   return height;
 }
 
-// s of x1 and x2; vertices are doubles.
-void PrecisePair::place(PrecisePoint& point) const {
+RAYGAUGE_FUSED void PrecisePair::place(PrecisePoint& point) const {
   point.s = (point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1)) -
             (point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)) + apart_;
 }
 
-PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
+RAYGAUGE_FUSED PrecisePoint PrecisePair::support_parts(const PreciseVector3& u, DoubleDouble& height) {
   PrecisePoint point;
+  ball_height_ = {};
   height = support_of(0, turn_back(body_[0], u), point.x1, point.index_1) +
-           support_of(1, turn_back(body_[1], -u), point.x2, point.index_2) + dot(u, apart_);
+           support_of(1, turn_back(body_[1], -u), point.x2, point.index_2) + dot(u, apart_) + ball_height_;
+  return point;
+}
+
+PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
+  PrecisePoint point = support_parts(u, height);
   place(point);
   return point;
 }
 
-bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
+// Along u the points of the balls add what they add to the height. Across it they would add nothing, were R
+// a rotation: R Rᵀu is u but for the defect of the pose.
+RAYGAUGE_FUSED double PrecisePair::length_beyond_balls(const PreciseVector3& v,
+                                                       const PreciseVector3& u) const {
+  if (!(ball_height_.high > 0)) return length(rounded(v));
+  const DoubleDouble square = dot(u, u), along = dot(v, u);
+  const Vector3 across = rounded(v * square - u * along);
+  double turned_away = length(across) / square.high;
+  for (const Body& body : body_) turned_away += 1.01 * body.shape->radius * body.defect;
+  const double up = (along + ball_height_).rounded();
+  return std::sqrt(up * up / square.high + turned_away * turned_away);
+}
+
+RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
   PreciseVector3 x[2];
   for (int i = 0; i < 2; ++i) {
     const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
@@ -262,7 +314,8 @@ bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
   return true;
 }
 
-bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const {
+RAYGAUGE_FUSED bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2,
+                                        PrecisePoint& point) const {
   if (!vertices_ || !has_vertex(*body_[0].shape, index_1) || !has_vertex(*body_[1].shape, index_2))
     return false;
   point.x1 = precise(vertex_of(*body_[0].shape, index_1));
@@ -274,8 +327,8 @@ bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoin
 }
 
 // With E = RᵀR - 1, the vector R(1 - E)a is R⁻ᵀa but for E².
-bool PrecisePair::disc_contact(int i, std::int32_t index, PreciseVector3& u, DoubleDouble& height,
-                               PrecisePoint& point) {
+RAYGAUGE_FUSED bool PrecisePair::disc_contact(int i, std::int32_t index, PreciseVector3& u,
+                                              DoubleDouble& height, PrecisePoint& point) {
   const Body& body = body_[i];
   const SpatialShape& shape = *body.shape;
   const bool top = index == SpatialPoint::kTopDisc;
@@ -328,7 +381,7 @@ bool PrecisePair::inside_frustum(const SpatialShape& shape, const PreciseVector3
 
 // The point of the other core is x_1 - R⁻¹s in the frame of the first one, x_2 + R⁻¹s in that of the second,
 // and R⁻¹ is Rᵀ but for the defect of the pose.
-bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) const {
+RAYGAUGE_FUSED bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) const {
   const Vector3 s = rounded(point.s), normal = rounded(u);
   const double away = length(s), height = dot(normal, s) / length(normal);
   for (int i = 0; i < 2; ++i) {
@@ -342,7 +395,7 @@ bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) co
   return false;
 }
 
-PreciseVector3 PrecisePair::ball_points(const PreciseVector3& u) const {
+RAYGAUGE_FUSED PreciseVector3 PrecisePair::ball_points(const PreciseVector3& u) const {
   PreciseVector3 sum;
   for (const Body& body : body_) {
     if (!(body.shape->radius > 0)) continue;
@@ -355,7 +408,7 @@ PreciseVector3 PrecisePair::ball_points(const PreciseVector3& u) const {
 
 PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const { return v - ball_points(v); }
 
-PreciseVector3 PrecisePair::between_centers() const {
+RAYGAUGE_FUSED PreciseVector3 PrecisePair::between_centers() const {
   return turn(body_[1], body_[1].shape->center) - turn(body_[0], body_[0].shape->center) - apart_;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/spatial_distance.h"
 #include "engine/numerics/double_double.h"
@@ -30,6 +32,16 @@ class PrecisePair {
 
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
+
+  /// The same, but s is left to place().
+  PrecisePoint support_parts(const PreciseVector3& u, DoubleDouble& height);
+
+  /// s of x1 and x2; vertices are doubles.
+  void place(PrecisePoint& point) const;
+
+  /// At least |v + b|, where b is the sum of the points of both balls that are highest for u, the direction
+  /// of the last support point: for u = -v/|v| an upper bound on the distance, but for error().
+  double length_beyond_balls(const PreciseVector3& v, const PreciseVector3& u) const;
 
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
   /// nothing is changed, where u is so near the axis of a rim that this says nothing.
@@ -77,13 +89,15 @@ class PrecisePair {
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
   DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
-  void place(PrecisePoint& point) const;
   bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
   static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);
   std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;
+  static std::int32_t highest_of(const SpatialShape& shape, std::span<const std::int32_t> listed,
+                                 const PreciseVector3& v);
 
   Body body_[2];
-  PreciseVector3 apart_;  // t1 - t2
+  PreciseVector3 apart_;      // t1 - t2
+  DoubleDouble ball_height_;  // what the balls added to the last height
   const Kernels* kernels_ = nullptr;
   double error_ = 0;
   bool vertices_ = false;

@@ -30,13 +30,7 @@ bool holds(const SpatialCombination& simplex, const SpatialPoint& w) {
 }
 
 // Leaves of the simplex what its nearest point needs, in the order it is in.
-void keep(SimplexFace<double>& face, SpatialCombination& simplex) {
-  for (int i = 1; i < face.count; ++i) {
-    for (int k = i; k > 0 && face.corner[k] < face.corner[k - 1]; --k) {
-      std::swap(face.corner[k], face.corner[k - 1]);
-      std::swap(face.weight[k], face.weight[k - 1]);
-    }
-  }
+void keep(const SimplexFace<double>& face, SpatialCombination& simplex) {
   for (int i = 0; i < face.count; ++i) {
     if (face.corner[i] != i) simplex.point[i] = simplex.point[face.corner[i]];
     simplex.weight[i] = face.weight[i];

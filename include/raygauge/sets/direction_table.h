@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "raygauge/numerics/vector3.h"
@@ -26,17 +27,22 @@ class DirectionTable {
   /// `points` is 3 × N and finite.
   explicit DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points);
 
+  /// The points that may be highest along v and next to it: the list of v's cell. Empty where it was too long
+  /// to keep.
+  std::span<const std::int32_t> listed(const Vector3& v) const noexcept {
+    const List& list = lists_[static_cast<std::size_t>(cell(v, cells_))];
+    return {candidates_.data() + list.first, static_cast<std::size_t>(list.count)};
+  }
+
   /// The index of a point that is highest along v, to the rounding errors of v·p; -1 where the list of v's
   /// cell was too long to keep.
   std::int32_t highest(const Vector3& v) const noexcept {
-    const List& list = lists_[static_cast<std::size_t>(cell(v, cells_))];
-    const std::int32_t* candidate = candidates_.data() + list.first;
     std::int32_t best = -1;
     double top = -std::numeric_limits<double>::infinity();
-    for (std::int32_t i = 0; i < list.count; ++i) {
-      const double* p = &points_[4 * static_cast<std::size_t>(candidate[i])];
+    for (const std::int32_t i : listed(v)) {
+      const double* p = &points_[4 * static_cast<std::size_t>(i)];
       const double height = v.x * p[0] + v.y * p[1] + v.z * p[2];
-      best = height > top ? candidate[i] : best;
+      best = height > top ? i : best;
       top = height > top ? height : top;
     }
     return best;

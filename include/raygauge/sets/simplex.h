@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/convex_set.h"
+#include <memory>
+
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 
@@ -22,9 +24,11 @@ class Simplex final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
 
   Vector corner_;
   Vector legs_;
+  std::unique_ptr<const PointSet> vertices_;  // for n = 2 and 3, where they are doubles exactly
 };
 
 }  // namespace raygauge

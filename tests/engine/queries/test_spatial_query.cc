@@ -18,6 +18,7 @@
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/simplex.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_spatial_query {
@@ -175,6 +176,54 @@ TEST(SpatialQuery, KnowsClosedForms) {
   GrowthDistanceSolver growth;
   EXPECT_NEAR(growth.solve_about_centers({box, one}, {box, two}).distance, 1.5, 1e-6);
   EXPECT_NEAR(growth.solve_about_centers({ball, one}, {box, two}).distance, 2, 1e-6);
+}
+
+// Fixed-size code ends before a clock would be read, unless there are many points.
+TEST(SpatialQuery, StandsAsideUnderALimitOfTimeWhereThereAreManyPoints) {
+  Random random(71);
+  const PointSet few(sphere(100, random)), many(sphere(20000, random));
+  const Pose away(Eigen::Quaterniond::Identity(), Eigen::Vector3d(3, 0, 0));
+  const Ball metric(kZero, 1);
+  DistanceOptions limited = spatial_options(1e-6);
+  limited.time_limit = 1;
+  SpatialQuery query;
+  ObjectDistance r;
+  const auto solves = [&](const PointSet& A, const DistanceOptions& options) {
+    return query.distance({A, Pose(3)}, {few, away}, metric, options, ObjectEffects::none, nullptr, r);
+  };
+  EXPECT_TRUE(solves(few, limited));
+  EXPECT_FALSE(solves(many, limited));
+  EXPECT_TRUE(solves(many, spatial_options(1e-6)));
+}
+
+// With o + a in doubles a simplex is the point set of its vertices; where that is rounded it is not.
+TEST(SpatialQuery, SolvesSimplicesWhoseVerticesAreDoubles) {
+  const Eigen::Vector3d corner(-0.25, 0.5, 0), legs(1, -0.75, 0.5);
+  const Simplex simplex(corner, legs), rounded(corner, Eigen::Vector3d(1e-17, 1, 1));
+  Eigen::MatrixXd vertices = corner.replicate(1, 4);
+  for (int k = 0; k < 3; ++k) vertices(k, k + 1) += legs[k];
+  const PointSet points(vertices);
+  const Capsule capsule(Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0), 0.5);
+  Random random(72);
+  SpatialQuery query;
+  const Ball metric(kZero, 1);
+  const DistanceOptions options = spatial_options(1e-6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Pose one = random_pose(random, 2), two = random_pose(random, 2);
+    ObjectDistance of_simplex, of_points;
+    ASSERT_TRUE(query.distance({simplex, one}, {capsule, two}, metric, options, ObjectEffects::none, nullptr,
+                               of_simplex));
+    ASSERT_TRUE(query.distance({points, one}, {capsule, two}, metric, options, ObjectEffects::none, nullptr,
+                               of_points));
+    EXPECT_EQ(of_simplex.distance.status, of_points.distance.status);
+    expect_overlap(of_simplex.distance, of_points.distance, 1e-6);
+    DistanceResult growth, general;
+    ASSERT_TRUE(query.growth({simplex, one}, {capsule, two}, false, options, std::nan(""), nullptr, growth));
+    general = GrowthDistanceSolver(general_options(1e-6)).solve_about_centers({simplex, one}, {capsule, two});
+    expect_overlap(growth, general, 1e-6);
+  }
+  ObjectDistance r;
+  EXPECT_FALSE(query.distance(rounded, capsule, metric, options, ObjectEffects::none, nullptr, r));
 }
 
 // The plane, with a Euclidean metric that is a p-norm ball.

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdlib>  // defines __GLIBC__ where it is
+
+/// Before the definition of a function that multiplies in double-double arithmetic: it is compiled twice, with
+/// everything that it calls in this file, and the loader takes the version with fused multiply-adds where the
+/// machine has them. The other one calls std::fma, a function, for each product. Both round alike.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__FMA__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define RAYGAUGE_FUSED [[gnu::target_clones("fma", "default"), gnu::flatten]]
+#else
+#define RAYGAUGE_FUSED
+#endif
