@@ -4,9 +4,10 @@
 
 #include <cstdlib>  // defines __GLIBC__ where it is
 
-/// Before the definition of a function that multiplies in double-double arithmetic: it is compiled twice, with
-/// everything that it calls in this file, and the loader takes the version with fused multiply-adds where the
-/// machine has them. The other one calls std::fma, a function, for each product. Both round alike.
+/// Before the definition of a function, most of all one that multiplies in double-double arithmetic: it is
+/// compiled twice, with everything that it calls in this file, and the loader takes the version for machines
+/// with fused multiply-adds where there are such. The other one calls std::fma, a function, for each product
+/// of two doubles. No sum is contracted: both give the same bits.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__FMA__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RAYGAUGE_FUSED [[gnu::target_clones("fma", "default"), gnu::flatten]]

@@ -27,6 +27,7 @@ Problem afresh(const Problem& problem) {
 // Each turn is taken where none before it has finished the solve. Column generation always answers, but may
 // stop short of the tolerance: the turns after it narrow the bounds that it leaves.
 const MethodChain::Turn MethodChain::kTurns[] = {
+    {&MethodChain::is_newton_asked_for, &MethodChain::by_spatial_gauge},
     // The Euclidean distance of polytopes needs no gauge body; a start that leads nowhere is forgotten.
     {&MethodChain::is_newton_asked_for_with_start, &MethodChain::by_nearest_point},
     {&MethodChain::is_newton_asked_for_with_start, &MethodChain::by_newton},
@@ -97,6 +98,10 @@ bool MethodChain::answers(Method& method, Concluded name, const Problem& problem
   const bool done = method.solve(problem, result_);
   account(method.counters());
   return done;
+}
+
+bool MethodChain::by_spatial_gauge(const Problem& problem) {
+  return answers(spatial_gauge_, Concluded::spatial_gauge, problem);
 }
 
 bool MethodChain::by_nearest_point(const Problem& problem) {
@@ -177,6 +182,7 @@ bool MethodChain::contact_combination(WeightedPoints& combination) const {
   combination.clear(static_cast<int>(result_.normal.size()));
   switch (concluded_) {
     case Concluded::nearest_point:
+    case Concluded::spatial_gauge:
       break;
     case Concluded::column_generation:
       column_generation_.contact_combination(combination);

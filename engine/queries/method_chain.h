@@ -12,6 +12,7 @@
 #include "engine/methods/nearest_point/nearest_point.h"
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/problem.h"
+#include "engine/methods/spatial/spatial_gauge.h"
 #include "engine/methods/tangent_plane/tangent_plane.h"
 #include "engine/methods/zheng_yamane/zheng_yamane.h"
 #include "engine/numerics/aligned_buffer.h"
@@ -55,7 +56,14 @@ class MethodChain {
   bool nearest_points(Vector& of_A1, Vector& of_A2) const;
 
  private:
-  enum class Concluded : std::uint8_t { column_generation, zheng_yamane, nearest_point, newton, quad_newton };
+  enum class Concluded : std::uint8_t {
+    column_generation,
+    zheng_yamane,
+    nearest_point,
+    spatial_gauge,
+    newton,
+    quad_newton
+  };
 
   /// One entry of the list: a method, when it is asked, and how. `solve` is true where the solve is over.
   struct Turn {
@@ -72,6 +80,7 @@ class MethodChain {
   bool is_distant(const Problem&) const { return result_.lower > 0; }
   bool always(const Problem&) const { return true; }
 
+  bool by_spatial_gauge(const Problem& problem);
   bool by_nearest_point(const Problem& problem);
   bool by_nearest_point_afresh(const Problem& problem);
   bool by_newton(const Problem& problem);
@@ -98,6 +107,7 @@ class MethodChain {
   TangentPlane tangent_plane_;
   ZhengYamane zheng_yamane_;
   NearestPoint nearest_point_;
+  SpatialGauge spatial_gauge_;
   Newton<double> newton_;
   Newton<Quad> quad_newton_;
   Concluded concluded_ = Concluded::column_generation;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/fused.h"
@@ -117,6 +118,7 @@ ContactStep<Real> contact_step_of(const ContactPiece<Real>* pieces, int count) {
     for (int k = 0; k < 2; ++k) near[i].slope[k] = rounded(pieces[i].slope[k]);
   }
   const ContactStep<double> found = find_active(near, count);
+  if constexpr (std::is_same_v<Real, double>) return found;
   ContactStep<Real> step;
   step.count = found.count;
   std::copy_n(found.piece, 3, step.piece);
@@ -127,13 +129,41 @@ ContactStep<Real> contact_step_of(const ContactPiece<Real>* pieces, int count) {
   return step;
 }
 
+// The weight c of the second piece makes  c (h_1 - h_0) - |g_0 + c (g_1 - g_0)|²/2  greatest.
+ContactStep<double> step_of_two(const ContactPiece<double>* pieces) {
+  const double *g0 = pieces[0].slope, *g1 = pieces[1].slope;
+  const double e[2] = {g1[0] - g0[0], g1[1] - g0[1]};
+  const double square = e[0] * e[0] + e[1] * e[1], rise = pieces[1].height - pieces[0].height;
+  const double gain = rise - (g0[0] * e[0] + g0[1] * e[1]);
+  ContactStep<double> step;
+  const bool both = gain > 0 && gain < square;
+  const double c = both ? gain / square : (gain > 0 ? 1.0 : 0.0);
+  step.count = both ? 2 : 1;
+  step.piece[0] = both || !(gain > 0) ? 0 : 1;
+  step.piece[1] = 1;
+  step.weight[0] = both ? 1 - c : 1.0;
+  step.weight[1] = c;
+  for (int k = 0; k < 2; ++k) step.y[k] = -(g0[k] + c * e[k]);
+  return step;
+}
+
 }  // namespace
 
 TangentMetric::TangentMetric(const Vector3& u, const Matrix3& H, double lambda) {
   tangent[0] = any_orthogonal(u);
   tangent[1] = cross(u, tangent[0]);
   const Vector3 H0 = H * tangent[0], H1 = H * tangent[1];
-  const double a = dot(tangent[0], H0) + lambda, b = dot(tangent[0], H1), c = dot(tangent[1], H1) + lambda;
+  const double h[3] = {dot(tangent[0], H0), dot(tangent[0], H1), dot(tangent[1], H1)};
+  factorise(h, lambda);
+}
+
+TangentMetric::TangentMetric(const Vector3& t0, const Vector3& t1, const double* h, double lambda)
+    : tangent{t0, t1} {
+  factorise(h, lambda);
+}
+
+void TangentMetric::factorise(const double* h, double lambda) {
+  const double a = h[0] + lambda, b = h[1], c = h[2] + lambda;
   trace = a + c;
   factor[0] = std::sqrt(std::fmax(a, 1e-15 * trace));
   factor[1] = b / factor[0];
@@ -142,6 +172,7 @@ TangentMetric::TangentMetric(const Vector3& u, const Matrix3& H, double lambda) 
 
 template <>
 ContactStep<double> contact_step(const ContactPiece<double>* pieces, int count) {
+  if (count == 2) return step_of_two(pieces);
   return contact_step_of<double>(pieces, count);
 }
 

@@ -12,6 +12,9 @@ namespace raygauge {
 struct TangentMetric {
   TangentMetric(const Vector3& u, const Matrix3& H, double lambda);
 
+  /// The same of two tangents t_k, orthogonal unit vectors, and h = (t_0·H t_0, t_0·H t_1, t_1·H t_1).
+  TangentMetric(const Vector3& t0, const Vector3& t1, const double* h, double lambda);
+
   /// C⁻¹ g of a tangential vector g by its two coordinates; d is C⁻ᵀ y of a step of the program below.
   template <class Real>
   void image(const Real& g0, const Real& g1, Real* y) const {
@@ -27,6 +30,9 @@ struct TangentMetric {
   Vector3 tangent[2];
   double factor[3] = {0, 0, 0};
   double trace = 0;
+
+ private:
+  void factorise(const double* h, double lambda);
 };
 
 /// A smooth piece of a support function near u: its height u·s and its slope, the image of s.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/curved_support.h"
 #include "raygauge/sets/direction_table.h"
 
 namespace raygauge {
@@ -14,9 +15,8 @@ namespace {
 using Kind = SpatialShape::Kind;
 
 constexpr double kSmallest = 1e-70,
-                 kLargest = 1e70;     // of what is squared and multiplied up to the fourth power
-constexpr double kAlongAxis = 1e-14;  // |v_⊥|/|v| that is nothing but rounding
-constexpr int kLanes = 8;             // of PointSet's blocks
+                 kLargest = 1e70;  // of what is squared and multiplied up to the fourth power
+constexpr int kLanes = 8;          // of PointSet's blocks
 
 // The rotation and the translation of a pose of R^n; of R^2 in the plane z = 0.
 void read(const PoseNumbers& pose, int n, Matrix3& R, Vector3& t) {
@@ -32,17 +32,6 @@ void read(const PoseNumbers& pose, int n, Matrix3& R, Vector3& t) {
   R.column[0] = {r[0], r[1], 0};
   R.column[1] = {r[2], r[3], 0};
   t = {pose.t[0], pose.t[1], 0};
-}
-
-// The unit vector across the axis of a frustum that is nearest to v, or zero; and how far v goes across.
-Vector3 across_axis(const SpatialShape& shape, const Vector3& v, double& across) {
-  const Vector3& a = shape.axis.column[0];
-  Vector3 w = v - a * dot(v, a);
-  w = w - a * dot(w, a);
-  across = length(w);
-  if (across > kAlongAxis * length(v)) return w * (1 / across);
-  across = 0;
-  return {};
 }
 
 Vector3 rim_point(const SpatialShape& shape, const Vector3& v, std::int32_t index) {
@@ -116,13 +105,6 @@ bool has_vertices(const SpatialShape& shape) {
   return shape.kind != Kind::ellipsoid && shape.kind != Kind::frustum;
 }
 
-// w (1 - a aᵀ - b bᵀ) for unit vectors a and b, b perhaps zero.
-void add_projector(double w, const Vector3& a, const Vector3& b, Matrix3& H) {
-  H.column[0] = H.column[0] + Vector3{w, 0, 0} - a * (w * a.x) - b * (w * b.x);
-  H.column[1] = H.column[1] + Vector3{0, w, 0} - a * (w * a.y) - b * (w * b.y);
-  H.column[2] = H.column[2] + Vector3{0, 0, w} - a * (w * a.z) - b * (w * b.z);
-}
-
 }  // namespace
 
 bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -163,9 +145,7 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
 void SpatialPair::place_ellipsoid(int i) {
   Matrix3& L = axis_[i];
   for (int j = 0; j < 3; ++j) L.column[j] = i == 0 ? shape_[0].axis.column[j] : R_ * shape_[1].axis.column[j];
-  square_[i].column[0] = L * Vector3{L.column[0].x, L.column[1].x, L.column[2].x};
-  square_[i].column[1] = L * Vector3{L.column[0].y, L.column[1].y, L.column[2].y};
-  square_[i].column[2] = L * Vector3{L.column[0].z, L.column[1].z, L.column[2].z};
+  square_[i] = square_of(L);
 }
 
 bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
@@ -261,12 +241,7 @@ void SpatialPair::add_hessian(int i, const Vector3& u, std::int32_t index, doubl
     const Vector3 z = axis_[i].transposed_times(u);
     const double size = length(z);
     if (!(size > 0)) return;
-    const double share = weight / size;
-    const Vector3 y = axis_[i] * (z * (1 / size));
-    const Matrix3& S = square_[i];
-    H.column[0] = H.column[0] + (S.column[0] - y * y.x) * share;
-    H.column[1] = H.column[1] + (S.column[1] - y * y.y) * share;
-    H.column[2] = H.column[2] + (S.column[2] - y * y.z) * share;
+    add_ellipsoid_hessian(square_[i], axis_[i] * (z * (1 / size)), weight / size, H);
   } else if (shape.kind == Kind::frustum) {
     const Vector3& own = shape.axis.column[0];
     const Vector3 a = i == 0 ? own : R_ * own;

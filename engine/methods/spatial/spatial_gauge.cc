@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/spatial_gauge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/certificates/certificate.h"
+#include "engine/numerics/floating_point.h"
+#include "engine/numerics/fused.h"
+
+namespace raygauge {
+namespace {
+
+using Kind = SpatialShape::Kind;
+
+constexpr int kMostEvaluations = 24;
+constexpr double kSmallest = 1e-50, kLargest = 1e50;  // of sizes that are squared and multiplied
+constexpr double kRounding = 128 * 0x1p-53;  // of a height or point, relative to what it is computed from
+constexpr double kUp = 1 + 0x1p-49, kDown = 1 - 0x1p-49;  // of a few operations
+constexpr double kDamping = 1e-2;  // of the last step: superlinear, and safe far from the solution
+constexpr double kLongestStep = 1, kShorter = 0.4;
+constexpr double kNearAxis = 0.75;    // squared cosine of the angle at which a disc is tried
+constexpr double kInside = 1 - 1e-9;  // of a disc's radius
+
+Vector3 unit(const Vector3& v) { return v * (1 / length(v)); }
+bool is_zero(const Vector3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+}  // namespace
+
+bool SpatialGauge::Side::bind(const ConvexSet& S) {
+  if (!S.spatial_shape_unchecked(shape)) return false;
+  if (shape.kind == Kind::box || shape.kind == Kind::points) return false;
+  const double size = shape.extent + shape.radius;
+  error = kRounding * size;
+  tried = shape.kind != Kind::frustum;
+  if (shape.kind == Kind::ellipsoid) square = square_of(shape.axis);
+  return size > kSmallest && size < kLargest;
+}
+
+// M with {x : (x - c)ᵀ M⁻¹ (x - c) <= 1} roughly the set.
+Matrix3 SpatialGauge::Side::second_moment() const {
+  const double ball = shape.radius * shape.radius;
+  if (shape.kind == Kind::ellipsoid) return square;
+  Matrix3 M{{{ball, 0, 0}, {0, ball, 0}, {0, 0, ball}}};
+  if (shape.kind == Kind::point) return M;
+  const Vector3 half = (shape.top - shape.base) * 0.5;
+  const double radius = 0.5 * (shape.base_radius + shape.top_radius);
+  if (shape.kind == Kind::frustum) add_projector(radius * radius, shape.axis.column[0], {}, M);
+  M.column[0] = M.column[0] + half * half.x;
+  M.column[1] = M.column[1] + half * half.y;
+  M.column[2] = M.column[2] + half * half.z;
+  return M;
+}
+
+// v is of length 1, but for rounding.
+void SpatialGauge::Side::look(const Vector3& v) {
+  count = 1;
+  if (shape.kind == Kind::ellipsoid) {
+    const Vector3 z = shape.axis.transposed_times(v);
+    spread = length(z);
+    way = spread > 0 ? shape.axis * (z * (1 / spread)) : Vector3{};
+    point[0] = shape.center + way;
+  } else if (shape.kind == Kind::frustum) {
+    way = across_axis(shape, v, spread);
+    point[0] = shape.base + way * shape.base_radius;
+    point[1] = shape.top + way * shape.top_radius;
+    count = 2;
+  } else if (shape.kind == Kind::segment) {
+    point[0] = shape.top;
+    point[1] = shape.base;
+    count = 2;
+  } else {
+    point[0] = shape.center;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (shape.radius > 0) point[i] = point[i] + v * shape.radius;
+    height[i] = dot(v, point[i]);
+  }
+  top = count == 2 && height[1] > height[0] ? 1 : 0;
+}
+
+// Without that of the ball, which is the same for all pieces. With y = LLᵀv/|Lᵀv| the Hessian of an ellipsoid
+// is (L Lᵀ - y yᵀ)/|Lᵀv|; that of a rim is radius/|v_⊥| across the axis and v_⊥.
+void SpatialGauge::Side::add_hessian(int piece, double weight, const Vector3* t, double* h) const {
+  if (!(spread > 0)) return;
+  const double along[2] = {dot(way, t[0]), dot(way, t[1])};
+  if (shape.kind == Kind::ellipsoid) {
+    const Vector3 S0 = square * t[0], S1 = square * t[1];
+    const double share = weight / spread;
+    h[0] += (dot(t[0], S0) - along[0] * along[0]) * share;
+    h[1] += (dot(t[0], S1) - along[0] * along[1]) * share;
+    h[2] += (dot(t[1], S1) - along[1] * along[1]) * share;
+  } else if (shape.kind == Kind::frustum) {
+    const Vector3& a = shape.axis.column[0];
+    const double p[2] = {dot(a, t[0]), dot(a, t[1])};
+    const double share = weight * (piece == 1 ? shape.top_radius : shape.base_radius) / spread;
+    h[0] += (1 - p[0] * p[0] - along[0] * along[0]) * share;
+    h[1] -= (p[0] * p[1] + along[0] * along[1]) * share;
+    h[2] += (1 - p[1] * p[1] - along[1] * along[1]) * share;
+  }
+}
+
+// The normal for which two ellipsoids like the sets would meet: -M⁻¹c for the sum of their M and the centre c
+// of A; -c where M is flat.
+Vector3 SpatialGauge::rough_normal() const {
+  const Matrix3 a = A_.second_moment(), q = Q_.second_moment();
+  const Vector3 x = a.column[0] + q.column[0], y = a.column[1] + q.column[1], z = a.column[2] + q.column[2];
+  const Vector3 yz = cross(y, z), &c = A_.shape.center;
+  const double determinant = dot(x, yz);
+  if (!(determinant > 0)) return -c;
+  return (yz * c.x + cross(z, x) * c.y + cross(x, y) * c.z) * (-1 / determinant);
+}
+
+bool SpatialGauge::begin(const Problem& problem) {
+  evaluations_ = steps_ = contacts_ = 0;
+  if (problem.A.dimension() != 3 || problem.pairs != nullptr || problem.options.max_iterations != 0 ||
+      !std::isnan(problem.threshold) || !A_.bind(problem.A) || !Q_.bind(problem.Q)) {
+    return false;
+  }
+  constexpr double kOrigin[3] = {0, 0, 0};
+  const bool centered = is_zero(Q_.shape.center) && Q_.shape.inner_radius > 0;
+  radius_ = centered ? Q_.shape.inner_radius : problem.Q.inner_radius_unchecked(kOrigin);
+  const double* start = problem.start;
+  u_ = start != nullptr ? Vector3{start[0], start[1], start[2]} : rough_normal();
+  const double size = length(u_);
+  if (!(radius_ > 0) || !(size > 0) || !(size < kLargest)) return false;
+  u_ = u_ * (1 / size);
+  tolerance_ = problem.options.tolerance;
+  lower_ = 0;
+  upper_ = kInfinity;
+  std::fill_n(weight_, 4, 0.0);
+  from_ratio_ = 0;
+  last_step_ = share_ = 1;
+  return true;
+}
+
+// Both sets for u, and the bound from below.
+void SpatialGauge::look(const Vector3& u) {
+  A_.look(u);
+  Q_.look(-u);
+  ++evaluations_;
+  const double height_A = A_.height[A_.top], height_Q = Q_.height[Q_.top];
+  ratio_ = -height_A / height_Q;
+  const double bound = (-height_A - A_.error) / (height_Q + Q_.error) * kDown;
+  if (!(bound > lower_)) return;
+  lower_ = bound;
+  estimate_ = ratio_;
+  normal_ = u * (1 / height_Q);
+}
+
+// With a of A and q of Q, both to their errors: a = ρ q + r costs no more than ρ + |r|/R.
+bool SpatialGauge::closes(const Vector3& a, const Vector3& q) {
+  const double rest = length(a - q * ratio_) + A_.error + ratio_ * Q_.error;
+  const double bound = (ratio_ + rest / radius_) * kUp;
+  if (bound < upper_) {
+    upper_ = bound;
+    contact_ = a;
+  }
+  return is_closed(lower_, upper_, tolerance_);
+}
+
+// `flat`, whose directions are `sign` times u, on the disc whose normal is near.
+bool SpatialGauge::try_disc(Side& flat, Side& other, double sign) {
+  const double along = sign * dot(u_, flat.shape.axis.column[0]);
+  if (flat.tried || along * along < kNearAxis) return false;
+  flat.tried = true;
+  const Vector3 axis = flat.shape.axis.column[0] * (along > 0 ? 1.0 : -1.0);
+  look(axis * sign);
+  if (!(ratio_ > 0)) return false;
+  const Vector3& center = along > 0 ? flat.shape.top : flat.shape.base;
+  const Vector3& met = other.point[other.top];
+  Vector3 q = (sign > 0 ? met * ratio_ : met * (1 / ratio_)) - center;
+  q = q - axis * dot(q, axis);
+  if (!(length(q) < kInside * (along > 0 ? flat.shape.top_radius : flat.shape.base_radius))) return false;
+  return sign > 0 ? closes(center + q, met) : closes(met, center + q);
+}
+
+// False where no shorter step is left. The ratio must not fall: the step before was too long.
+bool SpatialGauge::shorten() {
+  share_ *= kShorter;
+  last_step_ *= kShorter;
+  u_ = unit(from_ + way_ * share_);
+  return share_ > 1e-4;
+}
+
+// The pairs of pieces at u_, and their Hessian with the weights of the step before; the first step takes the
+// highest of each.
+void SpatialGauge::gather(const Vector3* tangents, double* h) {
+  if (steps_ == 0) weight_[2 * A_.top + Q_.top] = 1;
+  pairs_ = 0;
+  for (int i = 0; i < A_.count; ++i) {
+    for (int j = 0; j < Q_.count; ++j) pair_[pairs_++] = 2 * i + j;
+    const double of_A = weight_[2 * i] + weight_[2 * i + 1];
+    if (of_A > 0) A_.add_hessian(i, of_A, tangents, h);
+  }
+  for (int j = 0; j < Q_.count; ++j) {
+    const double of_Q = weight_[j] + weight_[2 + j];
+    if (of_Q > 0) Q_.add_hessian(j, of_Q * ratio_, tangents, h);
+  }
+}
+
+// The weights of a step, and what they prove.
+bool SpatialGauge::conclude(const ContactStep<double>& found) {
+  double sum = 0;
+  for (int i = 0; i < found.count; ++i) sum += std::max(found.weight[i], 0.0);
+  std::fill_n(weight_, 4, 0.0);
+  Vector3 a, q;
+  for (int i = 0; i < found.count; ++i) {
+    const int k = pair_[found.piece[i]];
+    weight_[k] = std::max(found.weight[i], 0.0) / sum;
+    a = a + A_.point[k / 2] * weight_[k];
+    q = q + Q_.point[k % 2] * weight_[k];
+  }
+  return closes(a, q);
+}
+
+// From u_ and what look() found there. False where the solve is done, or nothing is left to gain.
+bool SpatialGauge::step() {
+  Vector3 tangents[2] = {any_orthogonal(u_), {}};
+  tangents[1] = cross(u_, tangents[0]);
+  double h[3] = {0, 0, 0};
+  gather(tangents, h);
+  const double rounding = A_.error + ratio_ * Q_.error, balls = A_.shape.radius + ratio_ * Q_.shape.radius;
+  const double damping = kDamping * last_step_ * last_step_ * (h[0] + h[2]);
+  const TangentMetric metric(tangents[0], tangents[1], h, balls + damping + rounding);
+  ContactPiece<double> pieces[4];
+  for (int i = 0; i < pairs_; ++i) {
+    const int in_A = pair_[i] / 2, in_Q = pair_[i] % 2;
+    const Vector3 point = A_.point[in_A] - Q_.point[in_Q] * ratio_;
+    pieces[i].height = A_.height[in_A] + ratio_ * Q_.height[in_Q];
+    metric.image(dot(metric.tangent[0], point), dot(metric.tangent[1], point), pieces[i].slope);
+  }
+  const ContactStep<double> found = contact_step(pieces, pairs_);
+  ++steps_;
+  if (conclude(found)) return false;
+  double d[2];
+  metric.step(found.y, d);
+  way_ = metric.tangent[0] * d[0] + metric.tangent[1] * d[1];
+  const double long_by = length(way_);
+  if (long_by > kLongestStep) way_ = way_ * (kLongestStep / long_by);
+  last_step_ = std::min(long_by, kLongestStep);
+  return last_step_ > 0;
+}
+
+// Back at u_ if the contact is on no disc.
+bool SpatialGauge::is_on_disc() {
+  const std::int64_t before = evaluations_;
+  if (try_disc(A_, Q_, 1) || try_disc(Q_, A_, -1)) return true;
+  if (evaluations_ != before) look(u_);
+  return false;
+}
+
+RAYGAUGE_FUSED bool SpatialGauge::descend() {
+  while (evaluations_ < kMostEvaluations) {
+    look(u_);
+    if (!(ratio_ > 0) && evaluations_ == 1) return false;
+    const double noise = 4 * (A_.error + ratio_ * Q_.error) / Q_.height[Q_.top];
+    if (ratio_ < from_ratio_ - noise) {
+      if (!shorten()) return false;
+      continue;
+    }
+    if (is_on_disc()) return true;
+    from_ = u_;
+    from_ratio_ = ratio_;
+    share_ = 1;
+    if (!step()) return is_closed(lower_, upper_, tolerance_);
+    u_ = unit(from_ + way_);
+  }
+  return false;
+}
+
+bool SpatialGauge::solve(const Problem& problem, DistanceResult& result) {
+  if (!begin(problem) || !descend()) return false;
+  report(problem, result);
+  return true;
+}
+
+void SpatialGauge::report(const Problem& problem, DistanceResult& result) {
+  result.status = DistanceStatus::optimal;
+  result.lower = lower_;
+  result.upper = upper_;
+  result.distance = std::max(lower_, std::min(estimate_, upper_));
+  result.normal.resize(3);
+  result.normal << normal_.x, normal_.y, normal_.z;
+  if (double* contact = result.room_for_contact(problem.effects, 3)) {
+    contact[0] = contact_.x;
+    contact[1] = contact_.y;
+    contact[2] = contact_.z;
+    ++contacts_;
+  }
+  result.counters = counters();
+}
+
+DistanceCounters SpatialGauge::counters() const {
+  DistanceCounters counters;
+  counters.outer_iterations = evaluations_ > 0 ? 1 : 0;
+  counters.ray_iterations = evaluations_;
+  counters.support_queries = 2 * evaluations_;
+  counters.pivots = steps_;
+  counters.witness_evaluations = contacts_;
+  return counters;
+}
+
+}  // namespace raygauge
