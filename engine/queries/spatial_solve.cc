@@ -18,6 +18,16 @@ namespace {
 constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
 constexpr double kUnitSquare = 0x1p-50;  // how far from 1 the square of a unit vector may be
 
+// Needles of an ellipsoid: support points of doubles crowd around the contact, and double-double Newton steps
+// find it at once; not of many points, whose passes in that arithmetic take longer.
+bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
+  constexpr double kThin = 1e-4;
+  constexpr std::ptrdiff_t kMostPoints = 500;
+  constexpr auto kEllipsoid = SpatialShape::Kind::ellipsoid;
+  return points <= kMostPoints && (pair.shape(0).kind == kEllipsoid || pair.shape(1).kind == kEllipsoid) &&
+         pair.inner_radius() < kThin * (pair.shape(0).extent + pair.shape(1).extent);
+}
+
 }  // namespace
 
 bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -118,6 +128,11 @@ bool SpatialSolve::find_growth(bool about_origin, double tolerance, double thres
     answer_.reset();  // a factor of 0
     answer_.end = SpatialEnd::closed;
     return true;
+  }
+  if (!about_origin && std::isnan(threshold) && is_smooth_needle(pair_, points())) {
+    answer_.reset();
+    precise_growth(pair_, kernels_for(isa_), tolerance, answer_);
+    if (answer_.end != SpatialEnd::open) return true;
   }
   spatial_growth(pair_, tolerance, threshold, start_, answer_);
   if (answer_.end == SpatialEnd::open && !about_origin) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/spatial/contact_program.h"
 #include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/methods/spatial/precise_pieces.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -20,9 +20,6 @@ constexpr double kSmallStep = 1e-12;  // what Newton steps on overlapping cores 
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
 
 bool is_zero(const PreciseVector3& v) { return v.x.high == 0 && v.y.high == 0 && v.z.high == 0; }
-
-PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
-Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
 
 class PreciseDescent {
  public:
@@ -38,9 +35,6 @@ class PreciseDescent {
   bool step();
   bool disc_step();
   bool curved_step(const SpatialPair& pair);
-  void follow_pieces(const PrecisePoint& highest);
-  TangentMetric metric(const SpatialPair& pair, double lambda) const;
-  void keep(const ContactStep<DoubleDouble>& found);
   bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
   SimplexFace<DoubleDouble> reduce();
   void keep(const SimplexFace<DoubleDouble>& face);
@@ -49,7 +43,6 @@ class PreciseDescent {
   PreciseVector3 combine(const SimplexFace<DoubleDouble>& face) const;
   PrecisePoint combine(const ContactStep<DoubleDouble>& step) const;
   bool holds(const PrecisePoint& w) const;
-  bool has_piece(const PrecisePoint& piece) const;
   void bound_from_above(double length);
   void bound_from_below(const PreciseVector3& u, const DoubleDouble& height);
 
@@ -57,12 +50,7 @@ class PreciseDescent {
   double tolerance_;
   SpatialAnswer& answer_;
   const SpatialCombination before_;
-  int count_ = 0;
-  PrecisePoint point_[4];
-  double weight_[4] = {1, 0, 0, 0};
-  int best_count_ = 0;
-  PrecisePoint best_[4];
-  double best_weight_[4] = {1, 0, 0, 0};
+  PrecisePieces now_, best_;  // best_ proves the upper bound
   PreciseVector3 normal_;
   PreciseVector3 u_;  // of steps on curved cores
   double last_step_ = 0;
@@ -74,9 +62,10 @@ bool PreciseDescent::begin_at_vertices() {
   for (int i = 0; i < before.count; ++i) {
     PrecisePoint point;
     const SpatialPoint& known = before.point[i];
-    if (precise_.vertex(known.index_1, known.index_2, point) && !holds(point)) point_[count_++] = point;
+    if (precise_.vertex(known.index_1, known.index_2, point) && !holds(point))
+      now_.point[now_.count++] = point;
   }
-  return count_ > 0;
+  return now_.count > 0;
 }
 
 // With the best normal of before and the pieces of its combination.
@@ -86,22 +75,8 @@ bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
   double world[3] = {0, 0, 0};
   pair.to_world(u * (1 / length(u)), world);
   u_ = precise({world[0], world[1], world[2]});
-  count_ = 0;
-  for (int i = 0; i < before_.count && count_ < 3; ++i) {
-    PrecisePoint point;
-    point.index_1 = before_.point[i].index_1;
-    point.index_2 = before_.point[i].index_2;
-    if (has_piece(point)) continue;
-    weight_[count_] = before_.weight[i];
-    point_[count_++] = point;
-  }
+  now_.begin(before_);
   return true;
-}
-
-bool PreciseDescent::has_piece(const PrecisePoint& piece) const {
-  return std::any_of(point_, point_ + count_, [&](const PrecisePoint& known) {
-    return known.index_1 == piece.index_1 && known.index_2 == piece.index_2;
-  });
 }
 
 void PreciseDescent::run(const SpatialPair& pair) {
@@ -119,16 +94,16 @@ void PreciseDescent::run(const SpatialPair& pair) {
 }
 
 bool PreciseDescent::holds(const PrecisePoint& w) const {
-  for (int i = 0; i < count_; ++i) {
-    if (is_zero(point_[i].s - w.s)) return true;
+  for (int i = 0; i < now_.count; ++i) {
+    if (is_zero(now_.point[i].s - w.s)) return true;
   }
   return false;
 }
 
 SimplexFace<DoubleDouble> PreciseDescent::reduce() {
   const PreciseVector3* points[4];
-  for (int i = 0; i < count_; ++i) points[i] = &point_[i].s;
-  const SimplexFace<DoubleDouble> face = nearest_face(points, count_);
+  for (int i = 0; i < now_.count; ++i) points[i] = &now_.point[i].s;
+  const SimplexFace<DoubleDouble> face = nearest_face(points, now_.count);
   keep(face);
   return face;
 }
@@ -136,19 +111,19 @@ SimplexFace<DoubleDouble> PreciseDescent::reduce() {
 // Corners are in ascending order.
 void PreciseDescent::keep(const SimplexFace<DoubleDouble>& face) {
   for (int i = 0; i < face.count; ++i) {
-    if (face.corner[i] != i) point_[i] = point_[face.corner[i]];
-    weight_[i] = face.weight[i].rounded();
+    if (face.corner[i] != i) now_.point[i] = now_.point[face.corner[i]];
+    now_.weight[i] = face.weight[i].rounded();
   }
-  count_ = face.count;
+  now_.count = face.count;
 }
 
 // Σ c_l s_l of the weights as they are, not negative, over their sum: a point of the simplex.
 PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) const {
-  if (face.count == 1) return point_[0].s;
+  if (face.count == 1) return now_.point[0].s;
   PreciseVector3 v;
   DoubleDouble sum;
   for (int i = 0; i < face.count; ++i) {
-    v = v + point_[i].s * face.weight[i];
+    v = v + now_.point[i].s * face.weight[i];
     sum = sum + face.weight[i];
   }
   return v * (DoubleDouble{1} / sum);
@@ -157,15 +132,15 @@ PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) co
 // The same of the points and their parts, with the weights of a step, of which rounding may leave some
 // negative.
 PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) const {
-  PrecisePoint sum = point_[0];
+  PrecisePoint sum = now_.point[0];
   if (step.count == 1) return sum;
   sum.s = sum.x1 = sum.x2 = {};
   DoubleDouble all;
   for (int i = 0; i < step.count; ++i) {
     if (!(step.weight[i] > DoubleDouble{})) continue;
-    sum.s = sum.s + point_[i].s * step.weight[i];
-    sum.x1 = sum.x1 + point_[i].x1 * step.weight[i];
-    sum.x2 = sum.x2 + point_[i].x2 * step.weight[i];
+    sum.s = sum.s + now_.point[i].s * step.weight[i];
+    sum.x1 = sum.x1 + now_.point[i].x1 * step.weight[i];
+    sum.x2 = sum.x2 + now_.point[i].x2 * step.weight[i];
     all = all + step.weight[i];
   }
   const DoubleDouble share = DoubleDouble{1} / all;
@@ -178,31 +153,31 @@ PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) cons
 // Of length 1 in about, from the simplex to the origin; of a vertex in doubles, as the height of a ball
 // hardly depends on it.
 PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
-  PreciseVector3 u = count_ == 1 ? precise(rounded(-v)) : -v;
-  if (count_ == 2) {
+  PreciseVector3 u = now_.count == 1 ? precise(rounded(-v)) : -v;
+  if (now_.count == 2) {
     const double size = 1 / std::sqrt(dot(u, u).high);
     u = u * DoubleDouble{size};
-    const PreciseVector3 edge = point_[1].s - point_[0].s;
+    const PreciseVector3 edge = now_.point[1].s - now_.point[0].s;
     u = u - edge * (dot(u, edge) / dot(edge, edge));
-  } else if (count_ == 3) {
-    u = triangle_normal(point_[0].s, point_[1].s, point_[2].s);
-    if (dot(u, point_[0].s).high > 0) u = -u;
+  } else if (now_.count == 3) {
+    u = triangle_normal(now_.point[0].s, now_.point[1].s, now_.point[2].s);
+    if (dot(u, now_.point[0].s).high > 0) u = -u;
   }
   const double square = dot(u, u).high;
   if (!(square > 0)) return {};
-  if (count_ == 1) return precise(rounded(u) * (1 / std::sqrt(square)));
+  if (now_.count == 1) return precise(rounded(u) * (1 / std::sqrt(square)));
   return u * DoubleDouble{1 / std::sqrt(square)};
 }
 
 // By the length of a vector of D that the combination has.
 void PreciseDescent::bound_from_above(double length) {
   const double upper = (length + precise_.error()) * kUp;
-  if (!(upper < answer_.upper) && best_count_ > 0) return;
+  if (!(upper < answer_.upper) && best_.count > 0) return;
   answer_.upper = upper;
-  best_count_ = count_;
-  for (int i = 0; i < count_; ++i) {
-    best_[i] = point_[i];
-    best_weight_[i] = weight_[i];
+  best_.count = now_.count;
+  for (int i = 0; i < now_.count; ++i) {
+    best_.point[i] = now_.point[i];
+    best_.weight[i] = now_.weight[i];
   }
 }
 
@@ -223,7 +198,7 @@ RAYGAUGE_FUSED bool PreciseDescent::step() {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
-  const PreciseVector3 u = count_ < 4 && size > precise_.error() ? direction(v) : PreciseVector3{};
+  const PreciseVector3 u = now_.count < 4 && size > precise_.error() ? direction(v) : PreciseVector3{};
   if (is_zero(u)) {
     bound_from_above(length(rounded(precise_.through_balls(v))));
     return false;
@@ -235,7 +210,7 @@ RAYGAUGE_FUSED bool PreciseDescent::step() {
   if (is_closed()) return false;
   precise_.place(w);
   if (holds(w)) return false;
-  point_[count_++] = w;
+  now_.point[now_.count++] = w;
   return true;
 }
 
@@ -265,61 +240,11 @@ RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
   const std::int32_t index = i == 0 ? known.index_1 : known.index_2;
   if (index > SpatialPoint::kBaseDisc) return false;
   DoubleDouble height;
-  if (!precise_.disc_contact(i, index, u_, height, point_[0])) return false;
-  count_ = 1;
-  weight_[0] = 1;
+  if (!precise_.disc_contact(i, index, u_, height, now_.point[0])) return false;
+  now_.count = 1;
+  now_.weight[0] = 1;
   bound_from_below(u_, height);
-  return conclude(point_[0].s, point_[0]);
-}
-
-// Points on rims and curved surfaces follow u_; the piece of its support point joins them.
-void PreciseDescent::follow_pieces(const PrecisePoint& highest) {
-  int left = 0;
-  for (int i = 0; i < count_; ++i) {
-    PrecisePoint point = point_[i];
-    const bool same = point.index_1 == highest.index_1 && point.index_2 == highest.index_2;
-    if (same) point = highest;
-    if (!same && !precise_.follow(u_, point)) continue;
-    weight_[left] = weight_[i];
-    point_[left++] = point;
-  }
-  count_ = left;
-  if (has_piece(highest)) return;
-  weight_[count_] = count_ == 0 ? 1 : 0;
-  point_[count_++] = highest;
-}
-
-// Of the pieces with their weights, at u_.
-TangentMetric PreciseDescent::metric(const SpatialPair& pair, double lambda) const {
-  const double rounded[3] = {u_.x.high, u_.y.high, u_.z.high};
-  Vector3 u = pair.to_body(rounded);
-  u = u * (1 / length(u));
-  Matrix3 H;
-  for (int i = 0; i < count_; ++i) {
-    SpatialPoint piece;
-    piece.index_1 = point_[i].index_1;
-    piece.index_2 = point_[i].index_2;
-    if (weight_[i] > 0) pair.add_hessian(u, piece, weight_[i], H);
-  }
-  const double size = H.column[0].x + H.column[1].y + H.column[2].z;
-  TangentMetric metric(u, H, lambda + kDamping * last_step_ * last_step_ * size);
-  for (Vector3& tangent : metric.tangent) {
-    double world[3] = {0, 0, 0};
-    pair.to_world(tangent, world);
-    tangent = {world[0], world[1], world[2]};
-  }
-  return metric;
-}
-
-// The active pieces with their weights.
-void PreciseDescent::keep(const ContactStep<DoubleDouble>& found) {
-  PrecisePoint kept[3];
-  for (int i = 0; i < found.count; ++i) kept[i] = point_[found.piece[i]];
-  count_ = found.count;
-  for (int i = 0; i < count_; ++i) {
-    point_[i] = kept[i];
-    weight_[i] = std::max(0.0, found.weight[i].rounded());
-  }
+  return conclude(now_.point[0].s, now_.point[0]);
 }
 
 // A step of contact_distance, whose pieces are all that is left of the bodies.
@@ -327,16 +252,18 @@ RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
   DoubleDouble height;
   const PrecisePoint w = precise_.support(u_, height);
   bound_from_below(u_, height);
-  follow_pieces(w);
-  const TangentMetric M = metric(pair, std::fabs(dot(rounded(u_), rounded(w.s))) + precise_.error());
+  now_.follow(precise_, u_, w);
+  const double height_of_cores = std::fabs(dot(rounded(u_), rounded(w.s)));
+  const TangentMetric M =
+      now_.metric(pair, u_, height_of_cores + precise_.error(), kDamping * last_step_ * last_step_);
   const PreciseVector3 tangent[2] = {precise(M.tangent[0]), precise(M.tangent[1])};
   ContactPiece<DoubleDouble> pieces[4];
-  for (int i = 0; i < count_; ++i) {
-    pieces[i].height = dot(u_, point_[i].s);
-    M.image(dot(tangent[0], point_[i].s), dot(tangent[1], point_[i].s), pieces[i].slope);
+  for (int i = 0; i < now_.count; ++i) {
+    pieces[i].height = dot(u_, now_.point[i].s);
+    M.image(dot(tangent[0], now_.point[i].s), dot(tangent[1], now_.point[i].s), pieces[i].slope);
   }
-  const ContactStep<DoubleDouble> found = contact_step(pieces, count_);
-  keep(found);
+  const ContactStep<DoubleDouble> found = contact_step(pieces, now_.count);
+  now_.keep(found);
   const PrecisePoint points = combine(found);
   if (conclude(points.s, points)) return false;
   DoubleDouble d[2];
@@ -353,15 +280,15 @@ RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
 // The closest points and the normal, in the frame of the first body.
 void PreciseDescent::record(const SpatialPair& pair) {
   SpatialCombination& combination = answer_.combination;
-  combination.count = best_count_;
-  for (int i = 0; i < best_count_; ++i) {
+  combination.count = best_.count;
+  for (int i = 0; i < best_.count; ++i) {
     SpatialPoint& point = combination.point[i];
-    point.a1 = rounded(best_[i].x1);
-    point.a2 = pair.from_second(rounded(best_[i].x2));
+    point.a1 = rounded(best_.point[i].x1);
+    point.a2 = pair.from_second(rounded(best_.point[i].x2));
     point.s = point.a1 - point.a2;
-    point.index_1 = std::max(best_[i].index_1, PrecisePoint::kSmooth);
-    point.index_2 = std::max(best_[i].index_2, PrecisePoint::kSmooth);
-    combination.weight[i] = best_weight_[i];
+    point.index_1 = std::max(best_.point[i].index_1, PrecisePoint::kSmooth);
+    point.index_2 = std::max(best_.point[i].index_2, PrecisePoint::kSmooth);
+    combination.weight[i] = best_.weight[i];
   }
   const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
   answer_.normal = pair.to_body(normal);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/spatial/contact_program.h"
+#include "engine/methods/spatial/precise_pieces.h"
 #include "engine/methods/spatial/spatial_growth.h"
 #include "engine/numerics/fused.h"
 
@@ -13,14 +13,14 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostExchanges = 40;
-constexpr int kMostNewtonSteps = 4;
+constexpr int kMostNewtonSteps = 30;
+constexpr double kLongestStep = 0.5, kShorter = 0.3, kShortest = 1e-20;
+constexpr double kFall = 1e-12;  // of the ratio: rounding
 constexpr int kMostIdleTurns = 3;
 constexpr double kUp = 1 + 0x1p-48,
                  kDown = 1 - 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
-double size_of(const PreciseVector3& v) {
-  return length(Vector3{v.x.rounded(), v.y.rounded(), v.z.rounded()});
-}
+double size_of(const PreciseVector3& v) { return length(rounded(v)); }
 
 class PreciseGrowth {
  public:
@@ -28,11 +28,15 @@ class PreciseGrowth {
 
   bool begin(const SpatialPair& pair, const SpatialAnswer& answer);
   bool run(double tolerance);
-  bool newton_step(const SpatialPair& pair, const PreciseVector3& gap, PreciseVector3& u) const;
-  bool at_normal(const SpatialPair& pair, const Vector3& normal, double tolerance);
+  bool on_curves(const SpatialPair& pair, const SpatialAnswer& answer, double tolerance);
   void record(const SpatialPair& pair, SpatialAnswer& answer) const;
 
  private:
+  bool descend(const SpatialPair& pair, double tolerance);
+  bool newton_step(const SpatialPair& pair, double tolerance);
+  ContactStep<DoubleDouble> step_of_pieces(const TangentMetric& metric, const PreciseVector3& target) const;
+  PreciseVector3 combine(const ContactStep<DoubleDouble>& found) const;
+  bool look(DoubleDouble& ratio);
   void bound_from_below(const PreciseVector3& n, const DoubleDouble& height);
   void bound_from_above();
   void exchange(const PrecisePoint& w);
@@ -44,6 +48,12 @@ class PreciseGrowth {
   PrecisePoint portal_[3];       // of the cores
   PreciseVector3 beyond_cores_;  // p and the balls' points for the normal: what leads from the cores to B
   PreciseVector3 normal_;
+  PrecisePieces pieces_;  // of Newton steps, at u_
+  PreciseVector3 u_;
+  PreciseVector3 from_;  // the u_ before ...
+  DoubleDouble from_ratio_;
+  double taken_ = 0, longest_ = 0;  // ... the length of the step from there, and what it was limited to
+  double radius_ = 0;
   double lower_ = 0, upper_ = __builtin_inf();
   int iterations_ = 0;
 };
@@ -146,45 +156,98 @@ RAYGAUGE_FUSED bool PreciseGrowth::run(double tolerance) {
   return false;
 }
 
-// The Newton step of spatial_growth: H d = p/σ - s(u), d ⊥ u.
-bool PreciseGrowth::newton_step(const SpatialPair& pair, const PreciseVector3& gap, PreciseVector3& u) const {
-  const double rounded[3] = {u.x.high, u.y.high, u.z.high};
-  const Vector3 inner = pair.to_body(rounded);
-  Matrix3 H;
-  if (!pair.hessian(inner, H)) return false;
-  const TangentMetric metric(inner, H, 0);
-  PreciseVector3 tangent[2];
-  for (int i = 0; i < 2; ++i) {
-    double world[3] = {0, 0, 0};
-    pair.to_world(metric.tangent[i], world);
-    tangent[i] = {{world[0], 0}, {world[1], 0}, {world[2], 0}};
+// The pieces as they stand above p/σ, the height of each and its slope across u.
+ContactStep<DoubleDouble> PreciseGrowth::step_of_pieces(const TangentMetric& metric,
+                                                        const PreciseVector3& target) const {
+  ContactPiece<DoubleDouble> pieces[4];
+  for (int i = 0; i < pieces_.count; ++i) {
+    const PreciseVector3 above = in_B(pieces_.point[i]) - target;
+    pieces[i].height = dot(u_, above);
+    metric.image(dot(precise(metric.tangent[0]), above), dot(precise(metric.tangent[1]), above),
+                 pieces[i].slope);
   }
-  DoubleDouble y[2], d[2];
-  metric.image(dot(tangent[0], gap), dot(tangent[1], gap), y);
-  metric.step(y, d);
-  u = u + tangent[0] * d[0] + tangent[1] * d[1];
-  return true;
+  return contact_step(pieces, pieces_.count);
 }
 
-RAYGAUGE_FUSED bool PreciseGrowth::at_normal(const SpatialPair& pair, const Vector3& normal,
-                                             double tolerance) {
-  const double size = length(normal), radius = pair.inner_radius() * kDown - 2 * pair.error();
-  if (!(size > 0) || !(radius > 0)) return false;
-  double world[3] = {0, 0, 0};
-  pair.to_world(normal * (1 / size), world);
-  PreciseVector3 u{{world[0], 0}, {world[1], 0}, {world[2], 0}};
-  for (iterations_ = 0; iterations_ < kMostNewtonSteps; ++iterations_) {
-    DoubleDouble height;
-    const PreciseVector3 s = pair_.support(u, height).s + p_;
-    const DoubleDouble along = dot(u, p_), ratio = along / (height + along);
-    if (!(ratio.high > 0)) return false;
-    bound_from_below(u, height + along);
-    const double residual = size_of(p_ - s * ratio) + 4 * pair_.error() * (1 + ratio.high);
-    upper_ = std::min(upper_, (ratio.rounded() + residual / radius) * kUp);
-    if (upper_ - lower_ <= tolerance * upper_) return true;
-    if (!newton_step(pair, p_ * (DoubleDouble{1} / ratio) - s, u)) return false;
+// Of points of B, with the weights of a step, of which rounding may leave some negative.
+PreciseVector3 PreciseGrowth::combine(const ContactStep<DoubleDouble>& found) const {
+  PreciseVector3 sum;
+  DoubleDouble all;
+  for (int i = 0; i < found.count; ++i) {
+    if (!(found.weight[i] > DoubleDouble{})) continue;
+    sum = sum + in_B(pieces_.point[i]) * found.weight[i];
+    all = all + found.weight[i];
   }
-  return false;
+  return sum * (DoubleDouble{1} / all);
+}
+
+// The ratio at u_ and the piece that is highest there, which joins the others. Where the ratio is lower than
+// before, the step was too long: back, with the piece that it met.
+bool PreciseGrowth::look(DoubleDouble& ratio) {
+  DoubleDouble height;
+  PrecisePoint w = pair_.support(u_, height);
+  const DoubleDouble along = dot(u_, p_), top = height + along;
+  ratio = along / top;
+  if (ratio.high > from_ratio_.high * (1 - kFall)) {
+    bound_from_below(u_, top);
+    longest_ = kLongestStep;
+  } else {
+    u_ = from_;
+    ratio = from_ratio_;
+    longest_ = kShorter * taken_;
+    pair_.follow(u_, w);
+  }
+  beyond_cores_ = p_ + pair_.ball_points(u_);
+  pieces_.follow(pair_, u_, w);
+  return ratio.high > 0 && longest_ > kShortest;
+}
+
+// At u_ with ratio σ: the least of the greatest of  (s_l - p/σ)·(u + d) + dᵀHd/2  over the pieces, whose
+// weights make a point x of B nearly p/σ; p = σx + r costs no more than σ + |r|/R.
+RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double tolerance) {
+  DoubleDouble ratio;
+  if (!look(ratio)) return false;
+  const TangentMetric metric = pieces_.metric(pair, u_, pair.radius() + pair_.error(), 0);
+  const ContactStep<DoubleDouble> found = step_of_pieces(metric, p_ * (DoubleDouble{1} / ratio));
+  pieces_.keep(found);
+  const double residual = size_of(p_ - combine(found) * ratio) + 4 * pair_.error() * (1 + ratio.high);
+  upper_ = std::min(upper_, (ratio.rounded() + residual / radius_) * kUp);
+  DoubleDouble d[2];
+  metric.step(found.y, d);
+  const double long_by = std::hypot(d[0].high, d[1].high);
+  const DoubleDouble share{long_by > longest_ ? longest_ / long_by : 1.0};
+  from_ = u_;
+  from_ratio_ = ratio;
+  taken_ = std::min(long_by, longest_);
+  u_ = u_ + (precise(metric.tangent[0]) * d[0] + precise(metric.tangent[1]) * d[1]) * share;
+  u_ = u_ * DoubleDouble{1 / size_of(u_)};
+  return long_by > 0 && upper_ - lower_ > tolerance * upper_;
+}
+
+// From the normal and the pieces of the answer so far, if it is not lost to rounding, or from a rough one.
+bool PreciseGrowth::on_curves(const SpatialPair& pair, const SpatialAnswer& answer, double tolerance) {
+  const double size = length(answer.normal);
+  radius_ = pair.inner_radius() * kDown - 2 * pair.error();
+  if (!(radius_ > 0) || !pair_.is_curved()) return false;
+  pieces_.begin(answer.combination);
+  for (int i = 0; i < pieces_.count; ++i) pieces_.weight[i] = 1.0 / pieces_.count;  // a portal has no weights
+  if (size > 0) {
+    double world[3] = {0, 0, 0};
+    pair.to_world(answer.normal * (1 / size), world);
+    u_ = precise({world[0], world[1], world[2]});
+    if (descend(pair, tolerance)) return true;
+  }
+  u_ = pair_.rough_normal(p_);
+  pieces_.count = 0;
+  return dot(u_, p_).high > 0 && descend(pair, tolerance);
+}
+
+bool PreciseGrowth::descend(const SpatialPair& pair, double tolerance) {
+  lower_ = 0;
+  from_ratio_ = {};
+  upper_ = __builtin_inf();
+  for (iterations_ = 0; iterations_ < kMostNewtonSteps && newton_step(pair, tolerance);) ++iterations_;
+  return upper_ - lower_ <= tolerance * upper_;
 }
 
 void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const {
@@ -207,10 +270,8 @@ void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tole
   PrecisePair precise;
   if (!precise.bind(pair, kernels)) return;
   PreciseGrowth growth(precise, precise.between_centers());
-  const bool closed = growth.begin(pair, answer)
-                          ? growth.run(tolerance)
-                          : pair.radius() == 0 && growth.at_normal(pair, answer.normal, tolerance);
-  if (closed) growth.record(pair, answer);
+  if ((growth.begin(pair, answer) && growth.run(tolerance)) || growth.on_curves(pair, answer, tolerance))
+    growth.record(pair, answer);
 }
 
 }  // namespace raygauge

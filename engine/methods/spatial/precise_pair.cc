@@ -18,8 +18,6 @@ constexpr double kSmallest = 1e-30, kLargest = 1e30;  // of sizes whose products
 constexpr double kError = 0x1p-88;
 constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
 
-PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
-Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
 PreciseVector3 unit(const PreciseVector3& v, const DoubleDouble& length) {
   return v * (DoubleDouble{1} / length);
 }
@@ -410,6 +408,63 @@ PreciseVector3 PrecisePair::through_balls(const PreciseVector3& v) const { retur
 
 RAYGAUGE_FUSED PreciseVector3 PrecisePair::between_centers() const {
   return turn(body_[1], body_[1].shape->center) - turn(body_[0], body_[0].shape->center) - apart_;
+}
+
+namespace {
+
+// 3/N Σ (x - c)(x - c)ᵀ: L Lᵀ for points all over an ellipsoid.
+Matrix3 spread_of(const SpatialShape& shape) {
+  Matrix3 M;
+  const double share = 3 / static_cast<double>(shape.size);
+  for (std::ptrdiff_t i = 0; i < shape.size; ++i) {
+    const Vector3 x = vertex_of(shape, static_cast<std::int32_t>(i)) - shape.center;
+    M.column[0] = M.column[0] + x * (share * x.x);
+    M.column[1] = M.column[1] + x * (share * x.y);
+    M.column[2] = M.column[2] + x * (share * x.z);
+  }
+  return M;
+}
+
+}  // namespace
+
+// L Lᵀ of the ellipsoid with about the axes of the body, added to M.
+void PrecisePair::add_axes(const Body& body, PreciseVector3* M) {
+  const SpatialShape& shape = *body.shape;
+  const auto add = [&](const Vector3& axis) {
+    const PreciseVector3 a = turn(body, axis);
+    M[0] = M[0] + a * a.x;
+    M[1] = M[1] + a * a.y;
+    M[2] = M[2] + a * a.z;
+  };
+  double round = shape.radius;
+  if (shape.kind == Kind::ellipsoid) {
+    for (const Vector3& axis : shape.axis.column) add(axis);
+  } else if (shape.kind == Kind::box) {
+    const Vector3& half = shape.axis.column[0];
+    for (const Vector3& axis : {Vector3{half.x, 0, 0}, Vector3{0, half.y, 0}, Vector3{0, 0, half.z}})
+      add(axis);
+  } else if (shape.kind == Kind::points) {
+    const Matrix3 spread = spread_of(shape);
+    for (int j = 0; j < 3; ++j) {
+      const PreciseVector3 column = turn(body, spread.column[j]);
+      for (int k = 0; k < 3; ++k) M[k] = M[k] + column * DoubleDouble{body.R[k][j]};
+    }
+  } else if (shape.kind != Kind::point) {
+    add((shape.top - shape.base) * 0.5);
+    round += 0.5 * (shape.base_radius + shape.top_radius);
+  }
+  const DoubleDouble square = two_product(round, round);
+  M[0].x = M[0].x + square;
+  M[1].y = M[1].y + square;
+  M[2].z = M[2].z + square;
+}
+
+PreciseVector3 PrecisePair::rough_normal(const PreciseVector3& p) const {
+  PreciseVector3 M[3];
+  for (const Body& body : body_) add_axes(body, M);
+  const PreciseVector3 u = cross(M[1], M[2]) * p.x + cross(M[2], M[0]) * p.y + cross(M[0], M[1]) * p.z;
+  const double size = std::sqrt(dot(u, u).high);
+  return size > 0 ? u * DoubleDouble{1 / size} : PreciseVector3{};
 }
 
 bool PrecisePair::balls_meet(double v) const { return v + error_ < body_[0].ball + body_[1].ball; }

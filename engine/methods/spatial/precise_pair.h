@@ -13,6 +13,9 @@ namespace raygauge {
 
 using PreciseVector3 = BasicVector3<DoubleDouble>;
 
+inline PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
+inline Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
+
 /// A point of the difference of two cores, in the frame of the world.
 struct PrecisePoint {
   PreciseVector3 s;
@@ -59,6 +62,10 @@ class PrecisePair {
   /// From the centre of the first body to that of the second.
   PreciseVector3 between_centers() const;
 
+  /// The normal for which two ellipsoids with about the axes of the bodies would touch after a growth along
+  /// p: M⁻¹p for the sum M of their L Lᵀ. Zero where a body is made of points.
+  PreciseVector3 rough_normal(const PreciseVector3& p) const;
+
   /// Whether a core is curved.
   bool is_curved() const noexcept { return !vertices_; }
 
@@ -89,6 +96,7 @@ class PrecisePair {
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
   DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
+  static void add_axes(const Body& body, PreciseVector3* M);
   bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
   static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);
   std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include "engine/queries/spatial_solve.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
@@ -114,7 +116,11 @@ TEST(PreciseGrowth, CertifiesRoundNeedles) {
     std::vector<std::shared_ptr<const ConvexSet>> sets;
     for (int i = 0; i < 2; ++i) {
       const Vector3d end(uniform(random), 0, 0);
-      if ((trial >> i) % 2 == 0) {
+      const int kind = i == 0 ? trial % 3 : trial / 3 % 3;
+      if (kind == 2) {
+        const Vector3d half(end.x(), kThin * uniform(random), kThin * uniform(random));
+        sets.push_back(std::make_shared<Ellipsoid>(Vector3d::Zero(), Eigen::MatrixXd(half.asDiagonal())));
+      } else if (kind == 0) {
         sets.push_back(std::make_shared<Capsule>(Vector3d(-end), end, kThin * uniform(random)));
       } else {
         sets.push_back(std::make_shared<TruncatedCone>(Vector3d(-end), kThin * uniform(random), end,
@@ -128,6 +134,38 @@ TEST(PreciseGrowth, CertifiesRoundNeedles) {
     const DistanceResult& s = other.solve_about_centers({*sets[0], pose_1}, {*sets[1], pose_2});
     EXPECT_LE(r.lower, s.upper) << trial;
     EXPECT_LE(s.lower, r.upper) << trial;
+  }
+}
+
+// By fixed-size code itself: the general methods take a hundred times as long.
+TEST(PreciseGrowth, CertifiesNeedlesOfEllipsoidsWithEveryKind) {
+  Random random(5);
+  const Vector3d half(1, kThin, 2 * kThin), end(1, 0, 0);
+  Eigen::MatrixXd cloud = Eigen::MatrixXd::NullaryExpr(3, 30, [&]() { return gaussian(random).x(); });
+  cloud.bottomRows(2) *= kThin;
+  const Ellipsoid ellipsoid(Vector3d::Zero(), Eigen::MatrixXd(half.asDiagonal()));
+  const Capsule capsule(Vector3d(-end), end, kThin);
+  const TruncatedCone cone(Vector3d(-end), kThin, end, 2 * kThin);
+  const Box box(Vector3d(-half), half);
+  const PointSet points(cloud);
+  DistanceOptions options;
+  options.method = DistanceMethod::newton;
+  options.max_iterations = 100000;
+  GrowthDistanceSolver general(options);
+  const std::vector<const ConvexSet*> others = {&ellipsoid, &capsule, &cone, &box, &points};
+  for (const ConvexSet* other : others) {
+    for (int trial = 0; trial < 100; ++trial) {
+      const Pose one = random_pose(random), two = random_pose(random);
+      SpatialSolve solve;
+      ASSERT_TRUE(solve.bind(ellipsoid, *other, InstructionSet::automatic));
+      ASSERT_TRUE(solve.place(PoseNumbers(&one), PoseNumbers(&two)));
+      ASSERT_TRUE(solve.growth(false, 1e-6, std::numeric_limits<double>::quiet_NaN(), nullptr)) << trial;
+      const SpatialAnswer& answer = solve.answer();
+      EXPECT_LE(answer.upper - answer.lower, 1e-6 * answer.upper);
+      const DistanceResult& r = general.solve_about_centers({*other, two}, {ellipsoid, one});
+      EXPECT_LE(answer.lower, r.upper);
+      EXPECT_LE(r.lower, answer.upper);
+    }
   }
 }
 
