@@ -34,22 +34,30 @@ double GrowthBody::do_inner_radius(const double* c) const {
   return at_center ? std::max(of_view, proven_length(radius, size + radius, n)) : of_view;
 }
 
-double PointView::do_support(const double* u, double* point) const {
+template <class Real>
+void PointView::write(Real* point) const {
   std::copy_n(p_, dimension(), point);
-  return dot(u, p_, dimension());
+  if (from_ == nullptr) return;
+  for (int k = 0; k < dimension(); ++k) point[k] -= from_[k];
 }
 
-void PointView::do_center(double* point) const { std::copy_n(p_, dimension(), point); }
+double PointView::do_support(const double* u, double* point) const {
+  write(point);
+  return dot(u, point, dimension());
+}
+
+void PointView::do_center(double* point) const { write(point); }
 
 void PointView::do_magnitude(double* magnitude) const {
-  for (int k = 0; k < dimension(); ++k) magnitude[k] = std::fabs(p_[k]);
+  for (int k = 0; k < dimension(); ++k)
+    magnitude[k] = std::fabs(p_[k]) + (from_ != nullptr ? std::fabs(from_[k]) : 0.0);
 }
 
 template <class Real>
 void PointView::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   const int n = dimension();
   if (capacity < 1) return;
-  std::copy_n(p_, n, pieces.point(0));
+  write(pieces.point(0));
   pieces.value[0] = dot(u, pieces.point(0), n);
   std::fill_n(pieces.hessian(0), std::ptrdiff_t{n} * n, Real{0});
   pieces.count = 1;

@@ -27,10 +27,11 @@ class GrowthBody final : public MinkowskiView {
   bool c_Q_in_Q_;
 };
 
-/// {p}: a point as a set, seen where it stands.
+/// {p}, or {p - from}: a point as a set, seen where it stands. The difference is not rounded: its magnitude
+/// covers that in doubles, and quadruple precision holds it.
 class PointView final : public ConvexSet, private SmoothSupport {
  public:
-  PointView(const double* p, int n) : ConvexSet(n), p_(p) {}
+  PointView(const double* p, int n, const double* from = nullptr) : ConvexSet(n), p_(p), from_(from) {}
 
  private:
   double do_support(const double* u, double* point) const override;
@@ -44,7 +45,11 @@ class PointView final : public ConvexSet, private SmoothSupport {
   template <class Real>
   void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
 
+  template <class Real>
+  void write(Real* point) const;
+
   const double* p_;
+  const double* from_;
 };
 
 }  // namespace raygauge

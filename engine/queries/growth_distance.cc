@@ -45,13 +45,11 @@ const DistanceResult& GrowthDistanceSolver::solve_about(const Posed& A, const Po
   const auto size = static_cast<std::size_t>(n);
   center_A_.resize(size);
   center_Q_.resize(size);
-  ray_.resize(size);
   std::fill_n(center_Q_.data(), n, 0.0);
   if (!about_origin) in_pose_Q.set().center_unchecked(center_Q_.data());
   in_pose_A.set().center_unchecked(center_A_.data());
-  for (std::size_t k = 0; k < size; ++k) ray_[k] = center_A_[k] - center_Q_[k];
   const GrowthBody body(in_pose_A.set(), center_A_.data(), in_pose_Q.set(), center_Q_.data(), !about_origin);
-  const PointView ray(ray_.data(), n);
+  const PointView ray(center_A_.data(), n, center_Q_.data());
   Aim aim;
   aim.threshold = threshold;
   return methods_->solve(Posed(ray), Posed(body), Effects::none, warm, aim);

@@ -136,6 +136,32 @@ TEST(SeparationTest, OfTouchingBallsDecidesNothingFalsely) {
   EXPECT_GE(result.upper, 1);
 }
 
+// σ to 20 digits by decimal arithmetic, of two needles 1e6 : 1 in these poses. The way between the centres,
+// rounded to doubles, gave bounds 4e-14 beyond it.
+TEST(GrowthDistance, OfNeedlesDoesNotRoundTheWayBetweenTheCenters) {
+  const Eigen::Vector3d half(1, 1e-6, 2e-6);
+  const Ellipsoid needle(Vector::Zero(3), half.asDiagonal().toDenseMatrix());
+  Eigen::Matrix3d R1, R2;
+  R1 << -0.64310266043482023, 0.13414431097531804, -0.75393916994318144, -0.7636111890835775,
+      -0.038290442017409276, 0.64453998631308851, 0.057592708288646932, 0.99022176601156797,
+      0.12705878194328102;
+  R2 << -0.15834242266335785, -0.69256701085821759, 0.70376033751271572, -0.97383250852726455,
+      0.22722232620204097, 0.004501089960044391, -0.16302736739760454, -0.68463198139310333,
+      -0.71042320312132223;
+  const Pose one(R1, Eigen::Vector3d(-0.64983883220467897, 1.0267450034617218, -0.5140644128784867));
+  const Pose two(R2, Eigen::Vector3d(0.82264061274124256, -1.1143191491056372, -1.5214157960947112));
+  constexpr double exact = 636.49820563725258863;
+  for (const int iterations : {0, 100000}) {
+    DistanceOptions options = newton(1e-12);
+    options.max_iterations = iterations;
+    GrowthDistanceSolver solver(options);
+    const DistanceResult& r = solver.solve_about_centers({needle, two}, {needle, one});
+    EXPECT_LE(r.lower, exact) << iterations;
+    EXPECT_GE(r.upper, exact) << iterations;
+    EXPECT_LE(r.upper - r.lower, 1e-6 * exact) << iterations;
+  }
+}
+
 TEST(Gradient, OfADistanceMatchesFiniteDifferences) {
   Random random(97);
   constexpr double step = 1e-5;
