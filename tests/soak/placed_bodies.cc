@@ -133,7 +133,7 @@ struct Body {
 
 // In the frame of the body: of a face, of an axis, or v.
 Small face_normal(RandomStream& stream, const Body& body) {
-  const Small v = draw_direction(stream, body.n());
+  Small v = draw_direction(stream, body.n());
   const Small from = body.support(v);
   const Small e = body.edge(stream, v, from);
   Small normal = v;

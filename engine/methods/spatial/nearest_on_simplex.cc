@@ -95,7 +95,7 @@ constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 template <class Real>
 struct FacetSide {
   BasicVector3<Real> n;
-  Real opposite, origin;
+  Real opposite{}, origin{};
 
   bool inside() const {
     return (opposite > Real{0} && origin > Real{0}) || (opposite < Real{0} && origin < Real{0});

@@ -130,7 +130,7 @@ bool SpatialGauge::begin(const Problem& problem) {
   tolerance_ = problem.options.tolerance;
   lower_ = 0;
   upper_ = kInfinity;
-  std::fill_n(weight_, 4, 0.0);
+  std::fill_n(&weight_[0][0], 4, 0.0);
   from_ratio_ = 0;
   last_step_ = share_ = 1;
   return true;
@@ -188,15 +188,15 @@ bool SpatialGauge::shorten() {
 // The pairs of pieces at u_, and their Hessian with the weights of the step before; the first step takes the
 // highest of each.
 void SpatialGauge::gather(const Vector3* tangents, double* h) {
-  if (steps_ == 0) weight_[2 * A_.top + Q_.top] = 1;
+  if (steps_ == 0) weight_[A_.top][Q_.top] = 1;
   pairs_ = 0;
   for (int i = 0; i < A_.count; ++i) {
     for (int j = 0; j < Q_.count; ++j) pair_[pairs_++] = 2 * i + j;
-    const double of_A = weight_[2 * i] + weight_[2 * i + 1];
+    const double of_A = weight_[i][0] + weight_[i][1];
     if (of_A > 0) A_.add_hessian(i, of_A, tangents, h);
   }
   for (int j = 0; j < Q_.count; ++j) {
-    const double of_Q = weight_[j] + weight_[2 + j];
+    const double of_Q = weight_[0][j] + weight_[1][j];
     if (of_Q > 0) Q_.add_hessian(j, of_Q * ratio_, tangents, h);
   }
 }
@@ -205,13 +205,14 @@ void SpatialGauge::gather(const Vector3* tangents, double* h) {
 bool SpatialGauge::conclude(const ContactStep<double>& found) {
   double sum = 0;
   for (int i = 0; i < found.count; ++i) sum += std::max(found.weight[i], 0.0);
-  std::fill_n(weight_, 4, 0.0);
+  std::fill_n(&weight_[0][0], 4, 0.0);
   Vector3 a, q;
   for (int i = 0; i < found.count; ++i) {
-    const int k = pair_[found.piece[i]];
-    weight_[k] = std::max(found.weight[i], 0.0) / sum;
-    a = a + A_.point[k / 2] * weight_[k];
-    q = q + Q_.point[k % 2] * weight_[k];
+    const int in_A = pair_[found.piece[i]] / 2, in_Q = pair_[found.piece[i]] % 2;
+    const double weight = std::max(found.weight[i], 0.0) / sum;
+    weight_[in_A][in_Q] = weight;
+    a = a + A_.point[in_A] * weight;
+    q = q + Q_.point[in_Q] * weight;
   }
   return closes(a, q);
 }

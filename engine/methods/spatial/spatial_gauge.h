@@ -69,8 +69,8 @@ class SpatialGauge {
   double radius_ = 0;  // R
   Vector3 u_;
   double ratio_ = 0;
-  double weight_[4] = {0, 0, 0, 0};         // of piece i of A with piece j of Q, at 2i + j
-  int pair_[4] = {0, 0, 0, 0}, pairs_ = 0;  // which of them there are
+  double weight_[2][2] = {{0, 0}, {0, 0}};  // of piece i of A with piece j of Q
+  int pair_[4] = {0, 0, 0, 0}, pairs_ = 0;  // 2i + j of those that there are
   Vector3 from_, way_;                      // the point before, and the step taken from there
   double from_ratio_ = 0, share_ = 1, last_step_ = 1;
   double lower_ = 0, upper_ = 0, estimate_ = 0;

@@ -150,21 +150,21 @@ TEST(GrowthDistance, OfNeedlesDoesNotRoundTheWayBetweenTheCenters) {
       -0.71042320312132223;
   const Pose one(R1, Eigen::Vector3d(-0.64983883220467897, 1.0267450034617218, -0.5140644128784867));
   const Pose two(R2, Eigen::Vector3d(0.82264061274124256, -1.1143191491056372, -1.5214157960947112));
-  constexpr double exact = 636.49820563725258863;
+  constexpr double kExact = 636.49820563725258863;
   for (const int iterations : {0, 100000}) {
     DistanceOptions options = newton(1e-12);
     options.max_iterations = iterations;
     GrowthDistanceSolver solver(options);
     const DistanceResult& r = solver.solve_about_centers({needle, two}, {needle, one});
-    EXPECT_LE(r.lower, exact) << iterations;
-    EXPECT_GE(r.upper, exact) << iterations;
-    EXPECT_LE(r.upper - r.lower, 1e-6 * exact) << iterations;
+    EXPECT_LE(r.lower, kExact) << iterations;
+    EXPECT_GE(r.upper, kExact) << iterations;
+    EXPECT_LE(r.upper - r.lower, 1e-6 * kExact) << iterations;
   }
 }
 
 TEST(Gradient, OfADistanceMatchesFiniteDifferences) {
   Random random(97);
-  constexpr double step = 1e-5;
+  constexpr double kStep = 1e-5;
   DistanceSolver solver(newton(1e-12));
   const Eigen::MatrixXd L = 0.3 * gaussian_points(3, 3, random) + Eigen::MatrixXd::Identity(3, 3);
   for (int i = 0; i < 20; ++i) {
@@ -176,11 +176,11 @@ TEST(Gradient, OfADistanceMatchesFiniteDifferences) {
     const DistanceResult at_rest = solve(zero, zero);
     const Vector moving_A = gradient_moving_A(at_rest), moving_Q = gradient_moving_Q(at_rest);
     for (int k = 0; k < 3; ++k) {
-      const Vector move = step * Vector::Unit(3, k);
+      const Vector move = kStep * Vector::Unit(3, k);
       const double ahead_A = solve(move, zero).distance, behind_A = solve(-move, zero).distance;
-      EXPECT_NEAR(moving_A[k], (ahead_A - behind_A) / (2 * step), 1e-6);
+      EXPECT_NEAR(moving_A[k], (ahead_A - behind_A) / (2 * kStep), 1e-6);
       const double ahead_Q = solve(zero, move).distance, behind_Q = solve(zero, -move).distance;
-      EXPECT_NEAR(moving_Q[k], (ahead_Q - behind_Q) / (2 * step), 1e-6);
+      EXPECT_NEAR(moving_Q[k], (ahead_Q - behind_Q) / (2 * kStep), 1e-6);
     }
   }
 }
