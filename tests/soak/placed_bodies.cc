@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "engine/numerics/number_text.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/prepared_set.h"
+#include "tests/soak/result_checks.h"
 
 namespace raygauge::soak {
 namespace {
@@ -224,26 +224,14 @@ Enclosure place_at_growth(RandomStream& stream, const Body& first, Body& second,
   return known;
 }
 
-std::string number_text(Real value) {
-  std::array<char, 60> text{};
-  std::snprintf(text.data(), text.size(), "%.17Lg", value);
-  return text.data();
-}
-
-bool is_final(const DistanceResult& r) {
-  return r.status == DistanceStatus::optimal || r.status == DistanceStatus::contains_origin;
-}
-
 std::string violation(const DistanceResult& r, const Enclosure& known) {
-  std::string what;
-  if (!(r.lower >= 0 && r.lower <= r.upper)) what = "not 0 <= lower <= upper";
-  if (r.status == DistanceStatus::optimal && !(r.upper - r.lower <= kTolerance * r.upper))
-    what = "optimal, but wider than the tolerance";
+  std::string what = wrong_status(r, kTolerance);
   if (r.status == DistanceStatus::contains_origin && known.lower > 0) what = "they do not meet";
   if (!(r.lower <= known.upper) || !(r.upper >= known.lower)) what = "the bounds do not hold";
   if (what.empty()) return what;
-  return what + ": [" + number_text(r.lower) + ", " + number_text(r.upper) + "], known [" +
-         number_text(known.lower) + ", " + number_text(known.upper) + "]";
+  return what + ": [" + shortest_text(r.lower) + ", " + shortest_text(r.upper) + "], known [" +
+         shortest_text(static_cast<double>(known.lower)) + ", " +
+         shortest_text(static_cast<double>(known.upper)) + "]";
 }
 
 }  // namespace
@@ -283,7 +271,7 @@ std::optional<std::string> PlacedBodies::check(std::int64_t number) {
     tally_.certified += is_final(r) ? 1 : 0;
     const std::string what = violation(r, known);
     if (what.empty()) continue;
-    return A.label + " and " + B.label + " in R^" + std::to_string(n) + ", size " + number_text(size) +
+    return A.label + " and " + B.label + " in R^" + std::to_string(n) + ", size " + shortest_text(size) +
            ", pair " + std::to_string(number) + ", pose " + std::to_string(i) +
            (grows ? ", growth: " : ", distance: ") + what;
   }

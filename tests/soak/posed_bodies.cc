@@ -3,12 +3,12 @@
 #include "tests/soak/posed_bodies.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "engine/numerics/number_text.h"
 #include "raygauge/sets/ball.h"
 #include "tests/soak/random_set.h"
+#include "tests/soak/result_checks.h"
 
 namespace raygauge::soak {
 namespace {
@@ -37,26 +37,15 @@ Pose turned(const Vector& axis, double angle, const Vector& t) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d(axis))), Eigen::Vector3d(t)};
 }
 
-std::string number_text(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
-}
-
-bool is_final(const DistanceResult& r) {
-  return r.status == DistanceStatus::optimal || r.status == DistanceStatus::contains_origin;
-}
-
 // What is false of two results about one quantity.
 std::string contradiction(const DistanceResult& one, const DistanceResult& other) {
   for (const DistanceResult* r : {&one, &other}) {
-    if (!(r->lower >= 0 && r->lower <= r->upper)) return "not 0 <= lower <= upper";
-    if (r->status == DistanceStatus::optimal && !(r->upper - r->lower <= kTolerance * r->upper))
-      return "optimal, but wider than the tolerance";
+    const std::string wrong = wrong_status(*r, kTolerance);
+    if (!wrong.empty()) return wrong;
   }
   if (one.lower <= other.upper && other.lower <= one.upper) return "";
-  return "[" + number_text(one.lower) + ", " + number_text(one.upper) + "] against [" +
-         number_text(other.lower) + ", " + number_text(other.upper) + "] of the general methods";
+  return "[" + shortest_text(one.lower) + ", " + shortest_text(one.upper) + "] against [" +
+         shortest_text(other.lower) + ", " + shortest_text(other.upper) + "] of the general methods";
 }
 
 }  // namespace
@@ -98,7 +87,7 @@ std::optional<std::string> PosedBodies::check(std::int64_t number) {
     tally_.certified += (is_final(d.distance) ? 1 : 0) + (is_final(g) ? 1 : 0);
     const std::string of_distance = contradiction(d.distance, e.distance), of_growth = contradiction(g, h);
     if (of_distance.empty() && of_growth.empty()) continue;
-    return A.label + " and " + B.label + " in R^" + std::to_string(n) + ", size " + number_text(size) +
+    return A.label + " and " + B.label + " in R^" + std::to_string(n) + ", size " + shortest_text(size) +
            ", pair " + std::to_string(number) + ", frame " + std::to_string(frame) + ": " +
            (of_distance.empty() ? "growth distance " + of_growth : "distance " + of_distance);
   }

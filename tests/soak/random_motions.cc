@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/random_motions.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "engine/numerics/number_text.h"
 #include "raygauge/sets/ball.h"
 #include "tests/soak/random_set.h"
 
@@ -99,12 +98,6 @@ double closing_speed(const Body& a, const Body& b) {
     speed += fastest;
   }
   return speed;
-}
-
-std::string number_text(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
 }
 
 }  // namespace
@@ -233,13 +226,13 @@ std::optional<std::string> RandomMotions::check(std::int64_t number) {
   tally_.undecided += impact.outcome == Outcome::undecided ? 1 : 0;
   std::string wrong;
   if (impact.outcome == Outcome::contact && distance(pair, impact.upper).lower > over.contact * (1 + 1e-6))
-    wrong = "no contact at " + number_text(impact.upper);
+    wrong = "no contact at " + shortest_text(impact.upper);
   const double last = impact.outcome == Outcome::free ? 1 : impact.lower;
   const double nearest = last > 0 ? nearest_moment(pair, 0, last) : 0;
   if (last > 0 && overlap(pair, nearest)) {
     const double first = first_overlap(pair, nearest);
     if (first < last && !(distance(pair, first).lower > 0))
-      wrong = "overlap at " + number_text(first) + ", before " + number_text(last);
+      wrong = "overlap at " + shortest_text(first) + ", before " + shortest_text(last);
   }
   if (wrong.empty()) return std::nullopt;
   return pair.A.label + " and " + pair.B.label + " in R^" + std::to_string(n) + ", motion " +

@@ -3,10 +3,11 @@
 #include "tests/soak/set_pairs.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "engine/numerics/number_text.h"
 #include "raygauge/sets/affine_image.h"
 #include "tests/soak/random_set.h"
+#include "tests/soak/result_checks.h"
 
 namespace raygauge::soak {
 namespace {
@@ -34,20 +35,6 @@ struct Proofs {
   }
 };
 
-std::string number_text(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
-}
-
-std::string wrong_status(const DistanceResult& result, double tolerance) {
-  if (!(result.lower >= 0 && result.lower <= result.upper)) return "not 0 <= lower <= upper";
-  if (result.status != DistanceStatus::optimal) return "";
-  return std::isfinite(result.upper) && result.upper - result.lower <= tolerance * result.upper
-             ? ""
-             : "optimal, but wider than the tolerance";
-}
-
 }  // namespace
 
 SetPairs::SetPairs(std::uint64_t seed) : seed_(seed) {}
@@ -65,7 +52,7 @@ std::optional<std::string> SetPairs::check(std::int64_t number) {
   ++tally_.pairs;
   Proofs proofs;
   const std::string pair = A.label + " against " + Q.label + " in R^" + std::to_string(n) + ", size " +
-                           number_text(size) + ", pair " + std::to_string(number) + ": ";
+                           shortest_text(size) + ", pair " + std::to_string(number) + ": ";
   for (std::size_t m = 0; m < kMethods.size(); ++m) {
     DistanceOptions options;
     options.method = kMethods[m];
@@ -81,8 +68,8 @@ std::optional<std::string> SetPairs::check(std::int64_t number) {
     proofs.add(result, name);
   }
   if (proofs.lower <= proofs.upper) return std::nullopt;
-  return pair + "lower " + number_text(proofs.lower) + " of " + proofs.of_lower + " > upper " +
-         number_text(proofs.upper) + " of " + proofs.of_upper;
+  return pair + "lower " + shortest_text(proofs.lower) + " of " + proofs.of_lower + " > upper " +
+         shortest_text(proofs.upper) + " of " + proofs.of_upper;
 }
 
 std::string to_string(const SetPairTally& tally) {

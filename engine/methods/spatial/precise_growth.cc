@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/certificates/certificate.h"
 #include "engine/methods/spatial/precise_pieces.h"
 #include "engine/methods/spatial/spatial_growth.h"
 #include "engine/numerics/fused.h"
@@ -144,7 +145,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::run(double tolerance) {
     const PrecisePoint w = pair_.support(n, height);
     bound_from_below(n, height + dot(n, p_));
     bound_from_above();
-    if (upper_ - lower_ <= tolerance * upper_) return true;
+    if (is_closed(lower_, upper_, tolerance)) return true;
     if (dot(n, w.s - portal_[0].s).high > pair_.error()) {
       exchange(w);
       continue;
@@ -221,7 +222,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double t
   taken_ = std::min(long_by, longest_);
   u_ = u_ + (precise(metric.tangent[0]) * d[0] + precise(metric.tangent[1]) * d[1]) * share;
   u_ = u_ * DoubleDouble{1 / size_of(u_)};
-  return long_by > 0 && upper_ - lower_ > tolerance * upper_;
+  return long_by > 0 && !is_closed(lower_, upper_, tolerance);
 }
 
 // From the normal and the pieces of the answer so far, if it is not lost to rounding, or from a rough one.
@@ -247,7 +248,7 @@ bool PreciseGrowth::descend(const SpatialPair& pair, double tolerance) {
   from_ratio_ = {};
   upper_ = __builtin_inf();
   for (iterations_ = 0; iterations_ < kMostNewtonSteps && newton_step(pair, tolerance);) ++iterations_;
-  return upper_ - lower_ <= tolerance * upper_;
+  return is_closed(lower_, upper_, tolerance);
 }
 
 void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const {
