@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/sets/direction_table.h"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace raygauge {
 namespace {
@@ -30,6 +33,50 @@ Vector3 direction(int face, double first, double second) {
   return face < 4 ? Vector3{first, sign, second} : Vector3{first, second, sign};
 }
 
+// ‖F‖ ‖F⁻¹‖ (Frobenius; 3 for a sphere) of the sets that are long or flat enough to be mapped, and of those
+// that are too flat for it.
+constexpr double kLong = 15, kTooFlat = 1e9;
+
+using LongVector = Eigen::Matrix<long double, 3, 1>;
+
+// The points as the cells see them, y_i with p_i - c = F y_i + δ_i.
+struct RoundPoints {
+  Eigen::Matrix3Xd y;
+  double margin = 0;  // a difference of heights v'·y that is one of v·p
+  double rim = kRim;
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  bool is_mapped = false;
+};
+
+// v·(q - p) = v'·(y_q - y_p) + v·(δ_q - δ_p), v' = Fᵀv and |v| <= ‖F⁻¹‖ |v'|, |v'| <= √3 (1 + rim) in a cell.
+RoundPoints round_points(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
+  RoundPoints plain{points, kMargin * points.colwise().norm().maxCoeff()};
+  if (points.cols() < 4) return plain;
+  const Eigen::Vector3d center = points.rowwise().sum() / static_cast<double>(points.cols());
+  const Eigen::Matrix3Xd centred = points.colwise() - center;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(centred.transpose());
+  const Eigen::Matrix3d triangle = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+  RoundPoints mapped;
+  mapped.F = triangle.transpose() / std::sqrt(static_cast<double>(points.cols()));
+  const Eigen::Matrix3d inverse = mapped.F.inverse();
+  const double condition = mapped.F.norm() * inverse.norm();
+  if (!(condition > kLong && condition < kTooFlat)) return plain;
+  mapped.is_mapped = true;
+  mapped.y = inverse * centred;
+  mapped.rim += 16 * std::numeric_limits<double>::epsilon() * condition;
+  double residual = 0;
+  const auto long_F = mapped.F.cast<long double>();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const LongVector p = points.col(i).cast<long double>() - center.cast<long double>();
+    const LongVector delta = p - long_F * mapped.y.col(i).cast<long double>();
+    residual = std::max(residual, static_cast<double>(delta.norm()));
+  }
+  residual += 1e-18 * points.colwise().norm().maxCoeff();  // what long doubles round
+  // 2 √3 |δ| ‖F⁻¹‖, and as much again for the rim and for what is rounded here.
+  mapped.margin = kMargin * mapped.y.colwise().norm().maxCoeff() + 8 * inverse.norm() * residual;
+  return mapped;
+}
+
 // Of points that are the same the first alone.
 Points different_points(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
   Points order(static_cast<std::size_t>(points.cols()));
@@ -50,7 +97,7 @@ Points different_points(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
 // from that of the square around it.
 class DirectionTable::Builder {
  public:
-  Builder(DirectionTable& table, double size) : table_(table), margin_(kMargin * size) {}
+  Builder(DirectionTable& table, RoundPoints points) : table_(table), points_(std::move(points)) {}
 
   void divide(const Points& around, int face, int i, int j, int size) {
     const Points points = candidates(around, face, i, j, size);
@@ -82,15 +129,17 @@ class DirectionTable::Builder {
   // Those of `around` that may be highest in the square.
   Points candidates(const Points& around, int face, int i, int j, int size) {
     const double unit = 2.0 / table_.cells_;
-    const double low_i = i * unit - 1 - kRim, high_i = (i + size) * unit - 1 + kRim;
-    const double low_j = j * unit - 1 - kRim, high_j = (j + size) * unit - 1 + kRim;
+    const double rim = points_.rim;
+    const double low_i = i * unit - 1 - rim, high_i = (i + size) * unit - 1 + rim;
+    const double low_j = j * unit - 1 - rim, high_j = (j + size) * unit - 1 + rim;
     const std::array<Vector3, 5> directions = {
         direction(face, low_i, low_j), direction(face, low_i, high_j), direction(face, high_i, low_j),
         direction(face, high_i, high_j), direction(face, (low_i + high_i) / 2, (low_j + high_j) / 2)};
     heights_.resize(around.size());
     std::array<std::size_t, 5> highest{};
     for (std::size_t k = 0; k < around.size(); ++k) {
-      const Vector3 point = table_.point(around[k]);
+      const auto y = points_.y.col(around[k]);
+      const Vector3 point{y[0], y[1], y[2]};
       for (std::size_t d = 0; d < 5; ++d) {
         heights_[k][d] = dot(directions[d], point);
         if (heights_[k][d] > heights_[highest[d]][d]) highest[d] = k;
@@ -99,7 +148,7 @@ class DirectionTable::Builder {
     Points chosen;
     for (std::size_t k = 0; k < around.size(); ++k) {
       const bool hidden = std::any_of(highest.begin(), highest.end(), [&](std::size_t q) {
-        return is_hidden(heights_[k], heights_[q], margin_);
+        return is_hidden(heights_[k], heights_[q], points_.margin);
       });
       if (!hidden) chosen.push_back(around[k]);
     }
@@ -107,7 +156,7 @@ class DirectionTable::Builder {
   }
 
   DirectionTable& table_;
-  double margin_;
+  RoundPoints points_;
   std::vector<Heights> heights_;
 };
 
@@ -119,7 +168,10 @@ DirectionTable::DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
   lists_.resize(static_cast<std::size_t>(6) * static_cast<std::size_t>(cells_) *
                 static_cast<std::size_t>(cells_));
   const Points all = different_points(points);
-  Builder builder(*this, points.colwise().norm().maxCoeff());
+  RoundPoints round = round_points(points);
+  is_mapped_ = round.is_mapped;
+  for (int j = 0; j < 3; ++j) map_.column[j] = {round.F(0, j), round.F(1, j), round.F(2, j)};
+  Builder builder(*this, std::move(round));
   for (int face = 0; face < 6; ++face) builder.divide(all, face, 0, 0, cells_);
 }
 

@@ -19,6 +19,9 @@ namespace raygauge {
 /// is cut into cells × cells squares. A point p is left out of a cell only where another one q is higher at
 /// all four corners, by more than rounding errors: v·(q - p) is linear in v, so that q is higher along every
 /// v of the cell. The highest point of a list is therefore the highest of all points.
+///
+/// The cells of a long or flat set are those of v' = Fᵀv, F its isotropic map, in which it is round: v·p =
+/// v'·(F⁻¹p). Margins allow for the rounding errors of both.
 class DirectionTable {
  public:
   /// Of no points: no list is known.
@@ -30,7 +33,8 @@ class DirectionTable {
   /// The points that may be highest along v and next to it: the list of v's cell. Empty where it was too long
   /// to keep.
   std::span<const std::int32_t> listed(const Vector3& v) const noexcept {
-    const List& list = lists_[static_cast<std::size_t>(cell(v, cells_))];
+    const Vector3 w = is_mapped_ ? map_.transposed_times(v) : v;
+    const List& list = lists_[static_cast<std::size_t>(cell(w, cells_))];
     return {candidates_.data() + list.first, static_cast<std::size_t>(list.count)};
   }
 
@@ -71,7 +75,9 @@ class DirectionTable {
   };
   class Builder;
 
-  int cells_ = 0;               // along an edge of the cube
+  int cells_ = 0;  // along an edge of the cube
+  bool is_mapped_ = false;
+  Matrix3 map_;                 // F, where is_mapped_
   std::vector<double> points_;  // 4 numbers each: x, y, z and nothing
   std::vector<List> lists_;
   std::vector<std::int32_t> candidates_;

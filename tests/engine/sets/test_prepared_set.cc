@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 #include <string>
@@ -106,6 +107,31 @@ TEST(PreparedSet, ListsFewPointsOfASphere) {
     for (const Eigen::Vector3d& u : directions(random))
       EXPECT_GE(shape.table->highest({u.x(), u.y(), u.z()}), 0);
     EXPECT_LT(prepared.memory(), 30000 + 200 * N);
+  }
+}
+
+// Nor of long or flat ones, in which every direction next to the thin axis is nearly the same.
+TEST(PreparedSet, ListsFewPointsOfANeedle) {
+  Random random(17);
+  for (const double thin : {1e-2, 1e-6}) {
+    for (const Eigen::Vector3d& axes : {Eigen::Vector3d(1, thin, thin), Eigen::Vector3d(1, 1, thin)}) {
+      Eigen::MatrixXd points = gaussian(3, 2000, random).colwise().normalized();
+      points = Eigen::Quaterniond(1, 2, 3, 4).normalized().toRotationMatrix() * axes.asDiagonal() * points;
+      const PreparedSet prepared(points);
+      SpatialShape shape;
+      ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+      int missing = 0;
+      for (const Eigen::Vector3d& u : directions(random)) {
+        const std::int32_t listed = shape.table->highest({u.x(), u.y(), u.z()});
+        if (listed < 0) {
+          ++missing;
+          continue;
+        }
+        EXPECT_GE(u.dot(prepared.points().point(listed)),
+                  (u.transpose() * points).maxCoeff() - 1e-14 * u.norm());
+      }
+      EXPECT_LE(missing, 2) << axes.transpose();
+    }
   }
 }
 
