@@ -48,6 +48,9 @@ struct RoundPoints {
   bool is_mapped = false;
 };
 
+// F from a QR factorisation of the points about their centre: isotropic_map squares, is about the origin and
+// refuses needles of 1e6 : 1.
+//
 // v·(q - p) = v'·(y_q - y_p) + v·(δ_q - δ_p), v' = Fᵀv and |v| <= ‖F⁻¹‖ |v'|, |v'| <= √3 (1 + rim) in a cell.
 RoundPoints round_points(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
   RoundPoints plain{points, kMargin * points.colwise().norm().maxCoeff()};
