@@ -127,7 +127,7 @@ TEST(PreparedSet, ListsFewPointsOfANeedle) {
           const std::int32_t listed = shape.table->highest({u.x(), u.y(), u.z()});
           ASSERT_GE(listed, 0) << axes.transpose() << ", u = " << u.transpose();
           EXPECT_GE(u.dot(prepared.points().point(listed)),
-                    (u.transpose() * points).maxCoeff() - 1e-15 * u.norm());
+                    (u.transpose() * points).maxCoeff() - ConvexSet::rounding_error(3) * u.norm());
         }
       }
     }
