@@ -207,7 +207,7 @@ std::vector<Option> add_limits_and_engine_options(Command& command, DistanceArgu
           .type_name("K");
   const Option prepared =
       command.add_flag("--prepared", arguments.query.prepared,
-                       "Prepare sets of points in R^3 first, as for many queries; the seconds include it");
+                       "Prepare sets of points first, as for many queries; the seconds include it");
   return {iterations, stop_rule, instruction_set, threads, prepared};
 }
 

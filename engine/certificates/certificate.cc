@@ -11,6 +11,7 @@
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/exact_sum.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/highest_points.h"
 
 namespace raygauge {
 namespace {
@@ -54,7 +55,7 @@ class Doubtful {
   Doubtful(const Kernels& kernels, const PointSet& S, const double* u, const SupportValue& h) {
     const double threshold = std::nextafter(h.value - 2 * h.error, -kInfinity);
     Collection collection{index_.data(), value_.data(), kDoubtful, 0, threshold};
-    kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
+    collect_points(kernels, S, u, collection);
     complete_ = collection.threshold == threshold;
     count_ = static_cast<std::size_t>(collection.count);
     for (std::size_t c = 0; c < count_; ++c) index_[c] = std::min<std::int64_t>(index_[c], S.size() - 1);
@@ -93,12 +94,9 @@ double dot_error(const PointSet& S, const double* u) {
 
 SupportValue support_value(const Kernels& kernels, const PointSet& S, const double* u, std::ptrdiff_t* index,
                            double resolution) {
-  std::ptrdiff_t best_index = 0;
-  SupportValue result;
-  result.value = kernels.price(S.data(), S.block_count(), S.dimension(), u, &best_index);
-  result.error = dot_error(S, u);
-  best_index = std::min(best_index, S.size() - 1);
-  if (index != nullptr) *index = best_index;
+  const Highest highest = highest_point(kernels, S, u);
+  SupportValue result{highest.value, dot_error(S, u)};
+  if (index != nullptr) *index = highest.index;
   if (well_resolved(result.value, result.error, resolution)) return result;
 
   const Doubtful doubtful(kernels, S, u, result);
@@ -121,14 +119,13 @@ SupportValue support_value(const Kernels& kernels, const PointSet& S, const doub
 
 SupportValue support_value_twofold(const Kernels& kernels, const PointSet& S, const double* u,
                                    const double* u_low, std::ptrdiff_t* index) {
-  std::ptrdiff_t best_index = 0;
-  SupportValue result;
-  result.value = kernels.price(S.data(), S.block_count(), S.dimension(), u, &best_index);
+  const Highest highest = highest_point(kernels, S, u);
+  std::ptrdiff_t best_index = highest.index;
+  SupportValue result{highest.value, 0};
   // |u_low| <= 2⁻⁵² |u|, or it is no low part.
   double low_error = 0;
   for (int k = 0; k < S.dimension(); ++k) low_error += std::fabs(u_low[k]) * S.coordinate_magnitude()[k];
   result.error = dot_error(S, u) + 1.01 * low_error + kUnderflow;
-  best_index = std::min(best_index, S.size() - 1);
   const Doubtful doubtful(kernels, S, u, result);
   if (doubtful.complete()) {
     double best = -kInfinity;

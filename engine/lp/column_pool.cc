@@ -151,22 +151,42 @@ void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdi
   grow_to(size_);
   forget_marks(S.size());
   double* copy = copy_.data();
-  for (std::ptrdiff_t s = 0; s < blocks; ++s) {
-    const std::ptrdiff_t first = s * S.block_count() / blocks;
-    const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
-    // Which block of the stratum is fixed, so that a solve is reproducible.
-    const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(s)) >> 32U;
-    const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
-    const std::ptrdiff_t b = first + jump;
-    mark_block(b);
-    for (int k = 0; k < n_; ++k) {
-      const double* from = S.data() + (b * n_ + k) * kLanes;
-      double* to = copy + (s * n_ + k) * kLanes;
-      for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
+  if (S.tree() != nullptr) {
+    take_scattered(S, factor);
+  } else {
+    for (std::ptrdiff_t s = 0; s < blocks; ++s) {
+      const std::ptrdiff_t first = s * S.block_count() / blocks;
+      const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
+      // Which block of the stratum is fixed, so that a solve is reproducible.
+      const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(s)) >> 32U;
+      const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
+      const std::ptrdiff_t b = first + jump;
+      mark_block(b);
+      for (int k = 0; k < n_; ++k) {
+        const double* from = S.data() + (b * n_ + k) * kLanes;
+        double* to = copy + (s * n_ + k) * kLanes;
+        for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
+      }
     }
   }
   if (!in_single_) return;
   for (std::ptrdiff_t i = 0; i < size_; ++i) place_single(i, copy + (i / kLanes) * n_ * kLanes + i % kLanes);
+}
+
+// Points of a block stand close together in a tree of clusters: one of each of as many blocks.
+void ColumnPool::take_scattered(const PointSet& S, const double* factor) {
+  double* copy = copy_.data();
+  for (std::ptrdiff_t i = 0; i < size_; ++i) {
+    const std::ptrdiff_t first = i * S.size() / size_;
+    const std::ptrdiff_t width = (i + 1) * S.size() / size_ - first;
+    const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(i)) >> 32U;
+    const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
+    const std::ptrdiff_t index = first + jump;
+    mark(index);
+    const double* from = S.data() + (index / kLanes) * n_ * kLanes + index % kLanes;
+    double* to = copy + (i / kLanes) * n_ * kLanes + i % kLanes;
+    for (int k = 0; k < n_; ++k) to[k * kLanes] = factor[k] * from[k * kLanes];
+  }
 }
 
 void ColumnPool::place(std::ptrdiff_t position, const double* point, std::ptrdiff_t stride,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/sets/highest_points.h"
+
 namespace raygauge {
 namespace {
 
@@ -44,8 +46,8 @@ Found read_chunk(const Kernels& kernels, const PointSet& S, const double* u, con
 double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, Collection& collection,
                    int threads, ChunkTeam& team) {
   const std::ptrdiff_t numbers = S.block_count() * PointSet::kLanes * S.dimension();
-  if (threads == 1 || numbers < kSharedNumbers) {
-    return kernels.collect(S.data(), 0, S.block_count(), S.dimension(), u, &collection);
+  if (threads == 1 || numbers < kSharedNumbers || S.tree() != nullptr) {
+    return collect_points(kernels, S, u, collection);
   }
   team.resize(threads);
   const auto chunks = static_cast<int>(

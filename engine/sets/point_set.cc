@@ -10,6 +10,8 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/cluster_tree.h"
+#include "engine/sets/highest_points.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/exceptions.h"
 
@@ -62,6 +64,16 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
 
 PointSet::~PointSet() = default;
 
+std::unique_ptr<const PointSet> PointSet::clustered(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  check_points(points);
+  auto tree = std::make_unique<const ClusterTree>(points);
+  if (tree->empty()) return std::make_unique<const PointSet>(points);
+  auto set = std::make_unique<PointSet>(points(Eigen::all, tree->order()));
+  if (!tree->pays(set->data())) return std::make_unique<const PointSet>(points);
+  set->tree_ = std::move(tree);
+  return set;
+}
+
 void PointSet::round_to_single() {
   const std::ptrdiff_t n = dimension();
   const std::ptrdiff_t count = single_block_count() * kSingleLanes * n;
@@ -93,10 +105,9 @@ DenseMatrix PointSet::points() const {
 }
 
 double PointSet::do_support(const double* u, double* point) const {
-  std::ptrdiff_t index = 0;
-  const double value = best_kernels().price(data_.get(), block_count_, dimension(), u, &index);
-  copy_point(std::min(index, size_ - 1), point);
-  return value;
+  const Highest highest = highest_point(best_kernels(), *this, u);
+  copy_point(highest.index, point);
+  return highest.value;
 }
 
 void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }

@@ -9,6 +9,7 @@
 #include <typeinfo>
 
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/cluster_tree.h"
 #include "engine/sets/hull_3d.h"
 
 namespace raygauge {
@@ -62,18 +63,21 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
 }
 
 void PreparedSet::keep(const Eigen::Ref<const Eigen::MatrixXd>& points) {
-  points_ = std::make_unique<const PointSet>(points);
+  points_ = PointSet::clustered(points);
   extent_ = points.colwise().norm().maxCoeff() * kRadiusRounding;
   if (dimension() != 3) return;
   points_->spatial_shape_unchecked(shape_);
   shape_.center = {center_[0], center_[1], center_[2]};
   shape_.extent = extent_;
   shape_.inner_radius = inner_radius_;
-  table_ = DirectionTable(points);
+  table_ = DirectionTable(points_->points());
 }
 
 double PreparedSet::do_support(const double* u, double* point) const {
-  return points_->support_unchecked(u, point);
+  const std::int32_t i = table_.empty() ? -1 : table_.highest({u[0], u[1], u[2]});
+  if (i < 0) return points_->support_unchecked(u, point);
+  points_->copy_point(i, point);
+  return dot(u, point, 3);
 }
 
 void PreparedSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
@@ -99,7 +103,8 @@ std::ptrdiff_t PreparedSet::memory() const noexcept {
   const std::ptrdiff_t single = points_->single_data() == nullptr
                                     ? 0
                                     : points_->single_block_count() * PointSet::kSingleLanes * dimension();
-  return numbers * 8 + single * 4 + static_cast<std::ptrdiff_t>(table_.memory());
+  const std::ptrdiff_t tree = points_->tree() == nullptr ? 0 : points_->tree()->memory();
+  return numbers * 8 + single * 4 + tree + static_cast<std::ptrdiff_t>(table_.memory());
 }
 
 const PointSet* as_point_set(const ConvexSet& S) noexcept {
@@ -109,7 +114,7 @@ const PointSet* as_point_set(const ConvexSet& S) noexcept {
 
 std::shared_ptr<const ConvexSet> prepared(std::shared_ptr<const ConvexSet> S) {
   const auto* points = dynamic_cast<const PointSet*>(S.get());
-  if (points == nullptr || points->dimension() != 3) return S;
+  if (points == nullptr) return S;
   return std::make_shared<PreparedSet>(*points);
 }
 

@@ -73,7 +73,7 @@ std::vector<ParameterInfo> common_parameters() {
        "instruction set of the vector kernels",
        names_of(kInstructionSets)},
       {"max_iterations", std::int64_t{0}, 0.0, 9e15, "largest number of basis changes; 0: chosen from n", {}},
-      {"prepared", false, {}, {}, "sets of points in R^3 are prepared before the solves that are timed", {}}};
+      {"prepared", false, {}, {}, "sets of points are prepared before the solves that are timed", {}}};
 }
 
 std::unique_ptr<SolveMethod> make_method(const DistanceOptions& options, const Parameters& parameters) {

@@ -29,7 +29,8 @@ Raises EmptySetError, NonFiniteError (naming point and coordinate, counted from 
 inline constexpr const char* kPreparedSetDoc = R"(conv{p_1, ..., p_N}, prepared once for many queries.
 
 points: array of shape (N, n) or a PointSet. In R^3 a table lists, for each small cell of directions, the few
-points that can be highest there; where has_hulls(), points inside the hull are dropped. Elsewhere this is a PointSet.
+points that can be highest there; where has_hulls(), points inside the hull are dropped. In other dimensions a
+tree of clusters leaves out most of tens of thousands of points; where it would not pay, this is a PointSet.
 
 Raises as PointSet does.
 

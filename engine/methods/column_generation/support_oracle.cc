@@ -9,6 +9,7 @@
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/capability_queries.h"
+#include "engine/sets/highest_points.h"
 #include "engine/sets/object_pair.h"
 
 namespace raygauge {
@@ -123,7 +124,7 @@ SupportValue SupportOracle::verify_points(const double* u, double sign, double k
   }
   Collection better{better_.data(), better_value_.data(), ColumnPool::growth(*points_), 0, known};
   SupportValue result;
-  result.value = kernels_->collect(points_->data(), 0, points_->block_count(), n, direction, &better);
+  result.value = collect_points(*kernels_, *points_, direction, better);
   result.error = dot_error(*points_, direction);
   if (!well_resolved(result.value, result.error)) result = support_value(*kernels_, *points_, direction);
   for (std::ptrdiff_t i = 0; i < better.count; ++i) {

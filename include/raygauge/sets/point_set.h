@@ -11,6 +11,8 @@
 
 namespace raygauge {
 
+class ClusterTree;
+
 /// conv{p_1, …, p_N}, the convex hull of N points of R^n (a V-polytope).
 ///
 ///     h(u) = max_i u·p_i,      s(u) = p_{i*}, i* the smallest maximising index.
@@ -32,6 +34,13 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   /// NonFiniteError (the message names the point and the coordinate, both counted from 0).
   explicit PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points);
   ~PointSet() override;
+
+  /// The same points with a tree of clusters, which spares support queries most of them, and in its order. As
+  /// they are, without a tree, where none pays: few points, many dimensions.
+  static std::unique_ptr<const PointSet> clustered(const Eigen::Ref<const Eigen::MatrixXd>& points);
+
+  /// nullptr but in a set of clustered().
+  const ClusterTree* tree() const noexcept { return tree_.get(); }
 
   /// N, the number of points.
   std::ptrdiff_t size() const noexcept { return size_; }
@@ -102,6 +111,7 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   Vector center_;
   double spacing_;
   std::optional<IsotropicMap> isotropic_;
+  std::unique_ptr<const ClusterTree> tree_;
 };
 
 /// S as the point set that it is, or nullptr.

@@ -17,7 +17,10 @@ namespace raygauge {
 /// In R^3 a DirectionTable lists, for each small cell of directions, the few points that can be highest
 /// there: a support query of fixed-size code compares these alone, and its answer is proven. Where the
 /// library is built with Qhull and the points are not flat, points deep inside the hull are dropped, and a
-/// ball inside it is known. In other dimensions this is a PointSet of the same points.
+/// ball inside it is known.
+///
+/// In R^n a tree of clusters with proven bounds leaves out most points of a support query, of tens of
+/// thousands in few dimensions; where it would not pay, this is a PointSet of the same points.
 ///
 /// The answer is that of a PointSet of the same points: the maximum over all of them, to rounding.
 class PreparedSet final : public ConvexSet {
@@ -58,7 +61,7 @@ class PreparedSet final : public ConvexSet {
   SpatialShape shape_;  // for n = 3
 };
 
-/// A PreparedSet of the points of S if S is a PointSet of R^3, otherwise S itself.
+/// A PreparedSet of the points of S if S is a PointSet, otherwise S itself.
 std::shared_ptr<const ConvexSet> prepared(std::shared_ptr<const ConvexSet> S);
 
 }  // namespace raygauge

@@ -173,13 +173,14 @@ TEST(PreparedSet, KnowsABallInsideThatIsInside) {
   EXPECT_GE(radius, PreparedSet::has_hulls() ? 1 - 1e-7 : 0.0);
 }
 
-TEST(PreparedSet, OfOtherDimensionsIsThePointsThemselves) {
+TEST(PreparedSet, OfFewPointsInOtherDimensionsIsThePointsThemselves) {
   Random random(14);
   for (const int n : {1, 2, 5}) {
     const Eigen::MatrixXd points = gaussian(n, 50, random);
     const PreparedSet prepared(points);
     const Vector u = gaussian(n, 1, random).col(0);
     EXPECT_EQ(prepared.support_function(u), PointSet(points).support_function(u));
+    EXPECT_EQ(prepared.points().points(), points);
     EXPECT_EQ(prepared.vertex_count(), 0);
   }
 }
