@@ -14,6 +14,8 @@ constexpr int kMostSteps = 16;
 constexpr double kConverged = 1e-15;  // radians that the next step would go
 constexpr double kLongestStep = 0.5, kShorter = 0.3;
 constexpr double kNoise = 8;          // a rise of so many error() is rounding
+constexpr double kShortStep = 1e-3;   // a step that rises although it is shorter is made of rounding errors
+constexpr double kPreciseGap = 64;    // of error(): from here double-double steps close it sooner
 constexpr double kDamping = 1e-2;     // of the last step: superlinear, and safe far from the solution
 constexpr double kNearAxis = 0.5;     // sine of the angle at which a disc is tried
 constexpr double kInside = 1 - 1e-9;  // of a disc's radius
@@ -155,7 +157,7 @@ void ContactDescent::record(const ContactStep<double>& found) {
 }
 
 // The height at u_, with all pieces following it; after a step too long, back at the u_ of before, with the
-// piece that the step met.
+// piece that the step met. What a short step leaves higher is for double-double arithmetic.
 double ContactDescent::look() {
   SpatialPoint w;
   pair_.support(u_, w);
@@ -163,10 +165,10 @@ double ContactDescent::look() {
   const double lower = lower_bound(pair_, height);
   if (lower > answer_.lower) answer_.lower = lower, answer_.normal = u_;
   if (height > lowest_ + kNoise * pair_.error()) {
+    if (last_step_ < kShortStep) return height;
     u_ = lowest_u_;
     height = lowest_;
-    longest_step_ *= kShorter;
-    last_step_ = 0;
+    longest_step_ = kShorter * std::min(longest_step_, last_step_);
     pair_.follow(u_, w);
   } else {
     lowest_ = height;
@@ -181,6 +183,7 @@ double ContactDescent::look() {
 // False where there is nothing to be gained.
 bool ContactDescent::step() {
   const double height = look();
+  if (height > lowest_ + kNoise * pair_.error()) return false;
   Matrix3 H;
   for (int i = 0; i < count_; ++i) {
     if (weight_[i] > 0) pair_.add_hessian(u_, piece_[i], weight_[i], H);
@@ -196,6 +199,7 @@ bool ContactDescent::step() {
   const ContactStep<double> found = contact_step(pieces, count_);
   record(found);
   if (answer_.end != SpatialEnd::open || is_closed()) return false;
+  if (answer_.upper - answer_.lower <= kPreciseGap * pair_.error()) return false;
   double d[2];
   metric.step(found.y, d);
   const double long_by = std::hypot(d[0], d[1]);
