@@ -86,9 +86,19 @@ int ends_around(const SpatialShape& shape, const Vector3& x, std::int32_t* ends)
   return std::fabs(along) > kAtEnd * square ? 1 : 2;
 }
 
+// Whether a core and a point are the pair: PreciseDescent begins at their nearest points.
+bool is_projection(const SpatialPair& pair) {
+  const auto suits = [&](int i) {
+    const Kind kind = pair.shape(i).kind;
+    return (kind == Kind::box || kind == Kind::frustum) && pair.shape(1 - i).kind == Kind::point;
+  };
+  return suits(0) || suits(1);
+}
+
 // Vertices around the nearest points of such cores, of which double-double arithmetic makes a start: at most
 // three, as the fourth corner of a parallelogram is the farthest.
 void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialCombination& combination) {
+  if (is_projection(pair)) return;  // the combination is `nearest`
   std::int32_t ends_1[2], ends_2[2];
   const int count_1 = ends_around(pair.shape(0), nearest.a1, ends_1);
   const int count_2 = ends_around(pair.shape(1), pair.to_second(nearest.a2), ends_2);

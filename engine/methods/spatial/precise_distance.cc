@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kMostIterations = 40;
 constexpr int kMostCurvedIterations = 10;  // Newton steps: they end soon or not at all
-constexpr double kDamping = 1e-2;          // of the last of them
+constexpr int kMostProjections = 3;
+constexpr double kDamping = 1e-2;  // of the last of them
 constexpr double kLongestStep = 0.5;
 constexpr double kSmallStep = 1e-12;  // what Newton steps on overlapping cores have to gain
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
@@ -34,6 +35,7 @@ class PreciseDescent {
   bool begin_on_curves(const SpatialPair& pair);
   bool step();
   bool disc_step();
+  bool projection_steps(const SpatialPair& pair);
   bool curved_step(const SpatialPair& pair);
   bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
   SimplexFace<DoubleDouble> reduce();
@@ -80,6 +82,7 @@ bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
 }
 
 void PreciseDescent::run(const SpatialPair& pair) {
+  if (before_.count == 1 && projection_steps(pair)) return;
   if (!precise_.is_curved()) {
     if (!begin_at_vertices()) return;
     for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
@@ -245,6 +248,34 @@ RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
   now_.weight[0] = 1;
   bound_from_below(u_, height);
   return conclude(now_.point[0].s, now_.point[0]);
+}
+
+// From the nearest points in doubles of a core and the centre of a ball. True where that is all.
+bool PreciseDescent::projection_steps(const SpatialPair& pair) {
+  PrecisePoint point;
+  point.x1 = precise(before_.point[0].a1);
+  point.x2 = precise(pair.to_second(before_.point[0].a2));
+  for (int i = 0; i < kMostProjections; ++i) {
+    if (!precise_.project(point)) return false;
+    const double size = length(rounded(point.s));
+    if (precise_.balls_meet(size * kUp)) {
+      answer_.end = SpatialEnd::intersecting;
+      return true;
+    }
+    if (!(size > precise_.error())) break;
+    now_.point[0] = point;
+    now_.weight[0] = 1;
+    now_.count = 1;
+    const PreciseVector3 u = point.s * DoubleDouble{-1 / size};
+    DoubleDouble height;
+    precise_.support_parts(u, height);
+    bound_from_above(precise_.length_beyond_balls(point.s, u));
+    bound_from_below(u, height);
+    if (is_closed()) return true;
+    ++answer_.iterations;
+  }
+  now_.count = 0;
+  return false;
 }
 
 // A step of contact_distance, whose pieces are all that is left of the bodies.

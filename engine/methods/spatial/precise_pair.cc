@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/precise_projection.h"
 #include "engine/numerics/fused.h"
 #include "raygauge/sets/direction_table.h"
 
@@ -351,6 +352,20 @@ RAYGAUGE_FUSED bool PrecisePair::disc_contact(int i, std::int32_t index, Precise
   place(point);
   const double radius = top ? shape.top_radius : shape.base_radius;
   return std::sqrt(dot(q, q).high) + error_ < radius * (1 - 0x1p-50);
+}
+
+// A step of the projected gradient: x is nearest if it is what the core has nearest to x - Rᵀs.
+RAYGAUGE_FUSED bool PrecisePair::project(PrecisePoint& point) const {
+  const int i = has_projection(*body_[0].shape) ? 0 : 1;
+  const SpatialShape& shape = *body_[i].shape;
+  if (!has_projection(shape) || body_[1 - i].shape->kind != Kind::point) return false;
+  PreciseVector3& x = i == 0 ? point.x1 : point.x2;
+  const PreciseVector3 back = turn_back(body_[i], point.s);
+  x = nearest_in_core(shape, i == 0 ? x - back : x + back);
+  (i == 0 ? point.index_1 : point.index_2) = PrecisePoint::kSmooth;
+  (i == 0 ? point.index_2 : point.index_1) = 0;
+  place(point);
+  return true;
 }
 
 // With the support point c + Lz for v, z = Lᵀv/|Lᵀv|, the point c + Lz - r is inside if |z - L⁻¹r|² < 1.

@@ -169,6 +169,37 @@ TEST(PreciseDistance, HoldsTheDistanceOfFrustumsThatIsKnownExactly) {
   expect_gap(box, upright, {0, 0.25, 2}, {0, 0, 1});             // a disc on a face
 }
 
+// The centre of a ball over a face, an edge and a corner of a box, a disc, a rim and the side of a frustum:
+// normals are those of 3-4-5 triangles times 5, or of the 2-3-6-7 brick, so that nothing is rounded.
+TEST(PreciseDistance, HoldsTheDistanceOfBallsThatIsKnownExactly) {
+  const Box box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
+  const Cylinder cylinder(Vector3d(0, 0, -1), Vector3d(0, 0, 1), 0.5);
+  const TruncatedCone cone(Vector3d(0, 0, -2), 4, Vector3d(0, 0, 1), 0);  // sloping by 4 in 3
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  struct Case {
+    const ConvexSet& body;
+    Vector3d foot, way;
+    double length;  // of `way`
+  };
+  for (const auto& [body, foot, way, length] :
+       {Case{box, {0.25, -0.5, 1}, {0, 0, 1}, 1}, Case{box, {1, 0.25, -1}, {3, 0, -4}, 5},
+        Case{box, {-1, 1, 1}, {-2, 3, 6}, 7}, Case{cylinder, {0.25, 0.125, 1}, {0, 0, 1}, 1},
+        Case{cylinder, {0, -0.5, 0.25}, {0, -1, 0}, 1}, Case{cylinder, {0, 0.5, 1}, {0, 3, 4}, 5},
+        Case{cone, {2, 0, -0.5}, {3, 0, 4}, 5}, Case{cone, {0, 0, 1}, {0, 0, 1}, 1},
+        Case{cone, {0, -4, -2}, {0, -4, -3}, 5}, Case{cone, {1, 1, -2}, {0, 0, -1}, 1}}) {
+    for (const double gap : {0x1p-24, 0x1p-30, 0x1p-40}) {
+      const Vector3d center = foot + way * 0.125;
+      const DistanceResult apart = solver.solve(body, Ball(center, 0.125 * length - gap), kMetric).distance;
+      EXPECT_EQ(to_string(apart.status), "optimal") << way.transpose() << ", gap " << gap;
+      EXPECT_LE(apart.lower, gap) << way.transpose();
+      EXPECT_GE(apart.upper, gap) << way.transpose();
+      EXPECT_LE(apart.upper - apart.lower, 1e-6 * gap) << way.transpose();
+      const DistanceResult within = solver.solve(Ball(center, 0.125 * length + gap), body, kMetric).distance;
+      EXPECT_EQ(to_string(within.status), "contains_origin") << way.transpose() << ", gap " << gap;
+    }
+  }
+}
+
 std::vector<SetPointer> polytopes(Random& random) {
   std::vector<SetPointer> sets = {std::make_shared<Box>(Vector3d(-0.6, -0.5, -0.4), Vector3d(0.6, 0.5, 0.4)),
                                   std::make_shared<Capsule>(Vector3d(0, 0, -0.6), Vector3d(0, 0, 0.6), 0.4)};
