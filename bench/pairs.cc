@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -56,6 +55,8 @@ void print_row(const Row& kinds, const std::string& place, const PairTally& tall
   std::fflush(stdout);
 }
 
+constexpr const char* kFriendly = "apart";
+
 struct Settings {
   std::vector<std::string> kinds = body_kinds();
   std::vector<std::string> places = {"apart"};
@@ -63,22 +64,25 @@ struct Settings {
   bool diagonal = false;
 };
 
+// The pairs of a row, and beside each one its friendly twin: one after the other, as the clock wanders.
+void measure_row(const Settings& settings, const Row& kinds, const std::string& place) {
+  const bool smooth = !is_polytope(kinds.first) || !is_polytope(kinds.second);
+  const bool is_friendly = place == kFriendly;
+  const double of_friendly = smooth ? 1.5e-8 : 1e-6;
+  PairTally tally, twin;
+  for (int i = 0; i < settings.pairs; ++i) {
+    measure_pair(make_pair(kinds.first, kinds.second, place, i), is_friendly ? of_friendly : 1e-6, tally);
+    if (!is_friendly) measure_pair(make_pair(kinds.first, kinds.second, kFriendly, i), of_friendly, twin);
+  }
+  print_row(kinds, place, tally, is_friendly ? nullptr : &twin);
+}
+
 void run(const Settings& settings) {
-  std::map<Row, PairTally> friendly;
   print_head();
   for (const std::string& place : settings.places) {
     for (std::size_t a = 0; a < settings.kinds.size(); ++a) {
-      for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b) {
-        const Row kinds{settings.kinds[a], settings.kinds[b]};
-        const bool smooth = !is_polytope(kinds.first) || !is_polytope(kinds.second);
-        const double tolerance = place == "apart" && smooth ? 1.5e-8 : 1e-6;
-        PairTally tally;
-        for (int i = 0; i < settings.pairs; ++i)
-          measure_pair(make_pair(kinds.first, kinds.second, place, i), tolerance, tally);
-        const auto twin = friendly.find(kinds);
-        print_row(kinds, place, tally, twin == friendly.end() ? nullptr : &twin->second);
-        if (place == "apart") friendly.emplace(kinds, tally);
-      }
+      for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b)
+        measure_row(settings, {settings.kinds[a], settings.kinds[b]}, place);
     }
   }
 }
@@ -88,8 +92,7 @@ void add_options(CLI::App& app, Settings& settings) {
       ->delimiter(',')
       ->check(CLI::IsMember(body_kinds()));
   app.add_option("--places", settings.places,
-                 "how pairs stand; unfriendly ones are compared with 'apart', "
-                 "where that is measured before them")
+                 "how pairs stand; unfriendly ones are compared with 'apart', measured beside them")
       ->delimiter(',')
       ->check(CLI::IsMember(pair_places()));
   app.add_option("--pairs", settings.pairs, "random pairs of each kind")->check(CLI::Range(1, 10000));
