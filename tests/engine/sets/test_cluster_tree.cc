@@ -73,12 +73,12 @@ std::vector<Vector> directions(const Matrix& points, Random& random) {
   const auto n = static_cast<int>(points.rows());
   std::vector<Vector> out{Vector::Zero(n), Vector::Unit(n, 0), -Vector::Unit(n, n - 1), Vector::Ones(n)};
   const Vector u = gaussian(n, 1, random).col(0);
-  for (const double scale : {1e-300, 1e-160, 1e160, 1e290}) out.push_back(scale * u);
+  for (const double scale : {1e-300, 1e-160, 1e160, 1e290}) out.emplace_back(scale * u);
   for (int i = 0; i < 20; ++i) {
     const Vector v = gaussian(n, 1, random).col(0);
     const Vector along = points.col(i) - points.col(points.cols() - 1 - i);
     out.push_back(v);
-    out.push_back(v - v.dot(along) / std::max(along.squaredNorm(), 1e-300) * along);
+    out.emplace_back(v - v.dot(along) / std::max(along.squaredNorm(), 1e-300) * along);
   }
   return out;
 }
