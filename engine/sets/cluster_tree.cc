@@ -253,12 +253,9 @@ double ClusterTree::collect(const Kernels& kernels, const double* blocks, const 
     return std::min(highest, found.threshold);
   };
   const Query q = query(kernels, u);
-  if (q.square > 0) {
-    double height = -kInfinity;
-    search(q, 0, height, read);
-  } else {
-    read(0, block_count_);
-  }
+  if (!(q.square > 0)) return kernels.collect(blocks, 0, block_count_, n_, u, &found);
+  double height = -kInfinity;
+  search(q, 0, height, read);
   return highest;
 }
 
