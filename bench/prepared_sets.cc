@@ -64,7 +64,7 @@ Medians in_turn(int rounds, const std::function<void()>& plain, const std::funct
   return {median(one), median(two)};
 }
 
-// `count` support queries along random directions a call; seconds of one query.
+// Seconds of one support query, of many along random directions.
 Medians time_support(const Settings& settings, const ConvexSet& plain, const ConvexSet& prepared,
                      Random& random) {
   constexpr int kDirections = 64;

@@ -33,6 +33,14 @@ std::ptrdiff_t sample_blocks(const PointSet& S) {
   return 2 * enough >= S.block_count() ? S.block_count() : enough;
 }
 
+// One of `size` things out of each of `strata`; fixed, so that a solve is reproducible.
+std::ptrdiff_t drawn_from(std::ptrdiff_t stratum, std::ptrdiff_t strata, std::ptrdiff_t size) {
+  const std::ptrdiff_t first = stratum * size / strata;
+  const std::ptrdiff_t width = (stratum + 1) * size / strata - first;
+  const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(stratum)) >> 32U;
+  return first + static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
+}
+
 }  // namespace
 
 void ColumnPool::choose(const PointSet& S, const double* factor, bool trivial, bool in_single) {
@@ -150,41 +158,35 @@ void ColumnPool::take_sample(const PointSet& S, const double* factor, std::ptrdi
   complete_ = false;
   grow_to(size_);
   forget_marks(S.size());
-  double* copy = copy_.data();
   if (S.tree() != nullptr) {
-    take_scattered(S, factor);
+    take_single_points(S, factor);
   } else {
-    for (std::ptrdiff_t s = 0; s < blocks; ++s) {
-      const std::ptrdiff_t first = s * S.block_count() / blocks;
-      const std::ptrdiff_t width = (s + 1) * S.block_count() / blocks - first;
-      // Which block of the stratum is fixed, so that a solve is reproducible.
-      const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(s)) >> 32U;
-      const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
-      const std::ptrdiff_t b = first + jump;
-      mark_block(b);
-      for (int k = 0; k < n_; ++k) {
-        const double* from = S.data() + (b * n_ + k) * kLanes;
-        double* to = copy + (s * n_ + k) * kLanes;
-        for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
-      }
-    }
+    take_blocks(S, factor, blocks);
   }
   if (!in_single_) return;
-  for (std::ptrdiff_t i = 0; i < size_; ++i) place_single(i, copy + (i / kLanes) * n_ * kLanes + i % kLanes);
+  for (std::ptrdiff_t i = 0; i < size_; ++i)
+    place_single(i, copy_.data() + (i / kLanes) * n_ * kLanes + i % kLanes);
 }
 
-// Points of a block stand close together in a tree of clusters: one of each of as many blocks.
-void ColumnPool::take_scattered(const PointSet& S, const double* factor) {
-  double* copy = copy_.data();
+void ColumnPool::take_blocks(const PointSet& S, const double* factor, std::ptrdiff_t blocks) {
+  for (std::ptrdiff_t s = 0; s < blocks; ++s) {
+    const std::ptrdiff_t b = drawn_from(s, blocks, S.block_count());
+    mark_block(b);
+    for (int k = 0; k < n_; ++k) {
+      const double* from = S.data() + (b * n_ + k) * kLanes;
+      double* to = copy_.data() + (s * n_ + k) * kLanes;
+      for (int lane = 0; lane < kLanes; ++lane) to[lane] = factor[k] * from[lane];
+    }
+  }
+}
+
+// The points of a block stand close together in a tree of clusters.
+void ColumnPool::take_single_points(const PointSet& S, const double* factor) {
   for (std::ptrdiff_t i = 0; i < size_; ++i) {
-    const std::ptrdiff_t first = i * S.size() / size_;
-    const std::ptrdiff_t width = (i + 1) * S.size() / size_ - first;
-    const std::uint64_t drawn = splitmix64(static_cast<std::uint64_t>(i)) >> 32U;
-    const auto jump = static_cast<std::ptrdiff_t>((drawn * static_cast<std::uint64_t>(width)) >> 32U);
-    const std::ptrdiff_t index = first + jump;
+    const std::ptrdiff_t index = drawn_from(i, size_, S.size());
     mark(index);
     const double* from = S.data() + (index / kLanes) * n_ * kLanes + index % kLanes;
-    double* to = copy + (i / kLanes) * n_ * kLanes + i % kLanes;
+    double* to = copy_.data() + (i / kLanes) * n_ * kLanes + i % kLanes;
     for (int k = 0; k < n_; ++k) to[k * kLanes] = factor[k] * from[k * kLanes];
   }
 }

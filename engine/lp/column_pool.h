@@ -53,7 +53,8 @@ class ColumnPool {
   void take_all(const PointSet& S, const double* factor, bool trivial, bool in_single);
   void round_all();
   void take_sample(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
-  void take_scattered(const PointSet& S, const double* factor);
+  void take_blocks(const PointSet& S, const double* factor, std::ptrdiff_t blocks);
+  void take_single_points(const PointSet& S, const double* factor);
   void grow_to(std::ptrdiff_t size);
   void forget_marks(std::ptrdiff_t size);
   void mark(std::int64_t index) noexcept;

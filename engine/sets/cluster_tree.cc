@@ -27,8 +27,6 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kTrials = 16;
 constexpr double kWorthwhile = 0.1;  // share of the points compared from which on a pass is as fast
 
-using Order = std::vector<std::ptrdiff_t>;
-
 // The axes of the points about their centre, by a QR factorisation (which does not square) and the singular
 // values of its triangle.
 void isotropic_axes(const Eigen::MatrixXd& centred, DenseMatrix& F, DenseMatrix& inverse) {
@@ -65,7 +63,7 @@ Vector residuals(const ClusterTree::Points& points, const Vector& center, const 
 // Ranges of the order are halved across their longest axis, at whole blocks, until they are leaves.
 class ClusterTree::Builder {
  public:
-  Builder(ClusterTree& tree, const Eigen::MatrixXd& y) : tree_(tree), y_(y), order_(tree.order_) {}
+  Builder(ClusterTree& tree, const Eigen::MatrixXd& y, Order& order) : tree_(tree), y_(y), order_(order) {}
 
   // Of `blocks` blocks from `first` on; its number.
   std::int32_t node(std::ptrdiff_t first, std::ptrdiff_t blocks) {
@@ -145,7 +143,7 @@ class ClusterTree::Builder {
   Order& order_;
 };
 
-ClusterTree::ClusterTree(const Points& points) : n_(static_cast<int>(points.rows())) {
+ClusterTree::ClusterTree(const Points& points, Order& order) : n_(static_cast<int>(points.rows())) {
   const double largest = points.cwiseAbs().maxCoeff();
   if (n_ < 2 || n_ > kMostDimensions || points.size() < kFewestNumbers) return;
   if (!(largest < kLargestMagnitude && largest > kSmallestMagnitude)) return;
@@ -160,9 +158,9 @@ ClusterTree::ClusterTree(const Points& points) : n_(static_cast<int>(points.rows
   slack_ = 4 * ConvexSet::rounding_error(n_) * points.cwiseAbs().rowwise().maxCoeff() +
            16 * (n_ + 8) * kEpsilon * farthest * map_.cwiseAbs().rowwise().sum() +
            residuals(points, center_, map_, y);
-  order_.resize(static_cast<std::size_t>(points.cols()));
-  std::iota(order_.begin(), order_.end(), 0);
-  Builder(*this, y).node(0, block_count_);
+  order.resize(static_cast<std::size_t>(points.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  Builder(*this, y, order).node(0, block_count_);
 }
 
 struct ClusterTree::Query {
@@ -274,8 +272,7 @@ bool ClusterTree::pays(const double* blocks) const {
 }
 
 std::ptrdiff_t ClusterTree::memory() const noexcept {
-  return static_cast<std::ptrdiff_t>(nodes_.size() * sizeof(Node) + axes_.capacity() * sizeof(double) +
-                                     order_.size() * sizeof(std::ptrdiff_t));
+  return static_cast<std::ptrdiff_t>(nodes_.size() * sizeof(Node) + axes_.capacity() * sizeof(double));
 }
 
 }  // namespace raygauge

@@ -33,15 +33,14 @@ class ClusterTree {
   static constexpr int kMostDimensions = 32;
   static constexpr std::ptrdiff_t kFewestNumbers = PointSet::kSingleNumbers;
 
-  /// The tree of `points`, n × N and finite. Empty for those without one, and where squares of coordinates
-  /// leave the range of doubles.
-  explicit ClusterTree(const Points& points);
+  using Order = std::vector<std::ptrdiff_t>;
+
+  /// The tree of `points`, n × N and finite, and the `order` of the points in which clusters are whole
+  /// blocks; `blocks` below are those of the points in this order. Empty for points without a tree, and where
+  /// squares of coordinates leave the range of doubles.
+  ClusterTree(const Points& points, Order& order);
 
   bool empty() const noexcept { return nodes_.empty(); }
-
-  /// The order of the points in which clusters are whole blocks. `blocks` below are those of the points in
-  /// this order.
-  const std::vector<std::ptrdiff_t>& order() const noexcept { return order_; }
 
   /// max_i u·p_i; the index counts the lanes of the blocks, the last ones being copies of the last point.
   Highest highest(const Kernels& kernels, const double* blocks, const double* u) const;
@@ -78,7 +77,6 @@ class ClusterTree {
 
   int n_ = 0;
   std::ptrdiff_t block_count_ = 0;
-  std::vector<std::ptrdiff_t> order_;
   std::vector<Node> nodes_;
   AlignedBuffer<double> axes_;  // n × kChildren numbers a node
   Vector center_;               // c

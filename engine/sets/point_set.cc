@@ -66,9 +66,10 @@ PointSet::~PointSet() = default;
 
 std::unique_ptr<const PointSet> PointSet::clustered(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   check_points(points);
-  auto tree = std::make_unique<const ClusterTree>(points);
+  ClusterTree::Order order;
+  auto tree = std::make_unique<const ClusterTree>(points, order);
   if (tree->empty()) return std::make_unique<const PointSet>(points);
-  auto set = std::make_unique<PointSet>(points(Eigen::all, tree->order()));
+  auto set = std::make_unique<PointSet>(points(Eigen::all, order));
   if (!tree->pays(set->data())) return std::make_unique<const PointSet>(points);
   set->tree_ = std::move(tree);
   return set;

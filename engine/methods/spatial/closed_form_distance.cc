@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/precise_projection.h"
+
 namespace raygauge {
 namespace {
 
@@ -88,11 +90,8 @@ int ends_around(const SpatialShape& shape, const Vector3& x, std::int32_t* ends)
 
 // Whether a core and a point are the pair: PreciseDescent begins at their nearest points.
 bool is_projection(const SpatialPair& pair) {
-  const auto suits = [&](int i) {
-    const Kind kind = pair.shape(i).kind;
-    return (kind == Kind::box || kind == Kind::frustum) && pair.shape(1 - i).kind == Kind::point;
-  };
-  return suits(0) || suits(1);
+  const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
+  return (has_projection(one) && two.kind == Kind::point) || (has_projection(two) && one.kind == Kind::point);
 }
 
 // Vertices around the nearest points of such cores, of which double-double arithmetic makes a start: at most

@@ -33,7 +33,7 @@ class ContactDescent {
   void add_other_rims(const SpatialPoint& point);
   bool try_discs();
   bool try_disc(int i, const Vector3& v);
-  double look();
+  bool look(double& height);
   bool step();
   void record(const ContactStep<double>& found);
   void bound(const Vector3& v);
@@ -157,15 +157,15 @@ void ContactDescent::record(const ContactStep<double>& found) {
 }
 
 // The height at u_, with all pieces following it; after a step too long, back at the u_ of before, with the
-// piece that the step met. What a short step leaves higher is for double-double arithmetic.
-double ContactDescent::look() {
+// piece that the step met. False where a short step went up: that is for double-double arithmetic.
+bool ContactDescent::look(double& height) {
   SpatialPoint w;
   pair_.support(u_, w);
-  double height = dot(u_, w.s);
+  height = dot(u_, w.s);
   const double lower = lower_bound(pair_, height);
   if (lower > answer_.lower) answer_.lower = lower, answer_.normal = u_;
   if (height > lowest_ + kNoise * pair_.error()) {
-    if (last_step_ < kShortStep) return height;
+    if (last_step_ < kShortStep) return false;
     u_ = lowest_u_;
     height = lowest_;
     longest_step_ = kShorter * std::min(longest_step_, last_step_);
@@ -177,13 +177,13 @@ double ContactDescent::look() {
   for (int i = 0; i < count_; ++i) pair_.follow(u_, piece_[i]);
   add(w, count_ == 0 ? 1 : 0);
   add_other_rims(w);
-  return height;
+  return true;
 }
 
 // False where there is nothing to be gained.
 bool ContactDescent::step() {
-  const double height = look();
-  if (height > lowest_ + kNoise * pair_.error()) return false;
+  double height = 0;
+  if (!look(height)) return false;
   Matrix3 H;
   for (int i = 0; i < count_; ++i) {
     if (weight_[i] > 0) pair_.add_hessian(u_, piece_[i], weight_[i], H);

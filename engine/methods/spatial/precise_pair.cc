@@ -357,9 +357,10 @@ RAYGAUGE_FUSED bool PrecisePair::disc_contact(int i, std::int32_t index, Precise
 // A step of the projected gradient: x is nearest if it is what the core has nearest to x - Rᵀs.
 RAYGAUGE_FUSED bool PrecisePair::project(PrecisePoint& point) const {
   const int i = has_projection(*body_[0].shape) ? 0 : 1;
-  const SpatialShape& shape = *body_[i].shape;
-  if (!has_projection(shape) || body_[1 - i].shape->kind != Kind::point) return false;
+  const SpatialShape &shape = *body_[i].shape, &other = *body_[1 - i].shape;
+  if (!has_projection(shape) || other.kind != Kind::point) return false;
   PreciseVector3& x = i == 0 ? point.x1 : point.x2;
+  (i == 0 ? point.x2 : point.x1) = precise(other.center);
   const PreciseVector3 back = turn_back(body_[i], point.s);
   x = nearest_in_core(shape, i == 0 ? x - back : x + back);
   (i == 0 ? point.index_1 : point.index_2) = PrecisePoint::kSmooth;

@@ -55,8 +55,8 @@ class PrecisePair {
   /// outside.
   bool disc_contact(int i, std::int32_t index, PreciseVector3& u, DoubleDouble& height, PrecisePoint& point);
 
-  /// Of the pair of a point (a ball's centre) and a core that has nearest_in_core: the nearest points, the
-  /// better the nearer `point` was; its indices are of no vertices. False for other pairs.
+  /// Of the pair of a point (a ball's centre) and a core that has nearest_in_core: the nearest points,
+  /// the better the nearer `point` was. False for other pairs.
   bool project(PrecisePoint& point) const;
 
   /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a

@@ -89,15 +89,25 @@ bool has_heights(const Matrix& points, const Vector& u) {
   return std::isfinite(points.cwiseAbs().rowwise().maxCoeff().dot(u.cwiseAbs()));
 }
 
-Matrix ordered(const ClusterTree& tree, const Matrix& points) { return points(Eigen::all, tree.order()); }
+// A tree and its points in its order.
+struct Ordered {
+  explicit Ordered(const Matrix& cloud) : tree(cloud, order) {
+    points = order.empty() ? cloud : Matrix(cloud(Eigen::all, order));
+  }
+
+  ClusterTree::Order order;
+  ClusterTree tree;
+  Matrix points;
+};
 
 TEST(ClusterTree, HasTheHighestPointOfAPassBitByBit) {
   Random random(21);
   for (const int n : {2, 3, 5, 9, 32}) {
     for (const Cloud& cloud : clouds(n, random)) {
-      const ClusterTree tree(cloud.points);
+      const Ordered ordered(cloud.points);
+      const ClusterTree& tree = ordered.tree;
       ASSERT_FALSE(tree.empty()) << cloud.name;
-      const PointSet S(ordered(tree, cloud.points));
+      const PointSet S(ordered.points);
       for (const Vector& u : directions(cloud.points, random)) {
         if (!has_heights(cloud.points, u)) continue;
         std::ptrdiff_t index = 0;
@@ -114,11 +124,12 @@ TEST(ClusterTree, CollectsThePointsThatAPassCollects) {
   Random random(22);
   for (const int n : {2, 4, 9}) {
     for (const Cloud& cloud : clouds(n, random)) {
-      const ClusterTree tree(cloud.points);
-      const PointSet S(ordered(tree, cloud.points));
+      const Ordered ordered(cloud.points);
+      const ClusterTree& tree = ordered.tree;
+      const PointSet S(ordered.points);
       for (const Vector& u : directions(cloud.points, random)) {
         if (!has_heights(cloud.points, u)) continue;
-        Vector heights = ordered(tree, cloud.points).transpose() * u;
+        Vector heights = ordered.points.transpose() * u;
         std::nth_element(heights.begin(), heights.end() - 40, heights.end());
         const auto room = static_cast<std::size_t>(S.block_count() * PointSet::kLanes);
         std::vector<std::int64_t> index(2 * room);
@@ -139,8 +150,7 @@ TEST(ClusterTree, CollectsThePointsThatAPassCollects) {
 
 TEST(ClusterTree, KeepsEveryPointOnce) {
   Random random(23);
-  const ClusterTree tree(gaussian(4, 5003, random));
-  std::vector<std::ptrdiff_t> order = tree.order();
+  ClusterTree::Order order = Ordered(gaussian(4, 5003, random)).order;
   std::sort(order.begin(), order.end());
   ASSERT_EQ(order.size(), 5003U);
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], static_cast<std::ptrdiff_t>(i));
@@ -150,25 +160,25 @@ TEST(ClusterTree, ComparesFewPointsOfManyInFewDimensions) {
   Random random(24);
   for (const int n : {2, 4}) {
     const Matrix points = gaussian(n, 40000, random).colwise().normalized();
-    const ClusterTree tree(points);
-    const PointSet S(ordered(tree, points));
+    const Ordered ordered(points);
+    const ClusterTree& tree = ordered.tree;
+    const PointSet S(ordered.points);
     EXPECT_TRUE(tree.pays(S.data()));
     for (const Vector& u : directions(points, random)) {
       if (!(u.norm() > 1e-100 && u.norm() < 1e100)) continue;
       EXPECT_LT(tree.highest(best_kernels(), S.data(), u.data()).compared, 4000) << n;
     }
   }
-  const Matrix round = gaussian(20, 2000, random);
-  const ClusterTree tree(round);
-  EXPECT_FALSE(tree.pays(PointSet(ordered(tree, round)).data()));
+  const Ordered round(gaussian(20, 2000, random));
+  EXPECT_FALSE(round.tree.pays(PointSet(round.points).data()));
 }
 
 TEST(ClusterTree, IsEmptyWhereAPassIsAsFast) {
   Random random(25);
-  EXPECT_TRUE(ClusterTree(gaussian(2, 100, random)).empty());
-  EXPECT_TRUE(ClusterTree(gaussian(33, 1000, random)).empty());
-  EXPECT_TRUE(ClusterTree(Matrix::Zero(2, 20000)).empty());
-  EXPECT_TRUE(ClusterTree(1e200 * gaussian(2, 20000, random)).empty());
+  EXPECT_TRUE(Ordered(gaussian(2, 100, random)).tree.empty());
+  EXPECT_TRUE(Ordered(gaussian(33, 1000, random)).tree.empty());
+  EXPECT_TRUE(Ordered(Matrix::Zero(2, 20000)).tree.empty());
+  EXPECT_TRUE(Ordered(1e200 * gaussian(2, 20000, random)).tree.empty());
 }
 
 // Certified bounds of one and the same distance meet.

@@ -56,16 +56,27 @@ Exact3 cross_of(const Exact3& a, const Exact3& b) {
 
 Rational dot_of(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+// Where the pose (R, t) takes x.
+Exact3 exactly_moved(const Vector3d& x, const Eigen::Matrix3d& R, const Vector3d& t) {
+  Exact3 out;
+  for (int k = 0; k < 3; ++k) {
+    Rational sum(t[k]);
+    for (int j = 0; j < 3; ++j) sum = sum + Rational(R(k, j)) * Rational(x[j]);
+    out[static_cast<std::size_t>(k)] = sum;
+  }
+  return out;
+}
+
 // The squared distance of the point p from the plane of the face x_3 = top of a box in the pose (R, t), with
 // the very numbers of R.
-Rational squared_distance_from_face(const Vector3d& p, const Eigen::Matrix3d& R, const Vector3d& t,
+Rational squared_distance_from_face(const Exact3& p, const Eigen::Matrix3d& R, const Vector3d& t,
                                     double top) {
   Exact3 edge_1, edge_2, way;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
     edge_1[i] = Rational(R(k, 0));
     edge_2[i] = Rational(R(k, 1));
-    way[i] = Rational(p[k]) - Rational(t[k]) - Rational(R(k, 2)) * Rational(top);
+    way[i] = p[i] - Rational(t[k]) - Rational(R(k, 2)) * Rational(top);
   }
   const Exact3 normal = cross_of(edge_1, edge_2);
   const Rational along = dot_of(normal, way);
@@ -81,13 +92,40 @@ TEST(PreciseDistance, HoldsTheExactDistanceFromAFaceHoweverNear) {
       const Eigen::Matrix3d R = random_rotation(random);
       const Vector3d t = 2 * gaussian(random);
       const Vector3d p = R * Vector3d(0.3, -0.2, 0.7 + gap) + t;
-      const Rational exact = squared_distance_from_face(p, R, t, 0.7);
+      const Rational exact =
+          squared_distance_from_face(exactly_moved(p, Eigen::Matrix3d::Identity(), {0, 0, 0}), R, t, 0.7);
       const DistanceResult& r = solver.solve(Posed(Ball(p, 0.0)), {box, Pose(R, t)}, kMetric).distance;
       if (r.status == DistanceStatus::contains_origin) continue;  // rounding of p may put it inside
       ASSERT_EQ(to_string(r.status), "optimal") << gap;
       EXPECT_LE(Rational(r.lower) * Rational(r.lower), exact) << gap;
       EXPECT_GE(Rational(r.upper) * Rational(r.upper), exact) << gap;
       EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << gap;
+    }
+  }
+}
+
+// A ball of radius 0 in a pose of its own: where its centre stands is no double.
+TEST(PreciseDistance, HoldsTheExactDistanceOfAPosedPointFromAFace) {
+  Random random(3);
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  const Box box(Vector3d(-1, -1, -0.3), Vector3d(1, 1, 0.7));
+  for (const double gap : {1e-6, 1e-9, 1e-12}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const Eigen::Matrix3d R = random_rotation(random), R_point = random_rotation(random);
+      const Vector3d t = 2 * gaussian(random), c = gaussian(random);
+      const Vector3d t_point = R * Vector3d(0.3, -0.2, 0.7 + gap) + t - R_point * c;
+      const Rational exact = squared_distance_from_face(exactly_moved(c, R_point, t_point), R, t, 0.7);
+      const Ball point(c, 0.0);
+      const Pose pose(R, t), pose_point(R_point, t_point);
+      for (const bool point_first : {true, false}) {
+        const DistanceResult r = point_first
+                                     ? solver.solve({point, pose_point}, {box, pose}, kMetric).distance
+                                     : solver.solve({box, pose}, {point, pose_point}, kMetric).distance;
+        ASSERT_EQ(to_string(r.status), "optimal") << gap;
+        EXPECT_LE(Rational(r.lower) * Rational(r.lower), exact) << gap << (point_first ? ", first" : "");
+        EXPECT_GE(Rational(r.upper) * Rational(r.upper), exact) << gap << (point_first ? ", first" : "");
+        EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << gap;
+      }
     }
   }
 }
