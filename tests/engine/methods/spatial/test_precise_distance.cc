@@ -108,24 +108,27 @@ TEST(PreciseDistance, HoldsTheExactDistanceFromAFaceHoweverNear) {
 TEST(PreciseDistance, HoldsTheExactDistanceOfAPosedPointFromAFace) {
   Random random(3);
   ObjectDistanceSolver solver = make_solver(1e-6);
-  const Box box(Vector3d(-1, -1, -0.3), Vector3d(1, 1, 0.7));
-  for (const double gap : {1e-6, 1e-9, 1e-12}) {
-    for (int trial = 0; trial < 20; ++trial) {
-      const Eigen::Matrix3d R = random_rotation(random), R_point = random_rotation(random);
-      const Vector3d t = 2 * gaussian(random), c = gaussian(random);
-      const Vector3d t_point = R * Vector3d(0.3, -0.2, 0.7 + gap) + t - R_point * c;
-      const Rational exact = squared_distance_from_face(exactly_moved(c, R_point, t_point), R, t, 0.7);
-      const Ball point(c, 0.0);
-      const Pose pose(R, t), pose_point(R_point, t_point);
-      for (const bool point_first : {true, false}) {
-        const DistanceResult r = point_first
-                                     ? solver.solve({point, pose_point}, {box, pose}, kMetric).distance
-                                     : solver.solve({box, pose}, {point, pose_point}, kMetric).distance;
-        ASSERT_EQ(to_string(r.status), "optimal") << gap;
-        EXPECT_LE(Rational(r.lower) * Rational(r.lower), exact) << gap << (point_first ? ", first" : "");
-        EXPECT_GE(Rational(r.upper) * Rational(r.upper), exact) << gap << (point_first ? ", first" : "");
-        EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << gap;
-      }
+  const Vector3d low(0, 0, -0.3), high(0, 0, 0.7);
+  const std::vector<SetPointer> bodies = {std::make_shared<Box>(Vector3d(-1, -1, -0.3), Vector3d(1, 1, 0.7)),
+                                          std::make_shared<Cylinder>(low, high, 1.0),
+                                          std::make_shared<TruncatedCone>(low, 1.5, high, 0.5)};
+  for (int trial = 0; trial < 60; ++trial) {
+    const ConvexSet& body = *bodies[static_cast<std::size_t>(trial) % bodies.size()];
+    const double gap = std::array{1e-6, 1e-9, 1e-12}[static_cast<std::size_t>(trial / 20)];
+    const Eigen::Matrix3d R = random_rotation(random), R_point = random_rotation(random);
+    const Vector3d t = 2 * gaussian(random), c = gaussian(random);
+    const Vector3d t_point = R * Vector3d(0.3, -0.2, 0.7 + gap) + t - R_point * c;
+    const Rational exact = squared_distance_from_face(exactly_moved(c, R_point, t_point), R, t, 0.7);
+    const Ball point(c, 0.0);
+    const Pose pose(R, t), pose_point(R_point, t_point);
+    for (const bool point_first : {true, false}) {
+      const DistanceResult r = point_first
+                                   ? solver.solve({point, pose_point}, {body, pose}, kMetric).distance
+                                   : solver.solve({body, pose}, {point, pose_point}, kMetric).distance;
+      ASSERT_EQ(to_string(r.status), "optimal") << gap;
+      EXPECT_LE(Rational(r.lower) * Rational(r.lower), exact) << gap << (point_first ? ", first" : "");
+      EXPECT_GE(Rational(r.upper) * Rational(r.upper), exact) << gap << (point_first ? ", first" : "");
+      EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper) << gap;
     }
   }
 }
