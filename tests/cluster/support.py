@@ -57,20 +57,32 @@ def children(process):
     return subprocess.run(["pgrep", "-P", str(process)], text=True, capture_output=True).stdout.split()
 
 
-def stored_instances(folder, name):
-    """How many instances the journals and the file of a run hold."""
-    found = set()
-    path = Path(folder) / name
-    if path.exists():
-        with h5py.File(path) as file:
-            records = file["records"]
-            found |= set(zip(records["cell"][:].tolist(), records["repetition"][:].tolist()))
-    for journal in Path(folder).glob(f"{name}.parts/cells-*.csv"):
-        rows = [line.split(",") for line in journal.read_text().splitlines() if line[:1] != "#"]
-        if rows:
-            cell, repetition = rows[0].index("cell"), rows[0].index("repetition")
-            found |= {(int(row[cell]), int(row[repetition])) for row in rows[1:] if len(row) == len(rows[0])}
-    return len(found)
+def instances_of_file(path):
+    if not path.exists():
+        return set()
+    with h5py.File(path) as file:
+        records = file["records"]
+        return set(zip(records["cell"][:].tolist(), records["repetition"][:].tolist()))
+
+
+def instances_of_journal(path):
+    rows = [line.split(",") for line in path.read_text().splitlines() if line[:1] != "#"]
+    if not rows:
+        return set()
+    cell, repetition = rows[0].index("cell"), rows[0].index("repetition")
+    return {(int(row[cell]), int(row[repetition])) for row in rows[1:] if len(row) == len(rows[0])}
+
+
+def stored_instances(folder, name, attempts=20):
+    """How many instances the journals and the file of a run hold. A run that ends while this reads moves its journals'
+    rows into the file and removes them: then it is read again."""
+    for attempt in range(1, attempts + 1):
+        try:
+            journals = sorted(Path(folder).glob(f"{name}.parts/cells-*.csv"))
+            return len(set().union(*map(instances_of_journal, journals), instances_of_file(Path(folder) / name)))
+        except FileNotFoundError:
+            assert attempt < attempts, f"{name}: journals vanish without end"
+            time.sleep(0.05)
 
 
 class Killer:
