@@ -33,6 +33,18 @@ DoubleDouble exact_dot(const PointSet& S, std::ptrdiff_t i, const double* u, con
   return sum;
 }
 
+// (u + u_low)·p_i without rounding, to within an error.
+ExactSum::Rounded rounded_dot(const PointSet& S, std::ptrdiff_t i, const double* u, const double* u_low) {
+  const double* p =
+      S.data() + (i / PointSet::kLanes) * S.dimension() * PointSet::kLanes + i % PointSet::kLanes;
+  ExactSum sum;
+  for (int k = 0; k < S.dimension(); ++k) {
+    sum.add_product(u[k], p[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes]);
+    sum.add_product(u_low[k], p[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes]);
+  }
+  return sum.rounded();
+}
+
 bool dot_is_zero(const PointSet& S, std::ptrdiff_t i, const double* u) {
   const double* p =
       S.data() + (i / PointSet::kLanes) * S.dimension() * PointSet::kLanes + i % PointSet::kLanes;
@@ -70,6 +82,20 @@ class Doubtful {
   std::size_t count_ = 0;
   bool complete_ = false;
 };
+
+// h_S(u + u_low), known to `h`, by sums free of rounding.
+SupportValue exact_support_value(const PointSet& S, const Doubtful& doubtful, const SupportValue& h,
+                                 const double* u, const double* u_low) {
+  double value = -kInfinity;
+  double error = 0;
+  for (const std::int64_t i : doubtful.points()) {
+    if (exact_dot(S, i, u, u_low).rounded() < h.value - 2 * h.error) continue;
+    const ExactSum::Rounded product = rounded_dot(S, i, u, u_low);
+    value = std::max(value, product.value);
+    error = std::max(error, product.error);
+  }
+  return error < h.error ? SupportValue{value, error} : h;
+}
 
 }  // namespace
 
@@ -136,6 +162,8 @@ SupportValue support_value_twofold(const Kernels& kernels, const PointSet& S, co
     }
     const double lost = (S.dimension() + 1) * 0x1p-99 * (dot_magnitude(S, u) + low_error) + kUnderflow;
     result = {best, std::fabs(best) * 2 * kUnitRoundoff + lost};
+    if (!well_resolved(best, lost, kResolution / 64))
+      result = exact_support_value(S, doubtful, result, u, u_low);
   }
   if (index != nullptr) *index = best_index;
   return result;

@@ -202,6 +202,19 @@ struct Kernels {
   /// with exchanges of rows, noted in `exchanged` (m entries). False at a pivot that is not above `smallest`;
   /// M is lost then.
   bool (*invert)(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged);
+
+  /// values_i = (u + u_low)·p_i over `block_count` blocks in R^n, as many values as lanes, as if in 106 bits:
+  /// |error| <= 2⁻⁵³ |value| + 4 (n + 4)² 2⁻¹⁰⁶ Σ|u_k p_k|, barring underflow.
+  void (*products_twofold)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+                           const double* u_low, double* values);
+
+  /// out + out_low = (M + M_low) v, with the errors of products_twofold; `columns` columns of ld entries.
+  void (*multiply_twofold)(const double* M, const double* M_low, std::ptrdiff_t ld, int columns,
+                           const double* v, double* out, double* out_low);
+
+  /// M_k -= s_k v for every column k, all of them unevaluated sums of two doubles.
+  void (*subtract_product_twofold)(double* M, double* M_low, std::ptrdiff_t ld, int columns, const double* v,
+                                   const double* v_low, const double* s, const double* s_low);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

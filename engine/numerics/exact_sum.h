@@ -6,13 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "engine/numerics/double_double.h"
 
 namespace raygauge {
 
 /// A sum of doubles and of products of two doubles without any rounding error, kept as a nonoverlapping
-/// expansion (Shewchuk 1997). Its only question is whether the sum is exactly zero.
+/// expansion (Shewchuk 1997).
 class ExactSum {
  public:
   void add(double term) noexcept {
@@ -43,6 +44,20 @@ class ExactSum {
   /// True only if the sum is zero; false if it is not or if an underflow or overflow of the expansion leaves
   /// it open.
   bool is_zero() const noexcept { return exact_ && count_ == 0; }
+
+  /// The sum to within `error`; an error of +infinity after an underflow or overflow.
+  struct Rounded {
+    double value = 0;
+    double error = 0;
+  };
+  Rounded rounded() const noexcept {
+    // From the smallest component on, no partial sum exceeds twice the largest component.
+    double value = 0;
+    for (std::size_t c = 0; c < count_; ++c) value += component_[c];
+    if (!exact_ || !std::isfinite(value)) return {value, std::numeric_limits<double>::infinity()};
+    const double largest = count_ > 0 ? std::fabs(component_[count_ - 1]) : 0.0;
+    return {value, static_cast<double>(count_) * 0x1p-51 * largest};
+  }
 
  private:
   static constexpr double kUnderflowLimit =

@@ -17,12 +17,6 @@ namespace {
 // and the working set hardly grows (measured over 0 … 1).
 constexpr double kReach = 0.2;
 
-// ‖I - R B‖ from which on the inverse is computed afresh before anything is refined with it.
-constexpr double kAccurate = 1e-4;
-
-// Basis changes by refined reduced costs, per row.
-constexpr int kRefinedChanges = 2;
-
 // Coordinates of both sets up to which a pass costs less than the pivots it may spare.
 constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
 
@@ -166,72 +160,6 @@ bool Sifting::certify_as_priced(Effects effects, DistanceResult& result) {
   return true;
 }
 
-// The second line of proof: solution and duals of the basis at hand to some 30 digits. Columns whose reduced
-// costs only those digits tell from zero are brought in here. False where the bounds stay apart.
-bool Sifting::certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result) {
-  if (end != PrimalSimplex::End::solved && end != PrimalSimplex::End::failed) return false;
-  Basis& basis = program_.basis();
-  if (!(basis.residual_share() < kAccurate) && !basis.refactor()) return false;
-  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
-  double lower = 0;
-  for (int turn = 0;; ++turn) {
-    refined_.refine_duals(basis, *kernels_);
-    std::int64_t best_A = 0;
-    std::int64_t best_Q = 0;
-    lower = refine_lower(&best_A, &best_Q);
-    const double objective = program_.objective();
-    if (objective - lower <= 0.5 * tolerance_ * objective) break;
-    if (!complete || turn == kRefinedChanges * (n_ + 1) || stopwatch_->expired()) break;
-    if (!enter_refined(best_A, best_Q)) break;
-  }
-  if (lower == kInfinity) return false;
-  double upper = refined_.upper(basis, *kernels_);
-  if (upper == kInfinity && gauge_per_residual_ == 0) {
-    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, *stopwatch_);
-  }
-  if (upper == kInfinity && gauge_per_residual_ < kInfinity) {
-    upper = refined_.upper_with_residual(basis, *kernels_, gauge_per_residual_);
-  }
-  if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
-  finish(DistanceStatus::optimal, lower, upper, effects, result);
-  return true;
-}
-
-// The lower bound that the refined duals prove, and the points that attain h_A(u) and h_Q(-u).
-double Sifting::refine_lower(std::int64_t* best_A, std::int64_t* best_Q) {
-  const double* y = program_.normal();
-  const double* y_low = refined_.dual_low();
-  direction_low_.reserve(2 * static_cast<std::size_t>(n_));
-  double* u = direction_.data();
-  double* u_low = direction_low_.data();
-  for (int k = 0; k < n_; ++k) {
-    u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
-    u[n_ + k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
-    u_low[k] = Scaling::direction_component(scaling_.factor_A()[k], y_low[k]);
-    u_low[n_ + k] = -Scaling::direction_component(scaling_.factor_Q()[k], y_low[k]);
-  }
-  counters_.support_queries += 2;
-  counters_.points_priced += A_->size() + Q_->size();
-  std::ptrdiff_t index_A = 0;
-  std::ptrdiff_t index_Q = 0;
-  h_A_ = support_value_twofold(*kernels_, *A_, u, u_low, &index_A);
-  h_Q_ = support_value_twofold(*kernels_, *Q_, u + n_, u_low + n_, &index_Q);
-  *best_A = id_of_A(index_A);
-  *best_Q = id_of_Q(index_Q);
-  return lower_bound(h_A_, h_Q_);
-}
-
-// Of the two columns the one that promises more, over complete working sets.
-bool Sifting::enter_refined(std::int64_t best_A, std::int64_t best_Q) {
-  const double t = program_.normal()[n_];
-  const double reduced_A = -((h_A_.value + t) + refined_.dual_low()[n_]);
-  const double reduced_Q = 1 - h_Q_.value;
-  const bool take_A = reduced_A < reduced_Q * std::fabs(t);
-  const double reduced_cost = take_A ? reduced_A : reduced_Q;
-  if (!(reduced_cost < 0)) return false;
-  return program_.enter(take_A ? working_A_ : working_Q_, take_A ? best_A : best_Q, reduced_cost);
-}
-
 // The bounds keep the normal near the guess; where that is good, the first pass finds the right points the
 // sooner. Where most bounds are active or a pass has been spent on it, it is not, and raising them over the
 // sample costs next to nothing.
@@ -258,6 +186,7 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
                        (end == PrimalSimplex::End::pivot_limit && pivots_are_limited_);
   bool late = false;
   if (!limited && !(restricted && upper < kInfinity)) {
+    if (!restricted && certify_twofold(effects, result)) return;
     const ExactSimplex::End exact = finish_by_exact_simplex(lower, effects, result);
     if (exact == ExactSimplex::End::solved) return;
     late = exact == ExactSimplex::End::too_long;
@@ -266,9 +195,8 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
 }
 
-// End::solved where the result is complete.
-ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result) {
-  const bool restricted = !chosen_A_.empty();
+// The basic columns, with indices into the sets, into start_.
+void Sifting::collect_basis() {
   start_.clear();
   for (int i = 0; i <= n_; ++i) {
     const std::int64_t id = program_.basic_ids()[i];
@@ -279,6 +207,12 @@ ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects
       start_.push_back(id_of_A(working_A_.index_in(*A_, scaling_.factor_A(), id / 2)));
     }
   }
+}
+
+// End::solved where the result is complete.
+ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result) {
+  const bool restricted = !chosen_A_.empty();
+  collect_basis();
   const ExactSimplex::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_);
   if (end == ExactSimplex::End::unreachable && !restricted) {
     finish_exactly(DistanceStatus::unreachable, {kInfinity, kInfinity, kInfinity}, effects, result);
@@ -414,6 +348,22 @@ void Sifting::finish_exactly(DistanceStatus status, const RoundedRatio& distance
   }
   counters_.exact_pivots = exact_.pivots();
   record_work(result);
+}
+
+// As finish(), from the basis of the simplex in double-double arithmetic.
+void Sifting::finish_with_twofold(double lower, double upper, Effects effects, DistanceResult& result) {
+  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  if (upper == 0) {
+    result.status = DistanceStatus::contains_origin;
+    twofold_.weights_of_A(result.origin_weights);
+  }
+  const double objective = std::ldexp(twofold_.objective(), -scaling_.distance_shift());
+  result.distance = std::max(result.lower, std::min(objective, result.upper));
+  if (double* contact = result.room_for_contact(effects, n_)) {
+    twofold_.contact_point(contact);
+    for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
+  }
+  result.counters.pivots += twofold_.pivots();
 }
 
 void Sifting::record_work(DistanceResult& result) {

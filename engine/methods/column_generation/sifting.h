@@ -14,6 +14,7 @@
 #include "engine/lp/primal_simplex.h"
 #include "engine/lp/refined_basis.h"
 #include "engine/lp/scaling.h"
+#include "engine/lp/twofold_simplex.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/threads/chunk_team.h"
@@ -53,7 +54,8 @@ class Sifting {
   bool prepare_next(PrimalSimplex::End end, bool points_are_missing);
   bool certify_as_priced(Effects effects, DistanceResult& result);
   bool certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result);
-  double refine_lower(std::int64_t* best_A, std::int64_t* best_Q);
+  bool certify_twofold(Effects effects, DistanceResult& result);
+  double refine_lower(const double* y, const double* y_low, std::int64_t* best_A, std::int64_t* best_Q);
   bool enter_refined(std::int64_t best_A, std::int64_t best_Q);
   bool bounds_mislead() const noexcept;
   double price_everything(bool roughly);
@@ -70,8 +72,10 @@ class Sifting {
   void add_violators();
   void finish_short_of_tolerance(PrimalSimplex::End end, double lower, double upper, Effects effects,
                                  DistanceResult& result);
+  void collect_basis();
   ExactSimplex::End finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result);
   void finish(DistanceStatus status, double lower, double upper, Effects effects, DistanceResult& result);
+  void finish_with_twofold(double lower, double upper, Effects effects, DistanceResult& result);
   void finish_exactly(DistanceStatus status, const RoundedRatio& distance, Effects effects,
                       DistanceResult& result);
   void record_work(DistanceResult& result);
@@ -90,6 +94,7 @@ class Sifting {
   ColumnPool working_Q_;
   PrimalSimplex program_;
   RefinedBasis refined_;
+  TwofoldSimplex twofold_;
   InteriorPoint interior_;
   bool separated_ = false;  // by interior_, the working sets
   GaugeBound gauge_bound_;

@@ -59,6 +59,29 @@ RC_GTEST_PROP(ExactSumProperty, AgreesWithRationalArithmetic,
   if (sum.is_zero()) RC_ASSERT(exact == 0);
 }
 
+RC_GTEST_PROP(ExactSumProperty, RoundsToWithinItsError,
+              (const std::vector<std::pair<double, double>>& products)) {
+  ExactSum sum;
+  Rational exact = 0;
+  for (const auto& [a, b] : products) {
+    sum.add_product(a, b);
+    exact += Rational(a) * Rational(b);
+  }
+  const ExactSum::Rounded rounded = sum.rounded();
+  if (std::isfinite(rounded.error)) {
+    RC_ASSERT(abs(Rational(rounded.value) - exact) <= Rational(rounded.error));
+  }
+}
+
+TEST(ExactSum, RoundsWhatCancellationLeaves) {
+  ExactSum sum;
+  sum.add_product(0x1p60 + 1, 3);
+  sum.add(-0x1p60 * 3);
+  sum.add(0x1p-60);
+  EXPECT_NEAR(sum.rounded().value, 0x1p-60, sum.rounded().error);
+  EXPECT_LT(sum.rounded().error, 1e-33);
+}
+
 RC_GTEST_PROP(ExactSumProperty, ComesBackToZeroWhenEveryProductIsTakenOff,
               (const std::vector<std::pair<int, int>>& products)) {
   ExactSum sum;

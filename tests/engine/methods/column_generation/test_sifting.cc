@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
@@ -111,6 +113,63 @@ TEST(Sifting, FindsThePointsItMissesWhereTheSampleIsHalfOfTheSet) {
     const DistanceResult& result = solver.solve(PointSet(a), Q);
     EXPECT_EQ(result.status, DistanceStatus::optimal) << "seed " << seed;
     EXPECT_EQ(result.counters.exact_pivots, 0) << "seed " << seed;
+  }
+}
+
+// Points (t, t², …, t^n): bases of condition 10¹⁸, and Q has the origin outside by less than the rounding of
+// its points. Exact arithmetic took 0.8 s at n = 50 and 2 s at n = 100.
+TEST(Sifting, DecidesMomentCurvesWithoutExactArithmetic) {
+  for (const int n : {20, 50, 100}) {
+    Random random(static_cast<unsigned>(n));
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto curve = [&] {
+      Eigen::MatrixXd points(n, 120);
+      for (int i = 0; i < 120; ++i) {
+        const double t = uniform(random);
+        double power = 1;
+        for (int k = 0; k < n; ++k) points(k, i) = power *= t;
+      }
+      return points;
+    };
+    Eigen::MatrixXd a = curve();
+    Eigen::MatrixXd q = curve();
+    q.colwise() -= q.rowwise().mean().eval();
+    a.colwise() += 2 * sphere_points(n, 1, random).col(0);
+    for (const double tolerance : {1e-6, 1e-12}) {
+      DistanceOptions options;
+      options.tolerance = tolerance;
+      DistanceSolver solver(options);
+      const DistanceResult& result = solver.solve(PointSet(a), PointSet(q));
+      EXPECT_TRUE(result.status == DistanceStatus::optimal || result.status == DistanceStatus::unreachable)
+          << "n = " << n << ": " << to_string(result.status);
+      EXPECT_EQ(result.counters.exact_pivots, 0) << "n = " << n << ", tolerance " << tolerance;
+    }
+  }
+}
+
+// A = {λq} and integers with many ties: n weights of the optimum are exactly zero, and with few points Q has
+// the origin outside, so that no residual can be paid for. Exact arithmetic took seconds at n = 100.
+TEST(Sifting, ProvesWeightsToBeZeroInManyDimensions) {
+  for (const int n : {20, 50, 100}) {
+    Random random(static_cast<unsigned>(2000 + n));
+    Eigen::MatrixXd q = integer_points(n, n + 20, 1 << 20, random);
+    q.row(0).setConstant(1 << 18);  // all on a facet: e_1 proves the distance
+    Eigen::MatrixXd a = integer_points(n, n + 20, 1 << 20, random);
+    a.row(0).setConstant(3 << 18);
+    a.col(7) = 3 * q.col(11);
+    for (int k = 0; k + 1 < n; ++k) {  // shears, exact: e_1 bounds as before
+      q.row(k + 1) += 37 * q.row(k);
+      a.row(k + 1) += 37 * a.row(k);
+      if (q.cwiseAbs().maxCoeff() > 0x1p45) break;
+    }
+    DistanceOptions options;
+    options.tolerance = 1e-12;
+    DistanceSolver solver(options);
+    const DistanceResult& result = solver.solve(PointSet(a), PointSet(q));
+    EXPECT_EQ(result.status, DistanceStatus::optimal) << "n = " << n;
+    EXPECT_LE(result.lower, 3) << "n = " << n;
+    EXPECT_GE(result.upper, 3) << "n = " << n;
+    EXPECT_EQ(result.counters.exact_pivots, 0) << "n = " << n;
   }
 }
 
