@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/exact_sum.h"
 #include "engine/numerics/floating_point.h"
@@ -97,6 +98,19 @@ SupportValue exact_support_value(const PointSet& S, const Doubtful& doubtful, co
   return error < h.error ? SupportValue{value, error} : h;
 }
 
+// h_S(u + u_low) by one pass in twice the precision: where more points are in doubt than Doubtful holds.
+SupportValue support_value_of_all(const Kernels& kernels, const PointSet& S, const double* u,
+                                  const double* u_low, std::ptrdiff_t* index) {
+  AlignedBuffer<double> values;
+  values.reserve(static_cast<std::size_t>(S.block_count() * PointSet::kLanes));
+  kernels.products_twofold(S.data(), S.block_count(), S.dimension(), u, u_low, values.data());
+  *index = std::max_element(values.data(), values.data() + S.size()) - values.data();
+  const double value = values[static_cast<std::size_t>(*index)];
+  const double terms = S.dimension() + 4;
+  const double lost = 1.01 * 4 * terms * terms * 0x1p-106 * dot_magnitude(S, u) + kUnderflow;
+  return {value, std::fabs(value) * 2 * kUnitRoundoff + lost};
+}
+
 }  // namespace
 
 double scaled_down(double value, int shift) noexcept {
@@ -165,6 +179,7 @@ SupportValue support_value_twofold(const Kernels& kernels, const PointSet& S, co
     if (!well_resolved(best, lost, kResolution / 64))
       result = exact_support_value(S, doubtful, result, u, u_low);
   }
+  if (!doubtful.complete()) result = support_value_of_all(kernels, S, u, u_low, &best_index);
   if (index != nullptr) *index = best_index;
   return result;
 }
