@@ -108,6 +108,43 @@ TEST_P(TwofoldSimplexOnEveryKernel, FindsADirectionWithAMarginWhereNothingIsReac
   }
 }
 
+// Small integers, stretched or not: ties, duplicates, flat sets, the origin in A, on faces, outside Q.
+TEST_P(TwofoldSimplexOnEveryKernel, NeverContradictsTheExactSimplex) {
+  Random random(64);
+  int solved = 0, unreachable = 0, undecided = 0;
+  for (int instance = 0; instance < 2000; ++instance) {
+    const int n = 1 + instance % 6;
+    const int N = 1 + static_cast<int>(random() % (3 * static_cast<unsigned>(n) + 3));
+    Eigen::MatrixXd a = integer_points(n, N, 1 + instance % 3, random);
+    Eigen::MatrixXd q = integer_points(n, N + n, 2, random);
+    if (instance % 4 == 0) a.row(0).array() += 4;
+    if (instance % 5 == 0) stretch(a, q, 40, random);
+    const PointSet A(a), Q(q);
+    ExactSimplex exact;
+    const ExactSimplex::End truth = exact.solve({&A, {}}, {&Q, {}}, {}, Stopwatch());
+    const End end = solve(A, Q);
+    const double below = end == End::failed ? 0 : lower(A, Q);
+    if (truth == ExactSimplex::End::unreachable) {
+      EXPECT_NE(end, End::solved) << "instance " << instance;
+      (end == End::unreachable && below == kInfinite ? unreachable : undecided) += 1;
+      continue;
+    }
+    ASSERT_EQ(truth, ExactSimplex::End::solved);
+    EXPECT_LE(below, exact.distance().above) << "instance " << instance;
+    if (end != End::solved) {
+      ++undecided;
+      continue;
+    }
+    const double above = program_.upper(Stopwatch());
+    EXPECT_GE(above, exact.distance().below) << "instance " << instance;
+    EXPECT_EQ(above == 0, exact.distance().above == 0) << "instance " << instance;
+    (above < kInfinite ? solved : undecided) += 1;
+  }
+  EXPECT_GT(solved, 1000);
+  EXPECT_GT(unreachable, 100);
+  EXPECT_LT(undecided, 200);
+}
+
 TEST_P(TwofoldSimplexOnEveryKernel, StopsWithTheStopwatch) {
   Random random(63);
   const PointSet A(sphere_points(5, 20, random)), Q(sphere_points(5, 20, random));
