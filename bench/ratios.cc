@@ -18,10 +18,10 @@ namespace {
 
 using PrintRow = void (*)(const Variant&, const Effort&);
 const std::vector<std::pair<std::string, PrintRow>> kRows = {
-    {"grid", print_grid},           {"large", print_large},     {"n50", print_n50},
-    {"n100", print_n100},           {"high", print_high},       {"certified", print_certified},
-    {"euclidean", print_euclidean}, {"threads", print_threads}, {"memory", print_memory},
-    {"growth", print_growth}};
+    {"grid", print_grid},           {"large", print_large},   {"n50", print_n50},
+    {"n100", print_n100},           {"high", print_high},     {"certified", print_certified},
+    {"euclidean", print_euclidean}, {"shapes", print_shapes}, {"threads", print_threads},
+    {"memory", print_memory},       {"growth", print_growth}};
 
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;
@@ -44,8 +44,9 @@ int run(int argc, char** argv) {
                  "dimensions of the row high, separated by commas; none: its own")
       ->delimiter(',')
       ->check(CLI::Range(2, 2000));
-  app.add_flag("--processor-time", effort.processor_time,
-               "the rows high and euclidean in processor time, for machines that other work keeps busy");
+  app.add_flag(
+      "--processor-time", effort.processor_time,
+      "the rows high, shapes and euclidean in processor time, for machines that other work keeps busy");
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;
