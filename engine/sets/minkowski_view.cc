@@ -307,4 +307,25 @@ bool MinkowskiView::do_is_unconditional(double* extent) const {
          std::equal(of_T.data(), of_T.data() + n, seen_from);
 }
 
+bool MinkowskiView::do_summands(const double* u, double* reach, double* change) const {
+  const int n = dimension();
+  Scratch along(n), part(n), change_of_part(n);
+  std::fill_n(reach, n, 0.0);
+  std::fill_n(change, n, 0.0);
+  bool any = false;
+  for (const ConvexSet* operand : {S_, T_}) {
+    const double sign = operand == S_ ? 1.0 : sign_;
+    for (int k = 0; k < n; ++k) along.data()[k] = sign * u[k];
+    const CoordinateSymmetry* symmetry = operand->symmetry();
+    if (symmetry == nullptr || !symmetry->summands(along.data(), part.data(), change_of_part.data()))
+      continue;
+    any = true;
+    for (int k = 0; k < n; ++k) {
+      reach[k] += part.data()[k];
+      change[k] += change_of_part.data()[k];
+    }
+  }
+  return any;
+}
+
 }  // namespace raygauge

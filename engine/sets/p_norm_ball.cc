@@ -184,6 +184,22 @@ bool PNormBall::do_is_unconditional(double* extent) const {
   return true;
 }
 
+// Of the Hessian below, u_k H_kk = (q - 1) g_k (1 - u_k g_k/N).
+bool PNormBall::do_summands(const double* u, double* reach, double* change) const {
+  const int n = dimension();
+  support(u, reach);
+  double norm = 0;
+  for (int k = 0; k < n; ++k) {
+    reach[k] -= center_[k];
+    norm += u[k] * reach[k];
+  }
+  for (int k = 0; k < n; ++k) {
+    change[k] = std::fabs(reach[k] * (1 - u[k] * reach[k] / norm)) / (p_ - 1);
+    reach[k] = std::fabs(reach[k]);
+  }
+  return norm > 0;
+}
+
 // With v = diag(w) u, N = ‖v‖_q, t = |v|/N and g = diag(w) sign(v) t^(q-1), the gradient less c, the Hessian
 // is (q - 1)/N (diag(w² t^(q-2)) - g gᵀ). Where u_k is not about zero w_k² t_k^(q-2) = N g_k/u_k, with N =
 // g·u: so the Hessian of a ball with p near 1 takes u to zero in spite of q - 1 = 1/(p - 1).

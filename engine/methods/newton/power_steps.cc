@@ -44,12 +44,24 @@ Real way_back(Real u, Real before, double share) {
 }  // namespace
 
 template <class Real>
-bool PowerSteps<Real>::Side::bind(const ConvexSet& S) {
-  center.reserve(static_cast<std::size_t>(S.dimension()));
-  extent.reserve(static_cast<std::size_t>(S.dimension()));
+bool PowerSteps<Real>::Side::bind(const ConvexSet& S, double u_sign) {
+  const auto n = static_cast<std::size_t>(S.dimension());
+  for (auto* buffer : {&center, &extent, &direction, &reach, &change}) buffer->reserve(n);
+  set = &S;
+  sign = u_sign;
   unconditional = is_unconditional(S, extent.data());
   if (unconditional) S.center_unchecked(center.data());
+  std::fill_n(direction.data(), n, 1.0);
+  in_part = !unconditional && S.symmetry() != nullptr &&
+            S.symmetry()->summands(direction.data(), reach.data(), change.data());
   return S.structure() == SupportStructure::smooth || S.structure() == SupportStructure::point;
+}
+
+template <class Real>
+void PowerSteps<Real>::Side::look_along(const Real* u, int n) {
+  if (!in_part) return;
+  for (int k = 0; k < n; ++k) direction[static_cast<std::size_t>(k)] = sign * static_cast<double>(u[k]);
+  in_part = set->symmetry()->summands(direction.data(), reach.data(), change.data());
 }
 
 template <class Real>
@@ -60,13 +72,18 @@ bool PowerSteps<Real>::bind(const ConvexSet& A, const ConvexSet& Q) {
   meets_.reserve(static_cast<std::size_t>(n_));
   before_.reserve(static_cast<std::size_t>(n_));
   std::fill_n(before_.data(), n_, Real{0});
-  return A_.bind(A) && Q_.bind(Q) && (A_.unconditional || Q_.unconditional);
+  if (!A_.bind(A, 1.0) || !Q_.bind(Q, -1.0)) return false;
+  return A_.unconditional || A_.in_part || Q_.unconditional || Q_.in_part;
 }
 
 // Any other set has a face of one point there, where the tangent leads; its points answer in a straight line.
 template <class Real>
 typename PowerSteps<Real>::Coordinate PowerSteps<Real>::coordinate(const Side& side, Real s_k, Real change,
                                                                    std::size_t k) const {
+  if (side.in_part) {
+    const Real of_others = std::max(elementary::fabs(change) - side.change[k], Real{0});
+    return {s_k - change, 0, side.reach[k] + of_others};
+  }
   if (!side.unconditional) return {s_k - change, 0, elementary::fabs(change)};
   return {side.center[k], side.extent[k], elementary::fabs(s_k - side.center[k])};
 }
@@ -78,6 +95,8 @@ void PowerSteps<Real>::move_contact_along_faces(const Real* u, Real ratio, Real 
   Real* x = A.point(A.best);
   Real* y = Q.point(Q.best);
   meeting_ = 0;
+  A_.look_along(u, n_);
+  Q_.look_along(u, n_);
   for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k) {
     const std::size_t diagonal = k * static_cast<std::size_t>(n_) + k;
     const Real change_A = A.hessian(A.best)[diagonal] * u[k], change_Q = -Q.hessian(Q.best)[diagonal] * u[k];

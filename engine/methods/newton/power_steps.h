@@ -39,9 +39,14 @@ class PowerSteps {
 
  private:
   struct Side {
+    const ConvexSet* set = nullptr;
+    double sign = 1;
     bool unconditional = false;
+    bool in_part = false;  // a sum with unconditional summands
     AlignedBuffer<double> center, extent;
-    bool bind(const ConvexSet& S);
+    AlignedBuffer<double> direction, reach, change;  // of the summands at u
+    bool bind(const ConvexSet& S, double u_sign);
+    void look_along(const Real* u, int n);
   };
   struct Coordinate {
     Real middle, extent;  ///< of the face across u_k = 0

@@ -131,6 +131,7 @@ class GaugeFormula {
 };
 
 /// A `smooth` set that is unconditional about its centre c: with c + x it has every c + diag(±1, ..., ±1) x.
+/// Or a sum of which some summands are.
 class CoordinateSymmetry {
  public:
   /// The extents e_k of its faces along the axes, as a p-norm ball of large p has them; negative where c is
@@ -138,11 +139,19 @@ class CoordinateSymmetry {
   /// c_k + e_k], up to a rounding error of Quad. False if the set is not known to be unconditional.
   bool extents(double* extent) const { return do_is_unconditional(extent); }
 
+  /// Of the summands that are unconditional, at u: reach_k = Σ |s_k - c_k|, s a support point and c the
+  /// centre of each, and change_k = Σ |u_k H_kk|. Their support points answer to u_k as the power change_k /
+  /// reach_k of it does. False, as by default, where the set knows of none.
+  bool summands(const double* u, double* reach, double* change) const {
+    return do_summands(u, reach, change);
+  }
+
  protected:
   ~CoordinateSymmetry() = default;
 
  private:
   virtual bool do_is_unconditional(double* extent) const = 0;
+  virtual bool do_summands(const double* /*u*/, double* /*reach*/, double* /*change*/) const { return false; }
 };
 
 }  // namespace raygauge

@@ -75,6 +75,7 @@ class MinkowskiView : public ConvexSet,
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const final;
   bool do_touches_origin(double* u) const final;
   bool do_is_unconditional(double* extent) const final;
+  bool do_summands(const double* u, double* reach, double* change) const final;
 
   template <class Real>
   bool find_facet_normal(const Real* u, const Real* v, Real* normal) const;

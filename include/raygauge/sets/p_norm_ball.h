@@ -38,6 +38,7 @@ class PNormBall final : public ConvexSet,
   const GaugeFormula* do_gauge_formula() const noexcept override { return has_gauge() ? this : nullptr; }
   const CoordinateSymmetry* do_symmetry() const noexcept override { return is_smooth() ? this : nullptr; }
   bool do_is_unconditional(double* extent) const override;
+  bool do_summands(const double* u, double* reach, double* change) const override;
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
   void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
 

@@ -108,5 +108,37 @@ TEST(Unconditional, IsNotKnownOfPolytopesAndOfOtherSets) {
   EXPECT_FALSE(is_unconditional(ellipsoid, extent.data()));
 }
 
+// What the summands say of themselves against their support points and differences of these.
+TEST(Unconditional, SummandsAreReportedWithTheirReachAndItsChange) {
+  Random random(97);
+  const Vector zero = Vector::Zero(4), semi_axes{{1, 0.5, 2, 4}};
+  const auto ellipsoid =
+      std::make_shared<Ellipsoid>(gaussian_points(4, 1, random).col(0), gaussian_points(4, 4, random));
+  for (const double p : {1.5, 3.0, 10.0}) {
+    const auto ball = std::make_shared<PNormBall>(gaussian_points(4, 1, random).col(0), semi_axes, p);
+    const MinkowskiSum sum(ellipsoid, ball);
+    const MinkowskiDifference difference(ellipsoid, ball);
+    const Vector u = gaussian_points(4, 1, random);
+    Vector reach(4), change(4), extent(4), center(4), s(4), moved(4);
+    EXPECT_FALSE(is_unconditional(sum, extent.data()));
+    ASSERT_TRUE(sum.symmetry()->summands(u.data(), reach.data(), change.data())) << "p = " << p;
+    ball->center_unchecked(center.data());
+    ball->support_unchecked(u.data(), s.data());
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_NEAR(reach[k], std::fabs(s[k] - center[k]), 1e-13);
+      constexpr double kStep = 1e-6;
+      Vector v = u;
+      v[k] *= 1 + kStep;
+      ball->support_unchecked(v.data(), moved.data());
+      EXPECT_NEAR(change[k], std::fabs(moved[k] - s[k]) / kStep, 1e-4 * (1 + change[k]));
+    }
+    Vector of_difference(4);
+    ASSERT_TRUE(difference.symmetry()->summands(u.data(), of_difference.data(), change.data()));
+    EXPECT_NEAR((of_difference - reach).norm(), 0, 1e-13) << "the ball is symmetric";
+  }
+  const MinkowskiSum none(ellipsoid, ellipsoid);
+  EXPECT_EQ(none.symmetry(), nullptr);
+}
+
 }  // namespace
 }  // namespace raygauge::test_unconditional
