@@ -87,7 +87,7 @@ double PrimalSimplex::price_guess(const PricedPoints& points, double sign, std::
 // The point of A that the guess prefers, and artificial columns signed so that the basic solution is
 // nonnegative. The inverse of that basis is known in closed form.
 void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double* guess, double guess_error,
-                          const Frame* frame) {
+                          const Frame* frame, const AxisPoints* axes) {
   basis_.reset(n_ + 1, *kernels_);
   basis_.right_hand_side()[n_] = 1.0;
 
@@ -106,6 +106,7 @@ void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double
   basis_.set_column(n_, a, 0.0, id_of_A(index));
   place_artificials(a, frame);
   set_artificial_costs(guess_.data(), guess_error, frame);
+  if (axes != nullptr && frame == nullptr) place_axis_points(*axes);
 }
 
 // Into column_.
@@ -177,6 +178,31 @@ void PrimalSimplex::place_artificials(const double* a, const Frame* frame) {
   R_last[n_] = 1.0;
   std::copy_n(R_last, view.P, view.x());
   loop_.artificials = n_;
+}
+
+// A point q of Q with -q = |q| S_k e_k in the place of column S_k e_k, at cost 1.
+void PrimalSimplex::place_axis_points(const AxisPoints& axes) {
+  BasisView& view = basis_.view();
+  double t = 0;
+  view.objective = 0;
+  for (int k = 0; k < n_; ++k) {
+    double* column = view.B + static_cast<std::ptrdiff_t>(k) * view.P;
+    const bool positive = column[k] < 0;
+    const double length = axes.length(k, positive);
+    if (length > 0) {
+      view.id[k] = id_of_Q(axes.index(k, positive));
+      view.cost[k] = 1;
+      view.y[k] = column[k] / length;
+      column[k] *= length;
+      view.R[static_cast<std::ptrdiff_t>(k) * view.P + k] /= length;
+      view.R[static_cast<std::ptrdiff_t>(n_) * view.P + k] /= length;
+      view.x()[k] /= length;
+      --loop_.artificials;
+    }
+    t -= view.y[k] * basis_.column(n_)[k];
+    view.objective += view.cost[k] * view.x()[k];
+  }
+  view.y[n_] = t;
 }
 
 // c_k = max(S_k F_k · guess, 0) + slack, and the duals of that basis: yᵀ F S = c.

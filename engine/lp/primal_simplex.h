@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
+#include "engine/lp/axis_points.h"
 #include "engine/lp/basis.h"
 #include "engine/lp/column_pool.h"
 #include "engine/lp/weighted_points.h"
@@ -49,12 +50,13 @@ class PrimalSimplex {
   /// changes. The points are not kept. With a `frame` that brings Q (scaled as it is) into isotropic
   /// position, the artificial columns are ±F e_k instead, and the bounds |F_k · u| <= cost: of a needle,
   /// bounds on the coordinates would say nothing about the one direction that matters.
+  /// Points of Q on the axes (`axes`, looked for over all of Q) take the place of artificial columns.
   struct Frame {
     const double* F;        // n x n, column-major
     const double* inverse;  // F⁻¹
   };
   void start(const ColumnPool& A, const ColumnPool& Q, const double* guess, double guess_error,
-             const Frame* frame = nullptr);
+             const Frame* frame = nullptr, const AxisPoints* axes = nullptr);
 
   /// First basis of these n + 1 columns. False where they are none, or where a weight is negative: start()
   /// then.
@@ -137,6 +139,7 @@ class PrimalSimplex {
 
   double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
   void place_artificials(const double* a, const Frame* frame);
+  void place_axis_points(const AxisPoints& axes);
   void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);
   void form_column(const ColumnPool& pool, std::int64_t id);
   bool look_after_basis();

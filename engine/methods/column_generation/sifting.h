@@ -92,6 +92,7 @@ class Sifting {
   Scaling scaling_;
   ColumnPool working_A_;
   ColumnPool working_Q_;
+  AxisPoints axes_;  // of working_Q_
   PrimalSimplex program_;
   RefinedBasis refined_;
   TwofoldSimplex twofold_;

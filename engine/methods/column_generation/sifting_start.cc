@@ -17,6 +17,9 @@ constexpr int kInteriorOfMany = 200;
 constexpr int kInteriorOfFew = 450;
 constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension
 
+// Dimensions from which on it pays to look whether points of Q stand on the axes.
+constexpr int kLeastForAxes = 16;
+
 // Of the normal that it ends with, where its columns make no basis.
 constexpr double kErrorInside = 1e-3;
 
@@ -35,15 +38,18 @@ void Sifting::start() {
   for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
   separated_ = false;
+  const bool look = n_ >= kLeastForAxes && !framed;
+  if (look) axes_.find(working_Q_.view(), n_);
   const bool many = A_->size() + Q_->size() >= kManyPoints * n_;
-  if (n_ >= (many ? kInteriorOfMany : kInteriorOfFew)) {
+  if (n_ >= (many ? kInteriorOfMany : kInteriorOfFew) && !(look && axes_.complete())) {
     const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
   }
   const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
-  program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr);
+  program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr,
+                 look && axes_.any() ? &axes_ : nullptr);
 }
 
 // From the columns that carry weight at the end of the interior-point method, or from its normal.
