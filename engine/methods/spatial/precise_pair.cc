@@ -91,8 +91,8 @@ struct RimView {
   }
 
   DoubleDouble height(const SpatialShape& shape, const PreciseVector3& v, std::int32_t index) const {
-    return index == SpatialPoint::kTop ? dot(v, precise(shape.top)) + across * shape.top_radius
-                                       : dot(v, precise(shape.base)) + across * shape.base_radius;
+    return index == SpatialPoint::kTop ? dot(v, shape.top) + across * shape.top_radius
+                                       : dot(v, shape.base) + across * shape.base_radius;
   }
 };
 
@@ -116,13 +116,16 @@ bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
     Body& body = body_[i];
     const PoseNumbers& pose = pair.pose(i);
     body.shape = &pair.shape(i);
+    double R[3][3];
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) {
         const bool given = pose.R != nullptr && j < n && k < n;
-        body.R[j][k] = given ? pose.R[k * n + j] : (j == k ? 1.0 : 0.0);
+        R[j][k] = given ? pose.R[k * n + j] : (j == k ? 1.0 : 0.0);
       }
+      body.row[j] = {R[j][0], R[j][1], R[j][2]};
       if (pose.t != nullptr && j < n) t[i][j] = pose.t[j];
     }
+    for (int k = 0; k < 3; ++k) body.column[k] = {R[0][k], R[1][k], R[2][k]};
     body.defect = pose.defect;
     body.ball = body.shape->radius * (1 - pose.defect) * (1 - 0x1p-50);
     size += body.shape->extent + body.shape->radius;
@@ -137,35 +140,27 @@ bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
   return true;
 }
 
-PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) {
-  PreciseVector3 y;
-  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
-  for (int j = 0; j < 3; ++j) *out[j] = x.x * body.R[j][0] + x.y * body.R[j][1] + x.z * body.R[j][2];
-  return y;
+namespace {
+
+// R x for the rows of R, or Rᵀx for its columns.
+template <class Vector>
+PreciseVector3 product(const Vector3* rows, const Vector& x) {
+  const auto row = [&](const Vector3& r) {
+    return loose_sum(loose_product(x.x, r.x), loose_product(x.y, r.y), loose_product(x.z, r.z));
+  };
+  return {row(rows[0]), row(rows[1]), row(rows[2])};
 }
 
-PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) {
-  PreciseVector3 y;
-  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
-  for (int j = 0; j < 3; ++j) {
-    *out[j] =
-        two_product(body.R[j][0], x.x) + two_product(body.R[j][1], x.y) + two_product(body.R[j][2], x.z);
-  }
-  return y;
-}
+}  // namespace
+
+PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) { return product(body.row, x); }
+
+PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) { return product(body.row, x); }
 
 PreciseVector3 PrecisePair::turn_back(const Body& body, const PreciseVector3& u) {
-  PreciseVector3 v;
-  DoubleDouble* out[3] = {&v.x, &v.y, &v.z};
-  if (u.x.low == 0 && u.y.low == 0 && u.z.low == 0) {
-    for (int k = 0; k < 3; ++k) {
-      *out[k] = two_product(u.x.high, body.R[0][k]) + two_product(u.y.high, body.R[1][k]) +
-                two_product(u.z.high, body.R[2][k]);
-    }
-    return v;
-  }
-  for (int k = 0; k < 3; ++k) *out[k] = u.x * body.R[0][k] + u.y * body.R[1][k] + u.z * body.R[2][k];
-  return v;
+  if (u.x.low == 0 && u.y.low == 0 && u.z.low == 0)
+    return product(body.column, Vector3{u.x.high, u.y.high, u.z.high});
+  return product(body.column, u);
 }
 
 // Of the points that a table lists for v, which holds the highest of all; as below.
@@ -180,7 +175,7 @@ std::int32_t PrecisePair::highest_of(const SpatialShape& shape, std::span<const 
   for (const std::int32_t i : listed) {
     const Vector3 point = shape.table->point(i);
     if (!(dot(w, point) >= top - 4 * kHeightError * size)) continue;
-    const DoubleDouble other = dot(v, precise(point));
+    const DoubleDouble other = dot(v, point);
     if (best >= 0 && !(other > height)) continue;
     height = other;
     best = i;
@@ -202,7 +197,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   const double size = (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
   const double floor = top - 4 * kHeightError * size;
   auto best = static_cast<std::int32_t>(std::min(index, shape.size - 1));
-  DoubleDouble height = dot(v, precise(vertex_of(shape, best)));
+  DoubleDouble height = dot(v, vertex_of(shape, best));
   const double third = n == 3 ? w.z : 0.0;
   for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
     const double* p = shape.blocks + block * n * kLanes;
@@ -215,7 +210,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
     for (int lane = 0; above > 0 && lane < kLanes; ++lane) {
       const std::ptrdiff_t candidate = block * kLanes + lane;
       if (!(value[lane] >= floor) || candidate == best || candidate >= shape.size) continue;
-      const DoubleDouble other = dot(v, precise(vertex_of(shape, static_cast<std::int32_t>(candidate))));
+      const DoubleDouble other = dot(v, vertex_of(shape, static_cast<std::int32_t>(candidate)));
       if (!(other > height)) continue;
       height = other;
       best = static_cast<std::int32_t>(candidate);
@@ -239,7 +234,7 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       return view.height(shape, v, index);
     }
     case Kind::segment:
-      index = dot(v, precise(shape.top)) >= dot(v, precise(shape.base)) ? 0 : 1;
+      index = dot(v, shape.top) >= dot(v, shape.base) ? 0 : 1;
       break;
     case Kind::box:
       index = (v.x.high < 0 ? 1 : 0) | (v.y.high < 0 ? 2 : 0) | (v.z.high < 0 ? 4 : 0);
@@ -251,27 +246,36 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       index = 0;
       break;
   }
-  if (index >= 0) x = precise(vertex_of(shape, index));
-  const DoubleDouble height = dot(v, x);
+  DoubleDouble height;
+  if (index >= 0) {
+    const Vector3 vertex = vertex_of(shape, index);
+    x = precise(vertex);
+    height = dot(v, vertex);
+  } else {
+    height = dot(v, x);
+  }
   if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
   return height;
 }
 
 RAYGAUGE_FUSED void PrecisePair::place(PrecisePoint& point) const {
-  point.s = (point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1)) -
-            (point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)) + apart_;
+  point.s =
+      sum_of(point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1),
+             -(point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)), apart_);
 }
 
-RAYGAUGE_FUSED PrecisePoint PrecisePair::support_parts(const PreciseVector3& u, DoubleDouble& height) {
-  PrecisePoint point;
+RAYGAUGE_FUSED DoubleDouble PrecisePair::support_parts(const PreciseVector3& u, PrecisePoint& point) {
+  point.index_1 = point.index_2 = PrecisePoint::kSmooth;
   ball_height_ = {};
-  height = support_of(0, turn_back(body_[0], u), point.x1, point.index_1) +
-           support_of(1, turn_back(body_[1], -u), point.x2, point.index_2) + dot(u, apart_) + ball_height_;
-  return point;
+  const DoubleDouble of_cores =
+      loose_sum(support_of(0, turn_back(body_[0], u), point.x1, point.index_1),
+                support_of(1, turn_back(body_[1], -u), point.x2, point.index_2), dot(u, apart_));
+  return body_[0].ball + body_[1].ball > 0 ? of_cores + ball_height_ : of_cores;
 }
 
 PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
-  PrecisePoint point = support_parts(u, height);
+  PrecisePoint point;
+  height = support_parts(u, point);
   place(point);
   return point;
 }
@@ -463,7 +467,10 @@ void PrecisePair::add_axes(const Body& body, PreciseVector3* M) {
     const Matrix3 spread = spread_of(shape);
     for (int j = 0; j < 3; ++j) {
       const PreciseVector3 column = turn(body, spread.column[j]);
-      for (int k = 0; k < 3; ++k) M[k] = M[k] + column * DoubleDouble{body.R[k][j]};
+      const Vector3& own = body.column[j];
+      M[0] = M[0] + column * DoubleDouble{own.x};
+      M[1] = M[1] + column * DoubleDouble{own.y};
+      M[2] = M[2] + column * DoubleDouble{own.z};
     }
   } else if (shape.kind != Kind::point) {
     add((shape.top - shape.base) * 0.5);

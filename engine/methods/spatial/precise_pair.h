@@ -6,15 +6,10 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/spatial_distance.h"
-#include "engine/numerics/double_double.h"
+#include "engine/numerics/precise_vector.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {
-
-using PreciseVector3 = BasicVector3<DoubleDouble>;
-
-inline PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
-inline Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
 
 /// A point of the difference of two cores, in the frame of the world.
 struct PrecisePoint {
@@ -36,8 +31,8 @@ class PrecisePair {
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
 
-  /// The same, but s is left to place().
-  PrecisePoint support_parts(const PreciseVector3& u, DoubleDouble& height);
+  /// The same, but s is left to place(): h(u), and the parts of the point.
+  DoubleDouble support_parts(const PreciseVector3& u, PrecisePoint& point);
 
   /// s of x1 and x2; vertices are doubles.
   void place(PrecisePoint& point) const;
@@ -91,8 +86,8 @@ class PrecisePair {
  private:
   struct Body {
     const SpatialShape* shape = nullptr;
-    double R[3][3];
-    double ball = 0;  // the radius of a ball inside the image of the shape's ball
+    Vector3 row[3], column[3];  // of the rotation
+    double ball = 0;            // the radius of a ball inside the image of the shape's ball
     double defect = 0;
   };
 
