@@ -24,7 +24,7 @@ constexpr double kUnitSquare = 0x1p-50;     // how far from 1 the square of a un
 // find it at once; not of many points, whose passes in that arithmetic take longer.
 bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
   constexpr double kThin = 1e-4;
-  constexpr std::ptrdiff_t kMostPoints = 500;
+  constexpr std::ptrdiff_t kMostPoints = 100;
   constexpr auto kEllipsoid = SpatialShape::Kind::ellipsoid;
   return points <= kMostPoints && (pair.shape(0).kind == kEllipsoid || pair.shape(1).kind == kEllipsoid) &&
          pair.inner_radius() < kThin * (pair.shape(0).extent + pair.shape(1).extent);
