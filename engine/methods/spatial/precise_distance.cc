@@ -382,7 +382,7 @@ bool PreciseDescent::projection_steps(const SpatialPair& pair) {
     now_.weight[0] = 1;
     now_.count = 1;
     const PreciseVector3 u = point.s * DoubleDouble{-1 / size};
-    const DoubleDouble height = precise_.support_parts(u, now_.point[1]);
+    const DoubleDouble height = precise_.height(u);
     bound_from_above(precise_.length_beyond_balls(point.s, u));
     bound_from_below(u, height);
     if (is_closed()) return true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/precise_curves.h"
 #include "engine/methods/spatial/precise_projection.h"
 #include "engine/numerics/fused.h"
 #include "raygauge/sets/direction_table.h"
@@ -18,10 +19,6 @@ constexpr int kLanes = 8;                             // of PointSet's blocks
 constexpr double kSmallest = 1e-30, kLargest = 1e30;  // of sizes whose products can be split in two
 constexpr double kError = 0x1p-88;
 constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
-
-PreciseVector3 unit(const PreciseVector3& v, const DoubleDouble& length) {
-  return v * (DoubleDouble{1} / length);
-}
 
 // Of the core, where it stands in its own frame.
 Vector3 vertex_of(const SpatialShape& shape, std::int32_t index) {
@@ -57,53 +54,6 @@ bool has_vertex(const SpatialShape& shape, std::int32_t index) {
 
 bool is_curved_core(const SpatialShape& shape) {
   return shape.kind == Kind::ellipsoid || shape.kind == Kind::frustum;
-}
-
-// A direction v as the rims of a frustum see it: v·axis, |v_⊥| and v_⊥/|v_⊥|, zero for v along the axis.
-struct RimView {
-  DoubleDouble along, across;
-  PreciseVector3 w;
-  bool near_axis = false;  // rims are as good as flat: points on them are kept
-
-  RimView(const SpatialShape& shape, const PreciseVector3& v) {
-    const PreciseVector3 axis = precise(shape.top) - precise(shape.base);
-    const DoubleDouble share = DoubleDouble{1} / dot(axis, axis);
-    const double size = length(rounded(v));
-    along = dot(v, axis);
-    w = v - axis * (along * share);
-    constexpr double kCancelled = 0.1;  // |v_⊥|/|v| below which the projection is repeated
-    if (!(length(rounded(w)) > kCancelled * size)) w = w - axis * (dot(w, axis) * share);
-    across = sqrt(dot(w, w));
-    constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
-    w = across.high > kAlongAxis * size ? unit(w, across) : PreciseVector3{};
-    constexpr double kNearAxis = 1e-5;
-    near_axis = !(across.high > kNearAxis * size);
-  }
-
-  std::int32_t highest(const SpatialShape& shape) const {
-    const DoubleDouble rise = along + across * two_sum(shape.top_radius, -shape.base_radius);
-    return rise.high > 0 ? SpatialPoint::kTop : SpatialPoint::kBase;
-  }
-
-  PreciseVector3 point(const SpatialShape& shape, std::int32_t index) const {
-    return index == SpatialPoint::kTop ? precise(shape.top) + w * DoubleDouble{shape.top_radius}
-                                       : precise(shape.base) + w * DoubleDouble{shape.base_radius};
-  }
-
-  DoubleDouble height(const SpatialShape& shape, const PreciseVector3& v, std::int32_t index) const {
-    return index == SpatialPoint::kTop ? dot(v, shape.top) + across * shape.top_radius
-                                       : dot(v, shape.base) + across * shape.base_radius;
-  }
-};
-
-PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3& v) {
-  const PreciseVector3 column[3] = {precise(shape.axis.column[0]), precise(shape.axis.column[1]),
-                                    precise(shape.axis.column[2])};
-  const PreciseVector3 z{dot(column[0], v), dot(column[1], v), dot(column[2], v)};
-  const DoubleDouble size = sqrt(dot(z, z));
-  if (!(size.high > 0)) return precise(shape.center);
-  const PreciseVector3 on_ball = unit(z, size);
-  return precise(shape.center) + column[0] * on_ball.x + column[1] * on_ball.y + column[2] * on_ball.z;
 }
 
 }  // namespace
@@ -219,18 +169,18 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   return best;
 }
 
-// h(v) of the core in its own frame.
-DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index) {
+// h(v) of the core in its own frame; its point where x is asked for.
+DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index) {
   const SpatialShape& shape = *body_[i].shape;
   ++queries_;
+  if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
   switch (shape.kind) {
     case Kind::ellipsoid:
-      x = ellipsoid_support(shape, v);
-      break;
+      return ellipsoid_support(shape, v, x);
     case Kind::frustum: {
       const RimView view(shape, v);
       index = view.highest(shape);
-      x = view.point(shape, index);
+      if (x != nullptr) *x = view.point(shape, index);
       return view.height(shape, v, index);
     }
     case Kind::segment:
@@ -246,16 +196,9 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       index = 0;
       break;
   }
-  DoubleDouble height;
-  if (index >= 0) {
-    const Vector3 vertex = vertex_of(shape, index);
-    x = precise(vertex);
-    height = dot(v, vertex);
-  } else {
-    height = dot(v, x);
-  }
-  if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
-  return height;
+  const Vector3 vertex = vertex_of(shape, index);
+  if (x != nullptr) *x = precise(vertex);
+  return dot(v, vertex);
 }
 
 RAYGAUGE_FUSED void PrecisePair::place(PrecisePoint& point) const {
@@ -264,13 +207,24 @@ RAYGAUGE_FUSED void PrecisePair::place(PrecisePoint& point) const {
              -(point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)), apart_);
 }
 
-RAYGAUGE_FUSED DoubleDouble PrecisePair::support_parts(const PreciseVector3& u, PrecisePoint& point) {
-  point.index_1 = point.index_2 = PrecisePoint::kSmooth;
+DoubleDouble PrecisePair::height_of(const PreciseVector3& u, PrecisePoint* point) {
+  std::int32_t index_1 = PrecisePoint::kSmooth, index_2 = PrecisePoint::kSmooth;
   ball_height_ = {};
   const DoubleDouble of_cores =
-      loose_sum(support_of(0, turn_back(body_[0], u), point.x1, point.index_1),
-                support_of(1, turn_back(body_[1], -u), point.x2, point.index_2), dot(u, apart_));
+      loose_sum(support_of(0, turn_back(body_[0], u), point == nullptr ? nullptr : &point->x1, index_1),
+                support_of(1, turn_back(body_[1], -u), point == nullptr ? nullptr : &point->x2, index_2),
+                dot(u, apart_));
+  if (point != nullptr) {
+    point->index_1 = index_1;
+    point->index_2 = index_2;
+  }
   return body_[0].ball + body_[1].ball > 0 ? of_cores + ball_height_ : of_cores;
+}
+
+RAYGAUGE_FUSED DoubleDouble PrecisePair::height(const PreciseVector3& u) { return height_of(u, nullptr); }
+
+RAYGAUGE_FUSED DoubleDouble PrecisePair::support_parts(const PreciseVector3& u, PrecisePoint& point) {
+  return height_of(u, &point);
 }
 
 PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
@@ -304,7 +258,7 @@ RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& p
     }
     const PreciseVector3 v = turn_back(body_[i], i == 0 ? u : -u);
     if (shape.kind == Kind::ellipsoid) {
-      x[i] = ellipsoid_support(shape, v);
+      ellipsoid_support(shape, v, &x[i]);
     } else {
       const RimView view(shape, v);
       if (view.near_axis) return false;

@@ -34,6 +34,9 @@ class PrecisePair {
   /// The same, but s is left to place(): h(u), and the parts of the point.
   DoubleDouble support_parts(const PreciseVector3& u, PrecisePoint& point);
 
+  /// h(u) alone.
+  DoubleDouble height(const PreciseVector3& u);
+
   /// s of x1 and x2; vertices are doubles.
   void place(PrecisePoint& point) const;
 
@@ -94,7 +97,8 @@ class PrecisePair {
   static PreciseVector3 turn(const Body& body, const PreciseVector3& x);
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
-  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
+  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index);
+  DoubleDouble height_of(const PreciseVector3& u, PrecisePoint* point);
   static void add_axes(const Body& body, PreciseVector3* M);
   bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
   static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);
