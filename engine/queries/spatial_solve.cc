@@ -108,7 +108,7 @@ void SpatialSolve::step_on_cores(double tolerance) {
     start_.index_1[i] = answer_.combination.point[i].index_1;
     start_.index_2[i] = answer_.combination.point[i].index_2;
   }
-  spatial_distance(pair_, tolerance, start_, {}, answer_);
+  spatial_distance(pair_, tolerance, start_, {.at_rounding = true}, answer_);
   answer_.iterations += iterations;
 }
 

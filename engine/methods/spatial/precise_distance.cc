@@ -37,7 +37,7 @@ class PreciseDescent {
 
  private:
   bool begin_at_vertices();
-  bool overlaps_slightly(SpatialPair& pair) const;
+  bool overlaps_slightly(SpatialPair& pair);
   bool begin_on_curves(const SpatialPair& pair);
   bool step();
   bool step_on_face();
@@ -94,8 +94,9 @@ bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
   return true;
 }
 
-// With the face of the vertices that is around the origin, if they leave so little of a distance.
-bool PreciseDescent::overlaps_slightly(SpatialPair& pair) const {
+// With the face of the vertices that is around the origin, if they leave so little of a distance. Where that
+// proves no overlap, the face that it ends with is where to go on from.
+bool PreciseDescent::overlaps_slightly(SpatialPair& pair) {
   const bool slight = pair.radius() == 0 && answer_.upper <= kSlight * pair.error();
   if (!slight || now_.count != before_.count) return false;
   SpatialCombination face;
@@ -104,6 +105,7 @@ bool PreciseDescent::overlaps_slightly(SpatialPair& pair) const {
   int first = -1;
   for (int i = 0; i < now_.count; ++i) {
     if (!(before_.weight[i] > kLeastWeight)) continue;
+    face.weight[face.count] = before_.weight[i];
     face.point[face.count++] = before_.point[i];
     if (first < 0) {
       first = i;
@@ -112,21 +114,27 @@ bool PreciseDescent::overlaps_slightly(SpatialPair& pair) const {
     v = v + now_.point[i].s * DoubleDouble{before_.weight[i]};
     rest = rest + -before_.weight[i];
   }
-  if (first < 0) return false;
+  if (first < 0 || face.count == 4) return false;
   const Vector3 world = rounded(v + now_.point[first].s * rest);
   const double in_world[3] = {world.x, world.y, world.z};
   const double error = precise_.error() + (4 * pair.pose(0).defect + 0x1p-48) * length(world);
-  return slight_overlap(pair, face, pair.to_body(in_world), error);
+  if (slight_overlap(pair, face, pair.to_body(in_world), error)) {
+    answer_.end = SpatialEnd::intersecting;
+    return true;
+  }
+  if (face.count != before_.count) {
+    answer_.combination = face;
+    now_.count = 0;
+    begin_at_vertices();
+  }
+  return false;
 }
 
 void PreciseDescent::run(SpatialPair& pair) {
   if (before_.count == 1 && projection_steps(pair)) return;
   if (!precise_.is_curved()) {
     if (!begin_at_vertices()) return;
-    if (overlaps_slightly(pair)) {
-      answer_.end = SpatialEnd::intersecting;
-      return;
-    }
+    if (overlaps_slightly(pair)) return;
     if (step_on_face()) return;
     for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
     return;

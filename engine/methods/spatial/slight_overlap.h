@@ -13,7 +13,8 @@ namespace raygauge {
 /// outer normal: in doubles n is off by a small share, and so is n·v, as v is short. The other facets are
 /// farther from the origin than rounding errors.
 ///
-/// False where this proves nothing, as it must for an origin outside.
-bool slight_overlap(SpatialPair& pair, const SpatialCombination& face, const Vector3& v, double v_error);
+/// False where this proves nothing, as it must for an origin outside; `face` then has the vertices, at most
+/// three, from which no other one was clearly nearer to the origin, the added ones with the weight 0.
+bool slight_overlap(SpatialPair& pair, SpatialCombination& face, const Vector3& v, double v_error);
 
 }  // namespace raygauge

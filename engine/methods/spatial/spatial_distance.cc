@@ -49,6 +49,7 @@ class Descent {
         tolerance_(tolerance),
         near_(leave.near * pair.size()),
         very_near_(leave.very_near * pair.size()),
+        hopeless_(leave.at_rounding ? 2 * pair.error() / tolerance : kTouching * pair.error()),
         answer_(answer),
         simplex_(answer.combination) {}
 
@@ -67,6 +68,7 @@ class Descent {
   SpatialPair& pair_;
   double tolerance_;
   double near_, very_near_;  // distances between which it leaves
+  double hopeless_;          // and one of the cores up to which it does
   SpatialAnswer& answer_;
   SpatialCombination& simplex_;
   double best_hope_ = -1e300;
@@ -131,7 +133,7 @@ bool Descent::step(double depth) {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
-  if (simplex_.count == 4 || !(size > kTouching * pair_.error())) return false;
+  if (simplex_.count == 4 || !(size > hopeless_)) return false;
   SpatialPoint& w = simplex_.point[simplex_.count];
   const Vector3 u = direction(v, size);
   pair_.support(u, w);

@@ -54,10 +54,12 @@ inline double lower_bound(const SpatialPair& pair, double along) noexcept {
   return (-along - pair.error()) * kDown - pair.radius() * kUp;
 }
 
-/// Distances in units of the size of a pair: to leave a pair that is known to be nearer than `near`, unless
-/// it is nearer than `very_near`, where hardly a step is left. Never, as they stand.
+/// When to leave a pair to other steps: if it is known to be nearer than `near`, in units of its size, unless
+/// it is nearer than `very_near`, where hardly a step is left; `at_rounding`: where error() alone keeps the
+/// bounds apart. Never, as they stand.
 struct SpatialNearness {
   double near = 0, very_near = 0;
+  bool at_rounding = false;
 };
 
 /// The Euclidean distance of two bodies: that of the origin to D, less the balls of both, by the algorithm of
