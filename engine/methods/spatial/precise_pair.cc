@@ -247,13 +247,18 @@ RAYGAUGE_FUSED double PrecisePair::length_beyond_balls(const PreciseVector3& v,
   return std::sqrt(up * up / square.high + turned_away * turned_away);
 }
 
-RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
+RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point,
+                                        const PrecisePoint* followed) const {
   PreciseVector3 x[2];
   for (int i = 0; i < 2; ++i) {
     const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
     const SpatialShape& shape = *body_[i].shape;
     if (index >= 0) {
       x[i] = precise(vertex_of(shape, index));
+      continue;
+    }
+    if (followed != nullptr && index == (i == 0 ? followed->index_1 : followed->index_2)) {
+      x[i] = i == 0 ? followed->x1 : followed->x2;
       continue;
     }
     const PreciseVector3 v = turn_back(body_[i], i == 0 ? u : -u);

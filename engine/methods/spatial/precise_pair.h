@@ -45,8 +45,9 @@ class PrecisePair {
   double length_beyond_balls(const PreciseVector3& v, const PreciseVector3& u) const;
 
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
-  /// nothing is changed, where u is so near the axis of a rim that this says nothing.
-  bool follow(const PreciseVector3& u, PrecisePoint& point) const;
+  /// nothing is changed, where u is so near the axis of a rim that this says nothing. `followed` is a point
+  /// that has followed u before, or null: it may share a rim.
+  bool follow(const PreciseVector3& u, PrecisePoint& point, const PrecisePoint* followed = nullptr) const;
 
   /// The contact on disc `index` of core i, a frustum: u its normal, pointing from the first body to the
   /// second, the point of the disc below the other body's support point, and h(u). False where that is
