@@ -66,16 +66,13 @@ bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
     Body& body = body_[i];
     const PoseNumbers& pose = pair.pose(i);
     body.shape = &pair.shape(i);
-    double R[3][3];
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) {
         const bool given = pose.R != nullptr && j < n && k < n;
-        R[j][k] = given ? pose.R[k * n + j] : (j == k ? 1.0 : 0.0);
+        body.R[j][k] = given ? pose.R[k * n + j] : (j == k ? 1.0 : 0.0);
       }
-      body.row[j] = {R[j][0], R[j][1], R[j][2]};
       if (pose.t != nullptr && j < n) t[i][j] = pose.t[j];
     }
-    for (int k = 0; k < 3; ++k) body.column[k] = {R[0][k], R[1][k], R[2][k]};
     body.defect = pose.defect;
     body.ball = body.shape->radius * (1 - pose.defect) * (1 - 0x1p-50);
     size += body.shape->extent + body.shape->radius;
@@ -92,25 +89,32 @@ bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
 
 namespace {
 
-// R x for the rows of R, or Rᵀx for its columns.
 template <class Vector>
-PreciseVector3 product(const Vector3* rows, const Vector& x) {
-  const auto row = [&](const Vector3& r) {
-    return loose_sum(loose_product(x.x, r.x), loose_product(x.y, r.y), loose_product(x.z, r.z));
-  };
-  return {row(rows[0]), row(rows[1]), row(rows[2])};
+DoubleDouble product(double x, double y, double z, const Vector& v) {
+  return loose_sum(loose_product(v.x, x), loose_product(v.y, y), loose_product(v.z, z));
+}
+
+template <class Vector>
+PreciseVector3 turned(const double (&R)[3][3], const Vector& v) {
+  return {product(R[0][0], R[0][1], R[0][2], v), product(R[1][0], R[1][1], R[1][2], v),
+          product(R[2][0], R[2][1], R[2][2], v)};
+}
+
+template <class Vector>
+PreciseVector3 turned_back(const double (&R)[3][3], const Vector& v) {
+  return {product(R[0][0], R[1][0], R[2][0], v), product(R[0][1], R[1][1], R[2][1], v),
+          product(R[0][2], R[1][2], R[2][2], v)};
 }
 
 }  // namespace
 
-PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) { return product(body.row, x); }
+PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) { return turned(body.R, x); }
 
-PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) { return product(body.row, x); }
+PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) { return turned(body.R, x); }
 
 PreciseVector3 PrecisePair::turn_back(const Body& body, const PreciseVector3& u) {
-  if (u.x.low == 0 && u.y.low == 0 && u.z.low == 0)
-    return product(body.column, Vector3{u.x.high, u.y.high, u.z.high});
-  return product(body.column, u);
+  const bool is_double = u.x.low == 0 && u.y.low == 0 && u.z.low == 0;
+  return is_double ? turned_back(body.R, rounded(u)) : turned_back(body.R, u);
 }
 
 // Of the points that a table lists for v, which holds the highest of all; as below.
@@ -169,11 +173,21 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   return best;
 }
 
+namespace {
+
+// |v|, mostly nearly 1: there √(1 + ε) is 1 + ε/2 to 2⁻⁹⁹.
+DoubleDouble length_near_one(const PreciseVector3& v) {
+  const DoubleDouble square = dot(v, v), beyond = square + -1.0;
+  return std::fabs(beyond.high) < 0x1p-48 ? ordered_sum(1, 0.5 * beyond.high) : sqrt(square);
+}
+
+}  // namespace
+
 // h(v) of the core in its own frame; its point where x is asked for.
 DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index) {
   const SpatialShape& shape = *body_[i].shape;
   ++queries_;
-  if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
+  if (shape.radius > 0) ball_height_ = ball_height_ + length_near_one(v) * shape.radius;
   switch (shape.kind) {
     case Kind::ellipsoid:
       return ellipsoid_support(shape, v, x);
@@ -426,10 +440,7 @@ void PrecisePair::add_axes(const Body& body, PreciseVector3* M) {
     const Matrix3 spread = spread_of(shape);
     for (int j = 0; j < 3; ++j) {
       const PreciseVector3 column = turn(body, spread.column[j]);
-      const Vector3& own = body.column[j];
-      M[0] = M[0] + column * DoubleDouble{own.x};
-      M[1] = M[1] + column * DoubleDouble{own.y};
-      M[2] = M[2] + column * DoubleDouble{own.z};
+      for (int k = 0; k < 3; ++k) M[k] = M[k] + column * DoubleDouble{body.R[k][j]};
     }
   } else if (shape.kind != Kind::point) {
     add((shape.top - shape.base) * 0.5);

@@ -90,8 +90,8 @@ class PrecisePair {
  private:
   struct Body {
     const SpatialShape* shape = nullptr;
-    Vector3 row[3], column[3];  // of the rotation
-    double ball = 0;            // the radius of a ball inside the image of the shape's ball
+    double R[3][3];
+    double ball = 0;  // the radius of a ball inside the image of the shape's ball
     double defect = 0;
   };
 
