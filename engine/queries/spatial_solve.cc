@@ -15,14 +15,16 @@
 namespace raygauge {
 namespace {
 
-constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
-constexpr double kUnitSquare = 0x1p-50;  // how far from 1 the square of a unit vector may be
+constexpr double kLeastSquare = 1e-200;                                 // of a normal that a start may have
+constexpr SpatialNearness kNearCurved{3e-3, 0}, kNearFlat{2e-2, 1e-6};  // where other steps are faster
+constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal
+constexpr double kUnitSquare = 0x1p-50;     // how far from 1 the square of a unit vector may be
 
 // Needles of an ellipsoid: support points of doubles crowd around the contact, and double-double Newton steps
 // find it at once; not of many points, whose passes in that arithmetic take longer.
 bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
   constexpr double kThin = 1e-4;
-  constexpr std::ptrdiff_t kMostPoints = 500;
+  constexpr std::ptrdiff_t kMostPoints = 100;
   constexpr auto kEllipsoid = SpatialShape::Kind::ellipsoid;
   return points <= kMostPoints && (pair.shape(0).kind == kEllipsoid || pair.shape(1).kind == kEllipsoid) &&
          pair.inner_radius() < kThin * (pair.shape(0).extent + pair.shape(1).extent);
@@ -87,26 +89,50 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
   pair_.point_to_world(a2, point_2);
 }
 
+// Near hulls of many points, without a start: the facet of their difference between the centres is found by
+// fewer support points than the nearest one, and is mostly that one.
+void SpatialSolve::step_on_cores(double tolerance) {
+  const bool may_begin_at_portal = pair_.has_vertices() && pair_.radius() == 0 && points() > kFewPoints &&
+                                   start_.count == 0 && !start_.has_normal;
+  spatial_distance(pair_, tolerance, start_, may_begin_at_portal ? kNearFlat : SpatialNearness{}, answer_);
+  if (!may_begin_at_portal || answer_.end != SpatialEnd::open ||
+      !(answer_.upper > kNearFlat.very_near * pair_.size())) {
+    return;
+  }
+  constexpr double kExact = 1e-15;
+  int iterations = answer_.iterations;
+  spatial_growth(pair_, kExact, std::nan(""), start_, answer_);
+  iterations += answer_.iterations;
+  start_.count = answer_.combination.count;
+  for (int i = 0; i < start_.count; ++i) {
+    start_.index_1[i] = answer_.combination.point[i].index_1;
+    start_.index_2[i] = answer_.combination.point[i].index_2;
+  }
+  spatial_distance(pair_, tolerance, start_, {.at_rounding = true}, answer_);
+  answer_.iterations += iterations;
+}
+
+// Whether the answer is final, after precise steps where it is not in doubles.
+bool SpatialSolve::settle(double tolerance) {
+  if (answer_.end == SpatialEnd::open) precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
+  return answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting;
+}
+
 // Balls and capsules have formulas, which name where to go on in double-double arithmetic. Curved bodies that
 // are near are left to Newton steps; the long way is for what these do not close.
 bool SpatialSolve::find_distance(double tolerance) {
   answer_.combination.count = 0;
   if (closed_form_distance(pair_, tolerance, answer_)) return true;
-  if (answer_.combination.count > 0) {
-    precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
-    if (answer_.end != SpatialEnd::open) return true;
-  }
+  if (answer_.combination.count > 0 && settle(tolerance)) return true;
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
-  for (const bool leave_near : {true, false}) {
-    spatial_distance(pair_, tolerance, start_, newton && leave_near, answer_);
-    if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, answer_);
-    if (answer_.end == SpatialEnd::open) {
-      precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
-    }
-    if (answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting) return true;
-    if (!newton) break;
+  if (newton) {
+    spatial_distance(pair_, tolerance, start_, kNearCurved, answer_);
+    if (answer_.end == SpatialEnd::open) contact_distance(pair_, tolerance, answer_);
+    if (settle(tolerance)) return true;
   }
-  return false;
+  step_on_cores(tolerance);
+  if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, answer_);
+  return settle(tolerance);
 }
 
 bool SpatialSolve::distance(double tolerance, WarmStart* warm) {

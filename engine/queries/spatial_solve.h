@@ -48,6 +48,8 @@ class SpatialSolve {
     return shape.kind == SpatialShape::Kind::points ? shape.size : 0;
   }
   bool find_distance(double tolerance);
+  void step_on_cores(double tolerance);
+  bool settle(double tolerance);
   bool find_growth(bool about_origin, double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);
   void begin_with_normal(const WarmStart* warm);

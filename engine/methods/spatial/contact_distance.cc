@@ -30,6 +30,9 @@ class ContactDescent {
  private:
   void begin();
   void add(const SpatialPoint& point, double weight);
+  bool shares(int k, int i, int body) const;
+  void follow(int i);
+  Matrix3 hessian() const;
   void add_other_rims(const SpatialPoint& point);
   bool try_discs();
   bool try_disc(int i, const Vector3& v);
@@ -64,6 +67,44 @@ void ContactDescent::add(const SpatialPoint& point, double weight) {
   weight_[count_++] = weight;
 }
 
+// Whether pieces k and i have the same point of a core for any normal, or the core is made of vertices.
+bool ContactDescent::shares(int k, int i, int body) const {
+  const auto kind = pair_.shape(body).kind;
+  if (kind != SpatialShape::Kind::frustum && kind != SpatialShape::Kind::ellipsoid) return true;
+  return body == 0 ? piece_[k].index_1 == piece_[i].index_1 : piece_[k].index_2 == piece_[i].index_2;
+}
+
+// Piece i at u_, where those before it are.
+void ContactDescent::follow(int i) {
+  for (int k = 0; k < i; ++k) {
+    if (!shares(k, i, 0) || !shares(k, i, 1)) continue;
+    SpatialPoint& point = piece_[i];
+    if (point.index_1 < 0) point.a1 = piece_[k].a1;
+    if (point.index_2 < 0) point.a2 = piece_[k].a2;
+    point.s = point.a1 - point.a2;
+    return;
+  }
+  pair_.follow(u_, piece_[i]);
+}
+
+// Of the pieces with their weights, once for those that differ in vertices alone.
+Matrix3 ContactDescent::hessian() const {
+  Matrix3 H;
+  double weight[kMostContactPieces];
+  for (int i = 0; i < count_; ++i) {
+    weight[i] = weight_[i];
+    int k = 0;
+    while (k < i && !(shares(k, i, 0) && shares(k, i, 1))) ++k;
+    if (k == i) continue;
+    weight[k] += weight[i];
+    weight[i] = 0;
+  }
+  for (int i = 0; i < count_; ++i) {
+    if (weight[i] > 0) pair_.add_hessian(u_, piece_[i], weight[i], H);
+  }
+  return H;
+}
+
 // The pieces that differ from `point` in one rim.
 void ContactDescent::add_other_rims(const SpatialPoint& point) {
   constexpr std::int32_t kBoth = SpatialPoint::kBase + SpatialPoint::kTop;
@@ -71,8 +112,9 @@ void ContactDescent::add_other_rims(const SpatialPoint& point) {
     if (pair_.shape(i).kind != SpatialShape::Kind::frustum) continue;
     SpatialPoint other = point;
     (i == 0 ? other.index_1 : other.index_2) = kBoth - (i == 0 ? point.index_1 : point.index_2);
-    pair_.follow(u_, other);
+    const int known = count_;
     add(other, 0);
+    if (count_ > known) follow(known);
   }
 }
 
@@ -174,7 +216,7 @@ bool ContactDescent::look(double& height) {
     lowest_ = height;
     lowest_u_ = u_;
   }
-  for (int i = 0; i < count_; ++i) pair_.follow(u_, piece_[i]);
+  for (int i = 0; i < count_; ++i) follow(i);
   add(w, count_ == 0 ? 1 : 0);
   add_other_rims(w);
   return true;
@@ -184,10 +226,7 @@ bool ContactDescent::look(double& height) {
 bool ContactDescent::step() {
   double height = 0;
   if (!look(height)) return false;
-  Matrix3 H;
-  for (int i = 0; i < count_; ++i) {
-    if (weight_[i] > 0) pair_.add_hessian(u_, piece_[i], weight_[i], H);
-  }
+  const Matrix3 H = hessian();
   const double size = H.column[0].x + H.column[1].y + H.column[2].z;
   const TangentMetric metric(u_, H,
                              std::fabs(height) + kDamping * last_step_ * last_step_ * size + pair_.error());

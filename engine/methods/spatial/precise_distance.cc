@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
 #include "engine/methods/spatial/precise_pieces.h"
+#include "engine/methods/spatial/slight_overlap.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -17,7 +19,10 @@ constexpr int kMostCurvedIterations = 10;  // Newton steps: they end soon or not
 constexpr int kMostProjections = 3;
 constexpr double kDamping = 1e-2;  // of the last of them
 constexpr double kLongestStep = 0.5;
-constexpr double kSmallStep = 1e-12;  // what Newton steps on overlapping cores have to gain
+constexpr double kSlight = 8;            // error() of doubles: a distance that may be an overlap
+constexpr double kLeastWeight = 1e-10;   // of a vertex that is one of the face around the origin
+constexpr double kSmallStep = 1e-12;     // what Newton steps on overlapping cores have to gain
+constexpr double kLargestScale = 1e280;  // of a normal that is not zero
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
 
 bool is_zero(const PreciseVector3& v) { return v.x.high == 0 && v.y.high == 0 && v.z.high == 0; }
@@ -27,15 +32,22 @@ class PreciseDescent {
   PreciseDescent(PrecisePair& precise, double tolerance, SpatialAnswer& answer)
       : precise_(precise), tolerance_(tolerance), answer_(answer), before_(answer.combination) {}
 
-  void run(const SpatialPair& pair);
+  void run(SpatialPair& pair);
   void record(const SpatialPair& pair);
 
  private:
   bool begin_at_vertices();
+  bool overlaps_slightly(SpatialPair& pair);
   bool begin_on_curves(const SpatialPair& pair);
   bool step();
+  bool step_on_face();
+  void begin_opposite_longest_edge();
+  bool nearest_on_face(PreciseVector3* edge, PreciseVector3& v);
+  bool closes_on_pieces();
+  bool look(const PreciseVector3& v, const PreciseVector3& u);
   bool disc_step();
   bool projection_steps(const SpatialPair& pair);
+  bool gather();
   bool curved_step(const SpatialPair& pair);
   bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
   SimplexFace<DoubleDouble> reduce();
@@ -51,12 +63,13 @@ class PreciseDescent {
   PrecisePair& precise_;
   double tolerance_;
   SpatialAnswer& answer_;
-  const SpatialCombination before_;
-  PrecisePieces now_, best_;  // best_ proves the upper bound
+  const SpatialCombination& before_;  // as doubles left it, until record()
+  PrecisePieces now_;                 // proves the upper bound
   PreciseVector3 normal_;
   PreciseVector3 u_;  // of steps on curved cores
   double last_step_ = 0;
-  bool within_ = false;  // the cores overlap at u_, if not proven yet
+  bool bounded_ = false;  // from above, by now_
+  bool within_ = false;   // the cores overlap at u_, if not proven yet
 };
 
 bool PreciseDescent::begin_at_vertices() {
@@ -81,10 +94,48 @@ bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
   return true;
 }
 
-void PreciseDescent::run(const SpatialPair& pair) {
+// With the face of the vertices that is around the origin, if they leave so little of a distance. Where that
+// proves no overlap, the face that it ends with is where to go on from.
+bool PreciseDescent::overlaps_slightly(SpatialPair& pair) {
+  const bool slight = pair.radius() == 0 && answer_.upper <= kSlight * pair.error();
+  if (!slight || now_.count != before_.count) return false;
+  SpatialCombination face;
+  PreciseVector3 v;
+  DoubleDouble rest{1};  // weights that add up to 1
+  int first = -1;
+  for (int i = 0; i < now_.count; ++i) {
+    if (!(before_.weight[i] > kLeastWeight)) continue;
+    face.weight[face.count] = before_.weight[i];
+    face.point[face.count++] = before_.point[i];
+    if (first < 0) {
+      first = i;
+      continue;
+    }
+    v = v + now_.point[i].s * DoubleDouble{before_.weight[i]};
+    rest = rest + -before_.weight[i];
+  }
+  if (first < 0 || face.count == 4) return false;
+  const Vector3 world = rounded(v + now_.point[first].s * rest);
+  const double in_world[3] = {world.x, world.y, world.z};
+  const double error = precise_.error() + (4 * pair.pose(0).defect + 0x1p-48) * length(world);
+  if (slight_overlap(pair, face, pair.to_body(in_world), error)) {
+    answer_.end = SpatialEnd::intersecting;
+    return true;
+  }
+  if (face.count != before_.count) {
+    answer_.combination = face;
+    now_.count = 0;
+    begin_at_vertices();
+  }
+  return false;
+}
+
+void PreciseDescent::run(SpatialPair& pair) {
   if (before_.count == 1 && projection_steps(pair)) return;
   if (!precise_.is_curved()) {
     if (!begin_at_vertices()) return;
+    if (overlaps_slightly(pair)) return;
+    if (step_on_face()) return;
     for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
     return;
   }
@@ -174,14 +225,8 @@ PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
 
 // By the length of a vector of D that the combination has.
 void PreciseDescent::bound_from_above(double length) {
-  const double upper = (length + precise_.error()) * kUp;
-  if (!(upper < answer_.upper) && best_.count > 0) return;
-  answer_.upper = upper;
-  best_.count = now_.count;
-  for (int i = 0; i < now_.count; ++i) {
-    best_.point[i] = now_.point[i];
-    best_.weight[i] = now_.weight[i];
-  }
+  answer_.upper = (length + precise_.error()) * kUp;
+  bounded_ = true;
 }
 
 void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDouble& height) {
@@ -191,6 +236,20 @@ void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDoubl
   answer_.lower = lower;
   answer_.normal = {u.x.high, u.y.high, u.z.high};
   normal_ = u;
+}
+
+// The bounds of v, a point of the simplex, and of u; the support point for u joins the simplex. False where
+// the solve is done or that one is known.
+bool PreciseDescent::look(const PreciseVector3& v, const PreciseVector3& u) {
+  PrecisePoint& w = now_.point[now_.count];
+  const DoubleDouble height = precise_.support_parts(u, w);
+  bound_from_above(precise_.length_beyond_balls(v, u));
+  bound_from_below(u, height);
+  if (is_closed()) return false;
+  precise_.place(w);
+  if (holds(w)) return false;
+  ++now_.count;
+  return true;
 }
 
 RAYGAUGE_FUSED bool PreciseDescent::step() {
@@ -206,15 +265,79 @@ RAYGAUGE_FUSED bool PreciseDescent::step() {
     bound_from_above(length(rounded(precise_.through_balls(v))));
     return false;
   }
-  DoubleDouble height;
-  PrecisePoint w = precise_.support_parts(u, height);
-  bound_from_above(precise_.length_beyond_balls(v, u));
-  bound_from_below(u, height);
-  if (is_closed()) return false;
-  precise_.place(w);
-  if (holds(w)) return false;
-  now_.point[now_.count++] = w;
-  return true;
+  return look(v, u);
+}
+
+// The two shorter edges of a triangle meet there, where their cross product loses least.
+void PreciseDescent::begin_opposite_longest_edge() {
+  const auto square = [&](int i, int k) {
+    const Vector3 e = before_.point[i].s - before_.point[k].s;
+    return dot(e, e);
+  };
+  const double of_0 = square(1, 2), of_1 = square(0, 2), of_2 = square(0, 1);
+  const int first = of_0 >= of_1 && of_0 >= of_2 ? 0 : of_1 >= of_2 ? 1 : 2;
+  if (first == 0) return;
+  std::swap(now_.point[0], now_.point[first]);
+  std::swap(now_.weight[0], now_.weight[first]);
+}
+
+// v = s_0 + Σ c_i e_i with the weights of doubles, brought nearer to the origin by Δ = -(EᵀE)⁻¹Eᵀv: that Δ
+// need not be precise, as an error of δ in v across the way to the origin adds δ²/2|v| to that. False where
+// the nearest point of the face's plane is not in the face.
+bool PreciseDescent::nearest_on_face(PreciseVector3* edge, PreciseVector3& v) {
+  const int edges = now_.count - 1;
+  double g[2][2] = {{1, 0}, {0, 1}}, r[2] = {0, 0};
+  v = now_.point[0].s;
+  if (edges == 0) return true;
+  for (int i = 0; i < edges; ++i) {
+    edge[i] = now_.point[i + 1].s - now_.point[0].s;
+    v = v + edge[i] * DoubleDouble{now_.weight[i + 1]};
+  }
+  for (int i = 0; i < edges; ++i) {
+    r[i] = dot(rounded(v), rounded(edge[i]));
+    for (int k = 0; k < edges; ++k) g[i][k] = dot(rounded(edge[i]), rounded(edge[k]));
+  }
+  const double determinant = g[0][0] * g[1][1] - g[0][1] * g[1][0];
+  if (!(determinant > 0)) return false;
+  const double change[2] = {(g[0][1] * r[1] - g[1][1] * r[0]) / determinant,
+                            (g[1][0] * r[0] - g[0][0] * r[1]) / determinant};
+  double rest = 1 - 0x1p-50;
+  for (int i = 0; i < edges; ++i) {
+    v = v + edge[i] * DoubleDouble{change[i]};
+    now_.weight[i + 1] += change[i];
+    rest -= now_.weight[i + 1];
+    if (!(now_.weight[i + 1] >= 0)) return false;
+  }
+  now_.weight[0] = rest;
+  return rest >= 0;
+}
+
+// The first step, if the face of before is the nearest one: without nearest_face. True where the solve is
+// done.
+RAYGAUGE_FUSED bool PreciseDescent::step_on_face() {
+  if (now_.count > 3 || now_.count != before_.count) return false;
+  for (int i = 0; i < now_.count; ++i) now_.weight[i] = before_.weight[i];
+  if (now_.count == 3) begin_opposite_longest_edge();
+  PreciseVector3 edge[2], v;
+  if (!nearest_on_face(edge, v)) return false;
+  const double size = length(rounded(v));
+  if (precise_.balls_meet(size * kUp)) {
+    answer_.end = SpatialEnd::intersecting;
+    return true;
+  }
+  if (!(size > precise_.error())) return false;
+  PreciseVector3 u = v * DoubleDouble{-1 / size};
+  if (now_.count == 1) {
+    u = precise(rounded(u));
+  } else if (now_.count == 2) {
+    u = u - edge[0] * DoubleDouble{dot(u, edge[0]).high / dot(rounded(edge[0]), rounded(edge[0]))};
+  } else {
+    u = cross(edge[0], edge[1]);
+    const double scale = 1 / length(rounded(u));
+    if (!(scale < kLargestScale)) return false;
+    u = u * DoubleDouble{dot(u, v).high > 0 ? -scale : scale};
+  }
+  return !look(v, u);
 }
 
 bool PreciseDescent::is_closed() {
@@ -267,8 +390,7 @@ bool PreciseDescent::projection_steps(const SpatialPair& pair) {
     now_.weight[0] = 1;
     now_.count = 1;
     const PreciseVector3 u = point.s * DoubleDouble{-1 / size};
-    DoubleDouble height;
-    precise_.support_parts(u, height);
+    const DoubleDouble height = precise_.height(u);
     bound_from_above(precise_.length_beyond_balls(point.s, u));
     bound_from_below(u, height);
     if (is_closed()) return true;
@@ -278,13 +400,39 @@ bool PreciseDescent::projection_steps(const SpatialPair& pair) {
   return false;
 }
 
-// A step of contact_distance, whose pieces are all that is left of the bodies.
-RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
+// The pieces at u_, and what joins them there; at first those that doubles found do, as the lower bound of
+// their normal is too coarse. False where the bounds meet.
+bool PreciseDescent::gather() {
+  if (!bounded_ && now_.count > 0) {
+    now_.follow(precise_, u_, nullptr);
+    if (now_.count > 0) return true;
+  }
   DoubleDouble height;
   const PrecisePoint w = precise_.support(u_, height);
   bound_from_below(u_, height);
-  now_.follow(precise_, u_, w);
-  const double height_of_cores = std::fabs(dot(rounded(u_), rounded(w.s)));
+  if (bounded_ && is_closed()) return false;
+  now_.follow(precise_, u_, &w);
+  return true;
+}
+
+// With the weights of the step before.
+bool PreciseDescent::closes_on_pieces() {
+  if (!bounded_ || now_.count > 3) return false;
+  double before[4];
+  std::copy_n(now_.weight, 4, before);
+  PreciseVector3 edge[2], v;
+  if (nearest_on_face(edge, v)) {
+    bound_from_above(length(rounded(precise_.through_balls(v))));
+    if (is_closed()) return true;
+  }
+  std::copy_n(before, 4, now_.weight);
+  return false;
+}
+
+// A step of contact_distance, whose pieces are all that is left of the bodies.
+RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
+  if (!gather() || closes_on_pieces()) return false;
+  const double height_of_cores = std::fabs(dot(rounded(u_), rounded(now_.point[0].s)));
   const TangentMetric M =
       now_.metric(pair, u_, height_of_cores + precise_.error(), kDamping * last_step_ * last_step_);
   const PreciseVector3 tangent[2] = {precise(M.tangent[0]), precise(M.tangent[1])};
@@ -311,15 +459,15 @@ RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
 // The closest points and the normal, in the frame of the first body.
 void PreciseDescent::record(const SpatialPair& pair) {
   SpatialCombination& combination = answer_.combination;
-  combination.count = best_.count;
-  for (int i = 0; i < best_.count; ++i) {
+  combination.count = answer_.end == SpatialEnd::closed ? now_.count : 0;
+  for (int i = 0; i < combination.count; ++i) {
     SpatialPoint& point = combination.point[i];
-    point.a1 = rounded(best_.point[i].x1);
-    point.a2 = pair.from_second(rounded(best_.point[i].x2));
+    point.a1 = rounded(now_.point[i].x1);
+    point.a2 = pair.from_second(rounded(now_.point[i].x2));
     point.s = point.a1 - point.a2;
-    point.index_1 = std::max(best_.point[i].index_1, PrecisePoint::kSmooth);
-    point.index_2 = std::max(best_.point[i].index_2, PrecisePoint::kSmooth);
-    combination.weight[i] = best_.weight[i];
+    point.index_1 = std::max(now_.point[i].index_1, PrecisePoint::kSmooth);
+    point.index_2 = std::max(now_.point[i].index_2, PrecisePoint::kSmooth);
+    combination.weight[i] = now_.weight[i];
   }
   const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
   answer_.normal = pair.to_body(normal);
@@ -327,8 +475,7 @@ void PreciseDescent::record(const SpatialPair& pair) {
 
 }  // namespace
 
-void precise_distance(const SpatialPair& pair, const Kernels& kernels, double tolerance,
-                      SpatialAnswer& answer) {
+void precise_distance(SpatialPair& pair, const Kernels& kernels, double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
   if (!precise.bind(pair, kernels)) return;
   const double lower = answer.lower;

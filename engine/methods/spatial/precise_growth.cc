@@ -199,7 +199,7 @@ bool PreciseGrowth::look(DoubleDouble& ratio) {
     pair_.follow(u_, w);
   }
   beyond_cores_ = p_ + pair_.ball_points(u_);
-  pieces_.follow(pair_, u_, w);
+  pieces_.follow(pair_, u_, &w);
   return ratio.high > 0 && longest_ > kShortest;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/precise_curves.h"
 #include "engine/methods/spatial/precise_projection.h"
 #include "engine/numerics/fused.h"
 #include "raygauge/sets/direction_table.h"
@@ -18,10 +19,6 @@ constexpr int kLanes = 8;                             // of PointSet's blocks
 constexpr double kSmallest = 1e-30, kLargest = 1e30;  // of sizes whose products can be split in two
 constexpr double kError = 0x1p-88;
 constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
-
-PreciseVector3 unit(const PreciseVector3& v, const DoubleDouble& length) {
-  return v * (DoubleDouble{1} / length);
-}
 
 // Of the core, where it stands in its own frame.
 Vector3 vertex_of(const SpatialShape& shape, std::int32_t index) {
@@ -59,53 +56,6 @@ bool is_curved_core(const SpatialShape& shape) {
   return shape.kind == Kind::ellipsoid || shape.kind == Kind::frustum;
 }
 
-// A direction v as the rims of a frustum see it: v·axis, |v_⊥| and v_⊥/|v_⊥|, zero for v along the axis.
-struct RimView {
-  DoubleDouble along, across;
-  PreciseVector3 w;
-  bool near_axis = false;  // rims are as good as flat: points on them are kept
-
-  RimView(const SpatialShape& shape, const PreciseVector3& v) {
-    const PreciseVector3 axis = precise(shape.top) - precise(shape.base);
-    const DoubleDouble share = DoubleDouble{1} / dot(axis, axis);
-    const double size = length(rounded(v));
-    along = dot(v, axis);
-    w = v - axis * (along * share);
-    constexpr double kCancelled = 0.1;  // |v_⊥|/|v| below which the projection is repeated
-    if (!(length(rounded(w)) > kCancelled * size)) w = w - axis * (dot(w, axis) * share);
-    across = sqrt(dot(w, w));
-    constexpr double kAlongAxis = 1e-28;  // |v_⊥|/|v| that is nothing but rounding
-    w = across.high > kAlongAxis * size ? unit(w, across) : PreciseVector3{};
-    constexpr double kNearAxis = 1e-5;
-    near_axis = !(across.high > kNearAxis * size);
-  }
-
-  std::int32_t highest(const SpatialShape& shape) const {
-    const DoubleDouble rise = along + across * two_sum(shape.top_radius, -shape.base_radius);
-    return rise.high > 0 ? SpatialPoint::kTop : SpatialPoint::kBase;
-  }
-
-  PreciseVector3 point(const SpatialShape& shape, std::int32_t index) const {
-    return index == SpatialPoint::kTop ? precise(shape.top) + w * DoubleDouble{shape.top_radius}
-                                       : precise(shape.base) + w * DoubleDouble{shape.base_radius};
-  }
-
-  DoubleDouble height(const SpatialShape& shape, const PreciseVector3& v, std::int32_t index) const {
-    return index == SpatialPoint::kTop ? dot(v, precise(shape.top)) + across * shape.top_radius
-                                       : dot(v, precise(shape.base)) + across * shape.base_radius;
-  }
-};
-
-PreciseVector3 ellipsoid_support(const SpatialShape& shape, const PreciseVector3& v) {
-  const PreciseVector3 column[3] = {precise(shape.axis.column[0]), precise(shape.axis.column[1]),
-                                    precise(shape.axis.column[2])};
-  const PreciseVector3 z{dot(column[0], v), dot(column[1], v), dot(column[2], v)};
-  const DoubleDouble size = sqrt(dot(z, z));
-  if (!(size.high > 0)) return precise(shape.center);
-  const PreciseVector3 on_ball = unit(z, size);
-  return precise(shape.center) + column[0] * on_ball.x + column[1] * on_ball.y + column[2] * on_ball.z;
-}
-
 }  // namespace
 
 bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
@@ -137,35 +87,34 @@ bool PrecisePair::bind(const SpatialPair& pair, const Kernels& kernels) {
   return true;
 }
 
-PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) {
-  PreciseVector3 y;
-  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
-  for (int j = 0; j < 3; ++j) *out[j] = x.x * body.R[j][0] + x.y * body.R[j][1] + x.z * body.R[j][2];
-  return y;
+namespace {
+
+template <class Vector>
+DoubleDouble product(double x, double y, double z, const Vector& v) {
+  return loose_sum(loose_product(v.x, x), loose_product(v.y, y), loose_product(v.z, z));
 }
 
-PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) {
-  PreciseVector3 y;
-  DoubleDouble* out[3] = {&y.x, &y.y, &y.z};
-  for (int j = 0; j < 3; ++j) {
-    *out[j] =
-        two_product(body.R[j][0], x.x) + two_product(body.R[j][1], x.y) + two_product(body.R[j][2], x.z);
-  }
-  return y;
+template <class Vector>
+PreciseVector3 turned(const double (&R)[3][3], const Vector& v) {
+  return {product(R[0][0], R[0][1], R[0][2], v), product(R[1][0], R[1][1], R[1][2], v),
+          product(R[2][0], R[2][1], R[2][2], v)};
 }
+
+template <class Vector>
+PreciseVector3 turned_back(const double (&R)[3][3], const Vector& v) {
+  return {product(R[0][0], R[1][0], R[2][0], v), product(R[0][1], R[1][1], R[2][1], v),
+          product(R[0][2], R[1][2], R[2][2], v)};
+}
+
+}  // namespace
+
+PreciseVector3 PrecisePair::turn(const Body& body, const PreciseVector3& x) { return turned(body.R, x); }
+
+PreciseVector3 PrecisePair::turn(const Body& body, const Vector3& x) { return turned(body.R, x); }
 
 PreciseVector3 PrecisePair::turn_back(const Body& body, const PreciseVector3& u) {
-  PreciseVector3 v;
-  DoubleDouble* out[3] = {&v.x, &v.y, &v.z};
-  if (u.x.low == 0 && u.y.low == 0 && u.z.low == 0) {
-    for (int k = 0; k < 3; ++k) {
-      *out[k] = two_product(u.x.high, body.R[0][k]) + two_product(u.y.high, body.R[1][k]) +
-                two_product(u.z.high, body.R[2][k]);
-    }
-    return v;
-  }
-  for (int k = 0; k < 3; ++k) *out[k] = u.x * body.R[0][k] + u.y * body.R[1][k] + u.z * body.R[2][k];
-  return v;
+  const bool is_double = u.x.low == 0 && u.y.low == 0 && u.z.low == 0;
+  return is_double ? turned_back(body.R, rounded(u)) : turned_back(body.R, u);
 }
 
 // Of the points that a table lists for v, which holds the highest of all; as below.
@@ -180,7 +129,7 @@ std::int32_t PrecisePair::highest_of(const SpatialShape& shape, std::span<const 
   for (const std::int32_t i : listed) {
     const Vector3 point = shape.table->point(i);
     if (!(dot(w, point) >= top - 4 * kHeightError * size)) continue;
-    const DoubleDouble other = dot(v, precise(point));
+    const DoubleDouble other = dot(v, point);
     if (best >= 0 && !(other > height)) continue;
     height = other;
     best = i;
@@ -202,7 +151,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   const double size = (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
   const double floor = top - 4 * kHeightError * size;
   auto best = static_cast<std::int32_t>(std::min(index, shape.size - 1));
-  DoubleDouble height = dot(v, precise(vertex_of(shape, best)));
+  DoubleDouble height = dot(v, vertex_of(shape, best));
   const double third = n == 3 ? w.z : 0.0;
   for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
     const double* p = shape.blocks + block * n * kLanes;
@@ -215,7 +164,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
     for (int lane = 0; above > 0 && lane < kLanes; ++lane) {
       const std::ptrdiff_t candidate = block * kLanes + lane;
       if (!(value[lane] >= floor) || candidate == best || candidate >= shape.size) continue;
-      const DoubleDouble other = dot(v, precise(vertex_of(shape, static_cast<std::int32_t>(candidate))));
+      const DoubleDouble other = dot(v, vertex_of(shape, static_cast<std::int32_t>(candidate)));
       if (!(other > height)) continue;
       height = other;
       best = static_cast<std::int32_t>(candidate);
@@ -224,22 +173,32 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   return best;
 }
 
-// h(v) of the core in its own frame.
-DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index) {
+namespace {
+
+// |v|, mostly nearly 1: there √(1 + ε) is 1 + ε/2 to 2⁻⁹⁹.
+DoubleDouble length_near_one(const PreciseVector3& v) {
+  const DoubleDouble square = dot(v, v), beyond = square + -1.0;
+  return std::fabs(beyond.high) < 0x1p-48 ? ordered_sum(1, 0.5 * beyond.high) : sqrt(square);
+}
+
+}  // namespace
+
+// h(v) of the core in its own frame; its point where x is asked for.
+DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index) {
   const SpatialShape& shape = *body_[i].shape;
   ++queries_;
+  if (shape.radius > 0) ball_height_ = ball_height_ + length_near_one(v) * shape.radius;
   switch (shape.kind) {
     case Kind::ellipsoid:
-      x = ellipsoid_support(shape, v);
-      break;
+      return ellipsoid_support(shape, v, x);
     case Kind::frustum: {
       const RimView view(shape, v);
       index = view.highest(shape);
-      x = view.point(shape, index);
+      if (x != nullptr) *x = view.point(shape, index);
       return view.height(shape, v, index);
     }
     case Kind::segment:
-      index = dot(v, precise(shape.top)) >= dot(v, precise(shape.base)) ? 0 : 1;
+      index = dot(v, shape.top) >= dot(v, shape.base) ? 0 : 1;
       break;
     case Kind::box:
       index = (v.x.high < 0 ? 1 : 0) | (v.y.high < 0 ? 2 : 0) | (v.z.high < 0 ? 4 : 0);
@@ -251,27 +210,40 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       index = 0;
       break;
   }
-  if (index >= 0) x = precise(vertex_of(shape, index));
-  const DoubleDouble height = dot(v, x);
-  if (shape.radius > 0) ball_height_ = ball_height_ + sqrt(dot(v, v)) * shape.radius;
-  return height;
+  const Vector3 vertex = vertex_of(shape, index);
+  if (x != nullptr) *x = precise(vertex);
+  return dot(v, vertex);
 }
 
 RAYGAUGE_FUSED void PrecisePair::place(PrecisePoint& point) const {
-  point.s = (point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1)) -
-            (point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)) + apart_;
+  point.s =
+      sum_of(point.index_1 >= 0 ? turn(body_[0], rounded(point.x1)) : turn(body_[0], point.x1),
+             -(point.index_2 >= 0 ? turn(body_[1], rounded(point.x2)) : turn(body_[1], point.x2)), apart_);
 }
 
-RAYGAUGE_FUSED PrecisePoint PrecisePair::support_parts(const PreciseVector3& u, DoubleDouble& height) {
-  PrecisePoint point;
+DoubleDouble PrecisePair::height_of(const PreciseVector3& u, PrecisePoint* point) {
+  std::int32_t index_1 = PrecisePoint::kSmooth, index_2 = PrecisePoint::kSmooth;
   ball_height_ = {};
-  height = support_of(0, turn_back(body_[0], u), point.x1, point.index_1) +
-           support_of(1, turn_back(body_[1], -u), point.x2, point.index_2) + dot(u, apart_) + ball_height_;
-  return point;
+  const DoubleDouble of_cores =
+      loose_sum(support_of(0, turn_back(body_[0], u), point == nullptr ? nullptr : &point->x1, index_1),
+                support_of(1, turn_back(body_[1], -u), point == nullptr ? nullptr : &point->x2, index_2),
+                dot(u, apart_));
+  if (point != nullptr) {
+    point->index_1 = index_1;
+    point->index_2 = index_2;
+  }
+  return body_[0].ball + body_[1].ball > 0 ? of_cores + ball_height_ : of_cores;
+}
+
+RAYGAUGE_FUSED DoubleDouble PrecisePair::height(const PreciseVector3& u) { return height_of(u, nullptr); }
+
+RAYGAUGE_FUSED DoubleDouble PrecisePair::support_parts(const PreciseVector3& u, PrecisePoint& point) {
+  return height_of(u, &point);
 }
 
 PrecisePoint PrecisePair::support(const PreciseVector3& u, DoubleDouble& height) {
-  PrecisePoint point = support_parts(u, height);
+  PrecisePoint point;
+  height = support_parts(u, point);
   place(point);
   return point;
 }
@@ -289,7 +261,8 @@ RAYGAUGE_FUSED double PrecisePair::length_beyond_balls(const PreciseVector3& v,
   return std::sqrt(up * up / square.high + turned_away * turned_away);
 }
 
-RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point) const {
+RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& point,
+                                        const PrecisePoint* followed) const {
   PreciseVector3 x[2];
   for (int i = 0; i < 2; ++i) {
     const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
@@ -298,9 +271,13 @@ RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& p
       x[i] = precise(vertex_of(shape, index));
       continue;
     }
+    if (followed != nullptr && index == (i == 0 ? followed->index_1 : followed->index_2)) {
+      x[i] = i == 0 ? followed->x1 : followed->x2;
+      continue;
+    }
     const PreciseVector3 v = turn_back(body_[i], i == 0 ? u : -u);
     if (shape.kind == Kind::ellipsoid) {
-      x[i] = ellipsoid_support(shape, v);
+      ellipsoid_support(shape, v, &x[i]);
     } else {
       const RimView view(shape, v);
       if (view.near_axis) return false;

@@ -6,15 +6,10 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/spatial_distance.h"
-#include "engine/numerics/double_double.h"
+#include "engine/numerics/precise_vector.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {
-
-using PreciseVector3 = BasicVector3<DoubleDouble>;
-
-inline PreciseVector3 precise(const Vector3& v) { return {{v.x, 0}, {v.y, 0}, {v.z, 0}}; }
-inline Vector3 rounded(const PreciseVector3& v) { return {v.x.rounded(), v.y.rounded(), v.z.rounded()}; }
 
 /// A point of the difference of two cores, in the frame of the world.
 struct PrecisePoint {
@@ -36,8 +31,11 @@ class PrecisePair {
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
 
-  /// The same, but s is left to place().
-  PrecisePoint support_parts(const PreciseVector3& u, DoubleDouble& height);
+  /// The same, but s is left to place(): h(u), and the parts of the point.
+  DoubleDouble support_parts(const PreciseVector3& u, PrecisePoint& point);
+
+  /// h(u) alone.
+  DoubleDouble height(const PreciseVector3& u);
 
   /// s of x1 and x2; vertices are doubles.
   void place(PrecisePoint& point) const;
@@ -47,8 +45,9 @@ class PrecisePair {
   double length_beyond_balls(const PreciseVector3& v, const PreciseVector3& u) const;
 
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
-  /// nothing is changed, where u is so near the axis of a rim that this says nothing.
-  bool follow(const PreciseVector3& u, PrecisePoint& point) const;
+  /// nothing is changed, where u is so near the axis of a rim that this says nothing. `followed` is a point
+  /// that has followed u before, or null: it may share a rim.
+  bool follow(const PreciseVector3& u, PrecisePoint& point, const PrecisePoint* followed = nullptr) const;
 
   /// The contact on disc `index` of core i, a frustum: u its normal, pointing from the first body to the
   /// second, the point of the disc below the other body's support point, and h(u). False where that is
@@ -99,7 +98,8 @@ class PrecisePair {
   static PreciseVector3 turn(const Body& body, const PreciseVector3& x);
   static PreciseVector3 turn(const Body& body, const Vector3& x);
   static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
-  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3& x, std::int32_t& index);
+  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index);
+  DoubleDouble height_of(const PreciseVector3& u, PrecisePoint* point);
   static void add_axes(const Body& body, PreciseVector3* M);
   bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
   static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);

@@ -27,20 +27,24 @@ int PrecisePieces::find(const PrecisePoint& piece) const {
   return static_cast<int>(found - point);
 }
 
-void PrecisePieces::follow(const PrecisePair& precise, const PreciseVector3& u, const PrecisePoint& highest) {
+void PrecisePieces::follow(const PrecisePair& precise, const PreciseVector3& u, const PrecisePoint* highest) {
   int left = 0;
+  const PrecisePoint* followed = nullptr;
   for (int i = 0; i < count; ++i) {
     PrecisePoint moved = point[i];
-    const bool same = moved.index_1 == highest.index_1 && moved.index_2 == highest.index_2;
-    if (same) moved = highest;
-    if (!same && !precise.follow(u, moved)) continue;
+    const bool same =
+        highest != nullptr && moved.index_1 == highest->index_1 && moved.index_2 == highest->index_2;
+    if (same) moved = *highest;
+    if (!same && !precise.follow(u, moved, followed)) continue;
     weight[left] = weight[i];
-    point[left++] = moved;
+    point[left] = moved;
+    if (!same) followed = &point[left];
+    ++left;
   }
   count = left;
-  if (find(highest) < count) return;
+  if (highest == nullptr || find(*highest) < count) return;
   weight[count] = count == 0 ? 1 : 0;
-  point[count++] = highest;
+  point[count++] = *highest;
 }
 
 TangentMetric PrecisePieces::metric(const SpatialPair& pair, const PreciseVector3& u, double lambda,

@@ -20,8 +20,8 @@ struct PrecisePieces {
   /// Which of them is this piece; count: none.
   int find(const PrecisePoint& piece) const;
 
-  /// Points on rims and curved surfaces follow u; the piece of its support point joins them.
-  void follow(const PrecisePair& precise, const PreciseVector3& u, const PrecisePoint& highest);
+  /// Points on rims and curved surfaces follow u; the piece of its support point, if given, joins them.
+  void follow(const PrecisePair& precise, const PreciseVector3& u, const PrecisePoint* highest);
 
   /// Of the pieces with their weights, in the world: H + λ + `damping` times the trace of H, across u.
   TangentMetric metric(const SpatialPair& pair, const PreciseVector3& u, double lambda, double damping) const;

@@ -28,8 +28,11 @@ PreciseVector3 nearest_in_frustum(const SpatialShape& shape, const PreciseVector
   if (below && !(across > DoubleDouble{shape.base_radius})) return base + radial;
   if (above && !(across > DoubleDouble{shape.top_radius})) return base + axis + radial;
   if (!below && !above && !(across > widening * share + shape.base_radius)) return y;
-  DoubleDouble way = (share * square + (across - DoubleDouble{shape.base_radius}) * widening) /
-                     (square + widening * widening);
+  DoubleDouble way = share;  // of a cylinder
+  if (widening.high != 0) {
+    way = (share * square + (across - DoubleDouble{shape.base_radius}) * widening) /
+          (square + widening * widening);
+  }
   if (way < none) way = none;
   if (way > all) way = all;
   const DoubleDouble radius = widening * way + shape.base_radius;

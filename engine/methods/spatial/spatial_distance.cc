@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/methods/spatial/spatial_distance.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
@@ -10,7 +11,10 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostIterations = 64;
-constexpr double kNoise = 4;  // a gap of so many error(), two of which are the bounds' own, is rounding
+constexpr double kNoise = 4;     // a gap of so many error(), two of which are the bounds' own, is rounding
+constexpr double kShort = 1e-5;  // of the size of a pair: from here a simplex says more than v
+constexpr double kTouching = 2;  // of error(): v is lost in rounding, and double-double arithmetic decides
+constexpr double kDeep = 1 + 0x1p-4;  // of error(): so deep in computed corners is in those they stand for
 constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
 // Σ c_l s_l of the weights as they are, which are not negative and add up to one, to 8 rounding units: its
@@ -40,8 +44,14 @@ void keep(const SimplexFace<double>& face, SpatialCombination& simplex) {
 
 class Descent {
  public:
-  Descent(SpatialPair& pair, double tolerance, double near, SpatialAnswer& answer)
-      : pair_(pair), tolerance_(tolerance), near_(near), answer_(answer), simplex_(answer.combination) {}
+  Descent(SpatialPair& pair, double tolerance, const SpatialNearness& leave, SpatialAnswer& answer)
+      : pair_(pair),
+        tolerance_(tolerance),
+        near_(leave.near * pair.size()),
+        very_near_(leave.very_near * pair.size()),
+        hopeless_(leave.at_rounding ? 2 * pair.error() / tolerance : kTouching * pair.error()),
+        answer_(answer),
+        simplex_(answer.combination) {}
 
   void run(const SpatialStart& start);
 
@@ -50,16 +60,19 @@ class Descent {
     return answer_.lower > 0 && answer_.upper - answer_.lower <= tolerance_ * answer_.upper;
   }
   void begin(const SpatialStart& start);
-  double reduce();
+  bool reduce(double& depth);
+  Vector3 direction(const Vector3& v, double size) const;
   bool step(double depth);
   void bound_from_below(const Vector3& u, double along);
 
   SpatialPair& pair_;
   double tolerance_;
-  double near_;  // a distance at which to leave; negative: never
+  double near_, very_near_;  // distances between which it leaves
+  double hopeless_;          // and one of the cores up to which it does
   SpatialAnswer& answer_;
   SpatialCombination& simplex_;
   double best_hope_ = -1e300;
+  double nearest_square_ = 1e300;  // |v|² of the simplex before
 };
 
 void Descent::begin(const SpatialStart& start) {
@@ -77,13 +90,30 @@ void Descent::begin(const SpatialStart& start) {
   best_hope_ = -dot(answer_.hint, simplex_.point[0].s) - pair_.error() - pair_.radius();
 }
 
-// The depth of the origin in the simplex.
-double Descent::reduce() {
+// The depth of the origin in the simplex. False where the point added last did not bring it nearer: then it
+// is forgotten, as v/|v| is lost in rounding.
+bool Descent::reduce(double& depth) {
   const Vector3* points[4];
   for (int i = 0; i < simplex_.count; ++i) points[i] = &simplex_.point[i].s;
-  SimplexFace<double> face = nearest_face(points, simplex_.count);
+  const SimplexFace<double> face = nearest_face(points, simplex_.count);
+  if (!(face.square < nearest_square_)) {
+    --simplex_.count;
+    return false;
+  }
+  nearest_square_ = face.square;
   keep(face, simplex_);
-  return face.depth;
+  depth = face.depth;
+  return true;
+}
+
+// Along a v that is short the normal of the simplex is more precise than v is.
+Vector3 Descent::direction(const Vector3& v, double size) const {
+  if (simplex_.count == 3 && size < kShort * pair_.size()) {
+    const Vector3 n = triangle_normal(simplex_.point[0].s, simplex_.point[1].s, simplex_.point[2].s);
+    const double square = dot(n, n);
+    if (square > 0) return n * ((dot(n, simplex_.point[0].s) > 0 ? -1 : 1) / std::sqrt(square));
+  }
+  return v * (-1 / size);
 }
 
 // `along` is u·w for the support point w for u: what is certain of it, after its rounding error.
@@ -99,13 +129,13 @@ bool Descent::step(double depth) {
   const Vector3 v = combine(simplex_);
   const double size = length(v);
   answer_.upper = upper_bound(pair_, size);
-  if (depth > 2 * pair_.error() || answer_.upper < 0) {
+  if (depth > kDeep * pair_.error() || answer_.upper < 0) {
     answer_.end = SpatialEnd::intersecting;
     return false;
   }
-  if (simplex_.count == 4 || !(size > pair_.error())) return false;
+  if (simplex_.count == 4 || !(size > hopeless_)) return false;
   SpatialPoint& w = simplex_.point[simplex_.count];
-  const Vector3 u = v * (-1 / size);
+  const Vector3 u = direction(v, size);
   pair_.support(u, w);
   const double along = dot(u, w.s);
   const double hopeful = -along - pair_.error() - pair_.radius();
@@ -118,7 +148,7 @@ bool Descent::step(double depth) {
     answer_.end = SpatialEnd::closed;
     return false;
   }
-  if (answer_.upper < near_) return false;
+  if (answer_.upper < near_ && answer_.upper > very_near_) return false;
   // A gap that is rounding, or a point that is known.
   if (answer_.upper - hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
   simplex_.weight[simplex_.count++] = 1;
@@ -134,16 +164,17 @@ void Descent::run(const SpatialStart& start) {
     return;
   }
   begin(start);
-  while (answer_.iterations++ < kMostIterations && step(reduce())) {
+  double depth = 0;
+  while (answer_.iterations++ < kMostIterations && reduce(depth) && step(depth)) {
   }
 }
 
 }  // namespace
 
-void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, bool leave_near,
-                      SpatialAnswer& answer) {
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
+                      const SpatialNearness& leave, SpatialAnswer& answer) {
   answer.reset();
-  Descent(pair, tolerance, leave_near ? kNear * pair.size() : -1.0, answer).run(start);
+  Descent(pair, tolerance, leave, answer).run(start);
 }
 
 }  // namespace raygauge

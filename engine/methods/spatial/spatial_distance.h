@@ -54,6 +54,14 @@ inline double lower_bound(const SpatialPair& pair, double along) noexcept {
   return (-along - pair.error()) * kDown - pair.radius() * kUp;
 }
 
+/// When to leave a pair to other steps: if it is known to be nearer than `near`, in units of its size, unless
+/// it is nearer than `very_near`, where hardly a step is left; `at_rounding`: where error() alone keeps the
+/// bounds apart. Never, as they stand.
+struct SpatialNearness {
+  double near = 0, very_near = 0;
+  bool at_rounding = false;
+};
+
 /// The Euclidean distance of two bodies: that of the origin to D, less the balls of both, by the algorithm of
 /// Gilbert, Johnson & Keerthi on the cores. With s_l support points, v = Σ c_l s_l the point nearest to the
 /// origin of their hull, and w the support point for -v,
@@ -61,10 +69,9 @@ inline double lower_bound(const SpatialPair& pair, double along) noexcept {
 ///     v·w/|v| <= d(cores) <= |v|,
 ///
 /// both with SpatialPair::error() outward. `intersecting` is proven by a v shorter than the balls, or by four
-/// support points whose hull contains the origin deeper than that error. Where `leave_near` is set, it ends
-/// `open` as soon as the bodies are known to be nearer than kNear times their size.
-void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start, bool leave_near,
-                      SpatialAnswer& answer);
-inline constexpr double kNear = 1e-3;
+/// support points whose hull contains the origin deeper than that error. It ends `open` where `leave` says
+/// so, and where v is so short that rounding decides on its direction.
+void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
+                      const SpatialNearness& leave, SpatialAnswer& answer);
 
 }  // namespace raygauge

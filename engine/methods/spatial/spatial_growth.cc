@@ -12,11 +12,15 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostExchanges = 80;
+constexpr int kMostIdleExchanges = 3;
 constexpr int kMostDiscoveries = 40;
 constexpr int kMostNewtonSteps = 12;
 constexpr double kFirstTilt = 1.7,
                  kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
 constexpr double kLeastTilt = 0.03;   // radians
+constexpr double kThin = 1e-3;        // height over extent of a plate
+constexpr double kCrossed = 0.1;      // sine of the angle between the bodies' long axes
+constexpr int kPatience = 4;          // discoveries before bodies without a known ball are tried as a plate
 constexpr double kSmall = 1e-12;      // of a length: rounding
 constexpr double kUp = 1 + 0x1p-46,
                  kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
@@ -44,6 +48,9 @@ class Growth {
   double price_of_residual(const Vector3& r, double weights) const;
   bool newton(Vector3 u);
   Vector3 way_to_ray(int known, const Vector3& u, double h);
+  Vector3 tilt_to_ray(int known, const Vector3& u, double h);
+  bool may_be_plate(int discoveries) const;
+  bool begin_on_plate(Vector3& u, double& h);
   bool adopt(const SpatialPoint& w, int known);
   bool discover(Vector3 u);
   bool recall(const SpatialStart& start, Vector3& u);
@@ -60,6 +67,10 @@ class Growth {
   double inner_radius_;
   SpatialAnswer& answer_;
   SpatialPoint* portal_;  // three, in the answer
+  // Of two crossed needles B is a plate, about  uᵀMu <= 1  with  M = L² (1 - n nᵀ) + h² n nᵀ.
+  bool is_plate_ = false;
+  Vector3 n_;
+  double length_square_ = 0, height_square_ = 0;
 };
 
 // s_B(u), balls included.
@@ -222,6 +233,53 @@ Vector3 Growth::way_to_ray(int known, const Vector3& u, double h) {
   return size < kLeastTilt * h ? way * (kLeastTilt * h / size) : way;
 }
 
+// Needles of which a ball inside is known tell at once; others where discovering takes long.
+bool Growth::may_be_plate(int discoveries) const {
+  if (is_plate_) return false;
+  if (!(inner_radius_ > 0)) return discoveries == kPatience;
+  return discoveries == 0 && inner_radius_ < kThin * (pair_.shape(0).extent + pair_.shape(1).extent);
+}
+
+// Any support point of a needle is at one of its ends: the normal of the plate is across both.
+bool Growth::begin_on_plate(Vector3& u, double& h) {
+  const Vector3 one = portal_[0].a1 - pair_.shape(0).center;
+  const Vector3 two = portal_[0].a2 - pair_.from_second(pair_.shape(1).center);
+  Vector3 n = cross(one, two);
+  const double size = length(n), lengths = length(one) * length(two);
+  if (!(size > kCrossed * lengths)) return false;
+  n = n * ((dot(n, p_) < 0 ? -1 : 1) / size);
+  const SpatialPoint w = support(n);
+  const double height = dot(n, w.s);
+  if (!(height > 0) || !(dot(n, p_) > 0) || !(height * height < kThin * kThin * lengths)) return false;
+  is_plate_ = true;
+  u = n_ = n;
+  h = height;
+  height_square_ = h * h;
+  length_square_ = lengths;
+  portal_[0] = w;
+  return true;
+}
+
+// The same as way_to_ray for a plate, as what has to be added to u: h M⁻¹ of the way, or of the plane through
+// two support points and the origin its normal k, |k|_M = 1, times h and the way along it.
+Vector3 Growth::tilt_to_ray(int known, const Vector3& u, double h) {
+  const Vector3 at = p_ * (h / dot(u, p_));
+  if (known == 1) {
+    const Vector3 way = at - portal_[0].s;
+    const double up = dot(way, n_);
+    return ((way - n_ * up) * (1 / length_square_) + n_ * (up / height_square_)) * h;
+  }
+  Vector3 k = cross(portal_[0].s, portal_[1].s);
+  if (dot(k, p_) < 0) {
+    std::swap(portal_[0], portal_[1]);
+    k = -k;
+  }
+  const double up = dot(k, n_);
+  const Vector3 along = k - n_ * up;
+  k = k * (1 / std::sqrt(dot(along, along) * length_square_ + up * up * height_square_));
+  return k * (h * std::max(dot(k, at), kLeastTilt));
+}
+
 // A point across the ray from the `known` ones. True when the cone of all three holds p; otherwise it takes
 // the place of the one that is no longer needed.
 bool Growth::adopt(const SpatialPoint& w, int known) {
@@ -247,8 +305,9 @@ bool Growth::discover(Vector3 u) {
   int known = 1;
   double tilt = kFirstTilt;
   for (int i = 0; i < kMostDiscoveries; ++i) {
-    const Vector3 way = way_to_ray(known, u, h);
-    Vector3 next = tilt > kLargestTilt ? way : u + way * (tilt / h);
+    if (may_be_plate(i) && begin_on_plate(u, h)) known = 1, tilt = kFirstTilt;
+    const Vector3 way = is_plate_ ? tilt_to_ray(known, u, h) : way_to_ray(known, u, h);
+    Vector3 next = tilt > kLargestTilt ? way : u + way * (is_plate_ ? tilt : tilt / h);
     next = next * (1 / length(next));
     const SpatialPoint w = support(next);
     const double beyond = dot(way, w.s - portal_[0].s), size = length(way) * length(w.s);
@@ -320,12 +379,20 @@ void Growth::bound_by_portal(bool may_end) {
   bound_from_above(portal_, 3, weight);
 }
 
+// The planes of the portals meet the ray ever farther from the origin, at p n·s/n·p; where they do not, they
+// are made of rounding errors.
 void Growth::refine() {
-  for (int i = 0; i < kMostExchanges; ++i) {
+  double farthest = 0;  // n·s/n·p
+  int idle = 0;
+  for (int i = 0; i < kMostExchanges && idle < kMostIdleExchanges; ++i) {
     Vector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
-    if (dot(n, p_) < 0) n = -n;
+    double along = dot(n, p_);
+    if (along < 0) n = -n, along = -along;
     const double plane = dot(n, portal_[0].s);
     if (!(plane > 0)) return;
+    const double meets = plane / along;
+    idle = meets > farthest ? 0 : idle + 1;
+    farthest = std::max(farthest, meets);
     SpatialPoint w = support(n);
     const double hopeful = plane / dot(n, w.s);  // lower/upper, but for rounding
     const bool may_end = hopeful >= 1 - tolerance_;

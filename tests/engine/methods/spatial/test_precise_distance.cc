@@ -17,6 +17,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/rational.h"
@@ -306,6 +307,26 @@ TEST(PreciseDistance, CertifiesCurvedBodiesThatTouchWithEveryOtherKind) {
     }
   }
   EXPECT_EQ(uncertified, 0) << "of " << asked;
+}
+
+// A v that is short is lost in rounding: steps that go on along it add and drop the same point for ever.
+TEST(PreciseDistance, TakesFewStepsOnFacetsThatNearlyTouch) {
+  Random random(6);
+  ObjectDistanceSolver solver = make_solver(1e-6);
+  Eigen::MatrixXd on_sphere[2] = {Eigen::MatrixXd(3, 300), Eigen::MatrixXd(3, 300)};
+  for (int trial = 0; trial < 60; ++trial) {
+    for (Eigen::MatrixXd& points : on_sphere) {
+      for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = gaussian(random).normalized();
+    }
+    const PointSet one(on_sphere[0]), other(on_sphere[1]);
+    const Pose pose_1(random_rotation(random), gaussian(random));
+    Pose pose_2(random_rotation(random), Vector3d(pose_1.translation() + 3 * gaussian(random).normalized()));
+    bring_near({one, pose_1}, other, pose_2, 1e-9);
+    const DistanceResult& r = solver.solve({one, pose_1}, {other, pose_2}, kMetric).distance;
+    EXPECT_EQ(to_string(r.status), "optimal");
+    EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper);
+    EXPECT_LE(r.counters.ray_iterations, 40) << "trial " << trial;
+  }
 }
 
 TEST(PreciseDistance, CertifiesPairsThatNearlyTouch) {

@@ -79,6 +79,21 @@ TEST(PreciseGrowth, CertifiesNeedlesOfPoints) {
   }
 }
 
+// Their difference is a plate a million times as wide as thick, of which a ball inside is known.
+TEST(PreciseGrowth, TakesFewStepsOnBoxesAsLongAsNeedles) {
+  Random random(8);
+  GrowthDistanceSolver solver = make_solver();
+  const Vector3d half_1(0.6, 0.5 * kThin, 0.4 * kThin), half_2(1, 0.3 * kThin, 0.7 * kThin);
+  const Box one(-half_1, half_1), two(-half_2, half_2);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Pose pose_1 = random_pose(random), pose_2 = random_pose(random);
+    const DistanceResult& r = solver.solve_about_centers({one, pose_1}, {two, pose_2});
+    ASSERT_EQ(to_string(r.status), "optimal");
+    EXPECT_LE(r.upper - r.lower, 1e-6 * r.upper);
+    EXPECT_LE(r.counters.ray_iterations, 25) << "trial " << trial;
+  }
+}
+
 // Crossed needles: σ = distance / (half thickness of both), along z.
 TEST(PreciseGrowth, HoldsTheValueOfCrossedNeedlesThatIsKnownExactly) {
   GrowthDistanceSolver solver = make_solver();
