@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "engine/numerics/vector_kernels.h"
+#include "raygauge/numerics/quad.h"
 
 namespace raygauge {
 
-GrowthBody::GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q,
-                       bool c_Q_in_Q)
-    : MinkowskiView(A.dimension()), c_A_(c_A), c_Q_(c_Q), c_Q_in_Q_(c_Q_in_Q) {
+GrowthBody::GrowthBody(const ConvexSet& A, const TwofoldPoint& c_A, const ConvexSet& Q,
+                       const TwofoldPoint& c_Q, bool c_Q_in_Q)
+    : MinkowskiView(A.dimension()), c_A_(c_A.high), c_Q_(c_Q.high), c_Q_in_Q_(c_Q_in_Q) {
   look_at(Q, A, -1.0, c_A, c_Q);
 }
 
@@ -34,11 +35,37 @@ double GrowthBody::do_inner_radius(const double* c) const {
   return at_center ? std::max(of_view, proven_length(radius, size + radius, n)) : of_view;
 }
 
+void PosedCenter::assign(const Posed& S) {
+  const int n = S.dimension();
+  assign_origin(n);
+  if (S.pose == nullptr) return S.set.center_unchecked(high_.data());
+  local_.resize(static_cast<std::size_t>(n));
+  S.set.center_unchecked(local_.data());
+  const double* R = S.pose->rotation_data();
+  for (int i = 0; i < n; ++i) {
+    Quad sum = S.pose->translation_data()[i];
+    for (int j = 0; j < n; ++j) {
+      sum += Quad{R[static_cast<std::ptrdiff_t>(j) * n + i]} * local_[static_cast<std::size_t>(j)];
+    }
+    const auto at = static_cast<std::size_t>(i);
+    high_[at] = static_cast<double>(sum);
+    low_[at] = static_cast<double>(sum - high_[at]);
+  }
+}
+
+void PosedCenter::assign_origin(int n) {
+  high_.assign(static_cast<std::size_t>(n), 0.0);
+  low_.assign(static_cast<std::size_t>(n), 0.0);
+}
+
 template <class Real>
 void PointView::write(Real* point) const {
-  std::copy_n(p_, dimension(), point);
-  if (from_ == nullptr) return;
-  for (int k = 0; k < dimension(); ++k) point[k] -= from_[k];
+  const auto low = [](const Point& p, int k) { return p.low != nullptr ? Real{p.low[k]} : Real{0}; };
+  for (int k = 0; k < dimension(); ++k) {
+    point[k] = Real{p_.high[k]};
+    if (from_.high != nullptr) point[k] -= from_.high[k];
+    point[k] += low(p_, k) - low(from_, k);
+  }
 }
 
 double PointView::do_support(const double* u, double* point) const {
@@ -50,7 +77,7 @@ void PointView::do_center(double* point) const { write(point); }
 
 void PointView::do_magnitude(double* magnitude) const {
   for (int k = 0; k < dimension(); ++k)
-    magnitude[k] = std::fabs(p_[k]) + (from_ != nullptr ? std::fabs(from_[k]) : 0.0);
+    magnitude[k] = std::fabs(p_.high[k]) + (from_.high != nullptr ? std::fabs(from_.high[k]) : 0.0);
 }
 
 template <class Real>

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "raygauge/sets/minkowski_view.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge {
 
@@ -13,25 +16,41 @@ namespace raygauge {
 ///     h(u) = h_Q(u) - u·c_Q + h_A(-u) + u·c_A,      s(u) = s_Q(u) - c_Q - s_A(-u) + c_A,      centre 0.
 class GrowthBody final : public MinkowskiView {
  public:
-  /// The sets must outlive the object; c_A and c_Q are points of theirs, n = dimension() doubles.
-  /// `c_Q_in_Q` says whether c_Q is known to be a point of Q: the origin need not be.
-  GrowthBody(const ConvexSet& A, const double* c_A, const ConvexSet& Q, const double* c_Q,
+  using MinkowskiView::TwofoldPoint;
+
+  /// The sets must outlive the object, and so must the numbers of c_A and c_Q, points of theirs. `c_Q_in_Q`
+  /// says whether c_Q is known to be a point of Q: the origin need not be.
+  GrowthBody(const ConvexSet& A, const TwofoldPoint& c_A, const ConvexSet& Q, const TwofoldPoint& c_Q,
              bool c_Q_in_Q = true);
 
  private:
   void do_center(double* point) const override;
   double do_inner_radius(const double* c) const override;
 
-  const double* c_A_;
+  const double* c_A_;  // as rounded: the balls about them are smaller by more
   const double* c_Q_;
   bool c_Q_in_Q_;
 };
 
-/// {p}, or {p - from}: a point as a set, seen where it stands. The difference is not rounded: its magnitude
-/// covers that in doubles, and quadruple precision holds it.
+/// R c + t, c the centre of a set in a pose, as an unevaluated sum of two doubles for each coordinate, with
+/// an error of 2⁻¹⁰⁶ of its terms: what is rounded in it would show where needles are long.
+class PosedCenter {
+ public:
+  void assign(const Posed& S);
+  void assign_origin(int n);
+
+  GrowthBody::TwofoldPoint point() const noexcept { return {high_.data(), low_.data()}; }
+
+ private:
+  std::vector<double> high_, low_, local_;
+};
+
+/// {p - from}: a point as a set, seen where it stands. The difference is not rounded: its magnitude covers
+/// that in doubles, and quadruple precision holds it.
 class PointView final : public ConvexSet, private SmoothSupport {
  public:
-  PointView(const double* p, int n, const double* from = nullptr) : ConvexSet(n), p_(p), from_(from) {}
+  using Point = GrowthBody::TwofoldPoint;
+  PointView(const Point& p, int n, const Point& from = {}) : ConvexSet(n), p_(p), from_(from) {}
 
  private:
   double do_support(const double* u, double* point) const override;
@@ -48,8 +67,8 @@ class PointView final : public ConvexSet, private SmoothSupport {
   template <class Real>
   void write(Real* point) const;
 
-  const double* p_;
-  const double* from_;
+  Point p_;
+  Point from_;
 };
 
 }  // namespace raygauge

@@ -19,6 +19,10 @@ constexpr double kNoThreshold = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+struct GrowthDistanceSolver::Centers {
+  PosedCenter A, Q;
+};
+
 DistanceOptions GrowthDistanceSolver::newton_options() {
   DistanceOptions options;
   options.method = DistanceMethod::newton;
@@ -26,7 +30,9 @@ DistanceOptions GrowthDistanceSolver::newton_options() {
 }
 
 GrowthDistanceSolver::GrowthDistanceSolver(const DistanceOptions& options)
-    : methods_(std::make_unique<MethodChain>(options)), spatial_(std::make_unique<SpatialQuery>()) {}
+    : methods_(std::make_unique<MethodChain>(options)),
+      spatial_(std::make_unique<SpatialQuery>()),
+      centers_(std::make_unique<Centers>()) {}
 
 GrowthDistanceSolver::~GrowthDistanceSolver() = default;
 GrowthDistanceSolver::GrowthDistanceSolver(GrowthDistanceSolver&&) noexcept = default;
@@ -41,15 +47,15 @@ const DistanceResult& GrowthDistanceSolver::solve_about(const Posed& A, const Po
     return spatial_result_;
   }
   const InPose in_pose_A(A), in_pose_Q(Q);
-  const int n = A.dimension();
-  const auto size = static_cast<std::size_t>(n);
-  center_A_.resize(size);
-  center_Q_.resize(size);
-  std::fill_n(center_Q_.data(), n, 0.0);
-  if (!about_origin) in_pose_Q.set().center_unchecked(center_Q_.data());
-  in_pose_A.set().center_unchecked(center_A_.data());
-  const GrowthBody body(in_pose_A.set(), center_A_.data(), in_pose_Q.set(), center_Q_.data(), !about_origin);
-  const PointView ray(center_A_.data(), n, center_Q_.data());
+  centers_->A.assign(A);
+  if (about_origin) {
+    centers_->Q.assign_origin(A.dimension());
+  } else {
+    centers_->Q.assign(Q);
+  }
+  const GrowthBody body(in_pose_A.set(), centers_->A.point(), in_pose_Q.set(), centers_->Q.point(),
+                        !about_origin);
+  const PointView ray(centers_->A.point(), A.dimension(), centers_->Q.point());
   Aim aim;
   aim.threshold = threshold;
   return methods_->solve(Posed(ray), Posed(body), Effects::none, warm, aim);

@@ -23,7 +23,7 @@ DistanceOptions options_for(const ConvexSet& S, double tolerance) {
 GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance) {
   check_dimension("gauge", "x", x.size(), S.dimension());
   const Vector at = checked_finite("gauge", "x", x);
-  const PointView point(at.data(), S.dimension());
+  const PointView point({at.data(), nullptr}, S.dimension());
   DistanceSolver solver(options_for(S, tolerance));
   const DistanceResult& result = solver.solve(point, S);
   GaugeBounds bounds{result.lower, result.upper};
@@ -39,7 +39,7 @@ Membership contains(const ConvexSet& S, const ConstVectorRef& x, double toleranc
   check_dimension("contains", "x", x.size(), n);
   const Vector at = checked_finite("contains", "x", x);
   const Pose from_center(Eigen::MatrixXd::Identity(n, n), -S.center());
-  const PointView point(at.data(), n);
+  const PointView point({at.data(), nullptr}, n);
   DistanceSolver solver(options_for(S, tolerance));
   const DistanceResult& result = solver.solve(Posed(point, from_center), Posed(S, from_center));
   if (result.lower > 1) return Membership::outside;

@@ -83,18 +83,28 @@ bool find_face_point(const ConvexSet& S, const Real* u, Real value, const Real* 
 
 bool MinkowskiView::is_shifted() const noexcept {
   for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-    if (a_[k] != b_[k]) return true;
+    if (shift(k) != 0) return true;
   }
   return false;
 }
 
+bool MinkowskiView::is_shifted_by_doubles() const noexcept {
+  const auto is_zero = [this](const double* low) {
+    return low == nullptr || std::all_of(low, low + dimension(), [](double x) { return x == 0; });
+  };
+  return is_zero(a_low_) && is_zero(b_low_);
+}
+
 // Whether this is S, because T and the shift are the origin.
 bool MinkowskiView::is_first_alone() const {
+  if (!is_shifted_by_doubles()) return false;
   return sign_ > 0 ? is_point_moved_to_origin(*T_, a_, b_) : is_point_moved_to_origin(*T_, b_, a_);
 }
 
 // Whether this is ±T likewise.
-bool MinkowskiView::is_second_alone() const { return is_point_moved_to_origin(*S_, a_, b_); }
+bool MinkowskiView::is_second_alone() const {
+  return is_shifted_by_doubles() && is_point_moved_to_origin(*S_, a_, b_);
+}
 
 double MinkowskiView::do_support(const double* u, double* point) const {
   Scratch of_T(dimension());
@@ -170,7 +180,7 @@ int MinkowskiView::pieces_with_parts(const Real* u, BasicSupportPieces<Real>& pi
   const int count = sum_pieces(*S_, *T_, sign_, u, pieces, capacity, of_T);
   for (int i = 0; i < pieces.count; ++i) {
     for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-      const Real moved = Real{a_[k]} - b_[k];
+      const Real moved = shift<Real>(k);
       pieces.value[static_cast<std::size_t>(i)] += u[k] * moved;
       pieces.point(i)[k] += moved;
     }
@@ -213,7 +223,7 @@ bool MinkowskiView::facet_point_with_part(const Real* normal, const Real* target
   for (int k = 0; k < n; ++k) u.data()[k] = sign_ * normal[k];
   Real h_S = 0, h_T = 0;
   if (!find_support(*S_, normal, s.data(), h_S) || !find_support(*T_, u.data(), of_T, h_T)) return false;
-  const auto moved = [this](int k) { return a_ != nullptr ? Real{a_[k]} - b_[k] : Real{0}; };
+  const auto moved = [this](int k) { return shift<Real>(k); };
   for (int round = 0; round < kRounds; ++round) {
     for (int k = 0; k < n; ++k) rest.data()[k] = target[k] - moved(k) - sign_ * of_T[k];
     const bool flat_S = find_face_point(*S_, normal, h_S, rest.data(), s.data());
@@ -298,6 +308,7 @@ bool MinkowskiView::do_is_unconditional(double* extent) const {
   const int n = dimension();
   if (!sum_is_unconditional(*S_, *T_, extent, !keeps_parts())) return false;
   if (a_ == nullptr) return true;
+  if (!is_shifted_by_doubles()) return false;
   // The centre of a shifted sum is computed as 0, which it is if each operand is seen from its own.
   Scratch of_S(n), of_T(n);
   S_->center_unchecked(of_S.data());

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "raygauge/queries/solver.h"
 
@@ -61,8 +60,7 @@ class GrowthDistanceSolver {
   /// this pair stored; this solve updates it. nullptr: a cold start.
   const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
 
-  /// The growth distance of two objects, each scaled about its own centre, that of a posed set being R c + t;
-  /// the general methods take it as rounded to doubles.
+  /// The growth distance of two objects, each scaled about its own centre, that of a posed set being R c + t.
   const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
 
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
@@ -81,7 +79,8 @@ class GrowthDistanceSolver {
   std::unique_ptr<SpatialQuery> spatial_;
   DistanceResult spatial_result_;
   SeparationResult separation_;
-  std::vector<double> center_A_, center_Q_;
+  struct Centers;
+  std::unique_ptr<Centers> centers_;
 };
 
 }  // namespace raygauge

@@ -23,14 +23,24 @@ class MinkowskiView : public ConvexSet,
  protected:
   explicit MinkowskiView(int dimension) : ConvexSet(dimension) {}
 
-  /// The operands, and `sign` 1 or -1. All must outlive their use; a and b, n doubles each, may both be null.
-  void look_at(const ConvexSet& S, const ConvexSet& T, double sign, const double* a = nullptr,
-               const double* b = nullptr) noexcept {
+  /// A point as an unevaluated sum high + low, n doubles each: the centre of a posed set has no doubles of
+  /// its own. Without `low` it is high; without either it is the origin.
+  struct TwofoldPoint {
+    const double* high = nullptr;
+    const double* low = nullptr;
+  };
+
+  /// The operands, and `sign` 1 or -1. All must outlive their use; a and b may both be the origin.
+  void look_at(const ConvexSet& S, const ConvexSet& T, double sign) noexcept { look_at(S, T, sign, {}, {}); }
+  void look_at(const ConvexSet& S, const ConvexSet& T, double sign, const TwofoldPoint& a,
+               const TwofoldPoint& b) noexcept {
     S_ = &S;
     T_ = &T;
     sign_ = sign;
-    a_ = a;
-    b_ = b;
+    a_ = a.high;
+    b_ = b.high;
+    a_low_ = a.low;
+    b_low_ = b.low;
   }
 
   double do_inner_radius(const double* c) const override;
@@ -83,8 +93,14 @@ class MinkowskiView : public ConvexSet,
   void add_normals(Real* normal, Real* of_T) const;
   template <class Ask, class Real>
   auto ask_second(const Ask& ask, const Real* x, Real* normal) const;
-  double shift(int k) const noexcept { return a_ != nullptr ? a_[k] - b_[k] : 0.0; }
+  template <class Real = double>
+  Real shift(int k) const noexcept {
+    if (a_ == nullptr) return Real{0};
+    const Real low_a = a_low_ != nullptr ? a_low_[k] : 0.0, low_b = b_low_ != nullptr ? b_low_[k] : 0.0;
+    return (Real{a_[k]} - b_[k]) + (low_a - low_b);
+  }
   bool is_shifted() const noexcept;
+  bool is_shifted_by_doubles() const noexcept;
   bool is_first_alone() const;
   bool is_second_alone() const;
 
@@ -93,6 +109,8 @@ class MinkowskiView : public ConvexSet,
   double sign_ = 1;
   const double* a_ = nullptr;
   const double* b_ = nullptr;
+  const double* a_low_ = nullptr;
+  const double* b_low_ = nullptr;
 };
 
 }  // namespace raygauge

@@ -90,8 +90,9 @@ TEST(SeparationTest, ProvesItselfByAPlane) {
 TEST(GrowthDistance, HasNoBallAboutAnOriginOutsideQ) {
   const Ball A(Eigen::Vector3d(3, 0, 0), 1), Q(Eigen::Vector3d(5, 0, 0), 1);
   const Vector c_A = A.center(), zero = Vector::Zero(3), c_Q = Q.center();
-  EXPECT_EQ(GrowthBody(A, c_A.data(), Q, zero.data(), false).inner_radius_unchecked(zero.data()), 0);
-  EXPECT_NEAR(GrowthBody(A, c_A.data(), Q, c_Q.data(), true).inner_radius_unchecked(zero.data()), 2, 1e-12);
+  EXPECT_EQ(GrowthBody(A, {c_A.data()}, Q, {zero.data()}, false).inner_radius_unchecked(zero.data()), 0);
+  EXPECT_NEAR(GrowthBody(A, {c_A.data()}, Q, {c_Q.data()}, true).inner_radius_unchecked(zero.data()), 2,
+              1e-12);
 }
 
 TEST(SeparationTest, StopsAtTheFirstCertificate) {
@@ -159,6 +160,33 @@ TEST(GrowthDistance, OfNeedlesDoesNotRoundTheWayBetweenTheCenters) {
     EXPECT_LE(r.lower, kExact) << iterations;
     EXPECT_GE(r.upper, kExact) << iterations;
     EXPECT_LE(r.upper - r.lower, 1e-6 * kExact) << iterations;
+  }
+}
+
+// R c + t has no doubles of its own: the general methods took it as rounded and fixed-size code as it is, so
+// that their intervals lay apart by up to 1e-11 of the distance for needles away from the origin of their
+// coordinates.
+TEST(GrowthDistance, OfNeedlesIsAboutTheirCentersAsPosed) {
+  Random random(98);
+  const Vector center{{7, -3, 5}}, half{{1, 1e-6, 2e-6}};
+  const Ellipsoid ellipsoid(center, half.asDiagonal().toDenseMatrix());
+  const PointSet points((half.asDiagonal() * sphere_points(3, 30, random)).colwise() + center);
+  const auto pose = [&random] {
+    const Eigen::Vector4d q = gaussian_points(4, 1, random);
+    return Pose(Eigen::Quaterniond(q), 9 * gaussian_points(3, 1, random));
+  };
+  DistanceOptions general = newton(1e-12);
+  general.max_iterations = 100000;
+  GrowthDistanceSolver fixed_size(newton(1e-12)), by_general(general);
+  for (int i = 0; i < 200; ++i) {
+    const Pose one = pose(), two = pose();
+    for (const ConvexSet* other :
+         {static_cast<const ConvexSet*>(&points), static_cast<const ConvexSet*>(&ellipsoid)}) {
+      const DistanceResult& a = fixed_size.solve_about_centers({ellipsoid, one}, {*other, two});
+      const DistanceResult& b = by_general.solve_about_centers({ellipsoid, one}, {*other, two});
+      EXPECT_LE(a.lower, b.upper) << "pair " << i;
+      EXPECT_LE(b.lower, a.upper) << "pair " << i;
+    }
   }
 }
 

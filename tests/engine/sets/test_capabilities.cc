@@ -120,11 +120,13 @@ Set pair_of_objects(const Set& A2, const Set& A1) {
 
 // S - 0 - ({p} - p).
 Set growth_body_of_point(const Set& S) {
+  using TwofoldPoint = GrowthBody::TwofoldPoint;
   auto held = std::make_shared<Held<GrowthBody>>();
   held->S = S;
   held->a = Eigen::Vector3d(0.1, -2, 0.3);
   held->other = std::make_shared<PointSet>(Eigen::MatrixXd(held->a));
-  held->view = std::make_unique<const GrowthBody>(*held->other, held->a.data(), *S, held->b.data(), false);
+  held->view = std::make_unique<const GrowthBody>(*held->other, TwofoldPoint{held->a.data(), nullptr}, *S,
+                                                  TwofoldPoint{held->b.data(), nullptr}, false);
   return {held, held->view.get()};
 }
 
