@@ -41,7 +41,10 @@ void Sifting::start() {
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
   }
-  const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
+
+  const double spacing = std::max(A_->spacing(), Q_->spacing());
+  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  const double error = complete ? 0.05 + spacing : 0.02 + 0.8 * spacing;
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
   program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr);
 }
