@@ -255,13 +255,14 @@ class Tableaux {
       const ColumnsOfSet& set = sets[of_Q];
       const std::ptrdiff_t i = point_of(*tableau, next.column, set.size);
       const double* point = set.blocks + i / kLanes * (N * kLanes) + i % kLanes;
+      const Proposal made = next;
+      next = change(tableau, made, dantzig);
       const Entering<V, N> entering(*basis, set, point);
       if (!(entering.d < set.limit)) return true;
       const std::int64_t id = id_of_A(i) + of_Q;
-      if (!loop->bland && entering.may_replace(*basis, next.row)) [[likely]] {
-        loop->artificials -= basis->id[next.row] < 0 ? 1 : 0;
-        *gained -= entering.replace(basis, next.row, set, point, id) * entering.d;
-        next = change(tableau, next, dantzig);
+      if (!loop->bland && entering.may_replace(*basis, made.row)) [[likely]] {
+        loop->artificials -= basis->id[made.row] < 0 ? 1 : 0;
+        *gained -= entering.replace(basis, made.row, set, point, id) * entering.d;
         continue;
       }
       entering.copy_to(basis, set, point, column);

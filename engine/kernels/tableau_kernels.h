@@ -90,7 +90,8 @@ inline Proposal propose(Tableau<N, Real>* tableau, const RatioTests<N, Real>& te
   using F = Vec<float>;
   constexpr int kRows = Tableau<N, Real>::kRows;
   constexpr int L = Tableau<N, Real>::L;
-  const F::Index unbounded = bits_of_all(1e-20F);  // no row blocks
+  constexpr int kNoMark = ~RatioTests<N, Real>::kRowMask;
+  const F::Index unbounded = bits_of_all(1e-20F) & kNoMark;  // where no row blocks, row 0 stands in
   F::Index best{};
   for (int t = 0; t < Tableau<N, Real>::kPacks; ++t) {
     const F::Index most = larger(tests.most[t], unbounded);
