@@ -134,11 +134,12 @@ struct Entering {
     const double* x = basis.x();
     const double pivot = basis.w[r];
     const Pack theta = broadcast(x[r] / pivot);
-    unsigned below = pivot > kSafePivot ? 0 : 1;
+    constexpr unsigned kAllLanes = (1U << kWidth) - 1;
+    unsigned lanes = pivot > kSafePivot ? kAllLanes : 0;  // where nothing falls below; NaN does
     for (int t = 0; t < kPacks; ++t) {
-      below |= lanes_above(theta * w[t] - load(x + t * kWidth), kHarrisTolerance);
+      lanes &= lanes_above(load(x + t * kWidth) - theta * w[t], -kHarrisTolerance);
     }
-    return below == 0;
+    return lanes == kAllLanes;
   }
 
   // Basic column r gives way. Returns the step length θ.
@@ -172,11 +173,10 @@ struct Entering {
     return theta;
   }
 
-  // For the general kernels.
-  void copy_to(BasisView* basis, const ColumnsOfSet& set, const double* point, double* column) const {
+  // For the general kernels, which find w in the basis.
+  static void copy_column(const ColumnsOfSet& set, const double* point, double* column) {
     for (int k = 0; k < N; ++k) column[k] = set.sign * point[k * kLanes];
     column[N] = set.last;
-    for (int t = 0; t < kPacks; ++t) store(basis->w + t * kWidth, w[t]);
   }
 };
 
@@ -237,6 +237,10 @@ class Tableaux {
       tableau.offset[kPoints + lane] =
           static_cast<typename Vec<Real>::Integer>(offset(loop.first_Q.index[lane]));
     }
+    // The last one gives way to x.
+    if (loop.first_Q.best == loop.first_Q.index[kPoints - 1]) {
+      tableau.offset[2 * kPoints - 2] = tableau.offset[2 * kPoints - 1];
+    }
     gather<N>(&tableau, numbers<Real>(loop.A), numbers<Real>(loop.Q));
     form_reduced_costs<N>(&tableau, basis, loop.cost_of_Q);
   }
@@ -265,7 +269,7 @@ class Tableaux {
         *gained -= entering.replace(basis, made.row, set, point, id) * entering.d;
         continue;
       }
-      entering.copy_to(basis, set, point, column);
+      entering.copy_column(set, point, column);
       const int row = leaving_row<V>(*basis, loop->bland);
       if (row < 0) return false;
       loop->artificials -= basis->id[row] < 0 ? 1 : 0;
@@ -281,8 +285,10 @@ class Tableaux {
   Tableau<N, double> double_;
 };
 
+// With registers of two doubles the rows of more dimensions take longer than the basis changes that they
+// spare.
 template <int V, int N>
-using MinorIterations = std::conditional_t<(N > 0), Tableaux<V, N>, Shortlists<V, N>>;
+using MinorIterations = std::conditional_t<(N > 0 && kWidth > 2), Tableaux<V, N>, Shortlists<V, N>>;
 
 }  // namespace
 }  // namespace raygauge::RAYGAUGE_ISA

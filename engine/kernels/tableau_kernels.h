@@ -55,16 +55,6 @@ inline FloatBits marked(Vec<float>::Pack v, int mask, FloatBits mark) {
 inline FloatBits larger(FloatBits a, FloatBits b) { return a > b ? a : b; }
 inline FloatBits bits_of_all(float a) { return reinterpret_cast<FloatBits>(Vec<float>::Pack{} + a); }
 
-inline Vec<float>::Pack reciprocal(Vec<float>::Pack v) {
-#if defined(__AVX512F__)
-  return reinterpret_cast<Vec<float>::Pack>(_mm512_maskz_rcp14_ps(0xFFFF, reinterpret_cast<__m512>(v)));
-#elif defined(__AVX2__)
-  return reinterpret_cast<Vec<float>::Pack>(_mm256_rcp_ps(reinterpret_cast<__m256>(v)));
-#else
-  return 1.0F / v;
-#endif
-}
-
 // The ratio tests of all columns at once: the bits of max_i W_ij / x_i, marked with the row i.
 template <int N, class Real>
 struct RatioTests {
@@ -77,7 +67,7 @@ struct RatioTests {
 
   void take(const F::Pack* W, int i) {
     const auto x = reinterpret_cast<F::Index>(last_lane(W[kPacks - 1]));
-    const F::Pack inverse = reciprocal(reinterpret_cast<F::Pack>(larger(x, bits_of_all(kLeast))));
+    const F::Pack inverse = 1.0F / reinterpret_cast<F::Pack>(larger(x, bits_of_all(kLeast)));
     for (int t = 0; t < kPacks; ++t)
       most[t] = larger(marked(W[t] * inverse, kRowMask, F::Index{} + i), most[t]);
   }
@@ -97,7 +87,7 @@ inline Proposal propose(Tableau<N, Real>* tableau, const RatioTests<N, Real>& te
     const F::Index most = larger(tests.most[t], unbounded);
     *reinterpret_cast<F::Index*>(tableau->most + t * F::kCount) = most;
     const F::Pack d = load(tableau->row[kRows] + t * F::kCount);
-    const F::Pack fall = dantzig ? -d : -d * reciprocal(reinterpret_cast<F::Pack>(most));
+    const F::Pack fall = dantzig ? -d : -d / reinterpret_cast<F::Pack>(most);
     const F::Pack worth = d < load(tableau->limit + t * F::kCount) ? fall : F::Pack{};
     const F::Index lanes = lane_numbers<F::Index>() + t * F::kCount;
     best = larger(marked(worth, L - 1, lanes), best);
