@@ -52,7 +52,7 @@ struct LaneMaxima {
   }
 
   // The first of the points whose product is `best`.
-  [[gnu::always_inline]] std::ptrdiff_t first_of(Real best) const {
+  std::ptrdiff_t first_of(Real best) const {
     unsigned lanes = 0;
     for (int t = 0; t < kPacksPerBlock; ++t) lanes |= lanes_equal(value[t], best) << (t * Vec<Real>::kCount);
     std::ptrdiff_t first = lanes != 0 ? point_in(lowest_bit(lanes)) : 0;
