@@ -107,6 +107,7 @@ struct Entering {
   static constexpr int P = V * kRowPadding;
   // For a row that was found in single precision.
   static constexpr double kSafePivot = 0x1p-10;
+  static constexpr double kMuchLarger = 1.5;
 
   Pack w[kPacks];
   double d;
@@ -129,7 +130,8 @@ struct Entering {
     d = set.cost - (set.sign * product + set.last * y[N]);
   }
 
-  // Whether no basic variable falls below zero, but for Harris' tolerance, where this one leaves.
+  // Whether no basic variable falls below zero, but for Harris' tolerance, where this one leaves; and whether
+  // none that falls to zero as well has a much larger pivot, as in the ratio test.
   bool may_replace(const BasisView& basis, int r) const {
     const double* x = basis.x();
     const double pivot = basis.w[r];
@@ -137,7 +139,9 @@ struct Entering {
     constexpr unsigned kAllLanes = (1U << kWidth) - 1;
     unsigned lanes = pivot > kSafePivot ? kAllLanes : 0;  // where nothing falls below; NaN does
     for (int t = 0; t < kPacks; ++t) {
-      lanes &= lanes_above(load(x + t * kWidth) - theta * w[t], -kHarrisTolerance);
+      const Pack left = load(x + t * kWidth) - theta * w[t];
+      const Pack larger = left < broadcast(kHarrisTolerance) ? w[t] : Pack{};
+      lanes &= lanes_above(left, -kHarrisTolerance) & ~lanes_above(larger, kMuchLarger * pivot);
     }
     return lanes == kAllLanes;
   }
