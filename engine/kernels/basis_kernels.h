@@ -154,8 +154,9 @@ inline void ftran(BasisView* basis, const double* column) {
 
 // Harris' two-pass ratio test: the largest pivot among the rows that block within the tolerance. -1 if none
 // blocks.
+// Inlined, because w has just been stored.
 template <int V>
-inline int ratio_test(const BasisView& basis) {
+[[gnu::always_inline]] inline int ratio_test(const BasisView& basis) {
   const int count = packs<V>(basis);
   const double* x = basis.x();
   Pack smallest = broadcast(kInfinity);
@@ -178,6 +179,12 @@ inline int ratio_test(const BasisView& basis) {
   for (int p = 0; p < count; ++p) largest = maximum(largest, blocking(p));
   const double pivot = largest_lane(largest);
   if (!(pivot > 0)) return -1;  // x so large that rounding swallows the tolerance
+  if constexpr (V > 0) {
+    // Without a branch that depends on the row, which no processor foresees.
+    unsigned rows = 0;
+    for (int p = 0; p < count; ++p) rows |= lanes_equal(blocking(p), pivot) << (p * kWidth);
+    return lowest_bit(rows);
+  }
   int p = 0;
   unsigned rows = 0;
   while ((rows = lanes_equal(blocking(p), pivot)) == 0) ++p;
@@ -198,6 +205,11 @@ inline int bland_ratio_test(const BasisView& basis) {
     }
   }
   return row;
+}
+
+template <int V>
+inline int leaving_row(const BasisView& basis, bool bland) {
+  return bland ? bland_ratio_test(basis) : ratio_test<V>(basis);
 }
 
 // Replaces basic column r by `column`; w = R column is in place. Returns the step length θ.
@@ -245,32 +257,61 @@ template <int V, int N>
 inline int enter(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
                  bool bland, std::int64_t* left, double* theta) {
   ftran<V, N>(basis, column);
-  const int r = bland ? bland_ratio_test(*basis) : ratio_test<V>(*basis);
+  const int r = leaving_row<V>(*basis, bland);
   if (r < 0) return -1;
   *left = basis->id[r];
   *theta = replace<V, N>(basis, r, column, cost, reduced_cost, id);
   return r;
 }
 
-template <int V>
-PivotResult pivot_v(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
-                    bool bland, std::int64_t* left) {
+template <int V, int N>
+PivotResult pivot_vn(BasisView* basis, const double* column, double cost, double reduced_cost,
+                     std::int64_t id, bool bland, std::int64_t* left) {
   double theta = 0;
-  const int row = enter<V, 0>(basis, column, cost, reduced_cost, id, bland, left, &theta);
+  const int row = enter<V, N>(basis, column, cost, reduced_cost, id, bland, left, &theta);
   return row < 0 ? PivotResult::no_pivot : PivotResult::ok;
 }
 
 PivotResult pivot(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
                   bool bland, std::int64_t* left) {
+  const auto with = [&](auto V, auto N) {
+    return pivot_vn<decltype(V)::value, decltype(N)::value>(basis, column, cost, reduced_cost, id, bland,
+                                                            left);
+  };
+  using std::integral_constant;
+  const auto rows = [&](auto V, auto m) { return with(V, integral_constant<int, decltype(m)::value - 1>{}); };
+  integral_constant<int, 1> one;
+  integral_constant<int, 2> two;
+  integral_constant<int, 0> any;
+  switch (basis->m) {
+    case 3:
+      return rows(one, integral_constant<int, 3>{});
+    case 4:
+      return rows(one, integral_constant<int, 4>{});
+    case 5:
+      return rows(one, integral_constant<int, 5>{});
+    case 6:
+      return rows(one, integral_constant<int, 6>{});
+    case 7:
+      return rows(one, integral_constant<int, 7>{});
+    case 8:
+      return rows(one, integral_constant<int, 8>{});
+    case 9:
+      return rows(two, integral_constant<int, 9>{});
+    case 10:
+      return rows(two, integral_constant<int, 10>{});
+    default:
+      break;
+  }
   switch (basis->P / kRowPadding) {
     case 1:
-      return pivot_v<1>(basis, column, cost, reduced_cost, id, bland, left);
+      return with(one, any);
     case 2:
-      return pivot_v<2>(basis, column, cost, reduced_cost, id, bland, left);
+      return with(two, any);
     case 3:
-      return pivot_v<3>(basis, column, cost, reduced_cost, id, bland, left);
+      return with(integral_constant<int, 3>{}, any);
     default:
-      return pivot_v<0>(basis, column, cost, reduced_cost, id, bland, left);
+      return with(any, any);
   }
 }
 

@@ -51,28 +51,6 @@ inline double largest_entry(const double* v, int P) {
 }
 
 template <int V>
-MatrixNorms norms_v(BasisView* basis) {
-  const int P = basis->P;
-  const int m = basis->m;
-  double* sum_E = basis->scratch;
-  double* sum_R = sum_E + P;
-  double* sum_B = sum_R + P;
-  double* product = basis->w;
-  for (int i = 0; i < P; ++i) sum_E[i] = sum_R[i] = sum_B[i] = 0;
-  for (int j = 0; j < m; ++j) {
-    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(j) * P;
-    multiply<V>(basis->R, P, m, basis->B + offset, product, unchanged);
-    product[j] -= 1.0;
-    for (int p = 0; p < P; p += kWidth) {
-      store(sum_E + p, load(sum_E + p) + magnitude(load(product + p)));
-      store(sum_R + p, load(sum_R + p) + magnitude(load(basis->R + offset + p)));
-      store(sum_B + p, load(sum_B + p) + magnitude(load(basis->B + offset + p)));
-    }
-  }
-  return {largest_entry(sum_E, P), largest_entry(sum_R, P), largest_entry(sum_B, P)};
-}
-
-template <int V>
 double refine_v(BasisView* basis, const double* b, bool correct) {
   const int P = basis->P;
   const int m = basis->m;
@@ -188,14 +166,7 @@ MatrixNorms norms_in_tiles(BasisView* basis) {
 
 MatrixNorms norms(BasisView* basis) {
   subtract_changes(basis);
-  switch (basis->P / kRowPadding) {
-    case 1:
-      return norms_v<1>(basis);
-    case 2:
-      return norms_v<2>(basis);
-    default:
-      return norms_in_tiles(basis);
-  }
+  return norms_in_tiles(basis);
 }
 
 double refine(BasisView* basis, const double* b, bool correct) {

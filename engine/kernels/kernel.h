@@ -57,6 +57,14 @@ struct PricedPoints {
   std::ptrdiff_t size = 0;  ///< points; the lanes beyond, as many as fill the last block, repeat the last one
 };
 
+/// The best point of every lane of a pass, by their positions among the priced points.
+struct LaneList {
+  static constexpr int kMost = 16;
+  int count = 0;  ///< 16 after a pass in single precision, 8 after one in double, 0: no pass
+  std::int64_t index[kMost] = {};
+  std::int64_t best = 0;  ///< the best of them
+};
+
 /// How a run of the simplex loop over priced points ended.
 enum class LoopEnd : std::uint8_t {
   optimal,    ///< no column prices out
@@ -80,6 +88,10 @@ struct SimplexLoop {
   double cost_of_Q = 1;          ///< 0 in phase 1, where only artificial columns cost
   int artificials = 0;           ///< basic artificial columns (in/out)
   bool bland = false;
+  /// In: columns to begin with, before the first pass, found along a guess of the normal; none where the
+  /// count is 0, and forgotten after one use.
+  LaneList first_A;
+  LaneList first_Q;
   double h_A = 0;  ///< out, at LoopEnd::optimal and gap: h_A(u) and h_Q(-u) of the priced points at the duals
   double h_Q = 0;
   std::int64_t points_priced = 0;  ///< out, added to
@@ -105,6 +117,17 @@ struct Collection {
   double threshold = 0;  ///< raised when the buffer runs full, so that the best are kept
 };
 
+/// See Kernels::best_vertex.
+struct BestVertex {
+  const double* center = nullptr;  ///< c
+  double eta = 0;
+  double* point_A = nullptr;  ///< out: a, with max u·a
+  double* point_Q = nullptr;  ///< out: q, with max -u·q
+  double* column = nullptr;   ///< out: s = a - c - ηq
+  double value_A = 0;         ///< out: u·a
+  double value_Q = 0;         ///< out: -u·q
+};
+
 struct MatrixNorms {
   double residual = 0;  ///< ‖I - R B‖∞
   double R = 0;         ///< ‖R‖∞
@@ -128,9 +151,13 @@ struct Kernels {
   double (*price)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
                   std::ptrdiff_t* index);
 
-  /// The same in single precision, over blocks of 16; u·p only chooses here.
-  float (*price_single)(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
-                        std::ptrdiff_t* index);
+  /// The vertex s of A - c - ηQ that is best along u, and u·s.
+  double (*best_vertex)(const PricedPoints* A, const PricedPoints* Q, int n, const double* u,
+                        BestVertex* best);
+
+  /// max_i u·p_i and the best point of every lane. In single precision where the points have a copy in it (n
+  /// numbers of scratch); u·p only chooses then.
+  double (*price_lanes)(const PricedPoints* points, int n, const double* u, float* single, LaneList* lanes);
 
   /// Copies the best point of every lane to `block`, which is a block of points then: a shortlist of a pass,
   /// for directions near u. In single precision where the points have a copy in it (n numbers of scratch).

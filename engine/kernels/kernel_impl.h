@@ -18,28 +18,10 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,
-                          price_single,
-                          best_of_lanes,
-                          collect,
-                          pivot,
-                          simplex_loop,
-                          norms,
-                          refine,
-                          refine_twofold,
-                          residual_twofold,
-                          duals_twofold,
-                          duals,
-                          add_gram,
-                          cholesky,
-                          add_weighted,
-                          products,
-                          project_out,
-                          rotate,
-                          back_substitute,
-                          invert,
-                          products_twofold,
-                          multiply_twofold,
-                          subtract_product_twofold};
+const Kernels kKernels = {
+    price,        best_vertex,     price_lanes, best_of_lanes,    collect,          pivot,
+    simplex_loop, norms,           refine,      refine_twofold,   residual_twofold, duals_twofold,
+    duals,        add_gram,        cholesky,    add_weighted,     products,         project_out,
+    rotate,       back_substitute, invert,      products_twofold, multiply_twofold, subtract_product_twofold};
 
 }  // namespace raygauge::RAYGAUGE_ISA

@@ -62,8 +62,35 @@ inline Pack pack_of(F f) {
   }
 }
 
+template <class F>
+inline Vec<float>::Pack floats_of(F f) {
+  if constexpr (kWidth == 2) {
+    return Vec<float>::Pack{f(0), f(1), f(2), f(3)};
+  } else if constexpr (kWidth == 4) {
+    return Vec<float>::Pack{f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
+  } else {
+    return Vec<float>::Pack{f(0), f(1), f(2),  f(3),  f(4),  f(5),  f(6),  f(7),
+                            f(8), f(9), f(10), f(11), f(12), f(13), f(14), f(15)};
+  }
+}
+
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
 inline double absolute(double a) { return __builtin_fabs(a); }
+
+// v's last lane, in all lanes.
+template <class V>
+inline V last_lane(V v) {
+  constexpr int kCount = sizeof(V) / sizeof(v[0]);
+  if constexpr (kCount == 16) {
+    return __builtin_shufflevector(v, v, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15);
+  } else if constexpr (kCount == 8) {
+    return __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
+  } else if constexpr (kCount == 4) {
+    return __builtin_shufflevector(v, v, 3, 3, 3, 3);
+  } else {
+    return __builtin_shufflevector(v, v, 1, 1);
+  }
+}
 
 // A reduction over the lanes by halving; every lane of the result holds the answer.
 template <class V, class Op>

@@ -4,6 +4,8 @@
 // Support queries over blocked points. Part of kernel_impl.h.
 #pragma once
 
+#include <type_traits>
+
 #include "engine/kernels/pack.h"
 
 namespace raygauge::RAYGAUGE_ISA {
@@ -118,8 +120,10 @@ inline void dot_blocks(const Real* p, int n, const Real* u, typename Vec<Real>::
 template <int N>
 constexpr int kChains = N > 0 && N <= 4 ? 2 : 1;
 
+// Inlined, because a result that returns in memory would be waited for.
 template <int N, class Real>
-inline LaneMaxima<Real> pass_over(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u) {
+[[gnu::always_inline]] inline LaneMaxima<Real> pass_over(const Real* blocks, std::ptrdiff_t block_count,
+                                                         int n, const Real* u) {
   using V = Vec<Real>;
   constexpr int kTogether = N > 0 && N <= 6 ? 4 : 2;  // blocks whose chains of additions overlap
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * V::kPoints;
@@ -144,48 +148,80 @@ inline LaneMaxima<Real> pass_over(const Real* blocks, std::ptrdiff_t block_count
   return maxima[0];
 }
 
-template <int N, class Real>
-Real price_n(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u, std::ptrdiff_t* index) {
-  const LaneMaxima<Real> maxima = pass_over<N>(blocks, block_count, n, u);
-  const Real best = maxima.best();
+template <int N>
+inline double price_n(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
+                      std::ptrdiff_t* index) {
+  const LaneMaxima<double> maxima = pass_over<N>(blocks, block_count, n, u);
+  const double best = maxima.best();
   *index = maxima.first_of(best);
   return best;
 }
 
-template <class Real>
-Real price_any(const Real* blocks, std::ptrdiff_t block_count, int n, const Real* u, std::ptrdiff_t* index) {
+// f(the dimension as a constant where there are kernels for it, else 0).
+template <class F>
+inline auto with_dimension(int n, F f) {
   switch (n) {
     case 2:
-      return price_n<2>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 2>{});
     case 3:
-      return price_n<3>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 3>{});
     case 4:
-      return price_n<4>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 4>{});
     case 5:
-      return price_n<5>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 5>{});
     case 6:
-      return price_n<6>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 6>{});
     case 7:
-      return price_n<7>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 7>{});
     case 8:
-      return price_n<8>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 8>{});
     case 9:
-      return price_n<9>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 9>{});
     case 10:
-      return price_n<10>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 10>{});
     default:
-      return price_n<0>(blocks, block_count, n, u, index);
+      return f(std::integral_constant<int, 0>{});
   }
 }
 
 double price(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
              std::ptrdiff_t* index) {
-  return price_any(blocks, block_count, n, u, index);
+  return with_dimension(
+      n, [=](auto N) { return price_n<decltype(N)::value>(blocks, block_count, n, u, index); });
 }
 
-float price_single(const float* blocks, std::ptrdiff_t block_count, int n, const float* u,
-                   std::ptrdiff_t* index) {
-  return price_any(blocks, block_count, n, u, index);
+template <int N>
+inline void copy_of_point(const double* blocks, std::ptrdiff_t index, int n, double* point) {
+  const int dimension = N > 0 ? N : n;
+  const double* from = blocks + index / kLanes * dimension * kLanes + index % kLanes;
+  for (int k = 0; k < dimension; ++k) point[k] = from[k * kLanes];
+}
+
+// The second pass starts while the first one's maxima are reduced.
+template <int N>
+inline double best_vertex_n(const PricedPoints* A, const PricedPoints* Q, int n, const double* u,
+                            BestVertex* best) {
+  const int dimension = N > 0 ? N : n;
+  double* s = best->column;
+  for (int k = 0; k < dimension; ++k) s[k] = -u[k];
+  const LaneMaxima<double> maxima_A = pass_over<N>(A->blocks, A->block_count, n, u);
+  const LaneMaxima<double> maxima_Q = pass_over<N>(Q->blocks, Q->block_count, n, s);
+  best->value_A = maxima_A.best();
+  best->value_Q = maxima_Q.best();
+  double* a = best->point_A;
+  double* q = best->point_Q;
+  copy_of_point<N>(A->blocks, maxima_A.first_of(best->value_A), n, a);
+  copy_of_point<N>(Q->blocks, maxima_Q.first_of(best->value_Q), n, q);
+  double sum[2] = {};
+  for (int k = 0; k < dimension; ++k) {
+    s[k] = a[k] - best->center[k] - best->eta * q[k];
+    sum[k % 2] += u[k] * s[k];
+  }
+  return sum[0] + sum[1];
+}
+
+double best_vertex(const PricedPoints* A, const PricedPoints* Q, int n, const double* u, BestVertex* best) {
+  return with_dimension(n, [=](auto N) { return best_vertex_n<decltype(N)::value>(A, Q, n, u, best); });
 }
 
 // Keeps the better half of a full collection and raises its threshold accordingly (quickselect on the
@@ -266,28 +302,8 @@ double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last
 
 double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
                Collection* collection) {
-  switch (n) {
-    case 2:
-      return collect_n<2>(blocks, first, last, n, u, collection);
-    case 3:
-      return collect_n<3>(blocks, first, last, n, u, collection);
-    case 4:
-      return collect_n<4>(blocks, first, last, n, u, collection);
-    case 5:
-      return collect_n<5>(blocks, first, last, n, u, collection);
-    case 6:
-      return collect_n<6>(blocks, first, last, n, u, collection);
-    case 7:
-      return collect_n<7>(blocks, first, last, n, u, collection);
-    case 8:
-      return collect_n<8>(blocks, first, last, n, u, collection);
-    case 9:
-      return collect_n<9>(blocks, first, last, n, u, collection);
-    case 10:
-      return collect_n<10>(blocks, first, last, n, u, collection);
-    default:
-      return collect_n<0>(blocks, first, last, n, u, collection);
-  }
+  return with_dimension(
+      n, [=](auto N) { return collect_n<decltype(N)::value>(blocks, first, last, n, u, collection); });
 }
 
 // All products of u with the points, in their order.

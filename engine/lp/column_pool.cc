@@ -233,6 +233,21 @@ void ColumnPool::add(const double* point) {
   grow_to(size_ + 1);
   place(size_, point, 1, nullptr);
   ++size_;
+  fill_up();
+}
+
+// While points are added the first of a block stands in for those to come.
+void ColumnPool::fill_up() {
+  if (complete_) return;
+  const auto repeat_last = [this](auto* blocks, std::ptrdiff_t lanes) {
+    const std::ptrdiff_t last = (size_ - 1) % lanes;
+    auto* row = blocks + (size_ - 1) / lanes * n_ * lanes;
+    for (int k = 0; k < n_; ++k, row += lanes) {
+      for (std::ptrdiff_t lane = last + 1; lane < lanes; ++lane) row[lane] = row[last];
+    }
+  };
+  repeat_last(copy_.data(), kLanes);
+  if (in_single_) repeat_last(single_copy_.data(), std::ptrdiff_t{PointSet::kSingleLanes});
 }
 
 std::int64_t ColumnPool::index_in(const PointSet& S, const double* factor, std::ptrdiff_t i) const noexcept {

@@ -25,8 +25,11 @@ class ColumnPool {
   /// How many points of S are worth adding at a time.
   static std::ptrdiff_t growth(const PointSet& S);
 
-  /// Appends point `index` of S, unless it is here already: false then.
+  /// Appends point `index` of S, unless it is here already: false then. After the last of them, fill_up().
   bool add(const PointSet& S, const double* factor, std::int64_t index);
+
+  /// Repeats the last point where the last block has room.
+  void fill_up();
 
   /// Whether point `index` of S, from which the points were chosen, is here.
   bool holds(std::int64_t index) const noexcept;

@@ -71,17 +71,11 @@ void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   single_.reserve(static_cast<std::size_t>(n));
 }
 
-// max sign · guess · p over the points: a start needs no more than single precision.
-double PrimalSimplex::price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index) {
-  if (points.single_blocks == nullptr) {
-    for (int k = 0; k < n_; ++k)
-      column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
-    return kernels_->price(points.blocks, points.block_count, n_, column_.data(), index);
-  }
-  for (int k = 0; k < n_; ++k) {
-    single_[static_cast<std::size_t>(k)] = static_cast<float>(sign * guess_[static_cast<std::size_t>(k)]);
-  }
-  return kernels_->price_single(points.single_blocks, points.single_block_count, n_, single_.data(), index);
+// max sign · guess · p over the points, and the best of them: a start needs no more than single precision.
+double PrimalSimplex::price_guess(const PricedPoints& points, double sign, LaneList* lanes) {
+  for (int k = 0; k < n_; ++k)
+    column_[static_cast<std::size_t>(k)] = sign * guess_[static_cast<std::size_t>(k)];
+  return kernels_->price_lanes(&points, n_, column_.data(), single_.data(), lanes);
 }
 
 // The point of A that the guess prefers, and artificial columns signed so that the basic solution is
@@ -92,11 +86,11 @@ void PrimalSimplex::start(const ColumnPool& A, const ColumnPool& Q, const double
   basis_.right_hand_side()[n_] = 1.0;
 
   // The guess, scaled to h_Q(-u) = 1 as the final normal will be.
-  std::ptrdiff_t index = 0;
   std::copy_n(guess, n_, guess_.data());
-  const double h_Q = price_guess(Q.view(), -1.0, &index);
+  const double h_Q = price_guess(Q.view(), -1.0, &loop_.first_Q);
   const double length = h_Q > 0 ? 1.0 / h_Q : 1.0;
-  price_guess(A.view(), 1.0, &index);
+  price_guess(A.view(), 1.0, &loop_.first_A);
+  const std::int64_t index = loop_.first_A.best;
   for (int k = 0; k < n_; ++k) guess_[static_cast<std::size_t>(k)] = length * guess[k];
 
   double* a = column_.data();
@@ -141,6 +135,7 @@ bool PrimalSimplex::start_from(const ColumnPool& A, const ColumnPool& Q, std::sp
   }
   ++refactorisations_;
   loop_.artificials = 0;
+  loop_.first_A.count = 0;
   if (!basis_.refactor()) return false;
   const double* x = basis_.view().x();
   return std::all_of(x, x + n_ + 1, [](double weight) { return weight >= -kFeasible; });

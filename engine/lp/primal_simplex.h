@@ -137,7 +137,7 @@ class PrimalSimplex {
   // Phase 2 with bounded duals; phase 1; phase 1 with a margin, which is a negative cost of points of Q.
   enum class Stage : std::uint8_t { optimise, reach, separate };
 
-  double price_guess(const PricedPoints& points, double sign, std::ptrdiff_t* index);
+  double price_guess(const PricedPoints& points, double sign, LaneList* lanes);
   void place_artificials(const double* a, const Frame* frame);
   void place_axis_points(const AxisPoints& axes);
   void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);

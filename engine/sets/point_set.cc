@@ -78,7 +78,7 @@ std::unique_ptr<const PointSet> PointSet::clustered(const Eigen::Ref<const Eigen
 void PointSet::round_to_single() {
   const std::ptrdiff_t n = dimension();
   const std::ptrdiff_t count = single_block_count() * kSingleLanes * n;
-  if (size_ * n > kSingleNumbers) return;
+  if (size_ * n > single_numbers(dimension())) return;
   single_data_.reset(
       static_cast<float*>(::operator new[](static_cast<std::size_t>(count) * sizeof(float), kAlignment)));
   for (std::ptrdiff_t slot = 0; slot < single_block_count() * kSingleLanes; ++slot) {

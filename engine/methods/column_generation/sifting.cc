@@ -43,6 +43,8 @@ void Sifting::solve_restricted(const PointSet& A, const PointSet& Q, std::span<c
   working_Q_.clear(n_);
   for (const std::int64_t i : index_A) working_A_.add(A, scaling_.factor_A(), i);
   for (const std::int64_t j : index_Q) working_Q_.add(Q, scaling_.factor_Q(), j);
+  working_A_.fill_up();
+  working_Q_.fill_up();
   chosen_A_ = index_A;
   chosen_Q_ = index_Q;
   start();
@@ -292,6 +294,7 @@ void Sifting::add_violators() {
     for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
       working.add(S, factor, violators.index[i]);
     }
+    working.fill_up();
   };
   add(working_A_, *A_, scaling_.factor_A(), violators_A_.points);
   add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_.points);

@@ -20,6 +20,9 @@ constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension
 // Dimensions from which on it pays to look whether points of Q stand on the axes.
 constexpr int kLeastForAxes = 16;
 
+// In which the simplex chooses basis changes by a tableau.
+constexpr int kFewDimensions = 10;
+
 // Of the normal that it ends with, where its columns make no basis.
 constexpr double kErrorInside = 1e-3;
 
@@ -46,10 +49,19 @@ void Sifting::start() {
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
   }
-  const double error = 0.02 + 0.8 * std::max(A_->spacing(), Q_->spacing());
+  const double error = guess_error();
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
   program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr,
                  look && axes_.any() ? &axes_ : nullptr);
+}
+
+// Of the first normal, relative. Where all points are priced from the start, bounds too narrow, which have to
+// be raised, cost more than bounds too wide; a normal of a sample had better stay near the guess.
+double Sifting::guess_error() const {
+  const double spacing = std::max(A_->spacing(), Q_->spacing());
+  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  if (!complete) return 0.02 + 0.8 * spacing;
+  return (n_ <= kFewDimensions ? 0.15 : 0.05) + spacing;
 }
 
 // From the columns that carry weight at the end of the interior-point method, or from its normal.

@@ -27,6 +27,10 @@ class SupportOracle {
   /// otherwise. The maximiser is written to `point`. At most h_S'(sign · u).
   double query(const double* u, double sign, double* point);
 
+  /// The points at hand of a point set, and whether it is one.
+  bool has_points() const noexcept { return points_ != nullptr; }
+  PricedPoints points() const noexcept { return working_.view(); }
+
   /// Whether pass() and query_shortlist() save passes here: over point sets of many dimensions.
   bool keeps_shortlist() const noexcept;
 

@@ -78,10 +78,19 @@ double RayShooter::query_shortlists(const double* u, double eta) {
 
 // h_S(u) over the points at hand; the maximiser becomes the candidate column.
 double RayShooter::query(const double* u, double eta) {
-  best_A_ = A_->query(u, 1.0, slot_A(free_slot_));
-  best_Q_ = Q_->query(u, -1.0, slot_Q(free_slot_));
   ++iterations_;
   ++passes_;
+  if (A_->has_points() && Q_->has_points()) {
+    const PricedPoints A = A_->points();
+    const PricedPoints Q = Q_->points();
+    BestVertex best = {center_.data(), eta, slot_A(free_slot_), slot_Q(free_slot_), column_.data()};
+    const double h_S = kernels_->best_vertex(&A, &Q, n_, u, &best);
+    best_A_ = best.value_A;
+    best_Q_ = best.value_Q;
+    return h_S;
+  }
+  best_A_ = A_->query(u, 1.0, slot_A(free_slot_));
+  best_Q_ = Q_->query(u, -1.0, slot_Q(free_slot_));
   return support_of_column(u, eta);
 }
 

@@ -12,11 +12,12 @@ namespace {
 
 constexpr int kAttemptsToClose = 8;  // outer iterations that pass the published test but leave a gap
 constexpr int kPatience = 3;  // outer iterations that do not raise the bound: rounding has the last word
-// Rays of at least so many dimensions are left where a bound so many times their η turns up: half of the
-// iterations at n = 50 to 200. Where that happens so often in a row, no multiple of Q may reach A, and there
-// is a Farkas direction to be found.
-constexpr int kOvertakenDimension = 16;
-constexpr double kOvertaking = 2;
+// A ray is left where a bound so many times its η turns up: a quarter of the iterations on the grid of the
+// paper, half of them at n = 50 to 200, where shorter rays would be left too often. Where that happens so
+// often in a row, no multiple of Q may reach A, and there is a Farkas direction to be found.
+constexpr double kOvertakingInFew = 1.3;  // of point sets
+constexpr double kOvertakingInMany = 2;
+constexpr int kManyDimensions = 16;
 constexpr int kMostOvertaken = 16;
 // The first ray, at an η far from the distance, is shot this loosely: its end would be left at the next η
 // anyway.
@@ -80,11 +81,12 @@ void ZhengYamane::begin(const Problem& problem) {
   overtaken_ = 0;
 }
 
-// Long rays are not shot to the end where a normal on the way proves a much better bound (10): the next ray
+// Rays are not shot to the end where a normal on the way proves a much better bound (10): the next ray
 // begins there, from the vertices of this one. The published stop test is about whole rays.
 double ZhengYamane::overtaking_bound() const noexcept {
-  const bool whole = options_.stop_rule == StopRule::published_sigma || n_ < kOvertakenDimension;
-  return whole ? kInfinity : kOvertaking * eta_;
+  if (options_.stop_rule == StopRule::published_sigma) return kInfinity;
+  if (n_ >= kManyDimensions) return kOvertakingInMany * eta_;
+  return scaled_ ? kOvertakingInFew * eta_ : kInfinity;
 }
 
 ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {

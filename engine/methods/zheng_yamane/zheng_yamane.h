@@ -19,8 +19,8 @@ namespace raygauge {
 /// each ray shooting starting from the vertices of the one before (Fig. 3c). Every η_{k+1} is a lower bound.
 /// With StopRule::certified_gap the program over the last vertices (SupportColumnGeneration::solve_offered)
 /// adds the upper bound, and the iteration goes on until the gap is closed; the first ray is then shot to a
-/// few per cent only, since (10) is a bound for every normal. In many dimensions a ray is then left for the
-/// next one as soon as a normal on the way proves twice its η. Where such a normal leaves Q on the far side,
+/// few per cent only, since (10) is a bound for every normal. A ray is then left for the next one as
+/// soon as a normal on the way proves a much larger η. Where such a normal leaves Q on the far side,
 /// h_Q(-n_k) <= 0, no multiple of Q reaches A.
 ///
 /// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this

@@ -56,10 +56,10 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   const double* data() const noexcept { return data_.get(); }
 
   /// The points rounded to single precision in blocks of kSingleLanes = 16, otherwise as data(); only for
-  /// sets of up to kSingleNumbers coordinates, nullptr for larger ones. For choosing points, never for
+  /// sets of up to single_numbers(n) coordinates, nullptr for larger ones. For choosing points, never for
   /// concluding from them.
   static constexpr int kSingleLanes = 16;
-  static constexpr std::ptrdiff_t kSingleNumbers = 16384;
+  static constexpr std::ptrdiff_t single_numbers(int n) noexcept { return n <= 10 ? 65536 : 16384; }
   const float* single_data() const noexcept { return single_data_.get(); }
   std::ptrdiff_t single_block_count() const noexcept { return (size_ + kSingleLanes - 1) / kSingleLanes; }
 

@@ -80,6 +80,28 @@ TEST(ColumnPool, AddsAPointOnce) {
   EXPECT_EQ(pool.index_in(S, ones.data(), size), absent);
 }
 
+// A lane that no point fills must not win with a point that its index does not name.
+TEST(ColumnPool, RepeatsItsLastPointInTheLanesBeyond) {
+  const int n = 4;
+  const PointSet S = random_set(n, 4000, 5);
+  const Vector factor = Vector::Constant(n, 0.5);
+  ColumnPool pool;
+  pool.choose(S, factor.data(), false, false);
+  ASSERT_FALSE(pool.is_complete());
+  for (std::int64_t index = 0; pool.size() % 8 != 3; ++index) pool.add(S, factor.data(), index);
+  pool.fill_up();
+  for (std::ptrdiff_t lane = pool.size(); lane < pool.view().block_count * 8; ++lane) {
+    EXPECT_EQ(point_at(pool, lane, n), point_at(pool, pool.size() - 1, n));
+  }
+  pool.clear(n);
+  for (int i = 0; i < 11; ++i) {
+    pool.add(S.point(i).data());
+    for (std::ptrdiff_t lane = i; lane < pool.view().block_count * 8; ++lane) {
+      EXPECT_EQ(point_at(pool, lane, n), point_at(pool, i, n));
+    }
+  }
+}
+
 TEST(ColumnPool, KeepsPointsOfNoSet) {
   ColumnPool pool;
   pool.clear(2);
