@@ -17,11 +17,11 @@ namespace raygauge::bench {
 namespace {
 
 using PrintRow = void (*)(const Variant&, const Effort&);
-const std::vector<std::pair<std::string, PrintRow>> kRows = {
-    {"grid", print_grid},           {"large", print_large},   {"n50", print_n50},
-    {"n100", print_n100},           {"high", print_high},     {"certified", print_certified},
-    {"euclidean", print_euclidean}, {"shapes", print_shapes}, {"threads", print_threads},
-    {"memory", print_memory},       {"growth", print_growth}};
+using Rows = std::vector<std::pair<std::string, PrintRow>>;
+const Rows kRows = {{"grid", print_grid},           {"large", print_large},   {"n50", print_n50},
+                    {"n100", print_n100},           {"high", print_high},     {"certified", print_certified},
+                    {"euclidean", print_euclidean}, {"shapes", print_shapes}, {"threads", print_threads},
+                    {"memory", print_memory},       {"growth", print_growth}};
 
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;

@@ -9,8 +9,8 @@
 #include "engine/lp/integer_scaling.h"
 #include "engine/numerics/big_integer.h"
 #include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/result.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/point_weight.h"
 
 namespace raygauge {
 

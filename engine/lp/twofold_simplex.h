@@ -10,8 +10,8 @@
 #include "engine/lp/twofold_basis.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/result.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/point_weight.h"
 
 namespace raygauge {
 

@@ -10,6 +10,7 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/point_weight.h"
 
 namespace raygauge {
 
@@ -43,12 +44,6 @@ struct DistanceCounters {
   std::int64_t exact_pivots = 0;         ///< basis changes in exact arithmetic, where doubles did not suffice
   std::int64_t witness_evaluations = 0;  ///< contact points computed
   friend bool operator==(const DistanceCounters&, const DistanceCounters&) = default;
-};
-
-/// A point of a set, by its index, with its weight in a convex combination.
-struct PointWeight {
-  std::ptrdiff_t index = 0;
-  double weight = 0;
 };
 
 /// The answer to one distance query. Values that were not computed are NaN or empty.
