@@ -13,9 +13,11 @@ namespace {
 using Eigen::Vector3d;
 
 /// The point of the disc that is farthest in direction u: centre + radius · (u without its part along the
-/// normal).
+/// normal). That part is taken out twice: where u is almost the normal, the first time leaves rounding
+/// errors, and a support point has to be a point of the set.
 Vector3d farthest(const Vector3d& centre, const Vector3d& normal, double radius, const Vector3d& u) {
-  const Vector3d in_plane = u - u.dot(normal) * normal;
+  Vector3d in_plane = u - u.dot(normal) * normal;
+  in_plane -= in_plane.dot(normal) * normal;
   const double length = in_plane.norm();
   if (length == 0) return centre;
   return centre + radius / length * in_plane;

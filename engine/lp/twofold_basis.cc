@@ -28,16 +28,20 @@ void clear(AlignedBuffer<double>& buffer, std::size_t count) {
   std::fill_n(buffer.data(), count, 0.0);
 }
 
-// x^0 + x^1 + x^2 += change, the parts ordered by magnitude again.
+// x^0 + x^1 + x^2 += change, the parts ordered by magnitude again: where the first ones cancel, it takes a
+// second turn.
 void add(TwofoldBasis::Solution& x, std::size_t i, double change, double change_low) {
   DoubleDouble first = two_sum(x.part[0][i], change);
   DoubleDouble second = two_sum(x.part[1][i], first.low);
   double third = x.part[2][i] + second.low + change_low;
-  first = two_sum(first.high, second.high);
-  second = two_sum(first.low, third);
+  for (int turn = 0; turn < 2; ++turn) {
+    first = two_sum(first.high, second.high);
+    second = two_sum(first.low, third);
+    third = second.low;
+  }
   x.part[0][i] = first.high;
   x.part[1][i] = second.high;
-  x.part[2][i] = second.low;
+  x.part[2][i] = third;
 }
 
 }  // namespace

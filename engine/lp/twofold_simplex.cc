@@ -264,9 +264,9 @@ double TwofoldSimplex::upper(const Stopwatch& stopwatch) {
   zeros_.clear();
   for (int i = 0; i < m_; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double x = solution_.part[0][at];
+    const double x = solution_.part[0][at];  // the others are below its last bit
     if (basis_.is_artificial(i) || !(x > 2 * solution_.error)) {
-      if (!(std::fabs(x) <= 2 * solution_.error)) return kInfinity;
+      if (!(std::fabs(x) <= 4 * solution_.error)) return kInfinity;
       zeros_.push_back(i);
       solution_.part[0][at] = 0;
     } else if (is_from_Q(basis_.id(i))) {
