@@ -49,6 +49,7 @@ class Sifting {
   void start_inside();
   bool is_separated();
   bool choose_frame();
+  int least_for_interior() const;
   double guess_error() const;
   void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);

@@ -10,12 +10,14 @@
 namespace raygauge {
 namespace {
 
-// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex
-// (AVX-512, its time over that of the simplex): with many points 1.1 at n = 150, N = 450, 0.75 and 0.85 at n
-// = 200, N = 3 n and 10 n, 0.5 at n = 300 and 400.
-constexpr int kInteriorOfMany = 200;
+// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex, by the
+// points of both sets for each dimension (AVX-512, its time over that of the simplex): N = 3 n and 10 n: 0.95
+// and 1.04 at n = 120, 0.80 and 0.75 at n = 150, 0.5 at n = 200; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
 constexpr int kInteriorOfFew = 450;
-constexpr std::ptrdiff_t kManyPoints = 6;  // of both sets, for each dimension
+constexpr int kInteriorOfSome = 130;
+constexpr int kInteriorOfMany = 200;
+constexpr std::ptrdiff_t kSomePoints = 6;
+constexpr std::ptrdiff_t kManyPoints = 60;
 
 // Dimensions from which on it pays to look whether points of Q stand on the axes.
 constexpr int kLeastForAxes = 16;
@@ -43,8 +45,7 @@ void Sifting::start() {
   separated_ = false;
   const bool look = n_ >= kLeastForAxes && !framed;
   if (look) axes_.find(working_Q_.view(), n_);
-  const bool many = A_->size() + Q_->size() >= kManyPoints * n_;
-  if (n_ >= (many ? kInteriorOfMany : kInteriorOfFew) && !(look && axes_.complete())) {
+  if (n_ >= least_for_interior() && !(look && axes_.complete())) {
     const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
     separated_ = end == InteriorPoint::End::separated;
     if (end != InteriorPoint::End::failed) return start_inside();
@@ -53,6 +54,12 @@ void Sifting::start() {
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
   program_.start(working_A_, working_Q_, guess, error, framed ? &frame : nullptr,
                  look && axes_.any() ? &axes_ : nullptr);
+}
+
+int Sifting::least_for_interior() const {
+  const std::ptrdiff_t points = A_->size() + Q_->size();
+  if (points < kSomePoints * n_) return kInteriorOfFew;
+  return points <= kManyPoints * n_ ? kInteriorOfSome : kInteriorOfMany;
 }
 
 // Of the first normal, relative. Where all points are priced from the start, bounds too narrow, which have to
