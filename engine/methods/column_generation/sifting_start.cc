@@ -12,10 +12,14 @@ namespace {
 
 // Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex, by the
 // points of both sets for each dimension (AVX-512, its time over that of the simplex): N = 3 n and 10 n: 0.95
-// and 1.04 at n = 120, 0.80 and 0.75 at n = 150, 0.5 at n = 200; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
+// and 1.04 at n = 120, 0.80 and 0.75 at n = 150, 0.5 at n = 200; N = 100 n: 1.3 at n = 150, 1.1 at n = 200; N
+// = n + 2 and 1.5 n, mostly without a solution: 0.9 and 1.1 at n = 200, 0.7 and 0.6 at n = 300; N = 2 n, with
+// and without one: 0.9 at n = 300, 1.7 at n = 400.
+constexpr int kInteriorOfFewest = 250;
 constexpr int kInteriorOfFew = 450;
 constexpr int kInteriorOfSome = 130;
 constexpr int kInteriorOfMany = 200;
+constexpr double kFewestPoints = 3.5;
 constexpr std::ptrdiff_t kSomePoints = 6;
 constexpr std::ptrdiff_t kManyPoints = 60;
 
@@ -58,6 +62,7 @@ void Sifting::start() {
 
 int Sifting::least_for_interior() const {
   const std::ptrdiff_t points = A_->size() + Q_->size();
+  if (static_cast<double>(points) <= kFewestPoints * n_) return kInteriorOfFewest;
   if (points < kSomePoints * n_) return kInteriorOfFew;
   return points <= kManyPoints * n_ ? kInteriorOfSome : kInteriorOfMany;
 }
