@@ -267,10 +267,11 @@ RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& p
   for (int i = 0; i < 2; ++i) {
     const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
     const SpatialShape& shape = *body_[i].shape;
-    if (index >= 0) {
-      x[i] = precise(vertex_of(shape, index));
+    if (index >= 0 || shape.kind == Kind::point) {
+      x[i] = precise(vertex_of(shape, std::max(index, 0)));
       continue;
     }
+    if (shape.kind != Kind::ellipsoid && shape.kind != Kind::frustum) return false;
     if (followed != nullptr && index == (i == 0 ? followed->index_1 : followed->index_2)) {
       x[i] = i == 0 ? followed->x1 : followed->x2;
       continue;

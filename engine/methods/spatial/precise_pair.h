@@ -44,8 +44,9 @@ class PrecisePair {
   /// of the last support point: for u = -v/|v| an upper bound on the distance, but for error().
   double length_beyond_balls(const PreciseVector3& v, const PreciseVector3& u) const;
 
-  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. False, and
-  /// nothing is changed, where u is so near the axis of a rim that this says nothing. `followed` is a point
+  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u; a ball has its
+  /// centre whatever its index. False, and nothing is changed, where u is so near the axis of a rim that this
+  /// says nothing, and where an index names no vertex of a core that has nothing else. `followed` is a point
   /// that has followed u before, or null: it may share a rim.
   bool follow(const PreciseVector3& u, PrecisePoint& point, const PrecisePoint* followed = nullptr) const;
 

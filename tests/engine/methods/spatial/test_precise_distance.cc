@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/precise_pair.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
@@ -362,6 +364,32 @@ TEST(PreciseDistance, CertifiesPairsThatNearlyTouch) {
       EXPECT_NEAR(g.distance, 1, 1e-5);
     }
   }
+}
+
+// A ball named by no vertex was followed as a rim of radius 0 about an axis of length 0: a point beside its
+// centre, and with it an upper bound below the distance, by 4e-8 for bodies of size 1e9 whose R is not quite
+// a rotation (raygauge_soak placed --seed 7001 --first 40044539 --pairs 2).
+TEST(PrecisePair, FollowsTheCenterOfABallWhateverItsIndex) {
+  const Eigen::Vector3d center(0.1, -0.2, 0.3);
+  const Ball ball(center, 0.5);
+  const Cylinder cylinder(Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(2, 0, 1), 0.25);
+  const Box box(Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(3, 3, 3));
+  SpatialPair pair;
+  PrecisePair precise_pair;
+  ASSERT_TRUE(pair.bind(ball, cylinder, InstructionSet::automatic) && pair.place({}, {}));
+  ASSERT_TRUE(precise_pair.bind(pair, best_kernels()));
+  PrecisePoint point;
+  const PreciseVector3 u = precise({0.6, 0.0, 0.8});
+  ASSERT_TRUE(precise_pair.follow(u, point));
+  EXPECT_EQ(point.x1.x.high, center.x());
+  EXPECT_EQ(point.x1.y.high, center.y());
+  EXPECT_EQ(point.x1.z.high, center.z());
+  ASSERT_TRUE(pair.bind(box, cylinder, InstructionSet::automatic) && pair.place({}, {}));
+  ASSERT_TRUE(precise_pair.bind(pair, best_kernels()));
+  PrecisePoint corner;
+  EXPECT_FALSE(precise_pair.follow(u, corner)) << "no vertex is named";
+  corner.index_1 = 0;
+  EXPECT_TRUE(precise_pair.follow(u, corner));
 }
 
 }  // namespace
