@@ -30,8 +30,8 @@ void print_high(const Variant& variant, const Effort& effort);
 void print_certified(const Variant& variant, const Effort& effort);
 /// The Euclidean distance of two point sets: default method / libsvm_smo; n = 3 … 200, N = 2 n … 2000.
 void print_euclidean(const Variant& variant, const Effort& effort);
-/// Boxes to n = 12 and cross-polytopes to n = 500: both methods / LP. Ellipsoids, p-norm balls and sums of both
-/// to n = 200: time of newton. Instances of its own, whatever the variant.
+/// Boxes to n = 12 and cross-polytopes to n = 500: both methods / LP. Ellipsoids, p-norm balls and sums of
+/// both to n = 200: time of newton. Instances of its own, whatever the variant.
 void print_shapes(const Variant& variant, const Effort& effort);
 void print_n100(const Variant& variant, const Effort& effort);  ///< column_generation / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,

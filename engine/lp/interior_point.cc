@@ -376,8 +376,8 @@ double InteriorPoint::step() {
   return std::min(lengths.x, lengths.s);
 }
 
-// u·q > 0 for every q, by a margin far above rounding errors, and u·a < 0: t > 0 means it. Half of the sets of
-// n + 2 points leave 1e-8.
+// u·q > 0 for every q, by a margin far above rounding errors, and u·a < 0: t > 0 means it. Half of the sets
+// of n + 2 points leave 1e-8.
 bool InteriorPoint::is_separating() const {
   constexpr double kMargin = 1e-10;
   const double t = y_[static_cast<std::size_t>(n_)];
