@@ -78,8 +78,7 @@ void TwofoldBasis::refactor() {
   ids_.reserve(at(m_));
   std::copy_n(B_.data(), size, columns_.data());
   std::copy_n(id_.data(), m_, ids_.data());
-  // Ranks: 0 ordinary, artificial unit columns first.
-  rows_.reserve(at(P_));
+  // The signs of the artificial unit columns, which are placed first; 0 for the others.
   for (int i = 0; i < m_; ++i) rows_[at(i)] = is_unit(i) ? column(i)[i] : 0.0;
   for (AlignedBuffer<double>* matrix : {&R_, &R_low_, &B_}) clear(*matrix, size);
   for (int i = 0; i < m_; ++i) {
