@@ -5,6 +5,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/scene/plane_steps.h"
+#include "engine/scene/riders.h"
 
 namespace raygauge {
 namespace {
@@ -19,7 +20,8 @@ double safe_until(const PartWatch& watch, const PartLook& look, const PairMotion
                          over.a.speed_along(SmallVector(-look.normal), watch.a().core_reach);
     if (speed <= 0) return ahead == end ? kInfinity : ahead;
     const double next = t + look.lower / speed * (1 - 1e-13);
-    return next > ahead ? (ahead == end ? kInfinity : ahead) : std::nextafter(next, t);
+    if (next > ahead) return ahead == end ? kInfinity : ahead;
+    return next > t ? std::nextafter(next, t) : t;  // not where the speed is unbounded or no number
   };
   const double whole = reached(speeds, end);
   const double ahead = t + 4 * (std::min(whole, end) - t);
@@ -40,11 +42,11 @@ double balls_until(PartWatch& watch, const PairMotion& speeds, double t, double 
   const double reach = watch.a().reach + watch.b().reach + contact;
   const double radius = reach + 2 * watch.slack() + kMargin * (reach + way.norm() + 2 * from.norm());
   const double c = way.squaredNorm() - radius * radius, b = way.dot(v), rounding = 1e-12 * b * b;
-  if (!(c > 0)) return t;
   const double discriminant = b * b - v.squaredNorm() * c;
+  if (!(c > 0) || !(std::fabs(discriminant) < kInfinity)) return t;
   if (b >= 0 || discriminant < -rounding) return end;
   const double time = c / (std::sqrt(std::max(discriminant, 0.0) + rounding) - b);
-  return std::min(t + (1 - kMargin) * time, end);
+  return time > 0 ? std::min(t + (1 - kMargin) * time, end) : t;
 }
 
 /// The advance of one pair of parts to its first contact.
@@ -60,7 +62,7 @@ class Advance {
   }
 
   ImpactResult run() {
-    while (result_.steps < options_.max_steps) {
+    while (result_.steps < options_.max_steps && !(options_.stop && options_.stop())) {
       const double end = watch_.end_of_piece(t_, options_.to);
       if (end != piece_end_ && t_ < options_.to) {
         enter_piece(end);
@@ -79,30 +81,50 @@ class Advance {
     t_ = balls_until(watch_, speeds_, t_, end, options_.contact);
   }
 
+  bool is_contact(const PartLook& look) const { return look.meets || look.upper <= options_.contact; }
+
+  bool end_contact(const PartLook& look) {
+    result_.outcome = ImpactResult::Outcome::contact;
+    result_.upper = look.time;
+    result_.at_upper = look.answer;
+    return false;
+  }
+
   /// A look, and how far it leads. False at the end.
   bool step(double end) {
     ++result_.steps;
     const PartLook look = watch_.at(t_, true);
     result_.lower = t_;
-    if (look.answer.intersecting() || look.upper <= options_.contact) {
-      result_.outcome = ImpactResult::Outcome::contact;
-      result_.upper = t_;
-      result_.at_upper = look.answer;
+    if (is_contact(look)) return end_contact(look);
+    result_.upper = options_.to;
+    if (!(look.lower > 0)) return look_ahead();
+    if (t_ >= options_.to) {
+      result_.outcome = ImpactResult::Outcome::free;
       return false;
     }
-    result_.upper = options_.to;
-    if (t_ >= options_.to && look.lower > 0) result_.outcome = ImpactResult::Outcome::free;
-    if (t_ >= options_.to || !(look.lower > 0)) return false;
     if (speeds_.varies()) speeds_ = PairMotion(watch_, t_, end);
     const double safe = safe_until(watch_, look, speeds_, end);
     if (safe == kInfinity && end >= options_.to) {
       end_free();
       return false;
     }
-    const double next = safe < end ? planes_.next(look, speeds_, safe, end) : end;
-    const bool ahead = next > t_;
+    const double next = safe >= end ? end : planes_.next(look, speeds_, safe, end);
+    if (!(next > t_)) return look_ahead();
     t_ = next;
-    return ahead;
+    return true;
+  }
+
+  /// Where no step is proven any more: the next moment of a proven contact, in steps that double. False: it
+  /// is the end.
+  bool look_ahead() {
+    constexpr int kDoublings = 60;
+    for (int k = kDoublings; k >= 0 && t_ < options_.to; --k) {
+      ++result_.steps;
+      const double then = k == 0 ? options_.to : t_ + std::ldexp(options_.to - t_, -k);
+      const PartLook look = watch_.at(then, true);
+      if (is_contact(look)) return end_contact(look);
+    }
+    return false;
   }
 
   const ImpactResult& end_free() {
@@ -133,11 +155,7 @@ void take_sooner(ImpactResult& all, const ImpactResult& one) {
   all.steps = steps;
 }
 
-}  // namespace
-
-ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
-                            const ContinuousOptions& options) {
-  solver.set_tolerance(PartWatch::kStepTolerance);
+ImpactResult find_impact(PairSolver& solver, const Body& a, const Body& b, const ContinuousOptions& options) {
   if (a.parts.size() == 1 && b.parts.size() == 1) return Advance(solver, a, b, options).run();
   ImpactResult result;
   result.outcome = ImpactResult::Outcome::free;
@@ -148,6 +166,17 @@ ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
     if (result.outcome == ImpactResult::Outcome::contact) remaining.to = result.upper;
   }
   return result;
+}
+
+}  // namespace
+
+ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
+                            const ContinuousOptions& options) {
+  solver.set_tolerance(PartWatch::kStepTolerance);
+  const Riders riders(a, b, true);
+  ImpactResult found = find_impact(solver, riders.a(), riders.b(), options);
+  riders.to_scene(found.upper, found.at_upper);
+  return found;
 }
 
 }  // namespace raygauge

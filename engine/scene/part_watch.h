@@ -9,13 +9,14 @@
 
 namespace raygauge {
 
-/// What a look at one pair of convex parts at one time has shown.
+/// What a look at one pair of bodies at one time has shown, of the exact motion.
 struct PartLook {
   double time = 0;
-  double lower = 0;  ///< of the exact motion's distance
-  double upper = 0;
+  double lower = 0;    ///< no more than the distance
+  double upper = 0;    ///< no less than the distance
+  bool meets = false;  ///< the bodies share a point, however the placements are rounded
   SmallVector normal;
-  PairAnswer answer;
+  PairAnswer answer;  ///< of the computed placements
 };
 
 /// One pair of convex parts on its way, seen at any time; what a look finds out starts the next one.
@@ -24,7 +25,7 @@ class PartWatch {
   /// Distances on the way need no more digits than a step does.
   static constexpr double kStepTolerance = 1e-3;
 
-  /// The bodies have one part each; all must outlive the watch, which binds the solver.
+  /// All must outlive the watch, which binds the solver. Only at() is for bodies of several parts.
   PartWatch(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
             const Body* metric_body);
 
@@ -40,7 +41,11 @@ class PartWatch {
   const Placement& placement_a() const noexcept { return solver_.placement_a(); }
   const Placement& placement_b() const noexcept { return solver_.placement_b(); }
 
-  /// How far computed points are from those of the exact motions, at most.
+  /// How far computed placements are from those of the exact motions, at most.
+  const PlacementError& error_a() const noexcept { return error_a_; }
+  const PlacementError& error_b() const noexcept { return error_b_; }
+
+  /// How much nearer to each other, or farther apart, points of both bodies may be than computed.
   double slack() const noexcept { return slack_; }
 
   /// The end of the piece of the motions that t is in, at most `to`.
@@ -51,30 +56,23 @@ class PartWatch {
 
   const Body& a() const noexcept { return a_; }
   const Body& b() const noexcept { return b_; }
+  const SceneMetric& metric() const noexcept { return metric_; }
   const Body* metric_body() const noexcept { return metric_body_; }
 
  private:
-  /// How far computed points of a body may be from those of the exact motion; its speed is kept while it is
-  /// the same.
-  class Pace {
-   public:
-    explicit Pace(const Body& body);
-    double slack(const Placement& at, double t);
-
-   private:
-    const Body& body_;
-    double start_;
-    double from_ = 0, to_ = -1, speed_ = 0;
-  };
+  bool meets_wherever_shifted();
+  double slack_in_metric();
 
   PairSolver& solver_;
   const Body& a_;
   const Body& b_;
+  const SceneMetric& metric_;
   const Body* metric_body_;
-  Pace pace_a_, pace_b_;
   PairMemory memory_;
   double placed_at_;
+  PlacementError error_a_, error_b_;
   double slack_ = 0;
+  double longest_unit_ = 0;  ///< the metric's length of a vector of length 1, at most; 0: not known yet
 };
 
 /// The pairs of parts of two bodies as bodies of their own, those nearest at `t` first.

@@ -53,11 +53,23 @@ PlaneSteps::Bulge PlaneSteps::bulge(const PairMotion& motion, double places, Car
   const bool by_a = carrier == Carrier::a;
   const MotionBound& own = by_a ? motion.a : motion.b;
   const MotionBound& other = by_a ? motion.b : motion.a;
+  const double reach = by_a ? reach_b : reach_a;
   const double turning = own.turning(u);
-  const double of_other =
-      (own.spin - other.spin).norm() * (turning + other.spin.norm()) * (by_a ? reach_b : reach_a);
-  const double of_way = (2 * (own.velocity - other.velocity).norm() + places * own.spin.norm()) * turning;
-  return {(of_other + of_way) / 8, 0};
+  const double of_other = (own.spin - other.spin).norm() * (turning + other.spin.norm()) * reach;
+  const double rounding = 1e-13 * (own.velocity.lpNorm<1>() + other.velocity.lpNorm<1>());
+  const double of_way =
+      (2 * ((own.velocity - other.velocity).norm() + rounding) + places * own.spin.norm()) * turning;
+  const double drift = own.velocity_error + other.velocity_error + places * own.spin_error +
+                       reach * (own.spin_error + other.spin_error);
+  return {(of_other + of_way) / 8, 2 * drift};
+}
+
+// What planes that a body turns lose: its rotations now and then are rounded.
+double PlaneSteps::rounding(Carrier carrier) const {
+  if (carrier == Carrier::space) return 0;
+  const double turn =
+      carrier == Carrier::a ? error_a_.turn + watch_.error_a().turn : error_b_.turn + watch_.error_b().turn;
+  return (turn + 1e-15) * (std::max(now_.way.norm(), then_.way.norm()) + watch_.a().reach + watch_.b().reach);
 }
 
 // Of the planes, now.
@@ -92,16 +104,42 @@ void PlaneSteps::change_carrier(const PairMotion& motion, double longest, double
   time = by_other;
 }
 
-double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
-  const double t = look.time;
-  if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;
+// The bodies are as at the time of the look.
+void PlaneSteps::begin(const PartLook& look) {
   now_.u = look.normal / look.normal.norm();
   now_.apart = look.lower;
   at_a_ = watch_.placement_a();
   at_b_ = watch_.placement_b();
+  error_a_ = watch_.error_a();
+  error_b_ = watch_.error_b();
+  now_.way = at_b_.t - at_a_.t;
+}
+
+double PlaneSteps::least_until(const PartLook& look, double end, const PairMotion& motion) {
+  if (!(look.lower > 0)) return 0;
+  watch_.place(look.time);
+  begin(look);
+  watch_.place(end);
+  const double time = std::fabs(end - look.time);
+  const double astray = time * (motion.a.velocity_error + motion.b.velocity_error);
+  double least = 0;
+  for (const Carrier carrier : {Carrier::space, Carrier::a, Carrier::b}) {
+    then_.u = carried(now_.u, carrier);
+    look_along(end, then_);
+    const double places = std::max(now_.way.norm(), then_.way.norm()) + astray;
+    const double over = bulge(motion, places, carrier).over(time) + rounding(carrier);
+    const double found = std::min(now_.apart, then_.apart) - over;
+    if (found > least) least = found;  // not where it is no number
+  }
+  return least;
+}
+
+double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
+  const double t = look.time;
+  if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;
+  begin(look);
   now_.arm_a = look.answer.point_a - at_a_.t;
   now_.arm_b = look.answer.point_b - at_b_.t;
-  now_.way = at_b_.t - at_a_.t;
   const bool varies = motion.varies();
   if (varies) carrier_ = Carrier::space;
   bool may_change = !varies;
@@ -113,7 +151,7 @@ double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double s
     look_along(until, then_);
     const double places = std::max(now_.way.norm(), then_.way.norm());
     const Bulge bulge_then = bulge(varies ? PairMotion(watch_, t, until) : motion, places, carrier_);
-    const double over = bulge_then.over(until - t) + (carrier_ == Carrier::space ? 0.0 : watch_.slack());
+    const double over = bulge_then.over(until - t) + rounding(carrier_);
     if (now_.apart > over && then_.apart > over) return until;  // not where either is no number
     // Short of where the line through both ends leads, the more so the more often that was too far.
     const double too_far = 1 - (now_.apart - 3 * over) / (now_.apart - then_.apart);

@@ -29,7 +29,11 @@ struct PairMotion {
 ///   planes that turn with A:   c = reach_B |ω_A - ω_B| (|ω_A × u| + |ω_B|)
 ///                                  + (2 |v_B - v_A| + |p_B - p_A| |ω_A|) |ω_A × u|,
 /// p the places of the bodies' origins, v their velocities, ω their angular velocities, reach as in
-/// BodyPart::core_reach.
+/// BodyPart::core_reach. Where velocities are known to an error e_v and angular velocities to e_ω only, what
+/// is between the planes differs after the time T by at most D T from that of constant velocities, which
+/// takes 2 D T:
+///   planes that stand still:   D = Σ (e_v / 4 + reach e_ω),
+///   planes that turn with A:   D = e_v,A + e_v,B + |p_B - p_A| e_ω,A + reach_B (e_ω,A + e_ω,B).
 class PlaneSteps {
  public:
   explicit PlaneSteps(PartWatch& watch) : watch_(watch) {}
@@ -37,6 +41,10 @@ class PlaneSteps {
   /// A time up to which nothing touches, at most `end`; `safe` if planes prove no later one. The bodies are
   /// as at the time of the look, which has closest points.
   double next(const PartLook& look, const PairMotion& motion, double safe, double end);
+
+  /// A lower bound on the distance from `look` until `end`, a later or an earlier moment of the same piece,
+  /// by planes across the normal of the look, which `motion` bounds in between; 0 where none is proven.
+  double least_until(const PartLook& look, double end, const PairMotion& motion);
 
  private:
   enum class Carrier : std::uint8_t { space, a, b };
@@ -54,10 +62,12 @@ class PlaneSteps {
     double over(double T) const;
   };
 
+  void begin(const PartLook& look);
   void look_along(double t, Planes& planes);
   double predicted(const PairMotion& motion, double longest, Carrier carrier) const;
   double closing_speed(const PairMotion& motion, Carrier carrier) const;
   Bulge bulge(const PairMotion& motion, double places, Carrier carrier) const;
+  double rounding(Carrier carrier) const;
   Carrier of_turned_face() const;
   void change_carrier(const PairMotion& motion, double longest, double& time);
 
@@ -65,6 +75,7 @@ class PlaneSteps {
 
   PartWatch& watch_;
   Placement at_a_, at_b_;             // at the time of the look
+  PlacementError error_a_, error_b_;  // of these
   Carrier carrier_ = Carrier::space;  // of the last step
   Planes now_, then_;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "raygauge/scene/pair_solver.h"
 
 namespace raygauge {
@@ -21,11 +23,13 @@ struct ImpactResult {
 };
 
 /// The least distance of two bodies over an interval of time: at every moment it is at least `lower`, proven;
-/// at `time` it is at most `upper`.
+/// at `time` it is at most `upper`. Of bodies that touch, `time` is that of the first contact found: there is
+/// none before `no_contact_before`, proven.
 struct ClearanceResult {
   double lower = 0;
   double upper = 0;
   double time = 0;
+  double no_contact_before = 0;
   bool touches = false;  ///< at `time` the bodies share a point, proven
   PairAnswer at_time;
   std::int64_t steps = 0;
@@ -35,9 +39,10 @@ struct ClearanceResult {
 struct ContinuousOptions {
   double from = 0;
   double to = 0;
-  double contact = 1e-6;    ///< a distance of at most this is a contact
+  double contact = 1e-6;    ///< a distance of at most this is a contact, of the exact motion
   double tolerance = 1e-3;  ///< clearance: upper - lower <= tolerance * upper
   std::int64_t max_steps = 1'000'000;
+  std::function<bool()> stop;  ///< asked at every step; true: answer with what is proven by now
 };
 
 /// Conservative advancement: from a certified distance L with normal u there is no contact for L over the

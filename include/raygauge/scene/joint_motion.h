@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "raygauge/numerics/dense.h"
@@ -40,9 +41,26 @@ struct JointTrajectory {
 class LinkMotion final : public Motion {
  public:
   /// Throws InvalidParameterError (no such link, a parent after its child, an axis not of unit length, fewer
-  /// than two times or times that do not rise, a joint without values) or NonFiniteError.
+  /// than two times or times that do not rise, a joint without values), NonFiniteError or what
+  /// make_placement throws of an origin. `above`: a link that this one hangs on, in whose frame it is then
+  /// seen, moved by `base`; -1: in that of the scene.
   LinkMotion(std::shared_ptr<const KinematicTree> tree, std::shared_ptr<const JointTrajectory> trajectory,
-             Placement base, int link);
+             Placement base, int link, int above = -1);
+
+  /// The same motion, or one that stands still where no joint of it ever moves.
+  static MotionPointer make(std::shared_ptr<const KinematicTree> tree,
+                            std::shared_ptr<const JointTrajectory> trajectory, Placement base, int link,
+                            int above = -1);
+
+  /// The last link that both hang on, one of them perhaps itself; -1 where there is none, or where they are
+  /// not links of one robot.
+  static int common_link(const LinkMotion& one, const LinkMotion& other);
+
+  /// This link as seen from that one, which it hangs on.
+  MotionPointer seen_from(int above) const;
+
+  /// The motion of another link of the same robot.
+  MotionPointer of_link(int link) const;
 
  private:
   /// The joints between the base and the link, the base's first, where they are at one moment.
@@ -51,21 +69,38 @@ class LinkMotion final : public Motion {
     std::vector<Eigen::Vector3d> axes;  ///< in the space of the scene
   };
 
+  void take_path(int link, int above);
   void check() const;
+  void measure();
+  bool moves() const;
   std::size_t piece_of(double t) const;
   double value(const TreeLink& link, double t) const;
+  double largest_value(const TreeLink& link) const;
   double rate(const TreeLink& link, std::size_t piece) const;
+  double fastest(std::size_t piece) const;
   Chain chain_at(double t) const;
   Placement do_at(double t) const override;
   MotionBound do_bound(double from, double to) const override;
+  PlacementError do_error_at(double) const override { return error_; }
   double do_next_break(double t) const override;
   bool do_is_static() const noexcept override { return false; }
 
   std::shared_ptr<const KinematicTree> tree_;
   std::shared_ptr<const JointTrajectory> trajectory_;
   Placement base_;
-  std::vector<int> path_;      ///< links from the base to the link itself
-  std::vector<double> reach_;  ///< of each: no farther is the link's origin from that joint's, ever
+  std::vector<int> numbers_;    ///< of the links from the base to the link itself
+  std::vector<TreeLink> path_;  ///< these
+  std::vector<double> reach_;   ///< of each: no farther is the link's origin from that joint's, ever
+  PlacementError error_;        ///< at any time
 };
+
+/// Two bodies seen from a third one that carries both: carrier(t) a(t) and carrier(t) b(t) are where they
+/// are.
+struct SharedRide {
+  MotionPointer carrier, a, b;
+};
+
+/// That of two links of one robot that a moving link carries; nothing for other motions.
+std::optional<SharedRide> shared_ride(const Motion& a, const Motion& b);
 
 }  // namespace raygauge

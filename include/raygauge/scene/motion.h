@@ -13,12 +13,18 @@ namespace raygauge {
 /// What is proven of a motion over an interval of time: at every moment of it
 ///
 ///     |velocity of the body's origin - velocity| <= velocity_error,
-///     |angular velocity - spin| <= spin_error        (in the plane spin = (0, 0, ω)).
+///     |angular velocity - spin| <= spin_error        (in the plane spin = (0, 0, ω)),
+///
+/// `velocity` and `spin` themselves being rounded by at most 1e-14 of their lengths. Both errors are
+/// +infinity where nothing is proven; no number here is NaN.
 struct MotionBound {
   SmallVector velocity;
   double velocity_error = 0;
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   double spin_error = 0;
+
+  /// Of a motion of which nothing is known.
+  static MotionBound unknown(int n);
 
   /// An upper bound on u·velocity over all points within `reach` of the origin, rounded up; negative if all
   /// of them move against u.
@@ -32,6 +38,20 @@ struct MotionBound {
 
   /// How fast, at most, such points move at all. Rounded up.
   double speed(double reach) const;
+};
+
+/// How far the placement that a motion computes may be from that of the exact motion:
+///
+///     |t' - t| <= place,      ‖R' - R‖ <= turn  in the spectral norm.
+///
+/// A sum over the terms that the placement is computed of, never a share of the result: terms cancel where a
+/// body comes to rest or a chain of links folds back. +infinity where nothing is proven, never NaN.
+struct PlacementError {
+  double place = 0;
+  double turn = 0;
+
+  /// Of all points within `reach` of the body's origin.
+  double of_points(double reach) const { return place + turn * reach; }
 };
 
 /// t ↦ placement of a body, continuous. Immutable; shared between bodies and threads.
@@ -51,7 +71,10 @@ class Motion {
   Placement at(double t) const;
 
   /// Bounds that hold over [from, to], which must lie within one piece: no break in its interior.
-  MotionBound bound(double from, double to) const { return do_bound(from, to); }
+  MotionBound bound(double from, double to) const;
+
+  /// What at(t) may be off by.
+  PlacementError error_at(double t) const;
 
   /// The end of the piece that begins at, or holds, t: where velocities may jump. +infinity after the last.
   double next_break(double t) const { return do_next_break(t); }
@@ -67,6 +90,7 @@ class Motion {
  private:
   virtual Placement do_at(double t) const = 0;
   virtual MotionBound do_bound(double from, double to) const = 0;
+  virtual PlacementError do_error_at(double t) const = 0;
   virtual double do_next_break(double t) const;
   virtual bool do_is_static() const noexcept { return false; }
 
@@ -85,6 +109,7 @@ class StaticMotion final : public Motion {
  private:
   Placement do_at(double) const override { return where_; }
   MotionBound do_bound(double, double) const override;
+  PlacementError do_error_at(double) const override { return {}; }
   bool do_is_static() const noexcept override { return true; }
 
   Placement where_;
@@ -99,14 +124,17 @@ class KeyframeMotion final : public Motion {
   KeyframeMotion(std::vector<double> times, std::vector<Placement> frames);
 
  private:
+  void add_piece(const Placement& first, const Placement& last);
   std::size_t piece_of(double t) const;
   Placement do_at(double t) const override;
   MotionBound do_bound(double from, double to) const override;
+  PlacementError do_error_at(double t) const override { return errors_[piece_of(t)]; }
   double do_next_break(double t) const override;
 
   std::vector<double> times_;
   std::vector<Placement> frames_;
   std::vector<Eigen::Vector3d> turns_;  ///< of each piece, the rotation vector in the space of the scene
+  std::vector<PlacementError> errors_;  ///< of each piece
 };
 
 /// A body that turns at a constant angular velocity ω (in the plane (0, 0, ω)) while its origin moves with
@@ -127,9 +155,11 @@ class TwistMotion final : public Motion {
  private:
   Placement do_at(double t) const override;
   MotionBound do_bound(double from, double to) const override;
+  PlacementError do_error_at(double t) const override;
 
   Placement first_;
   Rates rates_;
+  bool stands_ = false;  ///< the origin
 };
 
 }  // namespace raygauge
