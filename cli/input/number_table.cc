@@ -52,32 +52,45 @@ std::vector<std::string> names_in_comment(std::string_view comment, const std::s
   return std::find(names.begin(), names.end(), key) == names.end() ? std::vector<std::string>() : names;
 }
 
-/// Finds the heading of a text, and the lines below it that hold numbers.
-Heading find_heading(std::string_view text, const std::string& key, const std::string& path,
-                     std::vector<std::size_t>& lines) {
-  Heading heading;
-  bool is_comment = true;
+/// Calls take(line without blanks about it, where it begins, its number from 1) for each line that is not
+/// blank.
+template <class Take>
+void for_each_line(std::string_view text, const Take& take) {
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
     const std::string_view line = trimmed(text.substr(at, end - at));
     ++number;
-    std::vector<std::string> names;
-    const bool above = lines.empty() && is_comment && !line.empty();
-    if (above && line.front() == '#') {
-      names = names_in_comment(line, key);
-    } else if (above) {
-      names = cells_of(std::string(line), separator_of(line), path + ":" + std::to_string(number));
-      if (number_of(names.front())) names.clear();
-      is_comment = names.empty();
-    }
-    if (!names.empty()) {
-      heading = {std::move(names), number, at};
-    } else if (!line.empty() && line.front() != '#') {
-      lines.push_back(number);
-    }
+    if (!line.empty()) take(line, at, number);
     at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
   }
+}
+
+/// Finds the heading of a text, and the lines below it that hold numbers. A comment is one only if it has as
+/// many names as the numbers have columns.
+Heading find_heading(std::string_view text, const std::string& key, const std::string& path,
+                     std::vector<std::size_t>& lines) {
+  std::vector<Heading> comments;
+  Heading heading;
+  for_each_line(text, [&](std::string_view line, std::size_t at, std::size_t number) {
+    const bool above = lines.empty() && heading.names.empty();
+    if (line.front() == '#') {
+      if (above) comments.push_back({names_in_comment(line, key), number, at});
+      return;
+    }
+    if (above) {
+      std::vector<std::string> cells =
+          cells_of(std::string(line), separator_of(line), path + ":" + std::to_string(number));
+      if (!number_of(cells.front())) {
+        heading = {std::move(cells), number, at};
+        return;
+      }
+      const auto fits = [&](const Heading& comment) { return comment.names.size() == cells.size(); };
+      const auto last = std::find_if(comments.rbegin(), comments.rend(), fits);
+      if (last != comments.rend()) heading = *last;
+    }
+    lines.push_back(number);
+  });
   return heading;
 }
 

@@ -25,10 +25,10 @@ struct NumberTable {
 };
 
 /// The heading is the first line that is neither blank nor a comment, unless it begins with a number; without
-/// one, the last comment above the numbers, if it names the column `key`. Names are separated by what
-/// separates the numbers, and may be quoted; they may hold blanks where these do not separate. Throws as
-/// parse_points does, with file and line: also for two columns of one name and for as many names as there are
-/// no columns.
+/// one, the last comment above the numbers that names the column `key` and as many as there are. Names are
+/// separated by what separates the numbers, and may be quoted; they may hold blanks where these do not
+/// separate. Throws as parse_points does, with file and line: also for two columns of one name and for as
+/// many names as there are no columns.
 NumberTable read_number_table(const std::string& path, const std::string& key);
 
 /// Throws InvalidParameterError, with file and line, unless the numbers of the column rise.

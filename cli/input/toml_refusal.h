@@ -20,10 +20,12 @@ auto placed(const std::string& place, const Call& call) {
   try {
     return call();
   } catch (const Error& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     const std::string file = place.substr(0, place.rfind(':') + 1);
-    const bool has_place = message.starts_with(place + ":") || (!file.empty() && message.starts_with(file));
-    throw InvalidParameterError(has_place ? message : place + ": " + message);
+    if (file.empty() || !message.starts_with(file)) throw InvalidParameterError(place + ": " + message);
+    message.erase(0, file.size());
+    const bool has_line = message.find_first_of("0123456789") == 0;
+    throw InvalidParameterError(has_line ? file + message : place + ":" + message);
   }
 }
 

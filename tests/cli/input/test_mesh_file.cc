@@ -128,8 +128,8 @@ TEST_F(MeshFile, BinaryFormatsGiveTheVerticesOfATriangle) {
     std::string header = kPly;
     header.resize(header.find("1 0 0\n0 2 0"));
     header.replace(header.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
-    const std::string face = std::string(1, '\3') + std::string(12, '\0');
-    EXPECT_EQ(read("t.ply", header + floats(big, 0) + face), expected) << big;
+    const std::string face_of_ply = std::string(1, '\3') + std::string(12, '\0');
+    EXPECT_EQ(read("t.ply", header + floats(big, 0) + face_of_ply), expected) << big;
   }
   std::string stl(80, ' ');
   stl += std::string("\1\0\0\0", 4) + std::string(12, '\0') + floats(false, 0) + std::string(2, '\0');

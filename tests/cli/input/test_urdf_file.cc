@@ -139,7 +139,7 @@ struct Refusal {
 TEST_F(UrdfFile, WhatIsNotUnderstoodIsNamedWithLineAndLinkOrJoint) {
   const std::string two = link("a") + link("b");
   const std::vector<Refusal> refusals = {
-      {"this is no XML", "r.urdf: not XML that can be read: "},
+      {"this is no XML", "r.urdf:1: not XML that can be read: "},
       {"<robot name=\"r\"><link name=\"l\"></robot>", "r.urdf:1: not XML that can be read: "},
       {robot(link("l")) + "<robot/>", "r.urdf:4: not XML that can be read: a second root element"},
       {"<sdf/>", "r.urdf:1: not a URDF file: its root is <sdf>, not <robot>"},
