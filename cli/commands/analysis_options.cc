@@ -42,10 +42,13 @@ OutputRequest output_request(const std::string& path, OutputKind kind, std::vect
   return request;
 }
 
-void refuse_filter_of_scene(const AnalysisArguments& arguments) {
-  if (arguments.where.empty()) return;
-  throw InvalidParameterError(arguments.files.front() +
-                              ": holds the results of a scene, which --where does not filter");
+void refuse_options_of_scene(const AnalysisArguments& arguments, std::vector<GivenOption> others) {
+  others.emplace_back("--where", !arguments.where.empty());
+  for (const auto& [option, is_given] : others) {
+    if (!is_given) continue;
+    throw InvalidParameterError(arguments.files.front() + ": holds the results of a scene, for which " +
+                                option + " has no effect");
+  }
 }
 
 }  // namespace raygauge::cli

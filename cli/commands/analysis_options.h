@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/data/filter.h"
@@ -29,9 +30,12 @@ MergedResults read_files(const AnalysisArguments& arguments);
 /// --where as a filter; without it, the one that passes everything.
 Filter filter_of(const AnalysisArguments& arguments);
 
-/// Throws InvalidParameterError where records of a scene are to be filtered: `--where` is for those of
-/// sweeps.
-void refuse_filter_of_scene(const AnalysisArguments& arguments);
+/// An option, and whether it was given another value than its default.
+using GivenOption = std::pair<std::string, bool>;
+
+/// Throws InvalidParameterError where an option that is for the records of sweeps is given for those of a
+/// scene: `--where` or one of `others`.
+void refuse_options_of_scene(const AnalysisArguments& arguments, std::vector<GivenOption> others);
 
 /// What a command that reads these files wants to write. Throws OutputRefusedError where it may not, so that
 /// this is known before the files are read.

@@ -177,7 +177,8 @@ void print_comparison(const CompareArguments& arguments, const Comparison& compa
 
 /// Before the files are read, or two builds are run for hours.
 void check_options(const CompareArguments& arguments) {
-  table_format_from_string(arguments.format);
+  if (table_format_from_string(arguments.format) == TableFormat::csv && arguments.all)
+    throw InvalidParameterError("--all has no effect beside --format csv, which shows every cell");
   if (!(arguments.threshold >= 0) || std::isinf(arguments.threshold)) {
     throw InvalidParameterError("--threshold must be a number from 0 on, got " +
                                 rounded_text(arguments.threshold, 6));
@@ -207,7 +208,8 @@ int compare(CompareArguments& arguments) {
   return comparison.regressed() ? kRegression : kAnswered;
 }
 
-void add_sides(Command& command, CompareArguments& arguments) {
+/// Returns --rerun.
+Option add_sides(Command& command, CompareArguments& arguments) {
   command.add_option("files", arguments.files, "Results file to compare with, and the one to judge")
       .expected(0, 2)
       .type_name("BASE.h5 NEW.h5")
@@ -218,10 +220,9 @@ void add_sides(Command& command, CompareArguments& arguments) {
   command.add_option("--new", arguments.fresh, "Results files to judge, one a run")
       .type_name("FILE.h5 ...")
       .default_str("");
-  command
-      .add_option("--rerun", arguments.rerun.experiment_path,
-                  "Run this experiment with two builds in turn, and judge the pairs")
-      .type_name("EXPERIMENT.toml");
+  Option rerun = command.add_option("--rerun", arguments.rerun.experiment_path,
+                                    "Run this experiment with two builds in turn, and judge the pairs");
+  rerun.type_name("EXPERIMENT.toml");
   command.add_option("--base-program", arguments.rerun.base_program, "The build to compare with")
       .type_name("PROGRAM");
   command.add_option("--new-program", arguments.rerun.new_program, "The build to judge").type_name("PROGRAM");
@@ -230,6 +231,7 @@ void add_sides(Command& command, CompareArguments& arguments) {
       .add_option("--pairs", arguments.rerun.pairs,
                   "Pairs of runs; 5 are the fewest that can prove a change of one cell")
       .range(1, kMostPairs)
+      .needs(rerun)
       .type_name("K");
   command
       .add_option("--set", arguments.rerun.overrides,
@@ -238,6 +240,7 @@ void add_sides(Command& command, CompareArguments& arguments) {
       .default_str("")
       .expected(1)
       .take_all();
+  return rerun;
 }
 
 }  // namespace
@@ -246,7 +249,7 @@ void add_compare_command(Command& app, int& status) {
   const auto arguments = std::make_shared<CompareArguments>();
   Command command = app.add_subcommand(
       "compare", "Compare runs of one experiment; exit status 1 if the new ones have become worse");
-  add_sides(command, *arguments);
+  const Option rerun = add_sides(command, *arguments);
   command
       .add_option("--where", arguments->where,
                   "Use only records for which this holds, as in 'n>=5 && method!=glpk_primal'")
@@ -257,11 +260,15 @@ void add_compare_command(Command& app, int& status) {
       .add_option("--significance", arguments->significance,
                   "Probability of one false alarm or more, over all cells and methods ")
       .type_name("ALPHA");
-  command.add_flag("--all", arguments->all, "Show every changed cell, not the 20 most changed");
-  command.add_option("--format", arguments->format, "text, markdown, latex, or csv with every cell")
-      .type_name("FORMAT");
-  command.add_flag("-q,--quiet", arguments->quiet, "Do not tell the progress of --rerun");
-  command.add_flag("--json", arguments->json, "Print one JSON object with every cell");
+  const Option all =
+      command.add_flag("--all", arguments->all, "Show every changed cell, not the 20 most changed");
+  Option format =
+      command.add_option("--format", arguments->format, "text, markdown, latex, or csv with every cell");
+  format.type_name("FORMAT");
+  command.add_flag("-q,--quiet", arguments->quiet, "Do not tell the progress of --rerun").needs(rerun);
+  command.add_flag("--json", arguments->json, "Print one JSON object with every cell")
+      .excludes(all)
+      .excludes(format);
   command.footer(
       "Examples:\n"
       "  raygauge compare out/before.h5 out/after.h5   # exit status 0, or 1 after a regression\n"

@@ -32,7 +32,8 @@ namespace {
 constexpr const char* kSources =
     "A and Q are each the convex hull of points: a text file with one point a line (commas or blanks, # "
     "comments), - for\n"
-    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply: its vertices), also "
+    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply .dae: its vertices), "
+    "also "
     "compressed (.gz); or what "
     "a set file\n"
     "(.toml) describes: shape = \"ball\" and every parameter of that shape. Shapes, and what describes them "
@@ -93,7 +94,7 @@ struct DistanceArguments {
   DistanceQuery query;
   std::string stop_rule = "certified_gap";
   std::string instruction_set = "automatic";
-  PointFormat format;
+  PointFormat format{.header_option = "--skip-header"};
   bool json = false;
 };
 

@@ -24,7 +24,7 @@ struct ExportArguments {
 bool exported_scene(const ExportArguments& arguments) {
   const std::vector<std::string>& files = arguments.analysis.files;
   if (files.size() != 1 || !is_scene_file(files.front())) return false;
-  refuse_filter_of_scene(arguments.analysis);
+  refuse_options_of_scene(arguments.analysis, {{"--tidy", arguments.tidy}});
   write_to(output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force),
            scene_csv(read_scene_file(files.front())));
   return true;

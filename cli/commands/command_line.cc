@@ -113,6 +113,11 @@ Option& Option::excludes(const Option& other) {
   return *this;
 }
 
+Option& Option::needs(const Option& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
 std::size_t Option::count() const { return option_->count(); }
 
 Command Command::add_subcommand(const std::string& name, const std::string& description) {

@@ -39,6 +39,8 @@ class Option {
   Option& range(int least, int most);
   /// Not together with `other`.
   Option& excludes(const Option& other);
+  /// Only together with `other`.
+  Option& needs(const Option& other);
 
   /// How often the command line gave it.
   std::size_t count() const;

@@ -115,7 +115,7 @@ void write_all_figures(const PlotArguments& arguments, const FigureOptions& opti
 
 /// A scene's results have one picture.
 int plot_scene(const PlotArguments& arguments) {
-  refuse_filter_of_scene(arguments.analysis);
+  refuse_options_of_scene(arguments.analysis, {{"--baseline", !arguments.baselines.empty()}});
   if (!arguments.figure.empty() && arguments.figure != kSceneFigure)
     throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
   const ImageFormat format = image_format_of(arguments.output);

@@ -25,7 +25,7 @@ int write_report(const ReportArguments& arguments) {
   const OutputRequest output = output_request(arguments.output, OutputKind::text, {".html", ".htm"},
                                               arguments.analysis, arguments.force);
   if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front())) {
-    refuse_filter_of_scene(arguments.analysis);
+    refuse_options_of_scene(arguments.analysis, {{"--baseline", !arguments.baselines.empty()}});
     write_to(output, scene_page::make_page(read_scene_file(arguments.analysis.files.front())));
     print_path(output);
     return kAnswered;

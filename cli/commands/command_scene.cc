@@ -41,6 +41,7 @@ struct SceneArguments {
   std::string output;
   std::vector<std::string> overrides;
   std::vector<std::string> packages;
+  bool skip_missing_meshes = false;
   int threads = 0;
   std::optional<Shard> shard;
   bool resume = false;
@@ -62,7 +63,8 @@ std::map<std::string, std::string> package_folders(const std::vector<std::string
 }
 
 SceneSource source_of(const SceneArguments& arguments) {
-  return read_scene(arguments.path, arguments.overrides, package_folders(arguments.packages));
+  return read_scene(arguments.path, arguments.overrides,
+                    {package_folders(arguments.packages), arguments.skip_missing_meshes});
 }
 
 /// What the results say of the scene before any of it is computed.
@@ -85,11 +87,16 @@ SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
   return head;
 }
 
+void print_notes(const SceneSource& source) {
+  for (const std::string& note : source.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+}
+
 std::string resume_command(const SceneArguments& arguments, const std::string& output) {
   std::string command = shell_word(program_invocation_name) + " scene run " + shell_word(arguments.path) +
                         " -o " + shell_word(output);
   for (const std::string& text : arguments.overrides) command += " --set " + shell_word(text);
   for (const std::string& text : arguments.packages) command += " --package " + shell_word(text);
+  if (arguments.skip_missing_meshes) command += " --skip-missing-meshes";
   if (arguments.shard) {
     command +=
         " --shard " + std::to_string(arguments.shard->index) + "/" + std::to_string(arguments.shard->count);
@@ -121,6 +128,7 @@ class SceneJob {
       plan_ = plan_scene(source_.scene);
     });
     open();
+    if (writer_ && !arguments_.quiet) print_notes(source_);
     const InterruptGuard guard(
         arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: finishing the cells in flight\n");
     ProgressDisplay display(stderr, done_.size());
@@ -261,6 +269,7 @@ int run_scene_file(const SceneArguments& arguments) {
 
 int explain(const SceneArguments& arguments) {
   const SceneSource source = source_of(arguments);
+  print_notes(source);
   const ScenePlan plan = plan_scene(source.scene);
   Json json;
   json["scene"] = source.scene.name;
@@ -304,6 +313,8 @@ void add_source_options(Command& command, SceneArguments& arguments) {
       .default_str("")
       .expected(1)
       .take_all();
+  command.add_flag("--skip-missing-meshes", arguments.skip_missing_meshes,
+                   "Leave out the meshes of robots that are not there, and name them");
 }
 
 }  // namespace

@@ -72,6 +72,10 @@ void require_one_kind(const TableArguments& arguments) {
   if (pivot && !kinds.empty())
     throw InvalidParameterError("table: " + kinds[0] +
                                 " has its own rows, columns and value; drop --rows, --cols, --value");
+  if (!kinds.empty() && arguments.intervals)
+    throw InvalidParameterError("table: --intervals has no effect on " + kinds[0]);
+  if ((arguments.stability || arguments.accuracy) && !arguments.baselines.empty())
+    throw InvalidParameterError("table: --baseline has no effect on " + kinds[0]);
 }
 
 /// For CSV the long table of a kind alone, else its tables for reading.
@@ -127,7 +131,15 @@ RenderOptions render_options(const TableArguments& arguments, TableFormat format
 bool printed_scene(const TableArguments& arguments) {
   const std::vector<std::string>& files = arguments.analysis.files;
   if (files.size() != 1 || !is_scene_file(files.front())) return false;
-  refuse_filter_of_scene(arguments.analysis);
+  refuse_options_of_scene(arguments.analysis, {{"--paper", !arguments.paper.empty()},
+                                               {"--stability", arguments.stability},
+                                               {"--accuracy", arguments.accuracy},
+                                               {"--rows", !arguments.rows.empty()},
+                                               {"--cols", !arguments.columns.empty()},
+                                               {"--value", arguments.value.has_value()},
+                                               {"--intervals", arguments.intervals},
+                                               {"--baseline", !arguments.baselines.empty()},
+                                               {"--format", arguments.format != "text"}});
   write_to(output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
                           {".txt", ".csv"}, arguments.analysis, arguments.force),
            scene_table_text(read_scene_file(files.front())));

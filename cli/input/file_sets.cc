@@ -49,7 +49,7 @@ FileSets::Entry& FileSets::load(const Key& key, SetPointer& held) {
   held = entry.set.lock();
   if (held != nullptr) return entry;
   const std::string path = (folder_ / key.first).string();
-  const DigestedSet read = read_digested_set(path, {key.second});
+  const DigestedSet read = read_digested_set(path, {key.second, "skip_header = true"});
   const SetFacts facts = facts_of(read, path);
   const bool known = entry.facts.n > 0;
   if (known && facts.digest != entry.facts.digest)

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "raygauge/exceptions.h"
@@ -18,6 +19,7 @@ namespace raygauge::cli {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 20;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 [[noreturn]] void throw_reason(const std::string& name, int reason) {
   throw InvalidParameterError(name + ": " + std::generic_category().message(reason));
@@ -81,6 +83,12 @@ std::string read_input(const std::string& path) {
   }
   bytes.resize(size);
   return bytes;
+}
+
+std::string read_text_input(const std::string& path) {
+  std::string text = read_input(path);
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return text;
 }
 
 std::string content_extension(const std::string& path) {

@@ -34,6 +34,9 @@ class InputFile {
 /// All bytes of an InputFile. Throws as it does.
 std::string read_input(const std::string& path);
 
+/// The same without the byte order mark of UTF-8 that may stand in front of a text.
+std::string read_text_input(const std::string& path);
+
 /// How messages call the input: its path, or "standard input".
 std::string input_name(const std::string& path);
 

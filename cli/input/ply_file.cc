@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/input/vertex_reader.h"
+#include "cli/input/byte_reader.h"
+#include "cli/input/mesh_formats.h"
+#include "cli/input/number_word.h"
 
 namespace raygauge::cli {
 namespace {
@@ -51,7 +53,7 @@ PlyType type_named(std::string_view name, const ByteReader& reader) {
                                                     "int32", "uint32", "float32", "float64"};
   for (std::size_t i = 0; i < kOld.size(); ++i)
     if (name == kOld[i] || name == kNew[i]) return static_cast<PlyType>(i);
-  reader.fail("unknown type of a property in the header, '" + std::string(name.substr(0, 20)) + "'");
+  reader.fail("unknown type of a property in the header, " + quoted(name));
 }
 
 PlyProperty property_of(const std::vector<std::string_view>& words, const ByteReader& reader) {
@@ -71,19 +73,21 @@ PlyFormat format_named(std::string_view name, const ByteReader& reader) {
   if (name == "ascii") return PlyFormat::text;
   if (name == "binary_little_endian") return PlyFormat::little_endian;
   if (name == "binary_big_endian") return PlyFormat::big_endian;
-  reader.fail("unknown PLY format '" + std::string(name.substr(0, 30)) + "'");
+  reader.fail("unknown PLY format " + quoted(name));
 }
 
 PlyHeader read_header(ByteReader& reader) {
-  const auto first = words_of(reader.line());
+  const auto first = words_of(reader.content_line());
   if (first.size() != 1 || first[0] != "ply") reader.fail("not a PLY file: it does not begin with ply");
   PlyHeader header;
+  bool has_format = false;
   while (!reader.empty()) {
     const auto words = words_of(reader.line());
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
-    if (words[0] == "end_header") return header;
-    if (words[0] == "format" && words.size() >= 2) {
+    if (words[0] == "end_header" && has_format) return header;
+    if (words[0] == "format" && words.size() == 3 && !has_format) {
       header.format = format_named(words[1], reader);
+      has_format = true;
     } else if (words[0] == "element" && words.size() == 3) {
       header.elements.push_back({std::string(words[1]), count_word(words[2], reader), {}});
     } else if (words[0] == "property" && !header.elements.empty()) {
@@ -136,21 +140,33 @@ Vertex read_binary(const PlyElement& element, bool swap, ByteReader& reader) {
   return vertex;
 }
 
-Vertex read_text(const PlyElement& element, ByteReader& reader) {
-  const auto words = words_of(reader.content_line());
+void require_numbers(const std::vector<std::string_view>& words, std::size_t begin, std::size_t end,
+                     const ByteReader& reader) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!number_of(words[i])) reader.fail(quoted(words[i]) + " is not a number");
+  }
+}
+
+Vertex read_text(const PlyElement& element, ByteReader& reader, std::vector<std::string_view>& words) {
+  split_words(reader.content_line(), words);
   Vertex vertex{};
   std::size_t at = 0;
   for (const PlyProperty& property : element.properties) {
     if (at >= words.size()) reader.fail("a line has too few values");
+    std::size_t end = at + 1;
     if (property.is_list) {
       const std::uint64_t length = count_word(words[at], reader);
       if (length >= words.size() - at) reader.fail("a line has too few values");
-      at += length;
-    } else if (property.coordinate != kNoCoordinate) {
-      vertex[property.coordinate] = real_word(words[at], reader);
+      end += length;
     }
-    ++at;
+    if (property.coordinate != kNoCoordinate) {
+      vertex[property.coordinate] = real_word(words[at], reader);
+    } else {
+      require_numbers(words, at, end, reader);
+    }
+    at = end;
   }
+  if (at != words.size()) reader.fail("a line has too many values");
   return vertex;
 }
 
@@ -174,21 +190,22 @@ std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name
   ByteReader reader(bytes, name);
   const PlyHeader header = read_header(reader);
   const bool swap = (header.format == PlyFormat::big_endian) != (std::endian::native == std::endian::big);
+  std::vector<Vertex> vertices;
+  std::vector<std::string_view> words;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;
     const bool wanted = element.name == "vertex";
     if (wanted && !has_coordinates(element)) reader.fail("its vertices have no properties x, y and z");
-    reader.require_room(element.count, least_size(element, header.format),
-                        "of '" + element.name.substr(0, 20) + "'");
-    std::vector<Vertex> vertices;
+    if (wanted && !vertices.empty()) reader.fail("two elements are called vertex");
+    reader.require_room(element.count, least_size(element, header.format), "of " + quoted(element.name));
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      const Vertex vertex =
-          header.format == PlyFormat::text ? read_text(element, reader) : read_binary(element, swap, reader);
+      const Vertex vertex = header.format == PlyFormat::text ? read_text(element, reader, words)
+                                                             : read_binary(element, swap, reader);
       if (wanted) vertices.push_back(vertex);
     }
-    if (wanted) return vertices;
   }
-  return {};
+  reader.require_end();
+  return vertices;
 }
 
 }  // namespace raygauge::cli

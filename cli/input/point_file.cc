@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/input/input_file.h"
+#include "cli/input/number_word.h"
 #include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
 
@@ -24,15 +25,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 bool is_separator(char c) { return c == ',' || c == ';'; }
 bool ends_token(char c) { return is_blank(c) || is_separator(c) || c == '#'; }
 
-/// The token as a message can show it: printable, on one line, not endless.
-std::string quoted(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
-  std::string text(token.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  return "'" + text + (token.size() > kLongest ? "…'" : "'");
-}
-
 bool begins_with_number(const char* begin, const char* end) {
   double ignored = 0;
   const auto [stop, error] = std::from_chars(begin, end, ignored);
@@ -43,7 +35,7 @@ bool begins_with_number(const char* begin, const char* end) {
 class PointParser {
  public:
   PointParser(const std::string& name, const PointFormat& format)
-      : name_(name), skip_header_(format.skip_header) {}
+      : name_(name), skip_header_(format.skip_header), header_option_(format.header_option) {}
 
   void feed(std::string_view block) {
     if (block.empty()) return;
@@ -168,27 +160,19 @@ class PointParser {
     if (begin == end)
       throw InvalidParameterError(place(column) + "a coordinate is missing before this separator");
     const std::string_view token(begin, static_cast<std::size_t>(end - begin));
-    const char* const digits = *begin == '+' && end - begin > 1 && begin[1] != '-' ? begin + 1 : begin;
-    double value = 0;
-    const auto [stop, error] = std::from_chars(digits, end, value);
-    if (error == std::errc::invalid_argument || stop != end) {
+    const std::optional<double> value = number_of(token);
+    if (!value)
       throw InvalidParameterError(place(column) + quoted(token) + " is not a number" + header_hint());
-    }
-    // Out of range is overflow or underflow; strtod tells which.
-    if (error == std::errc::result_out_of_range)
-      value = std::strtod(std::string(digits, end).c_str(), nullptr);
-    if (!std::isfinite(value)) throw NonFiniteError(place(column) + quoted(token) + non_finite_reason(token));
-    values_.push_back(value);
+    if (!std::isfinite(*value))
+      throw NonFiniteError(place(column) + quoted(token) + non_finite_reason(token));
+    values_.push_back(*value);
     return end;
   }
 
-  static std::string non_finite_reason(std::string_view token) {
-    const bool is_overflow = token.find_first_of("0123456789") != std::string_view::npos;
-    return is_overflow ? " is too large for double precision" : " is not a finite number";
-  }
-
   std::string header_hint() const {
-    return values_.empty() ? " (a heading must start with '#'; --skip-header skips one)" : "";
+    if (!values_.empty()) return "";
+    return " (a heading must start with '#'" +
+           (header_option_.empty() ? ")" : "; " + header_option_ + " skips one)");
   }
 
   std::string place(std::ptrdiff_t column) const {
@@ -197,6 +181,7 @@ class PointParser {
 
   const std::string& name_;
   bool skip_header_;
+  const std::string header_option_;
   std::string rest_;
   std::vector<double> values_;
   std::ptrdiff_t n_ = 0;

@@ -11,6 +11,8 @@ namespace raygauge::cli {
 /// How a text is to be read.
 struct PointFormat {
   bool skip_header = false;  ///< the first line with content is a heading, unless it begins with a number
+  std::string header_option =
+      {};  ///< what skips a heading where the text comes from, for messages; "": nothing
 };
 
 /// The points that a text holds, one a line, as the columns of an n × N matrix.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/input/number_table.h"
+#include "cli/input/motion_file.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
 #include "raygauge/exceptions.h"
@@ -21,17 +21,6 @@ Eigen::VectorXd vector_of(const toml::node& node, const std::string& key, int n)
   Eigen::VectorXd v = read_vector(node, key);
   if (v.size() != n) refuse(node, key + " must have " + std::to_string(n) + " numbers");
   return v;
-}
-
-Eigen::Matrix3d from_quaternion(const Eigen::Vector4d& wxyz, const std::string& place) {
-  const Eigen::Quaterniond q(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-  // What printing with 4 digits loses; anything farther from 1 is no rotation.
-  constexpr double kLength = 1e-3;
-  if (!(std::abs(q.norm() - 1) <= kLength)) {
-    throw InvalidParameterError(place + ": the quaternion is not a rotation: its length is " +
-                                std::to_string(q.norm()) + ", not 1");
-  }
-  return q.normalized().toRotationMatrix();
 }
 
 Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& key) {
@@ -51,11 +40,7 @@ Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& 
   if (quaternion != nullptr) {
     return from_quaternion(vector_of(*quaternion, key + ".quaternion", 4), place_of(*quaternion));
   }
-  const Eigen::Vector3d angles = vector_of(*rpy, key + ".rpy", 3);
-  return (Eigen::AngleAxisd(angles[2], Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(angles[1], Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(angles[0], Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
+  return rotation_of_rpy(vector_of(*rpy, key + ".rpy", 3));
 }
 
 Eigen::VectorXd translation_of(const toml::table& table, int n, const std::string& key) {
@@ -87,45 +72,6 @@ MotionPointer read_keyframes(const toml::node& node, int n) {
   return placed(node, [&]() -> MotionPointer { return std::make_shared<KeyframeMotion>(times, frames); });
 }
 
-// Columns time, x, y, angle in the plane; time, x, y, z, qw, qx, qy, qz in space; by name, or in this order.
-MotionPointer read_trajectory(const std::string& path, int n) {
-  const NumberTable table = read_number_table(path);
-  std::vector<std::string> wanted = {"time", "x", "y", "angle"};
-  if (n == 3) wanted = {"time", "x", "y", "z", "qw", "qx", "qy", "qz"};
-  if (n != 2 && n != 3)
-    throw InvalidParameterError(path + ": a trajectory needs a scene of 2 or 3 dimensions");
-  if (table.names.empty() && table.rows.cols() != static_cast<Eigen::Index>(wanted.size())) {
-    throw InvalidParameterError(path + ": a line must hold " + std::to_string(wanted.size()) + " numbers");
-  }
-  std::vector<Eigen::Index> columns;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    columns.push_back(table.names.empty() ? static_cast<Eigen::Index>(i) : table.column(wanted[i]));
-  }
-  for (const std::string& name : table.names) {
-    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end())
-      throw UnknownNameError("column", name, wanted, path);
-  }
-  std::vector<double> times;
-  std::vector<Placement> frames;
-  for (Eigen::Index i = 0; i < table.rows.rows(); ++i) {
-    const auto entry = [&](std::size_t k) { return table.rows(i, columns[k]); };
-    times.push_back(entry(0));
-    Placement frame = Placement::identity(n);
-    for (int k = 0; k < n; ++k) frame.t[k] = entry(static_cast<std::size_t>(k) + 1);
-    if (n == 2) frame.R = plane_rotation(entry(3));
-    if (n == 3) {
-      frame.R = from_quaternion({entry(4), entry(5), entry(6), entry(7)},
-                                path + ": row " + std::to_string(i + 1) + " of numbers");
-    }
-    frames.push_back(std::move(frame));
-  }
-  try {
-    return std::make_shared<KeyframeMotion>(times, frames);
-  } catch (const Error& error) {
-    throw InvalidParameterError(path + ": " + error.what());
-  }
-}
-
 MotionPointer read_rates(const toml::table& table, Placement first, int n, double start) {
   TwistMotion::Rates rates;
   rates.velocity.setZero(n);
@@ -143,6 +89,24 @@ MotionPointer read_rates(const toml::table& table, Placement first, int n, doubl
 }
 
 }  // namespace
+
+Eigen::Matrix3d rotation_of_rpy(const Eigen::Vector3d& rpy) {
+  return (Eigen::AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rpy[0], Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+Eigen::Matrix3d from_quaternion(const Eigen::Vector4d& wxyz, const std::string& place) {
+  const Eigen::Quaterniond q(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  // What printing with 4 digits loses; anything farther from 1 is no rotation.
+  constexpr double kLength = 1e-3;
+  if (!(std::abs(q.norm() - 1) <= kLength)) {
+    throw InvalidParameterError(place + ": the quaternion is not a rotation: its length is " +
+                                std::to_string(q.norm()) + ", not 1");
+  }
+  return q.normalized().toRotationMatrix();
+}
 
 Placement read_pose(const toml::table& table, int dimension, const std::string& key) {
   reject_unknown_keys(table, "key of a pose", kPoseKeys);
@@ -176,30 +140,9 @@ MotionPointer read_motion(const toml::table& body, int dimension, const std::fil
   if (keyframes != nullptr) return read_keyframes(*keyframes, dimension);
   if (file != nullptr) {
     const std::string name = (folder / read_text(*file, "motion.file")).string();
-    return placed(*file, [&] { return read_trajectory(name, dimension); });
+    return placed(*file, [&] { return read_pose_file(name, dimension); });
   }
   return read_rates(*table, first, dimension, start);
-}
-
-std::shared_ptr<const JointTrajectory> read_joint_trajectory(const std::string& path,
-                                                             const std::vector<std::string>& joints) {
-  const NumberTable table = read_number_table(path);
-  if (table.names.empty())
-    throw InvalidParameterError(path + ": the first line must name the columns: time, and joints");
-  auto trajectory = std::make_shared<JointTrajectory>();
-  const Eigen::Index time = table.column("time");
-  trajectory->values.resize(static_cast<Eigen::Index>(joints.size()), table.rows.rows());
-  for (Eigen::Index i = 0; i < table.rows.rows(); ++i) trajectory->times.push_back(table.rows(i, time));
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    trajectory->values.row(static_cast<Eigen::Index>(j)) =
-        table.rows.col(table.column(joints[j])).transpose();
-  }
-  for (const std::string& name : table.names) {
-    if (name != "time" && std::find(joints.begin(), joints.end(), name) == joints.end()) {
-      throw UnknownNameError("joint", name, joints, path);
-    }
-  }
-  return trajectory;
 }
 
 }  // namespace raygauge::cli

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/input/toml_source.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge::cli {
@@ -25,8 +25,11 @@ Pose read_exact_pose(const toml::table& table, int dimension, const std::string&
 MotionPointer read_motion(const toml::table& body, int dimension, const std::filesystem::path& folder,
                           double start);
 
-/// Joint values from a CSV file: a column `time`, and one for each of `joints`; others are refused.
-std::shared_ptr<const JointTrajectory> read_joint_trajectory(const std::string& path,
-                                                             const std::vector<std::string>& joints);
+/// The rotation by roll, pitch and yaw: about x, then y, then z of the space, as in URDF.
+Eigen::Matrix3d rotation_of_rpy(const Eigen::Vector3d& rpy);
+
+/// The rotation of a quaternion. Throws InvalidParameterError, with `place`, if its length is farther from 1
+/// than printing with 4 digits makes it.
+Eigen::Matrix3d from_quaternion(const Eigen::Vector4d& wxyz, const std::string& place);
 
 }  // namespace raygauge::cli

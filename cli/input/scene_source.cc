@@ -5,19 +5,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
-#include "cli/input/point_source.h"
 #include "cli/input/scene_motion.h"
+#include "cli/input/scene_robot.h"
 #include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
-#include "cli/input/urdf_file.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/timeline.h"
+#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
@@ -58,21 +59,29 @@ std::vector<std::string> texts_of(const toml::node& node, const std::string& key
   return texts;
 }
 
+constexpr double kLargestScale = 1e300;
+
+SetPointer scaled(const SetPointer& set, double scale) {
+  if (const PointSet* points = as_point_set(*set))
+    return std::make_shared<PointSet>(scale * points->points());
+  const int n = set->dimension();
+  return std::make_shared<AffineImage>(set, scale * Eigen::MatrixXd::Identity(n, n),
+                                       Eigen::VectorXd::Zero(n));
+}
+
 class SceneReader {
  public:
-  SceneReader(const std::string& path, const std::vector<std::string>& overrides,
-              const std::map<std::string, std::string>& packages)
+  SceneReader(const std::string& path, const std::vector<std::string>& overrides, const RobotMeshes& meshes)
       : toml_(read_toml(path, overrides)),
         folder_(std::filesystem::path(path).parent_path()),
-        packages_(packages) {
+        meshes_(meshes) {
     source_.text = toml_.text;
     scene().name = std::filesystem::path(path).stem().string();
   }
 
   SceneSource read() {
     const toml::table& root = toml_.root;
-    reject_unknown_keys(root, "key",
-                        {"name", "description", "dimension", "time", "body", "robot", "ignore", "query"});
+    reject_unknown_keys(root, "key", scene_keys().at(""));
     if (const toml::node* node = root.get("name")) scene().name = read_text(*node, "name");
     if (const toml::node* node = root.get("dimension")) {
       dimension_ = static_cast<int>(read_integer(*node, "dimension", {1, kMostSceneDimensions}));
@@ -88,6 +97,10 @@ class SceneReader {
       check_scene(scene());
       return 0;
     });
+    for (const auto& [name, first, count] : robots_) {
+      const std::string note = note_of_contacts(scene(), name, first, count);
+      if (!note.empty()) source_.notes.push_back(note);
+    }
     return std::move(source_);
   }
 
@@ -101,7 +114,7 @@ class SceneReader {
       return;
     }
     const toml::table& table = table_of(*node, "time");
-    reject_unknown_keys(table, "[time] key", {"from", "to", "instants"});
+    reject_unknown_keys(table, "[time] key", scene_keys().at("time"));
     const toml::node* instants = table.get("instants");
     if (instants != nullptr && instants->is_array()) {
       const Eigen::VectorXd list = read_vector(*instants, "time.instants");
@@ -138,17 +151,18 @@ class SceneReader {
     }
     if (const toml::node* node = table.get("file")) {
       const std::string name = (folder_ / read_text(*node, "body.file")).string();
-      if (is_set_file(name)) return {read_set_source(name)};
-      const double scale = table.contains("scale") ? read_number(*table.get("scale"), "body.scale") : 1.0;
-      parts.push_back(
-          placed(*node, [&] { return std::make_shared<PointSet>(scale * read_point_source(name)); }));
+      parts.push_back(placed(*node, [&] { return read_set_source(name); }));
+    }
+    if (const toml::node* node = table.get("scale")) {
+      const double scale = read_real(*node, "body.scale", {-kLargestScale, kLargestScale});
+      if (scale == 0) refuse(*node, "body.scale must not be 0");
+      for (SetPointer& part : parts) part = placed(*node, [&] { return scaled(part, scale); });
     }
     return parts;
   }
 
   void read_body(const toml::table& table) {
-    reject_unknown_keys(table, "[[body]] key",
-                        {"name", "group", "shape", "parts", "file", "scale", "pose", "motion"});
+    reject_unknown_keys(table, "[[body]] key", scene_keys().at("body"));
     const std::vector<SetPointer> parts = parts_of(table);
     if (dimension_ == 0) dimension_ = parts.front()->dimension();
     const std::string name = table.contains("name") ? read_text(*table.get("name"), "body.name")
@@ -173,75 +187,19 @@ class SceneReader {
   }
 
   void read_robot(const toml::table& table) {
-    reject_unknown_keys(table, "[[robot]] key", {"name", "urdf", "base", "trajectory", "group"});
     if (dimension_ == 0) dimension_ = 3;
     if (dimension_ != 3) refuse(table, "a robot needs a scene of 3 dimensions");
-    if (!table.contains("urdf")) refuse(table, "a robot needs the key urdf");
-    const toml::node& urdf = *table.get("urdf");
-    const std::string path = (folder_ / read_text(urdf, "robot.urdf")).string();
-    const Robot robot = placed(urdf, [&] { return read_urdf(path, packages_); });
-    const std::string name =
-        table.contains("name") ? read_text(*table.get("name"), "robot.name") : robot.name;
-    Placement base = Placement::identity(3);
-    if (const toml::node* node = table.get("base"))
-      base = read_pose(table_of(*node, "robot.base"), 3, "robot.base");
-    const auto tree = std::make_shared<const KinematicTree>(robot.tree);
-    const auto trajectory = trajectory_of(table, robot);
-    std::vector<std::string> groups = {name};
+    const int first = static_cast<int>(scene().bodies.size());
+    const RobotBodies robot =
+        read_robot_bodies(table, folder_, scene().instants.front(), scene().instants.back(), meshes_);
+    std::vector<std::string> groups = {robot.name};
     if (const toml::node* node = table.get("group")) {
       for (const std::string& group : texts_of(*node, "robot.group")) groups.push_back(group);
     }
-    std::map<int, int> body_of_link;
-    for (int i = 0; i < static_cast<int>(robot.links.size()); ++i) {
-      const RobotLink& link = robot.links[static_cast<std::size_t>(i)];
-      if (link.shapes.empty()) continue;
-      body_of_link[i] = static_cast<int>(scene().bodies.size());
-      const MotionPointer motion = link_motion(tree, trajectory, base, i);
-      add(table, placed(table, [&] { return make_body(name + "/" + link.name, link.shapes, motion); }),
-          groups);
-    }
-    if (body_of_link.empty()) refuse(urdf, "no link of the robot has a collision shape");
-    ignore_joined(robot, body_of_link);
-  }
-
-  static std::shared_ptr<const JointTrajectory> all_zero(const Robot& robot, double from, double to) {
-    auto still = std::make_shared<JointTrajectory>();
-    still->times = {from, to > from ? to : from + 1};
-    still->values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(robot.joints.size()), 2);
-    return still;
-  }
-
-  std::shared_ptr<const JointTrajectory> trajectory_of(const toml::table& table, const Robot& robot) {
-    const toml::node* node = table.get("trajectory");
-    if (node == nullptr) return all_zero(robot, scene().instants.front(), scene().instants.back());
-    const std::string path = (folder_ / read_text(*node, "robot.trajectory")).string();
-    return placed(*node, [&] { return read_joint_trajectory(path, robot.joints); });
-  }
-
-  // A link that hangs on fixed joints alone stands still.
-  static MotionPointer link_motion(const std::shared_ptr<const KinematicTree>& tree,
-                                   const std::shared_ptr<const JointTrajectory>& trajectory,
-                                   const Placement& base, int link) {
-    auto motion = std::make_shared<LinkMotion>(tree, trajectory, base, link);
-    for (int i = link; i >= 0; i = tree->links[static_cast<std::size_t>(i)].parent) {
-      const TreeLink& step = tree->links[static_cast<std::size_t>(i)];
-      if (step.kind != JointKind::fixed &&
-          trajectory->values.row(step.joint).minCoeff() != trajectory->values.row(step.joint).maxCoeff()) {
-        return motion;
-      }
-    }
-    return std::make_shared<StaticMotion>(motion->at(motion->start()));
-  }
-
-  // Links that a joint joins touch by design, also over links without a shape.
-  void ignore_joined(const Robot& robot, const std::map<int, int>& body_of_link) {
-    for (const auto& [link, body] : body_of_link) {
-      int parent = robot.tree.links[static_cast<std::size_t>(link)].parent;
-      while (parent >= 0 && body_of_link.count(parent) == 0) {
-        parent = robot.tree.links[static_cast<std::size_t>(parent)].parent;
-      }
-      if (parent >= 0) scene().ignored.emplace_back(body_of_link.at(parent), body);
-    }
+    for (const Body& body : robot.bodies) add(table, body, groups);
+    for (const auto& [a, b] : robot.joined) scene().ignored.emplace_back(first + a, first + b);
+    robots_.emplace_back(robot.name, first, static_cast<int>(robot.bodies.size()));
+    source_.notes.insert(source_.notes.end(), robot.notes.begin(), robot.notes.end());
   }
 
   const std::vector<int>& bodies_named(const std::string& name, const toml::node& node) {
@@ -266,9 +224,7 @@ class SceneReader {
   }
 
   void read_query(const toml::table& table) {
-    reject_unknown_keys(table, "[[query]] key",
-                        {"name", "between", "effects", "metric", "metric_body", "within", "nearest",
-                         "tolerance", "contact", "clearance_tolerance", "every_instant"});
+    reject_unknown_keys(table, "[[query]] key", scene_keys().at("query"));
     SceneQuery query;
     query.name = "query" + std::to_string(scene().queries.size() + 1);
     if (const toml::node* node = table.get("name")) query.name = read_text(*node, "query.name");
@@ -289,6 +245,7 @@ class SceneReader {
     if (const toml::node* node = table.get("every_instant")) {
       query.every_instant = read_boolean(*node, "query.every_instant");
     }
+    require_use(table, query.effects);
     std::vector<double> tolerances = {query.tolerance};
     if (const toml::node* node = table.get("tolerance"))
       tolerances = read_reals(*node, "query.tolerance", {0, 1, true});
@@ -297,6 +254,18 @@ class SceneReader {
       scene().queries.push_back(query);
       source_.effects.push_back(effects);
       source_.metrics.push_back(metric);
+    }
+  }
+
+  /// A key that no effect of the query looks at is refused.
+  static void require_use(const toml::table& table, SceneEffects effects) {
+    const std::vector<std::tuple<const char*, SceneEffects, const char*>> uses = {
+        {"contact", kContinuousEffects, "time_of_impact or clearance"},
+        {"clearance_tolerance", SceneEffects::clearance, "clearance"},
+        {"every_instant", SceneEffects::separated, "separated"}};
+    for (const auto& [key, users, names] : uses) {
+      if (table.contains(key) && !has_effect(effects, users))
+        refuse(*table.get(key), std::string("query.") + key + " has no effect without " + names);
     }
   }
 
@@ -353,11 +322,12 @@ class SceneReader {
 
   TomlSource toml_;
   std::filesystem::path folder_;
-  const std::map<std::string, std::string>& packages_;
+  const RobotMeshes& meshes_;
   SceneSource source_;
   int dimension_ = 0;
   std::map<std::string, std::vector<int>> groups_;
   std::map<std::string, bool> single_;
+  std::vector<std::tuple<std::string, int, int>> robots_;  ///< name, first body, number of bodies
 };
 
 /// FNV-1a over the bytes of numbers: two scenes whose bodies are anywhere else differ.
@@ -379,9 +349,21 @@ class Checksum {
 
 }  // namespace
 
+const std::map<std::string, std::vector<std::string>>& scene_keys() {
+  static const std::map<std::string, std::vector<std::string>> kKeys = {
+      {"", {"name", "description", "dimension", "time", "body", "robot", "ignore", "query"}},
+      {"time", {"from", "to", "instants"}},
+      {"body", {"name", "group", "shape", "parts", "file", "scale", "pose", "motion"}},
+      {"robot", robot_keys()},
+      {"query",
+       {"name", "between", "effects", "metric", "metric_body", "within", "nearest", "tolerance", "contact",
+        "clearance_tolerance", "every_instant"}}};
+  return kKeys;
+}
+
 SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                       const std::map<std::string, std::string>& packages) {
-  return SceneReader(path, overrides, packages).read();
+                       const RobotMeshes& meshes) {
+  return SceneReader(path, overrides, meshes).read();
 }
 
 std::string scene_identity(const SceneSource& source) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input/urdf_file.h"
 #include "raygauge/scene/scene.h"
 
 namespace raygauge::cli {
@@ -16,12 +17,16 @@ struct SceneSource {
   std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
   std::vector<std::string> effects;  ///< by query: their names, separated by blanks
+  std::vector<std::string> notes;    ///< what is worth knowing of robots, one line each
 };
 
-/// Reads a scene file (TOML; see docs/scenes.md) and all that it names. `packages` are the folders of
-/// package:// names in URDF files. Throws Error, with file and line.
+/// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, query.
+const std::map<std::string, std::vector<std::string>>& scene_keys();
+
+/// Reads a scene file (TOML; see docs/scenes.md) and all that it names; `meshes` says where those of robots
+/// are. Throws Error, with file and line.
 SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,
-                       const std::map<std::string, std::string>& packages);
+                       const RobotMeshes& meshes);
 
 /// What makes two scenes the same for a resume: "key = value" lines of instants, bodies and where they are,
 /// and queries.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/input/input_file.h"
+#include "cli/input/toml_refusal.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
 #include "raygauge/exceptions.h"
@@ -20,16 +21,6 @@ struct SetFile {
 
   SetPointer set_of(const toml::table& table, int depth) const;
 };
-
-/// Runs `call`; what it complains of gets a place.
-template <class Call>
-SetPointer placed(const std::string& place, const Call& call) {
-  try {
-    return call();
-  } catch (const Error& error) {
-    throw InvalidParameterError(place + ": " + error.what());
-  }
-}
 
 /// The values in the table of one set, `depth` tables inside its file.
 class SetTable final : public ShapeValues {

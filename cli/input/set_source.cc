@@ -33,14 +33,20 @@ class SetReader {
   SetReader(const PointFormat& format, bool digests) : format_(format), digests_(digests) {}
 
   /// `open` are the set files that are being read: each names the next one.
-  DigestedSet read(const std::string& source, const std::vector<fs::path>& open) const {
+  DigestedSet read(const std::string& source, const std::vector<fs::path>& open) {
+    if (++files_ > kMostSetFiles)
+      throw InvalidParameterError(source + ": more than " + std::to_string(kMostSetFiles) +
+                                  " files in one set, each counted as often as it is named");
+    if (open.size() > kDeepestSet)
+      throw InvalidParameterError(source + ": more than " + std::to_string(kDeepestSet) +
+                                  " set files inside one another");
     if (is_set_file(source)) return read_described(source, open);
     const Eigen::MatrixXd points = read_point_source(source, format_);
     return {std::make_shared<PointSet>(points), digests_ ? digest_of(points) : 0};
   }
 
  private:
-  DigestedSet read_described(const std::string& source, const std::vector<fs::path>& open) const {
+  DigestedSet read_described(const std::string& source, const std::vector<fs::path>& open) {
     std::error_code ignored;
     std::vector<fs::path> now_open = open;
     now_open.push_back(fs::weakly_canonical(source, ignored));
@@ -57,6 +63,7 @@ class SetReader {
 
   const PointFormat& format_;
   bool digests_;
+  std::size_t files_ = 0;  ///< read so far
 };
 
 }  // namespace

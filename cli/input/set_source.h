@@ -10,8 +10,11 @@
 
 namespace raygauge::cli {
 
+inline constexpr std::size_t kMostSetFiles = 1000;
+
 /// The set that `source` names: a set file (.toml, see read_set_file), or else the convex hull of points (see
-/// read_point_source). Throws Error, also for a set file that names itself, be it over others.
+/// read_point_source). Throws Error, also for a set file that names itself, be it over others, for more than
+/// kDeepestSet set files inside one another and for more than kMostSetFiles files in all.
 SetPointer read_set_source(const std::string& source, const PointFormat& format = {});
 
 /// The set, and a digest of what it was made from: the coordinates of points (of whatever format), the text

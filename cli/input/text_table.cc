@@ -13,7 +13,6 @@ namespace raygauge::cli {
 namespace {
 
 constexpr const char* kBlanks = " \t\r";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -36,26 +35,6 @@ std::string quoted_cell(const std::string& line, std::size_t& position, const st
   throw InvalidParameterError(place + ": a quote that opens here is never closed");
 }
 
-std::vector<std::string> cells_of(const std::string& line, const std::string& place) {
-  std::vector<std::string> cells;
-  for (std::size_t position = 0; position <= line.size(); ++position) {
-    const std::size_t begin = std::min(line.find_first_not_of(kBlanks, position), line.size());
-    if (begin == line.size() || line[begin] != '"') {
-      const std::size_t comma = std::min(line.find(',', position), line.size());
-      cells.push_back(trimmed(line.substr(position, comma - position)));
-      position = comma;
-      continue;
-    }
-    position = begin;
-    cells.push_back(quoted_cell(line, position, place));
-    const std::size_t comma = std::min(line.find(',', position), line.size());
-    if (!trimmed(line.substr(position, comma - position)).empty())
-      throw InvalidParameterError(place + ": a comma must follow the closing quote");
-    position = comma;
-  }
-  return cells;
-}
-
 void check_names(const std::vector<std::string>& names, const std::string& place) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
@@ -64,19 +43,46 @@ void check_names(const std::vector<std::string>& names, const std::string& place
   }
 }
 
+/// Where the cell ends that is no quoted one, or what stands behind a quoted one.
+std::size_t end_of_cell(const std::string& line, std::size_t position, char separator) {
+  return std::min(separator == ' ' ? line.find_first_of(kBlanks, position) : line.find(separator, position),
+                  line.size());
+}
+
 }  // namespace
 
+std::vector<std::string> cells_of(const std::string& line, char separator, const std::string& place) {
+  std::vector<std::string> cells;
+  const char* const blanks = separator == '\t' ? " \r" : kBlanks;
+  for (std::size_t position = 0; position <= line.size(); ++position) {
+    const std::size_t begin = std::min(line.find_first_not_of(blanks, position), line.size());
+    if (separator == ' ') position = begin;
+    if (begin == line.size() || line[begin] != '"') {
+      const std::size_t end = end_of_cell(line, position, separator);
+      cells.push_back(trimmed(line.substr(position, end - position)));
+      position = end;
+      continue;
+    }
+    position = begin;
+    cells.push_back(quoted_cell(line, position, place));
+    const std::size_t end = end_of_cell(line, position, separator);
+    if (!trimmed(line.substr(position, end - position)).empty())
+      throw InvalidParameterError(place + ": a " + (separator == ',' ? "comma" : "separator") +
+                                  " must follow the closing quote");
+    position = end;
+  }
+  return cells;
+}
+
 TextTable read_text_table(const std::string& path) {
-  std::string text = read_input(path);
-  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
-  std::istringstream lines(text);
+  std::istringstream lines(read_text_input(path));
   TextTable table;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = path + ":" + std::to_string(++number);
     const std::string content = trimmed(line);
     if (content.empty() || content.front() == '#') continue;
-    std::vector<std::string> cells = cells_of(content, place);
+    std::vector<std::string> cells = cells_of(content, ',', place);
     if (table.names.empty()) {
       check_names(cells, place);
       table.names = std::move(cells);

@@ -194,7 +194,7 @@ TomlSource toml_from_text(const std::string& text, const std::string& place) {
 TomlSource read_toml(const std::string& path, const std::vector<std::string>& overrides) {
   TomlSource source;
   source.path = input_name(path);
-  source.text = read_input(path);
+  source.text = read_text_input(path);
   source.root = parse(source.text, source.path);
   for (const std::string& text : overrides) apply_override(source.root, text);
   if (!overrides.empty()) source.text = effective_text(source.root, source.path, overrides);

@@ -2,189 +2,232 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/urdf_file.h"
 
-#include <console_bridge/console.h>
-#include <urdf_parser/urdf_parser.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <set>
+#include <string_view>
 #include <utility>
 
-#include "cli/input/input_file.h"
-#include "cli/input/mesh_file.h"
+#include "cli/input/urdf_shapes.h"
+#include "cli/input/xml_values.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/affine_image.h"
-#include "raygauge/sets/ball.h"
-#include "raygauge/sets/box.h"
-#include "raygauge/sets/cylinder.h"
-#include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Keeps what the URDF library complains of, which otherwise goes to standard error.
-class KeptMessages final : public console_bridge::OutputHandler {
- public:
-  KeptMessages() { console_bridge::useOutputHandler(this); }
-  ~KeptMessages() override { console_bridge::restorePreviousOutputHandler(); }
-
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_error.empty()) first_error = text;
-  }
-
-  std::string first_error;
+/// A <joint>, and what it joins.
+struct Joint {
+  const XmlElement* element = nullptr;
+  std::string name, parent, child;
+  TreeLink link;
+  std::string mimicked;  ///< "": none
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
 };
 
-Placement placement_of(const urdf::Pose& pose) {
-  Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-  return make_placement(q.normalized().toRotationMatrix(),
-                        Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z));
+JointKind kind_of(const XmlFile& file, const XmlElement& joint, const std::string& name) {
+  const std::string type = file.text(joint, "type");
+  if (type == "fixed") return JointKind::fixed;
+  if (type == "revolute" || type == "continuous") return JointKind::revolute;
+  if (type == "prismatic") return JointKind::prismatic;
+  file.refuse(
+      joint, "joint '" + name + "' is " + type + "; fixed, revolute, continuous and prismatic ones are read");
+}
+
+Joint joint_of(const XmlFile& file, const XmlElement& element) {
+  Joint joint;
+  joint.element = &element;
+  joint.name = file.text(element, "name");
+  const auto link_of = [&](const char* role) {
+    const XmlElement* link = element.FirstChildElement(role);
+    if (link == nullptr) file.refuse(element, "joint '" + joint.name + "' has no " + role + " link");
+    return file.text(*link, "link");
+  };
+  joint.parent = link_of("parent");
+  joint.child = link_of("child");
+  joint.link.kind = kind_of(file, element, joint.name);
+  joint.link.origin = urdf_origin(file, element);
+  if (joint.link.kind == JointKind::fixed) return joint;
+  if (const XmlElement* axis = element.FirstChildElement("axis"))
+    joint.link.axis = file.vector(*axis, "xyz", joint.link.axis);
+  if (!(joint.link.axis.norm() > 0)) file.refuse(element, "joint '" + joint.name + "' has no axis");
+  joint.link.axis.normalize();
+  const XmlElement* limit = element.FirstChildElement("limit");
+  const bool limited =
+      limit != nullptr && (limit->Attribute("lower") != nullptr || limit->Attribute("upper") != nullptr);
+  if (limited && file.text(element, "type") != "continuous") {
+    joint.lower = file.number(*limit, "lower", 0);
+    joint.upper = file.number(*limit, "upper", 0);
+  }
+  if (const XmlElement* mimic = element.FirstChildElement("mimic")) {
+    joint.mimicked = file.text(*mimic, "joint");
+    joint.link.scale = file.number(*mimic, "multiplier", 1);
+    joint.link.offset = file.number(*mimic, "offset", 0);
+  }
+  return joint;
 }
 
 class UrdfReader {
  public:
-  UrdfReader(std::string path, const std::map<std::string, std::string>& packages)
-      : path_(std::move(path)), packages_(packages) {}
+  UrdfReader(const std::string& path, const RobotMeshes& meshes)
+      : path_(path), meshes_(meshes), file_(path) {}
 
   Robot read() {
-    const std::string text = read_input(path_);
-    urdf::ModelInterfaceSharedPtr model;
-    {
-      KeptMessages messages;
-      model = urdf::parseURDF(text);
-      if (model == nullptr || model->getRoot() == nullptr || !messages.first_error.empty()) {
-        refuse(messages.first_error.empty() ? "not a URDF file" : messages.first_error);
-      }
+    check_language();
+    const XmlElement& root = file_.root();
+    robot_.name = file_.text(root, "name");
+    for (const XmlElement* link = root.FirstChildElement("link"); link != nullptr;
+         link = link->NextSiblingElement("link")) {
+      if (!links_.emplace(file_.text(*link, "name"), link).second)
+        file_.refuse(*link, "a second link '" + file_.text(*link, "name") + "'");
+      if (first_link_ == nullptr) first_link_ = link;
     }
-    robot_.name = model->getName();
-    add(*model->getRoot(), -1, nullptr);
+    if (first_link_ == nullptr) file_.refuse(root, "a robot without a link");
+    for (const XmlElement* joint = root.FirstChildElement("joint"); joint != nullptr;
+         joint = joint->NextSiblingElement("joint")) {
+      take_joint(joint_of(file_, *joint));
+    }
+    add_links();
     bind_joints();
     return std::move(robot_);
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InvalidParameterError(path_ + ": " + what);
-  }
-
-  void add(const urdf::Link& link, int parent, const urdf::Joint* joint) {
-    const int number = static_cast<int>(robot_.tree.links.size());
-    robot_.tree.links.push_back(joint == nullptr ? TreeLink{-1, Placement::identity(3)}
-                                                 : tree_link(*joint, parent));
-    joints_.push_back(joint);
-    if (parent >= 0) robot_.joined.emplace_back(parent, number);
-    robot_.links.push_back({link.name, shapes_of(link)});
-    for (const urdf::LinkSharedPtr& child : link.child_links) add(*child, number, child->parent_joint.get());
-  }
-
-  TreeLink tree_link(const urdf::Joint& joint, int parent) const {
-    TreeLink link{parent, placement_of(joint.parent_to_joint_origin_transform)};
-    if (joint.type == urdf::Joint::FIXED) return link;
-    if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS) {
-      link.kind = JointKind::revolute;
-    } else if (joint.type == urdf::Joint::PRISMATIC) {
-      link.kind = JointKind::prismatic;
-    } else {
-      refuse("joint '" + joint.name + "' is neither fixed, revolute, continuous nor prismatic");
+  void check_language() const {
+    const XmlElement& root = file_.root();
+    if (std::string_view(root.Name()) != "robot")
+      file_.refuse(root, std::string("not a URDF file: its root is <") + root.Name() + ">, not <robot>");
+    for (const XmlElement* child = root.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      if (std::string_view(child->Name()).starts_with("xacro:"))
+        file_.refuse(*child, std::string("<") + child->Name() +
+                                 ">: a xacro file; expand it first, as in: xacro " + path_ + " > robot.urdf");
     }
-    link.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
-    if (!(link.axis.norm() > 0)) refuse("joint '" + joint.name + "' has no axis");
-    link.axis.normalize();
-    return link;
   }
 
-  // Joints take values in the order of the file's tree; a mimic takes another's.
+  void take_joint(Joint joint) {
+    const XmlElement& element = *joint.element;
+    for (const std::string& link : {joint.parent, joint.child}) {
+      if (links_.count(link) == 0)
+        file_.refuse(element, "joint '" + joint.name + "': there is no link '" + link + "'");
+    }
+    if (!number_of_joint_.emplace(joint.name, static_cast<int>(joints_.size())).second)
+      file_.refuse(element, "a second joint '" + joint.name + "'");
+    if (!joint_above_.emplace(joint.child, static_cast<int>(joints_.size())).second)
+      file_.refuse(element, "link '" + joint.child + "' hangs on a second joint, '" + joint.name + "'");
+    joints_below_[joint.parent].push_back(static_cast<int>(joints_.size()));
+    joints_.push_back(std::move(joint));
+  }
+
+  std::string root_link() const {
+    std::string root;
+    for (const XmlElement* link = first_link_; link != nullptr; link = link->NextSiblingElement("link")) {
+      const std::string name = file_.text(*link, "name");
+      if (joint_above_.count(name) != 0) continue;
+      if (!root.empty()) file_.refuse(*link, "two links hang on no joint: '" + root + "' and '" + name + "'");
+      root = name;
+    }
+    if (root.empty()) file_.refuse(file_.root(), "every link hangs on a joint: they go round in a circle");
+    return root;
+  }
+
+  /// Links in the order of the tree: each before those that hang on it.
+  void add_links() {
+    struct Next {
+      std::string link;
+      int parent, joint;
+    };
+    std::vector<Next> next = {{root_link(), -1, -1}};
+    while (!next.empty()) {
+      const Next here = std::move(next.back());
+      next.pop_back();
+      add_link(here.link, here.parent, here.joint);
+      const std::vector<int>& below = joints_below_[here.link];
+      const int number = static_cast<int>(robot_.links.size()) - 1;
+      for (auto joint = below.rbegin(); joint != below.rend(); ++joint)
+        next.push_back({joints_[static_cast<std::size_t>(*joint)].child, number, *joint});
+    }
+    if (robot_.links.size() == links_.size()) return;
+    file_.refuse(file_.root(), std::to_string(links_.size() - robot_.links.size()) +
+                                   " links hang on joints that go round in a circle");
+  }
+
+  void add_link(const std::string& name, int parent, int joint) {
+    RobotLink link;
+    link.name = name;
+    link.shapes = urdf_shapes(file_, *links_.at(name), path_, meshes_, robot_.skipped);
+    TreeLink step{-1, Placement::identity(3)};
+    if (joint >= 0) {
+      const Joint& above = joints_[static_cast<std::size_t>(joint)];
+      link.joint = above.name;
+      link.lower = above.lower;
+      link.upper = above.upper;
+      step = above.link;
+      step.parent = parent;
+    }
+    robot_.links.push_back(std::move(link));
+    robot_.tree.links.push_back(step);
+  }
+
+  // Joints take values in the order of the tree; a mimic takes another's.
   void bind_joints() {
-    std::map<std::string, int> number;
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const urdf::Joint* joint = joints_[i];
-      if (joint == nullptr || joint->type == urdf::Joint::FIXED || joint->mimic != nullptr) continue;
-      number[joint->name] = static_cast<int>(robot_.joints.size());
-      robot_.tree.links[i].joint = number[joint->name];
-      robot_.joints.push_back(joint->name);
-    }
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const urdf::Joint* joint = joints_[i];
-      if (joint == nullptr || joint->mimic == nullptr || joint->type == urdf::Joint::FIXED) continue;
-      const auto found = number.find(joint->mimic->joint_name);
-      if (found == number.end()) {
-        refuse("joint '" + joint->name + "' mimics '" + joint->mimic->joint_name + "', which takes no value");
+    std::map<std::string, int> value_of;
+    for (const RobotLink& link : robot_.links) {
+      if (link.joint.empty()) continue;
+      const Joint& joint = joint_named(link.joint);
+      if (joint.link.kind == JointKind::fixed) {
+        robot_.without_value[joint.name] = "is fixed";
+      } else if (!joint.mimicked.empty()) {
+        robot_.without_value[joint.name] = "mimics '" + joint.mimicked + "'";
+      } else {
+        value_of[joint.name] = static_cast<int>(robot_.joints.size());
+        robot_.joints.push_back(joint.name);
       }
-      robot_.tree.links[i].joint = found->second;
-      robot_.tree.links[i].scale = joint->mimic->multiplier;
-      robot_.tree.links[i].offset = joint->mimic->offset;
+    }
+    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
+      TreeLink& step = robot_.tree.links[i];
+      if (step.kind == JointKind::fixed) continue;
+      const Joint& source = source_of(joint_named(robot_.links[i].joint), step);
+      step.joint = value_of.at(source.name);
     }
   }
 
-  std::vector<SetPointer> shapes_of(const urdf::Link& link) const {
-    std::vector<SetPointer> shapes;
-    std::vector<urdf::CollisionSharedPtr> collisions = link.collision_array;
-    if (collisions.empty() && link.collision != nullptr) collisions.push_back(link.collision);
-    for (const urdf::CollisionSharedPtr& collision : collisions) {
-      if (collision->geometry == nullptr) refuse("link '" + link.name + "': a collision without a shape");
-      const Placement where = placement_of(collision->origin);
-      shapes.push_back(AffineImage::rigid(shape_of(*collision->geometry, link.name), where.R, where.t));
-    }
-    return shapes;
+  const Joint& joint_named(const std::string& name) const {
+    return joints_[static_cast<std::size_t>(number_of_joint_.at(name))];
   }
 
-  SetPointer shape_of(const urdf::Geometry& geometry, const std::string& link) const {
-    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    if (geometry.type == urdf::Geometry::SPHERE) {
-      return std::make_shared<Ball>(zero, static_cast<const urdf::Sphere&>(geometry).radius);
+  /// The joint whose value another one takes in the end, over mimics of mimics; `step` gets how.
+  const Joint& source_of(const Joint& mimic, TreeLink& step) const {
+    const Joint* joint = &mimic;
+    for (std::size_t steps = 0; !joint->mimicked.empty(); ++steps) {
+      const std::string what = "joint '" + joint->name + "' mimics '" + joint->mimicked + "'";
+      const auto found = number_of_joint_.find(joint->mimicked);
+      if (found == number_of_joint_.end())
+        file_.refuse(*joint->element, what + ", and there is no such joint");
+      const Joint& next = joints_[static_cast<std::size_t>(found->second)];
+      if (next.link.kind == JointKind::fixed) file_.refuse(*joint->element, what + ", which is fixed");
+      if (steps > joints_.size()) file_.refuse(*joint->element, what + ": mimics that go round in a circle");
+      if (joint != &mimic) {
+        step.offset += step.scale * joint->link.offset;
+        step.scale *= joint->link.scale;
+      }
+      joint = &next;
     }
-    if (geometry.type == urdf::Geometry::BOX) {
-      const urdf::Vector3& size = static_cast<const urdf::Box&>(geometry).dim;
-      const Eigen::Vector3d half(size.x / 2, size.y / 2, size.z / 2);
-      return std::make_shared<Box>(-half, half);
-    }
-    if (geometry.type == urdf::Geometry::CYLINDER) {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
-      const Eigen::Vector3d half(0, 0, cylinder.length / 2);
-      return std::make_shared<Cylinder>(-half, half, cylinder.radius);
-    }
-    if (geometry.type != urdf::Geometry::MESH)
-      refuse("link '" + link + "': a collision shape that is not understood");
-    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-    Eigen::MatrixXd vertices;
-    try {
-      vertices = read_mesh_vertices(mesh_path(mesh.filename, link));
-    } catch (const Error& error) {
-      refuse("link '" + link + "': " + error.what());
-    }
-    const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-    return std::make_shared<PointSet>(scale.asDiagonal() * vertices);
+    return *joint;
   }
 
-  std::string mesh_path(const std::string& name, const std::string& link) const {
-    constexpr std::string_view kPackage = "package://";
-    constexpr std::string_view kFile = "file://";
-    if (name.starts_with(kFile)) return name.substr(kFile.size());
-    if (!name.starts_with(kPackage)) return (fs::path(path_).parent_path() / name).string();
-    const std::string rest = name.substr(kPackage.size());
-    const std::string package = rest.substr(0, rest.find('/'));
-    const auto folder = packages_.find(package);
-    if (folder == packages_.end()) {
-      refuse("link '" + link + "': the folder of package '" + package + "' is not known; say --package " +
-             package + "=FOLDER");
-    }
-    return (fs::path(folder->second) / rest.substr(std::min(rest.size(), package.size() + 1))).string();
-  }
-
-  std::string path_;
-  const std::map<std::string, std::string>& packages_;
+  const std::string& path_;
+  const RobotMeshes& meshes_;
+  XmlFile file_;
   Robot robot_;
-  std::vector<const urdf::Joint*> joints_;
+  const XmlElement* first_link_ = nullptr;
+  std::map<std::string, const XmlElement*> links_;
+  std::vector<Joint> joints_;
+  std::map<std::string, int> number_of_joint_, joint_above_;
+  std::map<std::string, std::vector<int>> joints_below_;
 };
 
 }  // namespace
 
-Robot read_urdf(const std::string& path, const std::map<std::string, std::string>& packages) {
-  return UrdfReader(path, packages).read();
+Robot read_urdf(const std::string& path, const RobotMeshes& meshes) {
+  return UrdfReader(path, meshes).read();
 }
 
 }  // namespace raygauge::cli

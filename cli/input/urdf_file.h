@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/input/shapes.h"
@@ -12,26 +12,36 @@
 
 namespace raygauge::cli {
 
-/// A link of a robot with its collision shapes, in the frame of the link.
+/// A link of a robot with its collision shapes, in the frame of the link, and the joint that it hangs on.
 struct RobotLink {
   std::string name;
-  std::vector<SetPointer> shapes;  ///< may be empty
+  std::vector<SetPointer> shapes;                           ///< may be empty
+  std::string joint;                                        ///< "": the root
+  double lower = -std::numeric_limits<double>::infinity();  ///< limits of the joint, where it has some
+  double upper = std::numeric_limits<double>::infinity();
 };
 
 /// A robot as its URDF file has it.
 struct Robot {
   std::string name;
-  KinematicTree tree;                       ///< parents first
-  std::vector<RobotLink> links;             ///< by link of the tree
-  std::vector<std::string> joints;          ///< that take a value, in the order of the values; no mimics
-  std::vector<std::pair<int, int>> joined;  ///< links that a joint joins
+  KinematicTree tree;                                ///< parents first
+  std::vector<RobotLink> links;                      ///< by link of the tree
+  std::vector<std::string> joints;                   ///< that take a value, in the order of the values
+  std::map<std::string, std::string> without_value;  ///< the other ones, and why: "mimics 'a'", "is fixed"
+  std::vector<std::string> skipped;                  ///< meshes that were missing: "a.stl of link 'b'"
 };
 
-/// Reads the collision shapes (boxes, spheres, cylinders, meshes as their convex hulls) and the joints
-/// (fixed, revolute, continuous, prismatic, mimics) of a URDF file. `packages` are the folders of package://
-/// names; other names of meshes are relative to the file. Throws InvalidParameterError, naming file and link
-/// or joint, for what is not understood: a joint of another type, a mesh that is missing, a package that is
-/// not known, text that is not URDF.
-Robot read_urdf(const std::string& path, const std::map<std::string, std::string>& packages);
+/// Where the meshes of robots are, and what becomes of those that are not there.
+struct RobotMeshes {
+  std::map<std::string, std::string> packages;  ///< folders of package:// names
+  bool skip_missing = false;  ///< a mesh that is not there is named in `skipped`, not refused
+};
+
+/// Reads the collision shapes (boxes, spheres, cylinders, capsules, meshes as their convex hulls) and the
+/// joints (fixed, revolute, continuous, prismatic, mimics) of a URDF file; nothing else in it is looked at.
+/// Names of meshes other than package:// and file:// are relative to the file. Throws InvalidParameterError,
+/// naming file, line and link or joint, for what is not understood: a joint of another type, a mesh that is
+/// missing, a package that is not known, text that is not URDF.
+Robot read_urdf(const std::string& path, const RobotMeshes& meshes);
 
 }  // namespace raygauge::cli

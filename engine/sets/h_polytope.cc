@@ -44,6 +44,51 @@ const Eigen::Ref<const Eigen::MatrixXd>& checked_rows(const Eigen::Ref<const Eig
   throw InvalidParameterError("h_polytope: {x : G x <= g} is not bounded");
 }
 
+// The largest ball {y : |y - x| <= t} inside, as a program in (x, t): maximize t subject to G_i·x + |G_i| t
+// <= g_i, with |x_k| <= cube where that is finite. Where no ball fits, t is negative: the set is empty.
+struct BallProgram {
+  BallProgram(const InequalitySimplex::RowMatrix& G, const Vector& g, double cube) {
+    const Eigen::Index m = G.rows(), n = G.cols(), more = std::isfinite(cube) ? 2 * n : 0;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(m + more, n + 1);
+    rows.topRows(m) << G, G.rowwise().norm();
+    Vector bounds = Vector::Constant(m + more, cube);
+    bounds.head(m) = g;
+    if (more > 0)
+      rows.bottomLeftCorner(more, n) << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+    program = InequalitySimplex(rows, bounds);
+    Vector start = Vector::Zero(n + 1);
+    start[n] = (g.array() / rows.col(n).head(m).array()).minCoeff();
+    at = program.start_at(start);
+    end = program.maximise(Vector::Unit(n + 1, n), at);
+  }
+
+  InequalitySimplex program;
+  InequalitySimplex::Vertex at;
+  End end;
+};
+
+// Beyond the size of the numbers in g: where the set has points, it has some that are nearer.
+constexpr double kWide = 0x1p20;
+// Multipliers of the cube, beside others that sum up to 1: less than this are rounding.
+constexpr double kNoMultiplier = 1e-12;
+
+// Whether inequalities without a vertex have no solution either: if the largest ball has a negative radius
+// although no side of a cube holds it, multipliers of the rows alone prove it (Farkas).
+bool is_empty(const InequalitySimplex::RowMatrix& G, const Vector& g) {
+  const Eigen::Index n = G.cols();
+  const double scale = g.lpNorm<Eigen::Infinity>();
+  const BallProgram balls(G, g, kWide * scale);
+  if (balls.end != End::optimal || !(balls.at.x[n] < -kFlat * scale)) return false;
+  const Vector multipliers = balls.program.multipliers(Vector::Unit(n + 1, n), balls.at);
+  for (Eigen::Index i = 0; i <= n; ++i) {
+    if (balls.at.active[static_cast<std::size_t>(i)] >= G.rows() && std::fabs(multipliers[i]) > kNoMultiplier)
+      return false;
+  }
+  return true;
+}
+
+[[noreturn]] void throw_empty() { throw EmptySetError("h_polytope: {x : G x <= g} is empty"); }
+
 // Σ_k |G_ik x_k|, to which rounding errors of G_i·x are relative.
 double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const ConstVectorRef& x) {
   return G.row(i).cwiseAbs().dot(x.cwiseAbs());
@@ -57,19 +102,15 @@ HPolytope::HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVect
   find_extent();
 }
 
-// The largest ball inside: maximize t subject to G_i·x + |G_i| t <= g_i.
+// That of a largest ball inside (Chebyshev).
 void HPolytope::find_center() {
   const int n = dimension();
-  Eigen::MatrixXd rows(G().rows(), n + 1);
-  rows << G(), G().rowwise().norm();
-  const InequalitySimplex balls(rows, g());
-  Vector x = Vector::Zero(n + 1);
-  x[n] = (g().array() / rows.col(n).array()).minCoeff();
-  InequalitySimplex::Vertex at = balls.start_at(x);
-  if (balls.maximise(Vector::Unit(n + 1, n), at) == End::unbounded) throw_unbounded();
-  center_ = at.x.head(n);
+  const BallProgram balls(G(), g(), kInfinity);
+  if (balls.end == End::unbounded && is_empty(G(), g())) throw_empty();
+  if (balls.end == End::unbounded) throw_unbounded();
+  center_ = balls.at.x.head(n);
   const double scale = g().lpNorm<Eigen::Infinity>() + center_.norm();
-  if (at.x[n] < -kFlat * scale) throw EmptySetError("h_polytope: no x satisfies G x <= g");
+  if (balls.at.x[n] < -kFlat * scale) throw_empty();
   if (!(do_inner_radius(center_.data()) > 0)) {
     throw InvalidParameterError(
         "h_polytope: {x : G x <= g} has no interior, to rounding; give its corners as a point_set");

@@ -91,6 +91,15 @@ TEST_F(MeshFile, VerticesSharedByFacesCountOnce) {
       read("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\nf 2 5 3\n").cols(), 4);
 }
 
+TEST_F(MeshFile, AByteOrderMarkIsSkippedInEveryTextFormat) {
+  const Eigen::MatrixXd expected{{0, 0, 1}, {0, 2, 0}, {4, 0, 0}};
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(read("t.obj", mark + kObj), expected);
+  EXPECT_EQ(read("t.off", mark + kOff), expected);
+  EXPECT_EQ(read("t.ply", mark + kPly), expected);
+  EXPECT_EQ(read("t.stl", mark + kStl), expected);
+}
+
 TEST_F(MeshFile, PointsWithoutFacesAreAccepted) {
   EXPECT_EQ(read("cloud.obj", "v 1 0 0\nv 0 1 0\nv 0 0 1\nv 2 2 2\n").cols(), 4);
 }
@@ -106,8 +115,12 @@ TEST_F(MeshFile, WhatIsNoMeshIsNamedOnOneLine) {
 
 TEST_F(MeshFile, BinaryFormatsGiveTheVerticesOfATriangle) {
   const Eigen::MatrixXd expected{{0, 0, 1}, {0, 2, 0}, {4, 0, 0}};
-  EXPECT_EQ(read("t.off", "OFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 0)), expected);
-  EXPECT_EQ(read("t.off", "COFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 4)), expected);
+  EXPECT_EQ(read("t.off", "OFF BINARY\n" + big_endian_ints({3, 0, 0}) + floats(true, 0)), expected);
+  const std::string face = big_endian_ints({3, 0, 1, 2});
+  EXPECT_EQ(read("t.off", "OFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 0) + face), expected);
+  EXPECT_EQ(read("t.off", "COFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 4) + face +
+                              big_endian_ints({0})),
+            expected);
   // 3, 0, 0 and floats in the order of the machine that wrote them, as pmp-library does
   const std::string counts("\3\0\0\0\0\0\0\0\0\0\0\0", 12);
   EXPECT_EQ(read("t.off", "OFF BINARY\n" + counts + floats(false, 0)), expected);
@@ -115,7 +128,8 @@ TEST_F(MeshFile, BinaryFormatsGiveTheVerticesOfATriangle) {
     std::string header = kPly;
     header.resize(header.find("1 0 0\n0 2 0"));
     header.replace(header.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
-    EXPECT_EQ(read("t.ply", header + floats(big, 0)), expected) << big;
+    const std::string face_of_ply = std::string(1, '\3') + std::string(12, '\0');
+    EXPECT_EQ(read("t.ply", header + floats(big, 0) + face_of_ply), expected) << big;
   }
   std::string stl(80, ' ');
   stl += std::string("\1\0\0\0", 4) + std::string(12, '\0') + floats(false, 0) + std::string(2, '\0');
@@ -141,21 +155,25 @@ TEST_F(MeshFile, GzipIsReadUnderAnyName) {
 
 TEST_F(MeshFile, AHeaderThatPromisesTooMuchIsNotBelieved) {
   EXPECT_EQ(error("t.off", "OFF\n1000000000 1 0\n1 0 0\n"),
-            "t.off: the header promises 1000000000 vertices, and 6 bytes are left");
+            "t.off:2: the header promises 1000000000 vertices, and 6 bytes are left");
   EXPECT_EQ(error("t.off", "OFF BINARY\n" + big_endian_ints({-1, 1, 0})),
             "t.off: the header promises 4294967295 vertices, and 0 bytes are left");
   std::string ply = kPly;
   ply.replace(ply.find("vertex 3"), 8, "vertex 1000000000000");
   EXPECT_EQ(error("t.ply", ply),
-            "t.ply: the header promises 1000000000000 of 'vertex', and 26 bytes are left");
-  EXPECT_EQ(error("t.stl", std::string(80, ' ') + "\xFF\xFF\xFF\x7F"),
-            "t.stl: neither a text STL file nor a whole binary one");
+            "t.ply:9: the header promises 1000000000000 of 'vertex', and 26 bytes are left");
+  EXPECT_EQ(
+      error("t.stl", std::string(80, ' ') + "\xFF\xFF\xFF\x7F"),
+      "t.stl: neither a text STL file, which begins with solid, nor a whole binary one: 2147483647 facets "
+      "would be 107374182434 bytes, it has 84");
+  EXPECT_EQ(error("t.off", "OFF BINARY\n" + big_endian_ints({3, 1, 0}) + floats(true, 0)),
+            "t.off: the 1 faces that the header promises are not what follows the vertices");
 }
 
 TEST_F(MeshFile, CoordinatesThatAreNotFiniteAreRefused) {
   std::string bytes = kPly;
   bytes.replace(bytes.find("0 0 4"), 5, "0 0 nan");
-  EXPECT_EQ(error("t.ply", bytes), "t.ply: a vertex has the coordinate NaN");
+  EXPECT_EQ(error("t.ply", bytes), "t.ply:12: 'nan' is not a finite number");
 }
 
 TEST_F(MeshFile, AMissingFileIsNamedWithTheReason) {

@@ -62,8 +62,18 @@ TEST(PointFile, WhatIsNoNumberIsNamedWithLineAndColumn) {
   EXPECT_EQ(message_of<InvalidParameterError>("1 2\n3 four\n"), "A.csv:2:3: 'four' is not a number");
   EXPECT_EQ(message_of<InvalidParameterError>("1 2\n3 4m\n"), "A.csv:2:3: '4m' is not a number");
   EXPECT_EQ(message_of<InvalidParameterError>("x,y\n1,2\n"),
-            "A.csv:1:1: 'x' is not a number (a heading must start with '#'; --skip-header skips one)");
+            "A.csv:1:1: 'x' is not a number (a heading must start with '#')");
   EXPECT_EQ(message_of<InvalidParameterError>("1 +-2\n"), "A.csv:1:3: '+-2' is not a number");
+}
+
+TEST(PointFile, TheHintNamesWhatSkipsAHeadingWhereTheTextComesFrom) {
+  try {
+    parse_points("x,y\n1,2\n", "A.csv", {.header_option = "--skip-header"});
+    FAIL() << "took a heading for a point";
+  } catch (const InvalidParameterError& error) {
+    EXPECT_STREQ(error.what(),
+                 "A.csv:1:1: 'x' is not a number (a heading must start with '#'; --skip-header skips one)");
+  }
 }
 
 TEST(PointFile, DecimalCommasAreRefusedWithAHint) {

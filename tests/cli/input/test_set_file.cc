@@ -130,8 +130,7 @@ TEST_F(SetFiles, MayNameAFileTwiceButNotThemselves) {
   write_bytes(folder_.file("part.toml"), "shape = \"file\"\nfile = \"point.csv\"");
   const std::string part = "{shape = \"file\", file = \"part.toml\"}";
   EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nA = " + part + "\nB = " + part), "");
-  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"set.toml\""),
-            "set.toml:2: set.toml: this set file names itself");
+  EXPECT_EQ(complaint("shape = \"file\"\nfile = \"set.toml\""), "set.toml:2: this set file names itself");
   write_bytes(folder_.file("part.toml"), "shape = \"file\"\nfile = \"./set.toml\"");
   EXPECT_EQ(complaint("shape = \"file\"\nfile = \"part.toml\""),
             "set.toml:2: part.toml:2: ./set.toml: this set file names itself");

@@ -175,6 +175,33 @@ TEST(HPolytope, RefusesWhatHasNoInterior) {
   EXPECT_THROW(HPolytope(G.topRows(4), Vector{{3, -3, 4, -4}}), InvalidParameterError);  // a point
 }
 
+TEST(HPolytope, TellsEmptyFromUnboundedWhereThereIsNoVertexToSeeItAt) {
+  const auto complaint = [](const Eigen::MatrixXd& G, const Vector& g) -> std::string {
+    try {
+      const HPolytope set(G, g);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  };
+  const std::string empty = "h_polytope: {x : G x <= g} is empty";
+  const std::string unbounded = "h_polytope: {x : G x <= g} is not bounded";
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    const Vector apart{{-size, -size}};
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{1, 0, 0}, {-1, 0, 0}}, apart), empty) << size;
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{1, 2, 3}, {-1, -2, -3}}, apart), empty) << size;
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{1, 0}, {-1, 0}, {0, 1}}, Vector{{-size, -size, 5}}), empty) << size;
+    EXPECT_EQ(
+        complaint(Eigen::MatrixXd{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}, Vector{{size, size, -size, -size}}),
+        empty)
+        << size;
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{1, 0, 0}, {-1, 0, 0}}, -2 * apart), unbounded) << size;
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{-1, 0}, {0, -1}}, apart), unbounded) << size;
+    // Points begin at x = 3e5, y = 1e6: two lines that meet far away
+    EXPECT_EQ(complaint(Eigen::MatrixXd{{-1, 0}, {1, -0.3}}, Vector{{-3e5 * size, 0}}), unbounded) << size;
+  }
+}
+
 TEST(HPolytope, RefusesWhatIsEmptyUnboundedOrMisshapen) {
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(2, 2);
   Eigen::MatrixXd strip(2, 2);

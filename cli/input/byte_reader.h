@@ -10,24 +10,8 @@
 
 namespace raygauge::cli {
 
-using Vertex = std::array<double, 3>;
-
-/// The vertices of mesh files in formats whose header says how many there are. The size of the file is
-/// believed, not the header: nothing is reserved for what is not there. Each throws InvalidParameterError,
-/// which names the file, for what is not of its format or ends too early.
-
-/// OFF, text or binary of either byte order, also with normals, colours or texture coordinates (NOFF, COFF,
-/// STOFF).
-std::vector<Vertex> off_vertices(std::string_view bytes, const std::string& name);
-
-/// PLY, text or binary of either byte order.
-std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name);
-
-/// Binary STL, if that is what the bytes are.
-bool is_binary_stl(std::string_view bytes);
-std::vector<Vertex> binary_stl_vertices(std::string_view bytes);
-
-/// What is left of a file that is read from front to back.
+/// What is left of a file that is read from front to back: lines of text, or bytes. It knows the line that it
+/// is at.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, const std::string& name) : left_(bytes), name_(name) {}
@@ -35,11 +19,18 @@ class ByteReader {
   bool empty() const noexcept { return left_.empty(); }
   std::size_t size() const noexcept { return left_.size(); }
 
-  /// The next line without its end.
+  /// The number, from 1, of the line that line() gave last; 0 in front of the first one.
+  std::size_t line_number() const noexcept { return line_; }
+
+  /// The next line without its end: LF, CR LF or CR.
   std::string_view line();
 
-  /// The next line that holds more than blanks and a comment, without the comment.
+  /// The next line that holds more than blanks and a comment, without the comment. Throws where there is
+  /// none.
   std::string_view content_line();
+
+  /// Throws if a line is left that holds more than blanks and a comment.
+  void require_end();
 
   /// The next bytes. Throws where fewer are left.
   std::string_view bytes(std::size_t count);
@@ -59,17 +50,28 @@ class ByteReader {
   /// Throws unless `count` things of at least `least` bytes each may follow.
   void require_room(std::uint64_t count, std::uint64_t least, const std::string& things) const;
 
+  /// Throws InvalidParameterError "FILE:LINE: reason", in front of the first line and among bytes "FILE:
+  /// reason".
   [[noreturn]] void fail(const std::string& reason) const;
 
+  /// Where fail() says that it is.
+  std::string place() const;
+
  private:
+  bool next_content(std::string_view& content);
+
   std::string_view left_;
   const std::string& name_;
+  std::size_t line_ = 0;
+  bool among_bytes_ = false;
 };
 
-/// The words of a line.
+/// The words of a line, put in the place of those in `words`.
+void split_words(std::string_view line, std::vector<std::string_view>& words);
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// A whole word as a number. Throws by way of `reader`.
+/// A whole word as a number. Throws by way of `reader`: InvalidParameterError; NonFiniteError for NaN,
+/// infinity and what is too large.
 double real_word(std::string_view word, const ByteReader& reader);
 std::uint64_t count_word(std::string_view word, const ByteReader& reader);
 

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raygauge::cli {
+
+using Vertex = std::array<double, 3>;
+
+/// The vertices of mesh files, those too that no face uses, in the file's own axes and units. The size of the
+/// file is believed, not its header: nothing is reserved for what is not there. Each throws
+/// InvalidParameterError, which names the file and, of a text, the line, for what is not understood, ends too
+/// early or goes on behind its end; NonFiniteError for a coordinate that is NaN, infinite or too large.
+/// `name` is what messages call the file.
+
+/// OBJ: polygons. A vertex has 3 numbers, also with a weight of 1 or three numbers of a colour behind them.
+/// Faces, lines and points must name vertices that are there. Free-form curves and surfaces, and what is no
+/// keyword of the format, are refused.
+std::vector<Vertex> obj_vertices(std::string_view text, const std::string& name);
+
+/// OFF, text or binary of either byte order, also with normals, colours or texture coordinates (NOFF, COFF,
+/// STOFF).
+std::vector<Vertex> off_vertices(std::string_view bytes, const std::string& name);
+
+/// PLY, text or binary of either byte order.
+std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name);
+
+/// STL, text or binary: binary if the size of the file is what its count of facets makes it.
+std::vector<Vertex> stl_vertices(std::string_view bytes, const std::string& name);
+
+/// What assimp reads, Collada above all: the vertices that faces use, moved by the nodes of the scene and
+/// multiplied by the unit that a Collada file states. `extension` is that of the format.
+std::vector<Vertex> assimp_vertices(std::string_view bytes, const std::string& name,
+                                    const std::string& extension);
+
+}  // namespace raygauge::cli
