@@ -38,6 +38,7 @@ class MethodChain {
   const DistanceOptions& options() const noexcept { return options_; }
   void set_options(const DistanceOptions& options);
   void set_stop(std::function<bool()> stop) { stop_ = std::move(stop); }
+  const std::function<bool()>& stop() const noexcept { return stop_; }
 
   /// d_Q(A); A and Q live in one space. `start`: a direction u to begin with, or nullptr.
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q, Effects effects,

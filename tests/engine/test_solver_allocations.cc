@@ -266,5 +266,29 @@ TEST(PosedSolve, AllocatesNothing) {
   }
 }
 
+TEST(RepeatedDepth, AllocatesNothing) {
+  Random random(13);
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const PreparedSet hull(sphere_points(3, 200, random));
+  const Ball ball(zero, 0.5), metric(zero, 1.0);
+  const Ellipsoid ellipsoid(zero, Eigen::MatrixXd(Eigen::Vector3d(1, 0.5, 0.4).asDiagonal()));
+  const TruncatedCone cone(Eigen::Vector3d(0, 0, -1), 0.5, Eigen::Vector3d(0, 0, 1), 0.25);
+  const Pose pose(Eigen::Quaterniond(1, 0.1, 0.2, 0.3), Eigen::Vector3d(0.5, 0.2, 0.2));
+  for (const ConvexSet* A :
+       {static_cast<const ConvexSet*>(&hull), static_cast<const ConvexSet*>(&ball),
+        static_cast<const ConvexSet*>(&ellipsoid), static_cast<const ConvexSet*>(&cone)}) {
+    ObjectDistanceSolver solver;
+    WarmStart warm;
+    long before = 0;
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      before = allocations;
+      const auto effects = ObjectEffects::depth | ObjectEffects::gradient;
+      const ObjectDistance& r = solver.solve({*A, pose}, {hull, Pose(3)}, metric, effects, &warm);
+      EXPECT_EQ(r.depth.status, DistanceStatus::optimal);
+    }
+    EXPECT_EQ(allocations - before, 0);
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_solver_allocations

@@ -17,7 +17,8 @@ namespace raygauge {
 enum class ObjectEffects : std::uint8_t {
   none = 0,
   closest_points = 1,  ///< of (18)
-  gradient = 2,        ///< of the distance when either object moves
+  gradient = 2,        ///< of the distance, or of minus the depth, when either object moves
+  depth = 4,           ///< of objects that meet: see ObjectDepth; the distance is then a signed one
 };
 
 constexpr ObjectEffects operator|(ObjectEffects a, ObjectEffects b) noexcept {
@@ -28,6 +29,30 @@ constexpr bool has_effect(ObjectEffects asked, ObjectEffects effect) noexcept {
   return (static_cast<unsigned>(asked) & static_cast<unsigned>(effect)) != 0;
 }
 
+/// How deep two objects A1, A2 that meet are in each other: with D = A2 - A1,
+///
+///     depth_Q = max{t >= 0 : tQ ⊆ D} = min{h_D(u)/h_Q(u) : u != 0},
+///
+/// the least translation of A1, measured by Q, after which the interiors are disjoint. Values that were not
+/// computed are NaN or empty.
+struct ObjectDepth {
+  double depth = DistanceResult::kUnset;  ///< `upper`
+  double lower = DistanceResult::kUnset;  ///< certified: lower Q ⊆ D, which holds for all directions at once
+  double upper = DistanceResult::kUnset;  ///< certified: h_D(normal)
+
+  /// `optimal`: upper - lower <= tolerance * upper, or both are 0. `unreachable`: the depth is infinite. A
+  /// limit otherwise; the bounds hold.
+  DistanceStatus status = DistanceStatus::precision_limit;
+
+  /// u, with h_Q(u) = 1, the way for A1 to get out; for A2 it is the other way.
+  Vector normal;
+  Vector point_1;  ///< a1 in A1, and ...
+  Vector point_2;  ///< ... a2 in A2, the points in contact: a2 - a1 is in D, on its face across u or nearly
+  std::int64_t evaluations = 0;      ///< depths computed: 0 or 1
+  std::int64_t iterations = 0;       ///< facets expanded for it
+  std::int64_t support_queries = 0;  ///< asked for it
+};
+
 /// The distance of two objects. Vectors that were not requested, or that do not exist (the objects meet, or
 /// the distance is infinite), are empty.
 struct ObjectDistance {
@@ -35,10 +60,14 @@ struct ObjectDistance {
       distance;  ///< d_Q(A2 - A1) with its bounds; 0 with status contains_origin if the objects meet
   Vector closest_point_1;  ///< in A1 ...
   Vector closest_point_2;  ///< ... and in A2: their difference has the gauge `distance`, to the gap
-  Vector gradient_1;       ///< of the distance, with respect to a translation of A1: the normal u
+  Vector gradient_1;       ///< of signed_distance(), with respect to a translation of A1: the normal u
   Vector gradient_2;       ///< ... of A2: -u
+  ObjectDepth depth;       ///< only with ObjectEffects::depth, and if the objects are not proven to be apart
   std::int64_t closest_point_evaluations = 0;  ///< pairs of closest points computed: 0 or 1
   std::int64_t gradient_evaluations = 0;       ///< pairs of gradients computed: 0 or 1
+
+  /// The signed distance: the distance, or minus the depth where that was computed.
+  double signed_distance() const noexcept { return depth.evaluations > 0 ? -depth.depth : distance.distance; }
 };
 
 /// Computes the distance from object A1 to object A2 in the metric of Q, section III-C of Zheng & Yamane,

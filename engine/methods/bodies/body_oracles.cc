@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/bodies/body_oracles.h"
+
+namespace raygauge {
+
+SpatialOracle::SpatialOracle(SpatialPair& pair) : pair_(pair) {
+  error_ = pair.error();
+  size_ = 2 * pair.size();
+}
+
+double SpatialOracle::support(const Vector3& u, DepthPoint<double>& point) {
+  SpatialPoint found;
+  pair_.support(u, found);
+  point.s = found.s;
+  point.a1 = found.a1;
+  point.a2 = found.a2;
+  return dot(u, found.s);
+}
+
+bool PreciseOracle::bind(const SpatialPair& pair, const Kernels& kernels) {
+  pair_ = &pair;
+  if (!precise_.bind(pair, kernels)) return false;
+  error_ = precise_.error();
+  size_ = 2 * pair.size();
+  height_ = pair.dimension() == 2 ? pair.size() : 0.0;
+  return true;
+}
+
+double PreciseOracle::support(const PreciseVector3& u, DepthPoint<DoubleDouble>& point) {
+  DoubleDouble height;
+  const PrecisePoint found = precise_.support(u, height);
+  point.s = found.s;
+  point.a1 = rounded(found.x1);
+  point.a2 = pair_->from_second(rounded(found.x2));
+  if (!(height_ > 0)) return height.rounded();
+  point.s.z = point.s.z + (u.z.high < 0 ? -height_ : height_);
+  return (height + u.z * (u.z.high < 0 ? -height_ : height_)).rounded();
+}
+
+}  // namespace raygauge

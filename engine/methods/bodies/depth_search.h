@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "engine/methods/bodies/inner_polytope.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// What a depth is asked of: a difference D that the origin may be in, and a metric Q, both of R^3.
+template <class Real>
+class DepthOracle {
+ public:
+  using Vector = BasicVector3<Real>;
+
+  /// h_D(u), to |u| error(), and s_D(u), within error() of a point of D.
+  virtual double support(const Vector& u, DepthPoint<Real>& point) = 0;
+
+  /// h_Q(u) for a u of length 1 to a few rounding units of doubles: a number that is not below it and one
+  /// that is not above it.
+  virtual double metric_upper(const Vector& u) = 0;
+  virtual double metric_lower(const Vector& u) = 0;
+
+  double error() const noexcept { return error_; }
+
+  /// At least |s| for every support point.
+  double size() const noexcept { return size_; }
+
+ protected:
+  ~DepthOracle() = default;
+  double error_ = 0, size_ = 0;
+};
+
+enum class DepthEnd : std::uint8_t {
+  closed,    ///< the bounds meet
+  flat,      ///< D has no interior, but for rounding: only the upper bound means anything
+  rounding,  ///< a better polytope is lost in rounding
+  limit,     ///< of facets
+  time,      ///< the watch
+};
+
+/// The depth  min h_D(u)/h_Q(u)  over all directions u, by the expanding polytope method (van den Bergen,
+/// "Proximity queries and penetration depth computation on 3D game objects", 2001). The least offset/h_Q(n)
+/// over the facets of a polytope inside D is a lower bound for all directions at once, which InnerPolytope
+/// proves; h_D(u)/h_Q(u) of any direction is an upper bound. The facet that is least is expanded until they
+/// meet, so that the minimum is a global one.
+template <class Real>
+class DepthSearch {
+ public:
+  using Vector = BasicVector3<Real>;
+
+  /// What is known of D beforehand, and when a gap is closed: `tolerance` times the depth of D plus a ball
+  /// that D lacks, of radius ball_lower to ball_upper.
+  struct Goal {
+    double tolerance = 1e-6;
+    double floor = 0;  ///< proven: the depth of D is not below it
+    double ball_lower = 0, ball_upper = 0;
+  };
+
+  DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch);
+
+  /// Of D alone, without the ball; -infinity where nothing is proven.
+  double lower() const noexcept { return lower_; }
+  double upper() const noexcept { return upper_; }
+
+  /// The direction that proves upper(), of length 1 in about.
+  const Vector& normal() const noexcept { return normal_; }
+
+  /// The points of both bodies whose difference is t u, where the ray along u leaves the polytope: for
+  /// normal() t is between both bounds. False where D is flat, or the origin is not inside the polytope.
+  bool contact(const Vector3& u, Vector3& a1, Vector3& a2) const;
+
+  int iterations() const noexcept { return iterations_; }
+
+ private:
+  struct Entry {
+    double value;
+    std::int32_t facet;
+    std::int64_t stamp;
+    bool operator<(const Entry& other) const noexcept { return value > other.value; }
+  };
+
+  bool begin(const Vector& start);
+  bool is_closed() const;
+  bool is_lost() const;
+  void probe(const Vector& u, DepthPoint<Real>& point);
+  bool farther(const Vector& u, const Vector& from, DepthPoint<Real>& point);
+  void queue_new_facets();
+  const Entry& least();
+
+  InnerPolytope<Real> polytope_;
+  std::vector<Entry> heap_;
+  DepthOracle<Real>* oracle_ = nullptr;
+  Goal goal_;
+  double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
+  Vector normal_;
+  int iterations_ = 0;
+  bool solid_ = false;
+};
+
+extern template class DepthSearch<double>;
+extern template class DepthSearch<DoubleDouble>;
+
+}  // namespace raygauge

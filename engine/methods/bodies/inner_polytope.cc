@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/bodies/inner_polytope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/numerics/fused.h"
+
+namespace raygauge {
+namespace {
+
+double high(double value) { return value; }
+double high(const DoubleDouble& value) { return value.high; }
+double rounded(double value) { return value; }
+double rounded(const DoubleDouble& value) { return value.rounded(); }
+template <class Real>
+double length_of(const BasicVector3<Real>& v) {
+  return length({high(v.x), high(v.y), high(v.z)});
+}
+
+// What one operation may lose; and a scalar product of a unit vector, relative to the other factor.
+template <class Real>
+constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
+template <class Real>
+constexpr double kProduct = 8 * kUnit<Real>;
+
+constexpr int kNext[3] = {1, 2, 0};
+
+}  // namespace
+
+template <class Real>
+double InnerPolytope<Real>::noise_of(double size) noexcept {
+  return 4 * kProduct<Real> * size;
+}
+
+template <class Real>
+bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
+  points_.assign(corners, corners + 4);
+  facets_.clear();
+  free_.clear();
+  made_.clear();
+  mark_.clear();
+  stamps_ = searches_ = 0;
+  size_ = size;
+  noise_ = noise_of(size);
+  const Vector& a = points_[0].s;
+  const Vector n = triangle_normal<Real>(a, points_[1].s, points_[2].s);
+  const Real height = dot(n, points_[3].s - a);
+  if (!(std::fabs(high(height)) > noise_ * length_of(n))) return false;
+  if (high(height) > 0) std::swap(points_[1], points_[2]);
+  // The fourth corner is below the facet 0 1 2.
+  make(0, 1, 2);
+  make(1, 0, 3);
+  make(2, 1, 3);
+  make(0, 2, 3);
+  constexpr std::int32_t kNeighbours[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  for (std::size_t i = 0; i < 4; ++i) std::copy_n(kNeighbours[i], 3, facets_[i].neighbour);
+  return true;
+}
+
+// n is right to 16 rounding units of the product of the triangle's shorter edges. By how much n·s is above 0
+// decides whether the triangle is seen counterclockwise; where that is lost in rounding, no offset above 0 is
+// proven.
+template <class Real>
+void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
+  const Vector &a = point(facet.corner[0]).s, &b = point(facet.corner[1]).s, &c = point(facet.corner[2]).s;
+  const double ab = length_of(b - a), bc = length_of(c - b), ca = length_of(a - c);
+  const double edges = ab * bc * ca / std::max({ab, bc, ca});
+  const Vector n = triangle_normal<Real>(a, b, c);
+  const double size = length_of(n);
+  const double scale = size > 0 ? 1 / size : 0.0;
+  facet.n = n * Real{scale};
+  const Real of_a = dot(facet.n, a), of_b = dot(facet.n, b), of_c = dot(facet.n, c);
+  const auto lower_of = [](const Real& x, const Real& y) { return x < y ? x : y; };
+  const auto higher_of = [](const Real& x, const Real& y) { return x < y ? y : x; };
+  facet.reach = higher_of(of_a, higher_of(of_b, of_c));
+  const double least = rounded(lower_of(of_a, lower_of(of_b, of_c)));
+  facet.offset = least - kProduct<Real> * size_ - std::fabs(least) * 0x1p-52;
+  const bool certain = size > 0 && least > (17 * kUnit<Real> * edges * scale + kProduct<Real>)*size_;
+  if (!certain) facet.offset = std::min(facet.offset, 0.0);
+}
+
+template <class Real>
+std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int32_t c) {
+  std::int32_t index = 0;
+  if (free_.empty()) {
+    index = facet_count();
+    facets_.emplace_back();
+    mark_.push_back(0);
+  } else {
+    index = free_.back();
+    free_.pop_back();
+  }
+  DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(index)];
+  facet.corner[0] = a;
+  facet.corner[1] = b;
+  facet.corner[2] = c;
+  facet.stamp = ++stamps_;
+  measure(facet);
+  made_.push_back(index);
+  return index;
+}
+
+template <class Real>
+bool InnerPolytope<Real>::sees(std::int32_t i, const Vector& x) const {
+  return high(above(facet(i), x)) > noise_;
+}
+
+// The rim of the facets that x sees, in order, by walking around them; and these facets.
+template <class Real>
+void InnerPolytope<Real>::find_rim(std::int32_t first, const Vector& x) {
+  ++searches_;
+  rim_.clear();
+  seen_.assign(1, first);
+  mark_[static_cast<std::size_t>(first)] = searches_;
+  stack_.assign(1, {first, 0, 3});
+  while (!stack_.empty()) {
+    Visit& visit = stack_.back();
+    if (visit.left == 0) {
+      stack_.pop_back();
+      continue;
+    }
+    const int edge = visit.edge;
+    visit.edge = kNext[edge];
+    --visit.left;
+    const DepthFacet<Real>& here = facet(visit.facet);
+    const std::int32_t beyond = here.neighbour[edge], from = here.corner[edge], to = here.corner[kNext[edge]];
+    const bool known = mark_[static_cast<std::size_t>(beyond)] == searches_;
+    if (known) continue;
+    if (!sees(beyond, x)) {
+      rim_.push_back({from, to, beyond});
+      continue;
+    }
+    mark_[static_cast<std::size_t>(beyond)] = searches_;
+    seen_.push_back(beyond);
+    const DepthFacet<Real>& other = facet(beyond);
+    int entry = 0;
+    while (entry < 2 && other.corner[entry] != to) ++entry;
+    stack_.push_back({beyond, kNext[entry], 2});
+  }
+}
+
+template <class Real>
+bool InnerPolytope<Real>::is_loop() const {
+  if (rim_.size() < 3) return false;
+  for (std::size_t i = 0; i < rim_.size(); ++i) {
+    if (rim_[i].to != rim_[i + 1 < rim_.size() ? i + 1 : 0].from) return false;
+  }
+  return true;
+}
+
+template <class Real>
+void InnerPolytope<Real>::link(std::int32_t i, std::int32_t from, std::int32_t to, std::int32_t neighbour) {
+  DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(i)];
+  for (int e = 0; e < 3; ++e) {
+    if (facet.corner[e] == from && facet.corner[kNext[e]] == to) facet.neighbour[e] = neighbour;
+  }
+}
+
+template <class Real>
+RAYGAUGE_FUSED bool InnerPolytope<Real>::add(std::int32_t first, const DepthPoint<Real>& added) {
+  find_rim(first, added.s);
+  if (!is_loop()) return false;
+  const auto apex = static_cast<std::int32_t>(points_.size());
+  points_.push_back(added);
+  for (const std::int32_t i : seen_) {
+    facets_[static_cast<std::size_t>(i)].stamp = 0;
+    free_.push_back(i);
+  }
+  made_.clear();
+  for (const Edge& edge : rim_) {
+    const std::int32_t i = make(edge.from, edge.to, apex);
+    facets_[static_cast<std::size_t>(i)].neighbour[0] = edge.beyond;
+    link(edge.beyond, edge.to, edge.from, i);
+  }
+  for (std::size_t k = 0; k < made_.size(); ++k) {
+    DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[k])];
+    facet.neighbour[1] = made_[k + 1 < made_.size() ? k + 1 : 0];
+    facet.neighbour[2] = made_[k > 0 ? k - 1 : made_.size() - 1];
+  }
+  return true;
+}
+
+template class InnerPolytope<double>;
+template class InnerPolytope<DoubleDouble>;
+
+}  // namespace raygauge

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/numerics/precise_vector.h"
+
+namespace raygauge {
+
+/// A point s of a difference D, and the points of the bodies that it is the difference of, which are only
+/// combined.
+template <class Real>
+struct DepthPoint {
+  BasicVector3<Real> s;
+  Vector3 a1, a2;
+};
+
+/// A triangle of the surface, its corners counterclockwise seen from outside.
+template <class Real>
+struct DepthFacet {
+  std::int32_t corner[3] = {};
+  std::int32_t neighbour[3] = {};  ///< beyond the edge from corner i to corner i + 1
+  BasicVector3<Real> n;            ///< outward, of length 1 to a few rounding units
+  Real reach{};                    ///< max n·s over the corners
+  double offset = 0;               ///< n·x >= offset for every x in the triangle, proven for the n stored
+  std::int64_t stamp = 0;          ///< 0: not a facet any more
+};
+
+/// The surface of a polytope P whose corners are points of D: begin() makes a tetrahedron, add() replaces the
+/// facets that a new point sees by the cone from it over their rim.
+///
+/// What it proves needs no exact convexity. The facets form a closed oriented surface, whatever is rounded:
+/// the cone over the rim of what is taken away has the same rim. Let every facet have offset > 0. Then each
+/// triangle is seen from the origin counterclockwise, so the surface winds around the origin at least once,
+/// and so it does around every point that is joined to the origin without meeting the surface. A point around
+/// which it winds is in the hull of the corners. So a convex set K with the origin is inside that hull, if
+/// for every facet h_K(n) < offset.
+template <class Real>
+class InnerPolytope {
+ public:
+  using Vector = BasicVector3<Real>;
+
+  /// The tetrahedron of four points, in any order, of length at most `size`. False where it is flat.
+  bool begin(const DepthPoint<Real>* corners, double size);
+
+  /// Adds a point above `facet`. False where rounding hides which facets it sees: the surface is then as it
+  /// was.
+  bool add(std::int32_t facet, const DepthPoint<Real>& point);
+
+  /// How far x is above the plane of a facet.
+  Real above(const DepthFacet<Real>& facet, const Vector& x) const { return dot(facet.n, x) - facet.reach; }
+
+  /// For points of length at most `size`: what is above a plane by no more than this may be in it.
+  static double noise_of(double size) noexcept;
+  double noise() const noexcept { return noise_; }
+
+  const DepthFacet<Real>& facet(std::int32_t i) const { return facets_[static_cast<std::size_t>(i)]; }
+  const DepthPoint<Real>& point(std::int32_t i) const { return points_[static_cast<std::size_t>(i)]; }
+  std::int32_t facet_count() const { return static_cast<std::int32_t>(facets_.size()); }
+
+  /// The facets made by the last call of begin() or add().
+  const std::vector<std::int32_t>& made() const noexcept { return made_; }
+
+ private:
+  struct Edge {
+    std::int32_t from, to, beyond;
+  };
+  struct Visit {
+    std::int32_t facet;
+    int edge, left;
+  };
+
+  std::int32_t make(std::int32_t a, std::int32_t b, std::int32_t c);
+  void measure(DepthFacet<Real>& facet) const;
+  void find_rim(std::int32_t facet, const Vector& x);
+  bool is_loop() const;
+  bool sees(std::int32_t facet, const Vector& x) const;
+  void link(std::int32_t facet, std::int32_t from, std::int32_t to, std::int32_t neighbour);
+
+  std::vector<DepthPoint<Real>> points_;
+  std::vector<DepthFacet<Real>> facets_;
+  std::vector<std::int32_t> free_, made_, seen_;
+  std::vector<std::int64_t> mark_;  // of facets: the search that has seen them
+  std::vector<Edge> rim_;
+  std::vector<Visit> stack_;
+  std::int64_t stamps_ = 0, searches_ = 0;
+  double size_ = 0, noise_ = 0;
+};
+
+extern template class InnerPolytope<double>;
+extern template class InnerPolytope<DoubleDouble>;
+
+}  // namespace raygauge

@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/body_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/kernels/kernel.h"
+#include "engine/methods/spatial/nearest_on_simplex.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kUp = 1 + 0x1p-52, kDown = 1 - 0x1p-52;
+constexpr double kExact = 1e-14;  // the finest tolerance that distances are asked for
+
+bool is_closed(const BodyDepthAnswer& answer, double tolerance) {
+  return answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper;
+}
+
+const Vector3& rounded(const Vector3& v) { return v; }
+
+double down(const DoubleDouble& x) { return x.rounded() - std::fabs(x.high) * 0x1p-52; }
+double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high) * 0x1p-52; }
+
+}  // namespace
+
+bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
+  SpatialShape shape;
+  const ConvexSet* body[2] = {&first, &second};
+  for (int i = 0; i < 2; ++i) {
+    if (!body[i]->spatial_shape_unchecked(shape)) return false;
+    radius_[i] = shape.radius;
+    extent_[i] = shape.extent;
+    core_[i].emplace(*body[i]);
+  }
+  isa_ = isa;
+  return pair_.bind(*core_[0], *core_[1], isa) && cores_.bind(*core_[0], *core_[1], isa);
+}
+
+// A ball in a pose is turned by an R whose RᵀR is 1 but for the defect.
+bool BodyDepth::place(const PoseNumbers& first, const PoseNumbers& second) {
+  ball_lower_ = ball_upper_ = {};
+  const double defect[2] = {first.defect, second.defect};
+  for (int i = 0; i < 2; ++i) {
+    const DoubleDouble change = two_product(radius_[i], defect[i]);
+    ball_lower_ = ball_lower_ + radius_[i] - change;
+    ball_upper_ = ball_upper_ + radius_[i] + change;
+  }
+  tiny_ = 0;
+  if (pair_.place(first, second)) return cores_.place(first, second);
+  return is_tiny(first, second);
+}
+
+// Balls about the same point, whose cores are out of the range of squares.
+bool BodyDepth::is_tiny(const PoseNumbers& first, const PoseNumbers& second) {
+  constexpr double kTiny = 1e-60, kSmallest = 0x1p-1000;
+  double size = extent_[0] + extent_[1] + kSmallest;
+  for (int k = 0; k < pair_.dimension(); ++k)
+    size += std::fabs((first.t != nullptr ? first.t[k] : 0.0) - (second.t != nullptr ? second.t[k] : 0.0));
+  tiny_ = size * (1 + 0x1p-40);
+  return tiny_ < kTiny * ball_lower_.high;
+}
+
+void BodyDepth::bound_tiny(double tolerance, BodyDepthAnswer& answer) const {
+  answer.lower = down(ball_lower_ + -tiny_);
+  answer.upper = up(ball_upper_ + tiny_);
+  answer.status = is_closed(answer, tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
+  answer.normal = {-1, 0, 0};
+  put_points({1, 0, 0}, {}, {}, answer);
+}
+
+void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vector3& a2,
+                           BodyDepthAnswer& answer) const {
+  pair_.point_to_world(a1 + normal * radius_[0], &answer.point_1.x);
+  pair_.point_to_world(a2 - normal * radius_[1], &answer.point_2.x);
+}
+
+void BodyDepth::bound_apart(BodyDepthAnswer& answer) const {
+  const SpatialAnswer& apart = cores_.answer();
+  answer.lower = std::max(0.0, down(ball_lower_ + -apart.upper));
+  answer.upper = std::max(0.0, up(ball_upper_ + -apart.lower));
+}
+
+// What both balls add to h(u): Σ r |Rᵀu|.
+DoubleDouble BodyDepth::ball_height(const PreciseVector3& u) const {
+  const int n = pair_.dimension();
+  DoubleDouble sum;
+  for (int i = 0; i < 2; ++i) {
+    const double* R = pair_.pose(i).R;
+    PreciseVector3 v = u;
+    const auto column = [&](int k) {
+      const double* r = R + std::ptrdiff_t{k} * n;
+      return dot(u, Vector3{r[0], r[1], n == 3 ? r[2] : 0.0});
+    };
+    if (R != nullptr) v = {column(0), column(1), n == 3 ? column(2) : DoubleDouble{}};
+    sum = sum + sqrt(dot(v, v)) * radius_[i];
+  }
+  return sum;
+}
+
+// Distances are rounded to doubles, which is too coarse where the depth is a small part of them. With the
+// normal of the distance, and the pieces of the bodies that it came from, the difference is taken in
+// double-double arithmetic. A point v of the difference of the cores proves a lower bound: with w = -v/|v|
+// and g(u) what the balls add,  h(u) >= u·v + g(u).  At an angle θ from w the first term is at least -|v| +
+// |v| θ²/5, and as RRᵀ is 1 to δ, the second is at least g(w) - 1.01 θ Σ r δ: together no less than g(w) -
+// |v| - 1.3 (Σ r δ)²/|v|.
+void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
+  PrecisePair precise;
+  const SpatialCombination& found = cores_.answer().combination;
+  if (!precise.bind(pair_, kernels_for(isa_))) return;
+  const double* n = cores_.normal();
+  const PreciseVector3 direction = -raygauge::precise({n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0});
+  PrecisePoint point[4];
+  const PreciseVector3* s[4];
+  DoubleDouble top;
+  point[0] = precise.support(direction, top);
+  s[0] = &point[0].s;
+  int count = 1;
+  for (int i = 0; i < std::min(found.count, 3); ++i) {
+    PrecisePoint& next = point[count];
+    next.index_1 = found.point[i].index_1;
+    next.index_2 = found.point[i].index_2;
+    if (!precise.follow(direction, next) || length(rounded(next.s - point[0].s)) == 0) continue;
+    s[count++] = &next.s;
+  }
+  const SimplexFace<DoubleDouble> face = nearest_face<DoubleDouble>(s, count);
+  PreciseVector3 v = point[face.corner[0]].s;
+  for (int i = 1; i < face.count; ++i)
+    v = v + (point[face.corner[i]].s - point[face.corner[0]].s) * face.weight[i];
+  const DoubleDouble away = sqrt(dot(v, v));
+  const double error = 2 * precise.error();
+  if (!(away.high > 0)) return;
+  const PreciseVector3 u = v * (DoubleDouble{-1} / away);
+  const DoubleDouble balls = ball_height(u) / sqrt(dot(u, u));
+  const double turned = radius_[0] * pair_.pose(0).defect + radius_[1] * pair_.pose(1).defect;
+  const double certain = down(balls - away) - error - 1.31 * turned * turned / away.high;
+  answer.lower = std::max(answer.lower, certain);
+  const DoubleDouble height = balls + precise.height(u) / sqrt(dot(u, u));
+  answer.upper = std::min(answer.upper, std::max(0.0, up(height) + error));
+}
+
+// Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
+bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
+  double asked = tolerance;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const bool known = cores_.distance(asked, nullptr);
+    answer.support_queries += cores_.support_queries();
+    answer.iterations += cores_.answer().iterations;
+    if (attempt == 0 && (!known || cores_.answer().end != SpatialEnd::closed)) return false;
+    if (!known || cores_.answer().end != SpatialEnd::closed) break;
+    bound_apart(answer);
+    if (is_closed(answer, tolerance)) break;
+    asked = std::max(kExact, 0.25 * tolerance * answer.upper / cores_.answer().upper);
+  }
+  if (!is_closed(answer, tolerance)) refine_apart(answer);
+  const double* n = cores_.normal();
+  answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
+  normal_ = -pair_.to_body(n);
+  double a1[3] = {0, 0, 0}, a2[3] = {0, 0, 0};
+  cores_.closest_points(a1, a2);
+  answer.point_1 = Vector3{a1[0], a1[1], a1[2]} - answer.normal * radius_[0];
+  answer.point_2 = Vector3{a2[0], a2[1], a2[2]} + answer.normal * radius_[1];
+  has_points_ = true;
+  answer.status = is_closed(answer, tolerance) || answer.upper == 0 ? DistanceStatus::optimal
+                                                                    : DistanceStatus::precision_limit;
+  return true;
+}
+
+// `world`: the search was in the frame of the world.
+template <class Real>
+void BodyDepth::take(const DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer) {
+  answer.iterations += search.iterations();
+  answer.lower = std::max(answer.lower, down(ball_lower_ + std::max(search.lower(), floor_)));
+  const double upper = up(ball_upper_ + search.upper());
+  if (!(upper < answer.upper)) return;
+  answer.upper = upper;
+  Vector3 n = rounded(search.normal()), a1, a2;
+  if (pair_.dimension() == 2) n.z = 0;
+  n = n * (1 / length(n));
+  normal_ = world ? pair_.to_body(&n.x) : n;
+  has_points_ = search.lower() > 0 && search.contact(n, a1, a2);
+  if (has_points_) put_points(normal_, a1, a2, answer);
+}
+
+// A pair of points of the cores that are near each other, or any: of the simplex near the origin that their
+// distance ends with.
+void BodyDepth::find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& a2) {
+  SpatialAnswer apart;
+  spatial_distance(pair_, kExact, {}, {}, apart);
+  answer.support_queries += pair_.queries();
+  const SpatialCombination& found = apart.combination;
+  a1 = a2 = {};
+  double sum = 0;
+  for (int i = 0; i < found.count; ++i) {
+    a1 = a1 + found.point[i].a1 * found.weight[i];
+    a2 = a2 + found.point[i].a2 * found.weight[i];
+    sum += found.weight[i];
+  }
+  if (std::fabs(sum - 1) < 0x1p-45) {
+    a1 = a1 * (1 / sum);
+    a2 = a2 * (1 / sum);
+    return;
+  }
+  SpatialPoint point;
+  pair_.support({1, 0, 0}, point);
+  a1 = point.a1;
+  a2 = point.a2;
+}
+
+namespace {
+
+DistanceStatus status_of(DepthEnd end) {
+  switch (end) {
+    case DepthEnd::closed:
+      return DistanceStatus::optimal;
+    case DepthEnd::limit:
+      return DistanceStatus::iteration_limit;
+    case DepthEnd::time:
+      return DistanceStatus::time_limit;
+    default:
+      return DistanceStatus::precision_limit;
+  }
+}
+
+}  // namespace
+
+void BodyDepth::search(double tolerance, const double* start, const Stopwatch& watch,
+                       BodyDepthAnswer& answer) {
+  const Vector3 given = start != nullptr ? -pair_.to_body(start) : pair_.between_centers();
+  const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
+  const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
+  SpatialOracle oracle(pair_);
+  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch);
+  take(quick_, false, answer);
+  answer.support_queries += pair_.queries();
+  PreciseOracle precise;
+  if ((end == DepthEnd::rounding || end == DepthEnd::flat) && precise.bind(pair_, kernels_for(isa_))) {
+    Vector3 world;
+    pair_.to_world(quick_.normal(), &world.x);
+    if (pair_.dimension() == 2) world.z = quick_.normal().z;
+    end = precise_.run(precise, raygauge::precise(world), {tolerance, floor_, ball_lower, ball_upper}, watch);
+    take(precise_, true, answer);
+    answer.support_queries += precise.queries();
+  }
+  answer.status =
+      is_closed(answer, tolerance) || answer.upper == 0 ? DistanceStatus::optimal : status_of(end);
+  if (answer.status == DistanceStatus::optimal || end != DepthEnd::closed) return;
+  answer.status = DistanceStatus::precision_limit;
+}
+
+void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& watch,
+                      BodyDepthAnswer& answer) {
+  answer = {};
+  has_points_ = false;
+  floor_ = 0;
+  if (tiny_ > 0) return bound_tiny(tolerance, answer);
+  if (ball_upper_.high > 0) {
+    if (solve_apart(tolerance, answer)) return;
+    answer.lower = 0;
+  }
+  // Of a convex core without the origin, v apart from it, the depth is -|v|.
+  Vector3 a1, a2;
+  if (cores_.answer().end != SpatialEnd::intersecting) {
+    find_near_points(answer, a1, a2);
+    floor_ = -(length(a1 - a2) * kUp + 2 * pair_.error());
+  }
+  answer.upper = __builtin_inf();
+  search(tolerance, start, watch, answer);
+  if (!has_points_) {
+    find_near_points(answer, a1, a2);
+    put_points(normal_, a1, a2, answer);
+  }
+  pair_.to_world(-normal_, &answer.normal.x);
+}
+
+}  // namespace raygauge

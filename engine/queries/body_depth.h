@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "engine/methods/bodies/body_oracles.h"
+#include "engine/numerics/stopwatch.h"
+#include "engine/queries/spatial_solve.h"
+#include "engine/sets/core_of.h"
+#include "raygauge/methods/result.h"
+
+namespace raygauge {
+
+/// What is known of the Euclidean depth of two bodies of R^2 or R^3; vectors in the world.
+struct BodyDepthAnswer {
+  double lower = 0, upper = 0;
+  DistanceStatus status = DistanceStatus::precision_limit;
+  Vector3 normal;            ///< of length 1: the way for the first body to get out
+  Vector3 point_1, point_2;  ///< of the bodies: point_2 - point_1 is depth times the normal, to the gap
+  std::int64_t support_queries = 0;
+  int iterations = 0;
+};
+
+/// The depth of two bodies by fixed-size code. Of both the cores and the radius r of the sum of their balls:
+/// where the cores are apart, the depth is r less their distance; where they meet, it is that of the cores
+/// plus r, for  h(u) = h_cores(u) + r|u|.  In doubles first, then in double-double arithmetic.
+class BodyDepth {
+ public:
+  /// The sets, which must outlive the solves. False if one of them has no SpatialShape.
+  bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
+  /// Where they are; the numbers must outlive the solves.
+  bool place(const PoseNumbers& first, const PoseNumbers& second);
+
+  /// Of bodies that are not known to be apart. `start`: a direction of the world near the normal, or nullptr.
+  void solve(double tolerance, const double* start, const Stopwatch& watch, BodyDepthAnswer& answer);
+
+ private:
+  bool solve_apart(double tolerance, BodyDepthAnswer& answer);
+  void bound_apart(BodyDepthAnswer& answer) const;
+  DoubleDouble ball_height(const PreciseVector3& u) const;
+  void refine_apart(BodyDepthAnswer& answer);
+  bool is_tiny(const PoseNumbers& first, const PoseNumbers& second);
+  void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;
+  void search(double tolerance, const double* start, const Stopwatch& watch, BodyDepthAnswer& answer);
+  template <class Real>
+  void take(const DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer);
+  void put_points(const Vector3& normal, const Vector3& a1, const Vector3& a2, BodyDepthAnswer& answer) const;
+  void find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& a2);
+
+  std::optional<CoreOf> core_[2];
+  double radius_[2] = {0, 0}, extent_[2] = {0, 0};
+  DoubleDouble ball_lower_, ball_upper_;  // of the sum of both balls, in their poses
+  InstructionSet isa_ = InstructionSet::automatic;
+  SpatialSolve cores_;
+  SpatialPair pair_;  // the cores
+  DepthSearch<double> quick_;
+  DepthSearch<DoubleDouble> precise_;
+  Vector3 normal_;           // of the answer, in the frame of the first body, outward of S1 - S2
+  double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
+  double floor_ = 0;         // proven of the depth of the cores
+  bool has_points_ = false;  // of the answer
+};
+
+}  // namespace raygauge

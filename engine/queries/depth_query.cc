@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/depth_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/methods/bodies/general_oracle.h"
+#include "engine/numerics/vector_kernels.h"
+#include "engine/sets/posed_view.h"
+#include "raygauge/sets/spatial_shape.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Of a ball about the origin; 0 of every other set.
+double radius_of_ball(const ConvexSet& Q) {
+  SpatialShape shape;
+  if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
+  return length(shape.center) == 0 ? shape.radius : 0.0;
+}
+
+void put(const Vector3& v, int n, double scale, Vector& out) {
+  if (out.size() != n) out.resize(n);
+  for (int k = 0; k < n; ++k) out[k] = (&v.x)[k] * scale;
+}
+
+DistanceStatus status_of(DepthEnd end) {
+  if (end == DepthEnd::closed) return DistanceStatus::optimal;
+  if (end == DepthEnd::limit) return DistanceStatus::iteration_limit;
+  return end == DepthEnd::time ? DistanceStatus::time_limit : DistanceStatus::precision_limit;
+}
+
+}  // namespace
+
+bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
+                              const double* start, ObjectDepth& result) {
+  if (!bodies_.bind(A1.set, A2.set, options.instruction_set) ||
+      !bodies_.place(PoseNumbers(A1.pose), PoseNumbers(A2.pose))) {
+    return false;
+  }
+  bodies_.solve(options.tolerance, start, watch_, answer_);
+  const int n = A1.dimension();
+  result.lower = radius == 1 ? answer_.lower : answer_.lower / radius * kDown;
+  result.upper = radius == 1 ? answer_.upper : answer_.upper / radius * kUp;
+  result.status = answer_.status;
+  result.iterations = answer_.iterations;
+  result.support_queries = answer_.support_queries;
+  put(answer_.normal, n, 1 / radius, result.normal);
+  put(answer_.point_1, n, 1, result.point_1);
+  put(answer_.point_2, n, 1, result.point_2);
+  return true;
+}
+
+void DepthQuery::solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
+                            const double* start, ObjectDepth& result) {
+  const int n = Q.dimension();
+  GeneralOracle oracle(A1, A2, Q);
+  Vector3 u{1, 0, 0};
+  for (int k = 0; start != nullptr && k < n; ++k) (&u.x)[k] = start[k];
+  if (!(dot(u, u) > 0)) u = {1, 0, 0};
+  const DepthEnd end = search_.run(oracle, u, {tolerance, 0, 0, 0}, watch_);
+  result.lower = std::max(0.0, search_.lower());
+  result.upper = search_.upper();
+  result.status = result.upper == 0 ? DistanceStatus::optimal : status_of(end);
+  if (result.lower == kInfinite) result.status = DistanceStatus::unreachable;
+  result.iterations = search_.iterations();
+  result.support_queries = oracle.queries();
+  Vector3 normal = search_.normal(), a1, a2;
+  for (int k = n; k < 3; ++k) (&normal.x)[k] = 0;
+  const double height = oracle.metric_upper(normal);
+  put(normal, result.upper < kInfinite && height > 0 ? n : 0, 1 / height, result.normal);
+  const bool known = search_.lower() > 0 && search_.contact(normal, a1, a2);
+  put(a1, known ? n : 0, 1, result.point_1);
+  put(a2, known ? n : 0, 1, result.point_2);
+}
+
+// Directions ±e_k, with the rounding errors that ConvexSet states.
+void DepthQuery::bound_from_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
+                                 ObjectDepth& result) {
+  const int n = Q.dimension();
+  Vector u = Vector::Zero(n), point(n), of_1(n), of_2(n), of_Q(n);
+  A1.magnitude_unchecked(of_1.data());
+  A2.magnitude_unchecked(of_2.data());
+  Q.magnitude_unchecked(of_Q.data());
+  const double unit = ConvexSet::rounding_error(n + 1);
+  result.lower = 0;
+  result.upper = kInfinite;
+  result.status = DistanceStatus::precision_limit;
+  for (int i = 0; i < 2 * n; ++i) {
+    const int k = i / 2;
+    u[k] = i % 2 == 0 ? 1.0 : -1.0;
+    const double metric = Q.support_unchecked(u.data(), point.data()) - unit * of_Q[k];
+    double height = A2.support_unchecked(u.data(), point.data());
+    u[k] = -u[k];
+    height += A1.support_unchecked(u.data(), point.data()) + unit * (of_1[k] + of_2[k]);
+    const double upper = metric > 0 ? std::max(0.0, height / metric * kUp) : kInfinite;
+    if (upper < result.upper) {
+      result.upper = upper;
+      result.normal = u * (-1 / metric);
+    }
+    u[k] = 0;
+  }
+  result.support_queries = 4 * n;
+}
+
+void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
+                       const std::function<bool()>& stop, const double* start, double seconds,
+                       ObjectDepth& result) {
+  watch_.start(std::isnan(seconds) ? options.time_limit : std::max(0.0, options.time_limit - seconds), &stop);
+  const double radius = radius_of_ball(Q);
+  const bool fixed_size = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
+  result.iterations = result.support_queries = 0;
+  if (!fixed_size || !(radius > 0) || !solve_bodies(A1, A2, radius, options, start, result)) {
+    const InPose first(A1), second(A2);
+    if (Q.dimension() <= 3) {
+      solve_sets(first.set(), second.set(), Q, options.tolerance, start, result);
+    } else {
+      bound_from_axes(first.set(), second.set(), Q, result);
+    }
+  }
+  result.depth = result.upper;
+  result.evaluations = 1;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "engine/methods/bodies/depth_search.h"
+#include "engine/queries/body_depth.h"
+#include "raygauge/methods/options.h"
+#include "raygauge/queries/object_distance.h"
+
+namespace raygauge {
+
+/// The depth of two objects of R^1 to R^3 in any metric: by BodyDepth where the metric is a ball about the
+/// origin and both have fixed-size code, else by their support mappings in doubles. In larger spaces there
+/// are bounds only: 0, and the least of a few directions.
+class DepthQuery {
+ public:
+  /// Of objects that are not proven to be apart. `start`: a direction near the normal, or nullptr. `seconds`
+  /// of the time limit have been spent already, or NaN.
+  void solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
+             const std::function<bool()>& stop, const double* start, double seconds, ObjectDepth& result);
+
+ private:
+  bool solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
+                    const double* start, ObjectDepth& result);
+  void solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
+                  const double* start, ObjectDepth& result);
+  static void bound_from_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
+                              ObjectDepth& result);
+
+  BodyDepth bodies_;
+  BodyDepthAnswer answer_;
+  DepthSearch<double> search_;
+  Stopwatch watch_;
+};
+
+}  // namespace raygauge
