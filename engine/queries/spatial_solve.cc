@@ -9,9 +9,9 @@
 #include "engine/methods/spatial/closed_form_distance.h"
 #include "engine/methods/spatial/contact_distance.h"
 #include "engine/methods/spatial/flat_pair.h"
+#include "engine/methods/spatial/inner_ball.h"
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/precise_growth.h"
-#include "engine/methods/spatial/precise_overlap.h"
 #include "engine/methods/spatial/spatial_growth.h"
 
 namespace raygauge {
@@ -140,8 +140,8 @@ bool SpatialSolve::find_distance(double tolerance) {
 bool SpatialSolve::find_overlap() {
   PrecisePair precise;
   if (record_.answer.lower > 0 || !precise.bind(pair_, kernels_for(isa_))) return false;
-  const bool overlap = precise_overlap(pair_, precise) ||
-                       (make_prism_of_flat(pair_, false) && precise_overlap(pair_, precise));
+  bool overlap = inner_ball(pair_, precise, {}, 0) > 0;
+  if (!overlap && make_prism_of_flat(pair_, false)) overlap = inner_ball(pair_, precise, {}, 0) > 0;
   if (overlap) record_.answer.end = SpatialEnd::intersecting;
   return overlap;
 }
@@ -175,9 +175,19 @@ bool SpatialSolve::find_growth(bool about_origin, double tolerance, double thres
   if (record_.answer.end == SpatialEnd::open && !about_origin) {
     precise_growth(pair_, kernels_for(isa_), tolerance, record_.answer);
   }
-  if (record_.answer.end == SpatialEnd::open && !about_origin && make_prism_of_flat(pair_, true))
-    spatial_growth(pair_, tolerance, threshold, {}, record_.answer);
+  if (record_.answer.end == SpatialEnd::open && !about_origin) go_on_in_ball(tolerance, threshold);
   return record_.answer.end != SpatialEnd::open;
+}
+
+// Where bodies know of no ball inside, or are flat, one that is looked for may be what is missing.
+void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
+  constexpr double kEnough = 1e-4;  // of the size
+  PrecisePair precise;
+  const bool flat = make_prism_of_flat(pair_, true);
+  if ((!flat && pair_.inner_radius() > 0) || !precise.bind(pair_, kernels_for(isa_))) return;
+  pair_.set_inner_radius(inner_ball(pair_, precise, -precise.between_centers(), kEnough * pair_.size()));
+  if (pair_.inner_radius() > 0)
+    spatial_growth(pair_, tolerance, threshold, flat ? SpatialStart() : record_.start, record_.answer);
 }
 
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {

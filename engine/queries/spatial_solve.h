@@ -62,6 +62,7 @@ class SpatialSolve {
   bool settle(double tolerance);
   bool find_overlap();
   bool find_growth(bool about_origin, double tolerance, double threshold);
+  void go_on_in_ball(double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);
   void begin_with_normal(const WarmStart* warm);
   void record(WarmStart* warm) const;

@@ -136,6 +136,7 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   size_ = size;
   error_ = size * (kRounding + 2 * (first.defect + second.defect));
   prisms_ = 0;
+  known_radius_ = 0;
   if (dimension_ == 2) add_prism({0, 0, size});
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
   for (int i = 0; i < 2; ++i) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -103,7 +104,12 @@ class SpatialPair {
 
   /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
   /// but for rounding; 0 where none is known.
-  double inner_radius() const noexcept { return anchor_radius_ + shape_[1].inner_radius; }
+  double inner_radius() const noexcept {
+    return std::max(known_radius_, anchor_radius_ + shape_[1].inner_radius);
+  }
+
+  /// From now on there is such a ball of this radius, until the bodies are placed anew.
+  void set_inner_radius(double radius) noexcept { known_radius_ = radius; }
 
   /// c_2 - c_1 in the frame of the first body, from the centre of the first to that of the second.
   const Vector3& between_centers() const noexcept { return between_centers_; }
@@ -154,7 +160,8 @@ class SpatialPair {
   Vector3 t_;
   Vector3 apart_;  // between the origins of both frames, in the world
   Vector3 between_centers_;
-  Vector3 anchor_;            // what the first body is scaled about ...
+  Vector3 anchor_;  // what the first body is scaled about ...
+  double known_radius_ = 0;
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
   Matrix3 W_;                 // first frame to world
   Vector3 w_;

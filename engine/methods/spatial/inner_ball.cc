@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/methods/spatial/precise_overlap.h"
+#include "engine/methods/spatial/inner_ball.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +21,23 @@ constexpr double kWeights[2][3] = {{0.2831853071, 0.2671828182, 0.2360679775},
                                    {0.2071067811, 0.3143189247, 0.1914213562}};
 constexpr Vector3 kGeneric{0.6180339887, 0.5357109341, -0.5754170229};
 
-class OverlapProof {
+class InnerBall {
  public:
-  OverlapProof(const SpatialPair& pair, PrecisePair& numbers);
+  InnerBall(const SpatialPair& pair, PrecisePair& numbers, const PreciseVector3& center, double enough);
 
-  bool run();
+  double run();
 
  private:
   PreciseVector3 support(const PreciseVector3& u);
   PreciseVector3 farther_support(const PreciseVector3& u);
   bool find_simplex();
   bool choose_portal(const double* weight);
-  bool surrounds_origin(const PreciseVector3& apex) const;
-  bool refine();
+  double depth() const;
+  double refine();
 
   PrecisePair& precise_;
+  PreciseVector3 center_;  // the origin of what follows
+  double enough_;
   PreciseVector3 prism_[3];
   std::size_t prisms_;
   PreciseVector3 simplex_[4];
@@ -43,8 +45,9 @@ class OverlapProof {
   PreciseVector3 portal_[3];
 };
 
-OverlapProof::OverlapProof(const SpatialPair& pair, PrecisePair& numbers)
-    : precise_(numbers), prisms_(pair.prisms().size()) {
+InnerBall::InnerBall(const SpatialPair& pair, PrecisePair& numbers, const PreciseVector3& center,
+                     double enough)
+    : precise_(numbers), center_(center), enough_(enough), prisms_(pair.prisms().size()) {
   for (std::size_t i = 0; i < prisms_; ++i) {
     double world[3] = {0, 0, 0};
     pair.to_world(pair.prisms()[i], world);
@@ -60,22 +63,22 @@ PreciseVector3 unit(const PreciseVector3& u) {
 }
 
 // s(u) of the bodies, balls and prism included, for a u of length 1 in about.
-PreciseVector3 OverlapProof::support(const PreciseVector3& u) {
+PreciseVector3 InnerBall::support(const PreciseVector3& u) {
   DoubleDouble height;
-  PreciseVector3 s = precise_.support(u, height).s + precise_.ball_points(u);
+  PreciseVector3 s = precise_.support(u, height).s + precise_.ball_points(u) - center_;
   for (std::size_t i = 0; i < prisms_; ++i) s = dot(u, prism_[i]).high < 0 ? s - prism_[i] : s + prism_[i];
   return s;
 }
 
 // Of s(u) and s(-u) the one that is farther from the plane across u through the first corner.
-PreciseVector3 OverlapProof::farther_support(const PreciseVector3& u) {
+PreciseVector3 InnerBall::farther_support(const PreciseVector3& u) {
   const PreciseVector3 up = support(u), down = support(-u);
   const double above = dot(u, up - simplex_[0]).high, below = -dot(u, down - simplex_[0]).high;
   return above >= below ? up : down;
 }
 
 // Four support points with as much between them as D has. False where that is nothing but rounding.
-bool OverlapProof::find_simplex() {
+bool InnerBall::find_simplex() {
   const PreciseVector3 generic = precise(kGeneric);
   simplex_[0] = support(generic);
   simplex_[1] = support(-generic);
@@ -88,15 +91,15 @@ bool OverlapProof::find_simplex() {
   return std::fabs(dot(n, simplex_[3] - simplex_[0]).high) > 8 * precise_.error();
 }
 
-// Whether the tetrahedron of `apex` and the portal holds the origin for certain.
-bool OverlapProof::surrounds_origin(const PreciseVector3& apex) const {
-  const PreciseVector3* corners[4] = {&apex, &portal_[0], &portal_[1], &portal_[2]};
-  return nearest_face(corners, 4).depth > 4 * precise_.error();
+// Of the origin in the tetrahedron of c and the portal, for certain.
+double InnerBall::depth() const {
+  const PreciseVector3* corners[4] = {&c_, &portal_[0], &portal_[1], &portal_[2]};
+  return nearest_face(corners, 4).depth - 4 * precise_.error();
 }
 
 // The facet of the simplex through which the ray from c to the origin leaves it, its corners so ordered that
 // their normal points outward.
-bool OverlapProof::choose_portal(const double* weight) {
+bool InnerBall::choose_portal(const double* weight) {
   double rest = 1;
   c_ = {};
   for (int i = 0; i < 3; ++i) {
@@ -120,33 +123,40 @@ bool OverlapProof::choose_portal(const double* weight) {
 }
 
 // The portal moves outward until it has passed the origin, or is on the boundary of D.
-RAYGAUGE_FUSED bool OverlapProof::refine() {
+RAYGAUGE_FUSED double InnerBall::refine() {
   const PreciseVector3 p = -c_;
+  double deepest = 0;
   for (int i = 0; i < kMostExchanges; ++i) {
     PreciseVector3 n = unit(triangle_normal(portal_[0], portal_[1], portal_[2]));
     if (dot(n, p).high < 0) n = -n;
-    if (dot(n, portal_[0]).high > 0 && surrounds_origin(c_)) return true;
+    if (dot(n, portal_[0]).high > 0) deepest = std::max(deepest, depth());
+    if (deepest > enough_) break;
     const PreciseVector3 w = support(n);
     const double gain = dot(n, w - portal_[0]).high;
-    if (dot(n, w).high < 0 || !(gain > precise_.error())) return false;
+    if (dot(n, w).high < 0 || !(gain > precise_.error())) break;
     const PreciseVector3 s = w - c_;
     double d[3];
     for (int k = 0; k < 3; ++k) d[k] = dot(p, cross(s, portal_[k] - c_)).high;
     portal_[leaving_corner(d[0], d[1], d[2])] = w;
   }
-  return false;
+  return deepest;
 }
 
-bool OverlapProof::run() {
-  if (!find_simplex()) return false;
-  return std::any_of(std::begin(kWeights), std::end(kWeights),
-                     [&](const double* weight) { return choose_portal(weight) && refine(); });
+double InnerBall::run() {
+  if (!find_simplex()) return 0;
+  double deepest = 0;
+  for (const double* weight : kWeights) {
+    if (choose_portal(weight)) deepest = std::max(deepest, refine());
+    if (deepest > enough_) break;
+  }
+  return deepest;
 }
 
 }  // namespace
 
-bool precise_overlap(const SpatialPair& pair, PrecisePair& precise) {
-  return OverlapProof(pair, precise).run();
+double inner_ball(const SpatialPair& pair, PrecisePair& precise, const PreciseVector3& center,
+                  double enough) {
+  return InnerBall(pair, precise, center, enough).run();
 }
 
 }  // namespace raygauge

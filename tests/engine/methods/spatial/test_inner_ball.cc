@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A point next to a face, an edge or a corner of a box in a pose, against rational arithmetic.
-#include "engine/methods/spatial/precise_overlap.h"
+#include "engine/methods/spatial/inner_ball.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge::test_precise_overlap {
+namespace raygauge::test_inner_ball {
 namespace {
 
 using Eigen::Vector3d;
@@ -75,11 +75,11 @@ bool claims_overlap(const Contact& contact) {
   EXPECT_TRUE(pair.place(PoseNumbers(&contact.pose), PoseNumbers()));
   PrecisePair precise;
   EXPECT_TRUE(precise.bind(pair, best_kernels()));
-  return precise_overlap(pair, precise);
+  return inner_ball(pair, precise, {}, 0) > 0;
 }
 
 // The origin is in D where the point is in the box.
-TEST(PreciseOverlap, IsClaimedOfPointsInsideAndOfNoOthers) {
+TEST(InnerBall, IsClaimedOfPointsInsideAndOfNoOthers) {
   Random random(53);
   int inside = 0, claimed = 0;
   for (int trial = 0; trial < 6000; ++trial) {
@@ -98,4 +98,4 @@ TEST(PreciseOverlap, IsClaimedOfPointsInsideAndOfNoOthers) {
 }
 
 }  // namespace
-}  // namespace raygauge::test_precise_overlap
+}  // namespace raygauge::test_inner_ball
