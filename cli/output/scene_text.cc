@@ -8,7 +8,9 @@
 #include <map>
 #include <tuple>
 #include <vector>
+
 #include "cli/output/counted.h"
+#include "results/scene/event_text.h"
 
 namespace raygauge::cli {
 namespace {
@@ -44,22 +46,12 @@ SceneCounters counters_of(const SceneFile& file) {
 }
 
 std::string continuous_text(const SceneFile& file, const SceneRecord& row) {
-  const std::string head = "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": ";
-  if (row.kind == SceneRowKind::clearance) {
-    if (row.status == SceneStatus::intersecting) return head + "they meet at " + number(row.time) + " s\n";
-    return head + "never closer than " + number(row.lower) + "; " + number(row.upper) + " at " +
-           number(row.time) + " s\n";
-  }
-  if (row.status == SceneStatus::free) return head + "no contact, proven\n";
-  if (row.status == SceneStatus::contact) {
-    return head + "first contact in [" + number(row.time_lower) + ", " + number(row.time_upper) + "] s\n";
-  }
-  return head + "no contact before " + number(row.time_lower) + " s, proven; after that undecided\n";
+  return "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": " + event_text(row) + "\n";
 }
 
 std::string status_word(SceneStatus status) {
   if (status == SceneStatus::intersecting) return "contact";
-  return status == SceneStatus::separated ? "release" : "touching, undecided";
+  return status == SceneStatus::separated ? "release" : "meet, or nearly: undecided";
 }
 
 }  // namespace

@@ -91,17 +91,22 @@ void Scaling::compute(const PointSet& A, const PointSet& Q) {
   leave_alone(n);
 }
 
-void Scaling::compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude) {
+void Scaling::compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude_A, double magnitude_Q) {
   const int n = A.dimension();
   const auto size = static_cast<std::size_t>(n);
   factor_A_.reserve(size);
   factor_Q_.reserve(size);
   leave_alone(n);
-  const int common = exponent_of(magnitude);
-  if (!std::isfinite(magnitude) || common <= kNoExponent || std::abs(common) <= kTolerated) return;
-  std::fill_n(factor_A_.data(), n, std::ldexp(1.0, -common));
+  const int of_Q = exponent_of(magnitude_Q), of_A = exponent_of(magnitude_A);
+  if (!std::isfinite(magnitude_Q) || of_Q <= kNoExponent) return;
+  const int common = std::abs(of_Q) <= kTolerated ? 0 : of_Q;
+  const int small = of_A > kNoExponent && of_A < common - kTolerated ? of_A - common : 0;
+  if (common == 0 && small == 0) return;
+  std::fill_n(factor_A_.data(), n, std::ldexp(1.0, -common - small));
   std::fill_n(factor_Q_.data(), n, std::ldexp(1.0, -common));
-  trivial_A_ = trivial_Q_ = false;
+  distance_shift_ = -small;
+  trivial_A_ = common + small == 0;
+  trivial_Q_ = common == 0;
   if (!scales_exactly(A, factor_A_.data()) || !scales_exactly(Q, factor_Q_.data())) leave_alone(n);
 }
 

@@ -25,9 +25,10 @@ class Scaling {
 
   void compute(const PointSet& A, const PointSet& Q);
 
-  /// One power of two for all coordinates of any two sets, which leaves d as it is and brings Q, whose
-  /// `magnitude` it is, to 1.
-  void compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude);
+  /// One power of two for all coordinates of any two sets, which brings Q to magnitude 1, and another one
+  /// for an A that would be much smaller than that: rounding errors of points of A must not be compared with
+  /// those of Q.
+  void compute_common(const ConvexSet& A, const ConvexSet& Q, double magnitude_A, double magnitude_Q);
 
   bool trivial_A() const noexcept { return trivial_A_; }
   bool trivial_Q() const noexcept { return trivial_Q_; }

@@ -8,10 +8,13 @@
 
 #include "engine/methods/counters.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/queries/proven_bounds.h"
+#include "engine/queries/spatial_solve.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/validate.h"
 #include "raygauge/queries/solver.h"
+#include "raygauge/sets/ball.h"
 
 namespace raygauge {
 namespace {
@@ -41,6 +44,8 @@ const MethodChain::Turn MethodChain::kTurns[] = {
     {&MethodChain::is_newton_untried, &MethodChain::refined_by_newton},
     {&MethodChain::has_normal, &MethodChain::refined_by_quad_newton},
     {&MethodChain::always, &MethodChain::refined_by_quad_newton_afresh},
+    // Whether a difference of bodies of R^2 or R^3 holds the origin: a question without a metric.
+    {&MethodChain::may_hold_origin, &MethodChain::by_overlap},
 };
 
 bool MethodChain::is_newton_asked_for_with_start(const Problem& problem) const {
@@ -58,7 +63,7 @@ void MethodChain::set_options(const DistanceOptions& options) {
 
 const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q, Effects effects,
                                          const double* start, const Aim& aim) {
-  stopwatch_.start(options_.time_limit, &stop_);
+  stopwatch_.start(std::min(options_.time_limit, aim.time_limit), &stop_);
   result_.sigma = DistanceResult::kUnset;
   result_.origin_weights.clear();
   counters_ = {};
@@ -72,6 +77,8 @@ const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q,
   }
   result_.counters = counters_;
   result_.seconds = stopwatch_.seconds();
+  if (result_.status == DistanceStatus::iteration_limit && options_.max_iterations == 0)
+    result_.status = DistanceStatus::precision_limit;  // of a method's own number of iterations
   // Proofs that contradict each other are none; a set that breaks its own promises can lead there.
   if (!(result_.lower <= result_.upper)) {
     result_.status = DistanceStatus::precision_limit;
@@ -152,6 +159,25 @@ bool MethodChain::refined_by_quad_newton(const Problem& problem) {
 bool MethodChain::refined_by_quad_newton_afresh(const Problem& problem) {
   refine(quad_newton_, Concluded::quad_newton, afresh(problem));
   return is_finished();
+}
+
+bool MethodChain::may_hold_origin(const Problem& problem) const {
+  return problem.A.dimension() <= 3 && result_.status == DistanceStatus::precision_limit &&
+         !(result_.lower > 0);
+}
+
+bool MethodChain::by_overlap(const Problem& problem) {
+  constexpr double kAny = 0.5;  // the distance itself is not asked for
+  const auto [S, T] = NearestPoint::difference(problem.A);
+  const Ball origin(Vector::Zero(problem.A.dimension()), 0.0);
+  SpatialSolve solve;
+  if (!solve.bind(T != nullptr ? *T : origin, *S, options_.instruction_set) || !solve.place({}, {}))
+    return false;
+  solve.distance(kAny, nullptr);
+  counters_.support_queries += solve.support_queries();
+  if (solve.answer().end != SpatialEnd::intersecting) return false;
+  set_overlap(result_);
+  return true;
 }
 
 // The answer is that of `method` from now on if it concluded the solve or has the closer pair of bounds.

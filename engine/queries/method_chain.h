@@ -25,6 +25,8 @@ namespace raygauge {
 struct Aim {
   double threshold = std::numeric_limits<double>::quiet_NaN();
   SupportPairs* pairs = nullptr;
+  /// Seconds left of the options' time limit, where the query has used some of it.
+  double time_limit = std::numeric_limits<double>::infinity();
 };
 
 /// All methods, and who hands over to whom: the list kTurns in method_chain.cc. One solve's answer is that of
@@ -79,6 +81,7 @@ class MethodChain {
   bool is_newton_untried(const Problem&) const { return chosen_ != DistanceMethod::newton; }
   bool has_normal(const Problem& problem) const;
   bool is_distant(const Problem&) const { return result_.lower > 0; }
+  bool may_hold_origin(const Problem& problem) const;
   bool always(const Problem&) const { return true; }
 
   bool by_spatial_gauge(const Problem& problem);
@@ -93,6 +96,7 @@ class MethodChain {
   bool refined_by_newton(const Problem& problem);
   bool refined_by_quad_newton(const Problem& problem);
   bool refined_by_quad_newton_afresh(const Problem& problem);
+  bool by_overlap(const Problem& problem);
 
   template <class Method>
   bool answers(Method& method, Concluded name, const Problem& problem);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/queries/depth_query.h"
+#include "engine/queries/growth_solve.h"
 #include "engine/queries/method_chain.h"
 #include "engine/queries/spatial_query.h"
 #include "engine/sets/object_pair.h"
@@ -34,6 +36,14 @@ struct ObjectDistanceSolver::Workspace {
                      WarmStart* warm);
   void add_depth(const Posed& A1, const Posed& A2, const ConvexSet& Q, ObjectEffects effects,
                  WarmStart* warm);
+  GrowthSolve growth;
+  DistanceResult factor;  // of growth
+
+  bool solve_spatial(const Posed& A1, const Posed& A2, const ConvexSet& Q, ObjectEffects effects,
+                     WarmStart* warm, ProvenBounds& proven);
+  void solve_by_methods(const Posed& A1, const Posed& A2, const ConvexSet& Q, bool closest_points,
+                        const ProvenBounds& proven, WarmStart* warm);
+  void try_overlap(const Posed& A1, const Posed& A2);
   void add_gradients(ObjectEffects effects);
   void find_closest_points(int n);
 };
@@ -97,13 +107,10 @@ bool ObjectDistanceSolver::Workspace::meet_in_depth(const Posed& A1, const Posed
   find_depth(A1, A2, Q, warm);
   if (!(result.depth.lower > 0)) return false;
   DistanceResult& distance = result.distance;
-  distance.status = DistanceStatus::contains_origin;
-  distance.distance = distance.lower = distance.upper = 0;
+  set_overlap(distance);
   distance.sigma = DistanceResult::kUnset;
   distance.counters = {};
   distance.origin_weights.clear();
-  distance.normal.resize(0);
-  distance.contact_point.resize(0);
   result.closest_point_evaluations = result.gradient_evaluations = 0;
   result.closest_point_1.resize(0);
   result.closest_point_2.resize(0);
@@ -121,6 +128,58 @@ void ObjectDistanceSolver::Workspace::add_gradients(ObjectEffects effects) {
     result.gradient_1.resize(0);
     result.gradient_2.resize(0);
   }
+}
+
+bool ObjectDistanceSolver::Workspace::solve_spatial(const Posed& A1, const Posed& A2, const ConvexSet& Q,
+                                                    ObjectEffects effects, WarmStart* warm,
+                                                    ProvenBounds& proven) {
+  if (A1.dimension() != A2.dimension()) return false;
+  if (spatial.distance(A1, A2, Q, methods.options(), effects, warm, result)) return true;
+  proven = spatial.proven();
+  return false;
+}
+
+// From what fixed-size code has proven.
+void ObjectDistanceSolver::Workspace::solve_by_methods(const Posed& posed_1, const Posed& posed_2,
+                                                       const ConvexSet& Q, bool closest_points,
+                                                       const ProvenBounds& proven, WarmStart* warm) {
+  const InPose in_pose_1(posed_1), in_pose_2(posed_2);
+  const ConvexSet& A1 = in_pose_1.set();
+  const ConvexSet& A2 = in_pose_2.set();
+  const int n = A2.dimension();
+  const ObjectPair pair(A2, A1, closest_points);
+  check_dimension("distance", "Q", Q.dimension(), n);
+  if (closest_points) pairs.begin(pair);
+  Aim aim;
+  aim.pairs = closest_points ? &pairs : nullptr;
+  result.distance = methods.solve(Posed(pair), Posed(Q), Effects::none, warm, aim);
+  result.closest_point_evaluations = result.gradient_evaluations = 0;
+  const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
+  if (closest_points && apart && methods.nearest_points(result.closest_point_1, result.closest_point_2)) {
+    ++result.closest_point_evaluations;
+  } else if (closest_points && apart && methods.contact_combination(combination)) {
+    find_closest_points(n);
+  } else {
+    result.closest_point_1.resize(0);
+    result.closest_point_2.resize(0);
+  }
+  tighten(proven, n, methods.options().tolerance, result.distance);
+}
+
+// Objects that meet when each is scaled by less than 1 share a point, whatever the metric.
+void ObjectDistanceSolver::Workspace::try_overlap(const Posed& A1, const Posed& A2) {
+  const DistanceOptions& options = methods.options();
+  DistanceResult& distance = result.distance;
+  const bool open = !(distance.lower > 0) && distance.status == DistanceStatus::precision_limit;
+  if (!open || options.max_iterations != 0) return;
+  if (!spatial.growth(A2, A1, false, options, 1.0, nullptr, factor)) {
+    Aim aim;
+    aim.threshold = 1;
+    if (options.time_limit < std::numeric_limits<double>::infinity())
+      aim.time_limit = options.time_limit - distance.seconds;
+    factor = growth.solve(A2, A1, false, aim, nullptr, methods);
+  }
+  if (factor.upper < 1) set_overlap(distance);
 }
 
 ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
@@ -142,45 +201,18 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& posed_1, const Posed& posed_2,
                                                   const ConvexSet& Q, ObjectEffects effects,
                                                   WarmStart* warm) {
-  workspace_->begin(posed_1, effects, warm);
-  if (posed_1.dimension() == posed_2.dimension() &&
-      workspace_->spatial.distance(posed_1, posed_2, Q, workspace_->methods.options(), effects, warm,
-                                   workspace_->result)) {
-    workspace_->add_depth(posed_1, posed_2, Q, effects, warm);
-    workspace_->add_gradients(effects);
-    return workspace_->result;
-  }
-  if (workspace_->meet_in_depth(posed_1, posed_2, Q, effects, warm)) {
-    workspace_->add_gradients(effects);
-    return workspace_->result;
-  }
-  const InPose in_pose_1(posed_1), in_pose_2(posed_2);
-  const ConvexSet& A1 = in_pose_1.set();
-  const ConvexSet& A2 = in_pose_2.set();
   Workspace& workspace = *workspace_;
-  ObjectDistance& result = workspace.result;
-  const bool closest_points = has_effect(effects, ObjectEffects::closest_points);
-  const int n = A2.dimension();
-  const ObjectPair pair(A2, A1, closest_points);
-  check_dimension("distance", "Q", Q.dimension(), n);
-  if (closest_points) workspace.pairs.begin(pair);
-  Aim aim;
-  aim.pairs = closest_points ? &workspace.pairs : nullptr;
-  result.distance = workspace.methods.solve(Posed(pair), Posed(Q), Effects::none, warm, aim);
-  result.closest_point_evaluations = result.gradient_evaluations = 0;
-  const bool apart = result.distance.lower > 0 && std::isfinite(result.distance.upper);
-  if (closest_points && apart &&
-      workspace.methods.nearest_points(result.closest_point_1, result.closest_point_2)) {
-    ++result.closest_point_evaluations;
-  } else if (closest_points && apart && workspace.methods.contact_combination(workspace.combination)) {
-    workspace.find_closest_points(n);
-  } else {
-    result.closest_point_1.resize(0);
-    result.closest_point_2.resize(0);
+  workspace.begin(posed_1, effects, warm);
+  ProvenBounds proven;
+  if (!workspace.solve_spatial(posed_1, posed_2, Q, effects, warm, proven) &&
+      !workspace.meet_in_depth(posed_1, posed_2, Q, effects, warm)) {
+    workspace.solve_by_methods(posed_1, posed_2, Q, has_effect(effects, ObjectEffects::closest_points),
+                               proven, warm);
+    workspace.try_overlap(posed_1, posed_2);
   }
   workspace.add_depth(posed_1, posed_2, Q, effects, warm);
   workspace.add_gradients(effects);
-  return result;
+  return workspace.result;
 }
 
 }  // namespace raygauge

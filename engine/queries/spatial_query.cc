@@ -13,7 +13,8 @@ constexpr std::ptrdiff_t kPointsUnderLimit =
     10000;  // a hundred passes over so many end before the clock would be read
 
 // The radius of a ball about the origin; 0 for every other set.
-double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
+double radius_of_metric(const ConvexSet& Q) {
+  SpatialShape shape;
   if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
   return shape.center.x == 0 && shape.center.y == 0 && shape.center.z == 0 ? shape.radius : 0.0;
 }
@@ -41,19 +42,27 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
-  const double radius = radius_of_metric(metric, metric_);
+  proven_ = {};
+  const double radius = radius_of_metric(metric);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
-  if (!solve_.distance(options.tolerance, warm)) return false;
+  const bool found = solve_.distance(options.tolerance, warm);
   const SpatialAnswer& answer = solve_.answer();
   const int n = solve_.dimension();
   DistanceResult& distance = result.distance;
-  result.closest_point_evaluations = result.gradient_evaluations = 0;
-  const bool apart = answer.end == SpatialEnd::closed;
+  const bool apart = answer.end != SpatialEnd::intersecting;
   const double share = radius == 1 ? 1.0 : 1 / radius;
+  const double lower = !apart ? 0 : radius == 1 ? answer.lower : answer.lower * share * kDown;
+  const double upper = !apart ? 0 : radius == 1 ? answer.upper : answer.upper * share * kUp;
+  if (!found) {
+    proven_ = {lower, upper};
+    for (int k = 0; lower > 0 && k < n; ++k) proven_.normal[k] = solve_.normal()[k] * share;
+    return false;
+  }
+  result.closest_point_evaluations = result.gradient_evaluations = 0;
   distance.status = apart ? DistanceStatus::optimal : DistanceStatus::contains_origin;
-  distance.lower = !apart ? 0 : radius == 1 ? answer.lower : answer.lower * share * kDown;
-  distance.upper = !apart ? 0 : radius == 1 ? answer.upper : answer.upper * share * kUp;
-  distance.distance = distance.upper;
+  distance.lower = lower;
+  distance.upper = upper;
+  distance.distance = upper;
   distance.normal.resize(apart ? n : 0);
   for (int k = 0; apart && k < n; ++k) distance.normal[k] = solve_.normal()[k] * share;
   set_counters(distance);
@@ -68,8 +77,15 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
 
 bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
                           double threshold, WarmStart* warm, DistanceResult& result) {
-  if (!bind(Q, A, options) || !solve_.growth(about_origin, options.tolerance, threshold, warm)) return false;
+  proven_ = {};
+  if (!bind(Q, A, options)) return false;
+  const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm);
   const SpatialAnswer& answer = solve_.answer();
+  if (!found) {
+    proven_ = {answer.lower, answer.upper};
+    if (answer.lower > 0) solve_.growth_normal(proven_.normal);
+    return false;
+  }
   result.status = answer.upper > 0 ? DistanceStatus::optimal : DistanceStatus::contains_origin;
   result.lower = answer.lower;
   result.upper = answer.upper;
@@ -79,5 +95,16 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   set_counters(result);
   return true;
 }
+
+Separation SpatialQuery::separation(const Posed& A1, const Posed& A2, const DistanceOptions& options) {
+  constexpr double kAny = 1 - 0x1p-20;  // a gap that any positive lower bound closes
+  if (!bind(A1, A2, options)) return Separation::undecided;
+  solve_.distance(kAny, nullptr);
+  const SpatialAnswer& answer = solve_.answer();
+  if (answer.end == SpatialEnd::intersecting) return Separation::intersecting;
+  return answer.lower > 0 ? Separation::separated : Separation::undecided;
+}
+
+Vector SpatialQuery::normal() const { return Vector::Map(solve_.normal(), solve_.dimension()); }
 
 }  // namespace raygauge

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/queries/proven_bounds.h"
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/methods/options.h"
+#include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 
 namespace raygauge {
 
 /// Queries about bodies of R^2 and R^3 by SpatialSolve, where the options leave the way to it open. Each
-/// function returns false where it has no answer that is as certain and as precise as was asked for; nothing
-/// is lost then but its time.
+/// function returns false where it has no answer that is as precise as was asked for; what it has proven
+/// nevertheless is in proven().
 class SpatialQuery {
  public:
   /// The Euclidean distance, in units of the radius of the ball `metric`.
@@ -21,12 +23,20 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
+  /// Of the last query, in its units.
+  const ProvenBounds& proven() const noexcept { return proven_; }
+
+  /// Whether two bodies have a point in common: the Euclidean distance, to whatever precision. normal() is
+  /// then that of a plane between them, as SeparationResult has it.
+  Separation separation(const Posed& A1, const Posed& A2, const DistanceOptions& options);
+  Vector normal() const;
+
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
   void set_counters(DistanceResult& result) const;
 
   SpatialSolve solve_;
-  SpatialShape metric_;
+  ProvenBounds proven_;
 };
 
 }  // namespace raygauge

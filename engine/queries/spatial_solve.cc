@@ -8,6 +8,8 @@
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/closed_form_distance.h"
 #include "engine/methods/spatial/contact_distance.h"
+#include "engine/methods/spatial/flat_pair.h"
+#include "engine/methods/spatial/inner_ball.h"
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/precise_growth.h"
 #include "engine/methods/spatial/spatial_growth.h"
@@ -40,13 +42,11 @@ bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, Instruc
 
 // Whether the start has vertices.
 bool SpatialSolve::begin_with_vertices(const WarmStart* warm) {
-  start_.has_normal = false;
-  start_.count = 0;
   const bool known = warm != nullptr && warm->dimension == pair_.dimension() && pair_.has_vertices();
   if (!known || warm->count <= 0) return false;
-  start_.count = std::min(warm->count, 4);
-  std::copy_n(warm->point_A.begin(), 4, start_.index_1);
-  std::copy_n(warm->point_Q.begin(), 4, start_.index_2);
+  record_.start.count = std::min(warm->count, 4);
+  std::copy_n(warm->point_A.begin(), 4, record_.start.index_1);
+  std::copy_n(warm->point_Q.begin(), 4, record_.start.index_2);
   return true;
 }
 
@@ -54,9 +54,9 @@ void SpatialSolve::begin_with_normal(const WarmStart* warm) {
   if (warm == nullptr) return;
   const double* normal = recorded_normal(*warm, pair_.dimension());
   if (normal == nullptr) return;
-  start_.normal = -pair_.to_body(normal);
-  const double square = dot(start_.normal, start_.normal);
-  start_.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
+  record_.start.normal = -pair_.to_body(normal);
+  const double square = dot(record_.start.normal, record_.start.normal);
+  record_.start.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
 }
 
 // All but the normal.
@@ -65,15 +65,15 @@ void SpatialSolve::record(WarmStart* warm) const {
   warm->normal = {0, 0, 0};
   warm->count = 0;
   if (!pair_.has_vertices()) return;
-  warm->count = answer_.combination.count;
+  warm->count = record_.answer.combination.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(warm->count); ++i) {
-    warm->point_A[i] = answer_.combination.point[i].index_1;
-    warm->point_Q[i] = answer_.combination.point[i].index_2;
+    warm->point_A[i] = record_.answer.combination.point[i].index_1;
+    warm->point_Q[i] = record_.answer.combination.point[i].index_2;
   }
 }
 
 void SpatialSolve::closest_points(double* point_1, double* point_2) const {
-  const SpatialCombination& combination = answer_.combination;
+  const SpatialCombination& combination = record_.answer.combination;
   Vector3 a1, a2;
   for (int i = 0; i < combination.count; ++i) {
     a1 = a1 + combination.point[i].a1 * combination.weight[i];
@@ -93,92 +93,122 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
 // fewer support points than the nearest one, and is mostly that one.
 void SpatialSolve::step_on_cores(double tolerance) {
   const bool may_begin_at_portal = pair_.has_vertices() && pair_.radius() == 0 && points() > kFewPoints &&
-                                   start_.count == 0 && !start_.has_normal;
-  spatial_distance(pair_, tolerance, start_, may_begin_at_portal ? kNearFlat : SpatialNearness{}, answer_);
-  if (!may_begin_at_portal || answer_.end != SpatialEnd::open ||
-      !(answer_.upper > kNearFlat.very_near * pair_.size())) {
+                                   record_.start.count == 0 && !record_.start.has_normal;
+  spatial_distance(pair_, tolerance, record_.start, may_begin_at_portal ? kNearFlat : SpatialNearness{},
+                   record_.answer);
+  if (!may_begin_at_portal || record_.answer.end != SpatialEnd::open ||
+      !(record_.answer.upper > kNearFlat.very_near * pair_.size())) {
     return;
   }
   constexpr double kExact = 1e-15;
-  int iterations = answer_.iterations;
-  spatial_growth(pair_, kExact, std::nan(""), start_, answer_);
-  iterations += answer_.iterations;
-  start_.count = answer_.combination.count;
-  for (int i = 0; i < start_.count; ++i) {
-    start_.index_1[i] = answer_.combination.point[i].index_1;
-    start_.index_2[i] = answer_.combination.point[i].index_2;
+  SpatialAnswer portal;
+  spatial_growth(pair_, kExact, std::nan(""), record_.start, portal);
+  const int iterations = record_.answer.iterations + portal.iterations;
+  record_.start.count = portal.combination.count;
+  for (int i = 0; i < record_.start.count; ++i) {
+    record_.start.index_1[i] = portal.combination.point[i].index_1;
+    record_.start.index_2[i] = portal.combination.point[i].index_2;
   }
-  spatial_distance(pair_, tolerance, start_, {.at_rounding = true}, answer_);
-  answer_.iterations += iterations;
+  spatial_distance(pair_, tolerance, record_.start, {.at_rounding = true}, record_.answer);
+  record_.answer.iterations += iterations;
 }
 
 // Whether the answer is final, after precise steps where it is not in doubles.
 bool SpatialSolve::settle(double tolerance) {
-  if (answer_.end == SpatialEnd::open) precise_distance(pair_, kernels_for(isa_), tolerance, answer_);
-  return answer_.end == SpatialEnd::closed || answer_.end == SpatialEnd::intersecting;
+  if (record_.answer.end == SpatialEnd::open)
+    precise_distance(pair_, kernels_for(isa_), tolerance, record_.answer);
+  return record_.answer.end == SpatialEnd::closed || record_.answer.end == SpatialEnd::intersecting;
 }
 
 // Balls and capsules have formulas, which name where to go on in double-double arithmetic. Curved bodies that
 // are near are left to Newton steps; the long way is for what these do not close.
 bool SpatialSolve::find_distance(double tolerance) {
-  answer_.combination.count = 0;
-  if (closed_form_distance(pair_, tolerance, answer_)) return true;
-  if (answer_.combination.count > 0 && settle(tolerance)) return true;
+  if (closed_form_distance(pair_, tolerance, record_.answer)) return true;
+  if (record_.answer.combination.count > 0 && settle(tolerance)) return true;
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
   if (newton) {
-    spatial_distance(pair_, tolerance, start_, kNearCurved, answer_);
-    if (answer_.end == SpatialEnd::open) contact_distance(pair_, tolerance, answer_);
+    spatial_distance(pair_, tolerance, record_.start, kNearCurved, record_.answer);
+    if (record_.answer.end == SpatialEnd::open) contact_distance(pair_, tolerance, record_.answer);
     if (settle(tolerance)) return true;
   }
   step_on_cores(tolerance);
-  if (answer_.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, answer_);
+  if (record_.answer.end == SpatialEnd::open && newton) contact_distance(pair_, tolerance, record_.answer);
   return settle(tolerance);
 }
 
+// For bodies that no other steps set apart.
+bool SpatialSolve::find_overlap() {
+  PrecisePair precise;
+  if (record_.answer.lower > 0 || !precise.bind(pair_, kernels_for(isa_))) return false;
+  bool overlap = inner_ball(pair_, precise, {}, 0) > 0;
+  if (!overlap && make_prism_of_flat(pair_, false)) overlap = inner_ball(pair_, precise, {}, 0) > 0;
+  if (overlap) record_.answer.end = SpatialEnd::intersecting;
+  return overlap;
+}
+
 bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
+  record_ = {};
   if (!begin_with_vertices(warm)) begin_with_normal(warm);
-  if (!find_distance(tolerance)) return false;
-  const bool apart = answer_.end == SpatialEnd::closed;
-  if (warm != nullptr) record(warm);
-  if (!apart) return true;
-  const double square = dot(answer_.normal, answer_.normal);
+  const bool found = find_distance(tolerance) || find_overlap();
+  if (warm != nullptr && found) record(warm);
+  if (record_.answer.end == SpatialEnd::intersecting || !(record_.answer.lower > 0)) return found;
+  const double square = dot(record_.answer.normal, record_.answer.normal);
   const bool is_unit = std::fabs(square - 1) <= kUnitSquare;  // nearly always: no root to wait for
-  pair_.to_world(answer_.normal * (is_unit ? -1.0 : -1 / std::sqrt(square)), normal_);
-  if (warm != nullptr) std::copy_n(normal_, 3, warm->normal.begin());
-  return true;
+  const Vector3 normal = record_.answer.normal * (is_unit ? -1.0 : -1 / std::sqrt(square));
+  pair_.normal_to_world(normal, record_.answer.lower / pair_.size(), record_.normal);
+  if (warm != nullptr && found) std::copy_n(record_.normal, 3, warm->normal.begin());
+  return found;
 }
 
 bool SpatialSolve::find_growth(bool about_origin, double tolerance, double threshold) {
   if (about_origin && !pair_.scale_first_about_origin(*first_)) return false;
   if (!about_origin && pair_.is_concentric()) {
-    answer_.reset();  // a factor of 0
-    answer_.end = SpatialEnd::closed;
+    record_.answer.upper = 0;  // a factor of 0
+    record_.answer.end = SpatialEnd::closed;
     return true;
   }
   if (!about_origin && std::isnan(threshold) && is_smooth_needle(pair_, points())) {
-    answer_.reset();
-    precise_growth(pair_, kernels_for(isa_), tolerance, answer_);
-    if (answer_.end != SpatialEnd::open) return true;
+    precise_growth(pair_, kernels_for(isa_), tolerance, record_.answer);
+    if (record_.answer.end != SpatialEnd::open) return true;
   }
-  spatial_growth(pair_, tolerance, threshold, start_, answer_);
-  if (answer_.end == SpatialEnd::open && !about_origin) {
-    precise_growth(pair_, kernels_for(isa_), tolerance, answer_);
+  spatial_growth(pair_, tolerance, threshold, record_.start, record_.answer);
+  if (record_.answer.end == SpatialEnd::open && !about_origin) {
+    precise_growth(pair_, kernels_for(isa_), tolerance, record_.answer);
   }
-  return answer_.end != SpatialEnd::open;
+  if (record_.answer.end == SpatialEnd::open && !about_origin) go_on_in_ball(tolerance, threshold);
+  return record_.answer.end != SpatialEnd::open;
+}
+
+// Where bodies know of no ball inside, or are flat, one that is looked for may be what is missing.
+void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
+  constexpr double kEnough = 1e-4;  // of the size
+  PrecisePair precise;
+  const bool flat = make_prism_of_flat(pair_, true);
+  if ((!flat && pair_.inner_radius() > 0) || !precise.bind(pair_, kernels_for(isa_))) return;
+  pair_.set_inner_radius(inner_ball(pair_, precise, -precise.between_centers(), kEnough * pair_.size()));
+  if (pair_.inner_radius() > 0)
+    spatial_growth(pair_, tolerance, threshold, flat ? SpatialStart() : record_.start, record_.answer);
 }
 
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
-  if (!begin_with_vertices(warm) || start_.count != 3) begin_with_normal(warm);
+  record_ = {};
+  if (!begin_with_vertices(warm) || record_.start.count != 3) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;
   if (warm == nullptr) return true;
   record(warm);
-  if (answer_.lower > 0) pair_.to_world(-answer_.normal, warm->normal.data());
+  if (record_.answer.lower > 0)
+    pair_.normal_to_world(-record_.answer.normal, growth_margin(), warm->normal.data());
   return true;
 }
 
+// How far a plane that proves the lower bound is from both bodies, of the size of the pair.
+double SpatialSolve::growth_margin() const {
+  return std::fabs(record_.answer.lower - 1) * length(pair_.between_centers()) / pair_.size();
+}
+
 void SpatialSolve::growth_normal(double* normal) const {
-  const double along = dot(answer_.normal, pair_.between_centers());
-  pair_.to_world(answer_.normal * (-answer_.lower / along), normal);
+  const double along = dot(record_.answer.normal, pair_.between_centers());
+  pair_.normal_to_world(record_.answer.normal * (-record_.answer.lower / along), growth_margin(), normal);
 }
 
 }  // namespace raygauge

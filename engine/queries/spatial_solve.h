@@ -8,8 +8,9 @@
 namespace raygauge {
 
 /// Solves about two bodies of R^2 or R^3 by fixed-size code. What is made of the sets stays from one solve to
-/// the next: place() is all that a body in motion costs. A solve that returns false has no answer that is as
-/// certain and as precise as was asked for; nothing is lost then but its time.
+/// the next: place() is all that a body in motion costs. Everything else that a solve computes is in a record
+/// that is new for each. A solve that returns false has no answer that is as precise as was asked for; the
+/// bounds of answer() hold nevertheless.
 class SpatialSolve {
  public:
   /// The sets of what follows, which must outlive it. False if one of them has no SpatialShape, or they live
@@ -19,8 +20,9 @@ class SpatialSolve {
   /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
   bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 
-  /// The Euclidean distance. Where true, answer().end is `closed`, and normal() and closest_points() hold, or
-  /// `intersecting`.
+  /// The Euclidean distance. Where true, answer().end is `closed`, and closest_points() hold, or
+  /// `intersecting`. Bodies with interior points in common are `intersecting`, down to rounding errors of
+  /// double-double arithmetic; so are those in a common plane (make_prism_of_flat).
   bool distance(double tolerance, WarmStart* warm);
 
   /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
@@ -28,14 +30,15 @@ class SpatialSolve {
   /// of `threshold`; NaN: never.
   bool growth(bool about_origin, double tolerance, double threshold, WarmStart* warm);
 
-  const SpatialAnswer& answer() const noexcept { return answer_; }
+  const SpatialAnswer& answer() const noexcept { return record_.answer; }
   int dimension() const noexcept { return pair_.dimension(); }
   /// Points that one pass over both bodies looks at.
   std::ptrdiff_t points() const noexcept { return points_of(pair_.shape(0)) + points_of(pair_.shape(1)); }
   std::int64_t support_queries() const noexcept { return pair_.queries(); }
 
-  /// The normal that proves answer().lower of the last distance, of length one, in the world: n numbers.
-  const double* normal() const noexcept { return normal_; }
+  /// The normal that proves answer().lower of the last distance where that is above 0, of length one, in the
+  /// world: n numbers.
+  const double* normal() const noexcept { return record_.normal; }
 
   /// The same of the last growth distance where that is above 0, scaled as DistanceResult::normal is.
   void growth_normal(double* normal) const;
@@ -44,23 +47,31 @@ class SpatialSolve {
   void closest_points(double* point_1, double* point_2) const;
 
  private:
+  // All that a solve knows.
+  struct Record {
+    SpatialStart start;
+    SpatialAnswer answer;
+    double normal[3] = {0, 0, 0};
+  };
+
   static std::ptrdiff_t points_of(const SpatialShape& shape) noexcept {
     return shape.kind == SpatialShape::Kind::points ? shape.size : 0;
   }
   bool find_distance(double tolerance);
   void step_on_cores(double tolerance);
   bool settle(double tolerance);
+  bool find_overlap();
   bool find_growth(bool about_origin, double tolerance, double threshold);
+  void go_on_in_ball(double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);
   void begin_with_normal(const WarmStart* warm);
   void record(WarmStart* warm) const;
+  double growth_margin() const;
 
   SpatialPair pair_;
-  SpatialStart start_;
-  SpatialAnswer answer_;
+  Record record_;
   const ConvexSet* first_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
-  double normal_[3] = {0, 0, 0};
 };
 
 }  // namespace raygauge

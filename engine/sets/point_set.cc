@@ -59,6 +59,7 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   spacing_ = n > 1 ? std::pow(static_cast<double>(size_), -1.0 / static_cast<double>(n - 1)) : 1.0;
   // The mean of points divided by N beforehand, so that no partial sum overflows.
   center_ = (points / static_cast<double>(size_)).rowwise().sum();
+  center_ = center_.cwiseMax(points.rowwise().minCoeff()).cwiseMin(points.rowwise().maxCoeff());
   isotropic_ = isotropic_map(points);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "engine/numerics/number_text.h"
 #include "raygauge/sets/ball.h"
@@ -234,45 +235,108 @@ std::string violation(const DistanceResult& r, const Enclosure& known) {
          shortest_text(static_cast<double>(known.upper)) + "]";
 }
 
-}  // namespace
+// Two bodies and the direction in which they were placed last.
+struct Pair {
+  Pair(RandomStream& stream, int n, double body_size)
+      : size(body_size),
+        A(draw_body(stream, n, size)),
+        B(draw_body(stream, n, size)),
+        first(*A.set),
+        second(*B.set) {
+    first.t = small_step(stream, n, stream.uniform() < 0.5 ? 0.0 : size);
+    u = draw_direction(stream, n);
+  }
 
-PlacedBodies::PlacedBodies(std::uint64_t seed) : seed_(seed), distance_(options()), growth_(options()) {}
-
-std::optional<std::string> PlacedBodies::check(std::int64_t number) {
-  RandomStream stream({seed_, 1, static_cast<int>(number >> 31), static_cast<int>(number & 0x7fffffff)},
-                      "placed_bodies", RandomPurpose::shape);
-  const int n = stream.uniform() < 0.8 ? 3 : 2;
-  const double size =
-      stream.uniform() < 0.7 ? 1.0 : std::ldexp(1.0, static_cast<int>(stream.integer(-40, 40)));
-  const RandomSet A = draw_body(stream, n, size), B = draw_body(stream, n, size);
-  const Ball metric(Vector::Zero(n), 1.0);
-  Body first(*A.set), second(*B.set);
-  first.t = small_step(stream, n, stream.uniform() < 0.5 ? 0.0 : size);
-  Small u = draw_direction(stream, n);
-  if (stream.uniform() < 0.8) warm_distance_ = warm_growth_ = WarmStart();
-  for (int i = 0; i < kPoses; ++i) {
-    const bool coherent = i > 0 && stream.uniform() < 0.6, cold = stream.uniform() < 0.3;
+  Enclosure place(RandomStream& stream, bool grows) {
+    const bool coherent = placed && stream.uniform() < 0.6;
+    const int n = first.n();
+    placed = true;
     first.turn(stream, coherent);
     second.turn(stream, coherent);
     u = coherent ? Small((u + small_step(stream, n, 0.01)).normalized())
                  : draw_normal(stream, first, second, u);
-    const bool grows = stream.uniform() < 0.5;
     const Enclosure known =
         grows ? place_at_growth(stream, first, second, u) : place_at_distance(stream, first, second, u);
     first.pose.assign(first.R.data(), first.t.data());
     second.pose.assign(second.R.data(), second.t.data());
-    const Posed one(*A.set, first.pose), other(*B.set, second.pose);
-    const DistanceResult& r =
-        grows ? growth_.solve_about_centers(one, other, cold ? nullptr : &warm_growth_)
-              : distance_.solve(one, other, metric, ObjectEffects::none, cold ? nullptr : &warm_distance_)
-                    .distance;
-    ++tally_.poses;
-    tally_.warm += cold ? 0 : 1;
-    tally_.certified += is_final(r) ? 1 : 0;
-    const std::string what = violation(r, known);
+    return known;
+  }
+
+  std::string text() const {
+    return A.label + " and " + B.label + " in R^" + std::to_string(first.n()) + ", size " +
+           shortest_text(size);
+  }
+
+  double size;
+  RandomSet A, B;
+  Body first, second;
+  Small u;
+  bool placed = false;
+};
+
+}  // namespace
+
+// A pair where it was placed, and what is asked.
+struct PlacedBodies::Turn {
+  Posed first, second;
+  Enclosure known;
+  const Ball* metric;
+  bool grows, cold;
+};
+
+PlacedBodies::PlacedBodies(std::uint64_t seed) : seed_(seed), distance_(options()), growth_(options()) {}
+
+// Bodies that meet when they are scaled by less than 1 have interior points in common, if they have any.
+std::string PlacedBodies::check(Turn& turn) {
+  const auto ask_growth = [&]() -> const DistanceResult& {
+    return growth_.solve_about_centers(turn.first, turn.second, turn.cold ? nullptr : &warm_growth_);
+  };
+  const auto ask_distance = [&]() -> const DistanceResult& {
+    return distance_
+        .solve(turn.first, turn.second, *turn.metric, ObjectEffects::none,
+               turn.cold ? nullptr : &warm_distance_)
+        .distance;
+  };
+  const DistanceResult& r = turn.grows ? ask_growth() : ask_distance();
+  ++tally_.poses;
+  tally_.warm += turn.cold ? 0 : 1;
+  tally_.certified += is_final(r) ? 1 : 0;
+  std::string what = violation(r, turn.known);
+  constexpr Real kClear = 1 - 1e-9;
+  if (!what.empty() || !turn.grows || !(turn.known.upper < kClear)) return what;
+  ++tally_.overlaps;
+  if (turn.cold)
+    return ask_distance().status == DistanceStatus::contains_origin ? "" : "an overlap is undecided";
+  const Separation outcome = growth_.separation(turn.first, turn.second, &warm_growth_).outcome;
+  return outcome == Separation::intersecting ? "" : "an overlap is no intersection";
+}
+
+std::optional<std::string> PlacedBodies::check(std::int64_t number) {
+  constexpr int kPairs = 5;
+  RandomStream stream({seed_, 1, static_cast<int>(number >> 31), static_cast<int>(number & 0x7fffffff)},
+                      "placed_bodies", RandomPurpose::shape);
+  std::vector<Pair> pairs;
+  for (int i = 0; i < kPairs; ++i) {
+    const int n = stream.uniform() < 0.8 ? 3 : 2;
+    const double size =
+        stream.uniform() < 0.7 ? 1.0 : std::ldexp(1.0, static_cast<int>(stream.integer(-40, 40)));
+    pairs.emplace_back(stream, n, size);
+  }
+  const Ball metric_2(Vector::Zero(2), 1.0), metric_3(Vector::Zero(3), 1.0);
+  if (stream.uniform() < 0.8) warm_distance_ = warm_growth_ = WarmStart();
+  for (int i = 0; i < kPoses; ++i) {
+    Pair& pair = pairs[static_cast<std::size_t>(stream.integer(0, kPairs - 1))];
+    const bool grows = stream.uniform() < 0.5, cold = stream.uniform() < 0.3;
+    const Enclosure known = pair.place(stream, grows);
+    Turn turn{{*pair.A.set, pair.first.pose},
+              {*pair.B.set, pair.second.pose},
+              known,
+              pair.first.n() == 2 ? &metric_2 : &metric_3,
+              grows,
+              cold};
+    const std::string what = check(turn);
     if (what.empty()) continue;
-    return A.label + " and " + B.label + " in R^" + std::to_string(n) + ", size " + shortest_text(size) +
-           ", pair " + std::to_string(number) + ", pose " + std::to_string(i) +
+    return pair.text() + ", pairs " + std::to_string(number) + ", pose " + std::to_string(i) +
            (grows ? ", growth: " : ", distance: ") + what;
   }
   return std::nullopt;
@@ -280,7 +344,7 @@ std::optional<std::string> PlacedBodies::check(std::int64_t number) {
 
 std::string to_string(const PlacedBodyTally& tally) {
   return std::to_string(tally.poses) + " posed pairs, " + std::to_string(tally.warm) + " warm, " +
-         std::to_string(tally.certified) + " certified\n";
+         std::to_string(tally.certified) + " certified, " + std::to_string(tally.overlaps) + " overlaps\n";
 }
 
 }  // namespace raygauge::soak

@@ -14,8 +14,9 @@ namespace raygauge::soak {
 
 /// What became of the pairs of bodies placed at a known distance.
 struct PlacedBodyTally {
-  std::int64_t poses = 0;      ///< of a pair; one query each
+  std::int64_t poses = 0;      ///< of a pair; one query each, or two where they overlap
   std::int64_t warm = 0;       ///< of them from a WarmStart
+  std::int64_t overlaps = 0;   ///< of them with interior points in common
   std::int64_t certified = 0;  ///< with a final status
 };
 
@@ -29,23 +30,30 @@ struct PlacedBodyTally {
 /// u is random, along an axis, the normal of a face or of two edges, or nearly that of the pose before; a and
 /// b are vertices, or points of the edge or face that has this normal. Distances are 0, of the size of the
 /// bodies, or down to 1e-9 of it; some bodies overlap.
+///
+/// The solvers are used ones: several pairs of kinds of their own take turns at random, and so do the
+/// queries. Pairs that meet when they are scaled by less than 1 must overlap by all queries.
 class PlacedBodies {
  public:
   explicit PlacedBodies(std::uint64_t seed);
 
-  /// Poses of one pair of bodies.
+  /// Poses of all pairs of one check.
   static constexpr int kPoses = 250;
 
-  /// Pair number `number` of this seed in all its poses: what is false of it, or nothing.
+  /// Some pairs of bodies, number `number` of this seed, in all their poses: what is false of them, or
+  /// nothing.
   std::optional<std::string> check(std::int64_t number);
 
   const PlacedBodyTally& tally() const noexcept { return tally_; }
 
  private:
+  struct Turn;
+  std::string check(Turn& turn);
+
   std::uint64_t seed_;
   ObjectDistanceSolver distance_;
   GrowthDistanceSolver growth_;
-  WarmStart warm_distance_, warm_growth_;  // left by the pair before
+  WarmStart warm_distance_, warm_growth_;  // left by any pair before
   PlacedBodyTally tally_;
 };
 

@@ -12,12 +12,14 @@
 #include "generators/registry.h"
 #include "raygauge/queries/solver.h"
 #include "tests/soak/certificate_check.h"
+#include "tests/soak/overlaps.h"
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
+#include "tests/soak/used_solvers.h"
 #include "tests/soak/variant.h"
 
 namespace raygauge::test_soak {
@@ -224,6 +226,25 @@ TEST(Soak, PlacedBodiesHaveBoundsAboutTheirKnownDistance) {
   }
   EXPECT_EQ(bodies.tally().poses, 100 * soak::PlacedBodies::kPoses);
   EXPECT_GT(bodies.tally().certified, bodies.tally().poses * 9 / 10);
+}
+
+TEST(Soak, UsedSolversAnswerAsNewOnesDo) {
+  soak::UsedSolvers solvers(1);
+  for (int i = 0; i < 3000; ++i) {
+    const auto violation = solvers.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_GT(solvers.tally().certified, 1500);
+}
+
+TEST(Soak, PolytopesOfQuartersThatOverlapAreNeverUndecided) {
+  soak::Overlaps overlaps(1);
+  for (int i = 0; i < 5000; ++i) {
+    const auto violation = overlaps.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_GT(overlaps.tally().overlapping, 1500);
+  EXPECT_GT(overlaps.tally().touching, 100);
 }
 
 }  // namespace

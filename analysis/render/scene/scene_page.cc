@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "results/scene/event_text.h"
+
 namespace raygauge::scene_page {
 namespace {
 
@@ -60,29 +62,13 @@ json event(const SceneRecord& record, const std::string& text) {
   return {{"time", number(record.time)}, {"text", text}};
 }
 
-json continuous_event(const SceneFile& file, const SceneRecord& record) {
-  const std::string pair = pair_text(file, record);
-  if (record.kind == SceneRowKind::clearance) {
-    if (record.status == SceneStatus::intersecting)
-      return event(record, pair + "in contact at " + short_text(record.time) + " s");
-    return event(record, pair + "never closer than " + short_text(record.lower) + " (proven), " +
-                             short_text(record.upper) + " at " + short_text(record.time) + " s");
-  }
-  if (record.status == SceneStatus::free) return event(record, pair + "no contact, proven");
-  if (record.status == SceneStatus::contact) {
-    return event(record, pair + "first contact in [" + short_text(record.time_lower) + ", " +
-                             short_text(record.time_upper) + "] s");
-  }
-  return event(record, pair + "no contact before " + short_text(record.time_lower) + " s");
-}
-
 json events_of(const SceneFile& file) {
   json events = json::array();
   std::map<std::tuple<int, int, int>, SceneStatus> before;
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
     if (record.kind != SceneRowKind::instant) {
-      events.push_back(continuous_event(file, record));
+      events.push_back(event(record, pair_text(file, record) + event_text(record)));
       continue;
     }
     const auto key = std::make_tuple(record.query, record.body_a, record.body_b);

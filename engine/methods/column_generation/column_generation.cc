@@ -3,6 +3,9 @@
 #include "engine/methods/column_generation/column_generation.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "engine/certificates/certificate.h"
 
 namespace raygauge {
 
@@ -19,28 +22,28 @@ bool ColumnGeneration::solve(const Problem& problem, DistanceResult& result) {
   return true;
 }
 
-// The tolerances of the linear program suit a gauge body of magnitude 1.
+// The tolerances of the linear program suit sets of magnitude 1.
 void ColumnGeneration::bind_oracles(const Problem& problem) {
   const Kernels& kernels = kernels_for(problem.options.instruction_set);
   oracle_A_.bind(problem.A, nullptr, kernels, problem.pairs);
   oracle_Q_.bind(problem.Q, nullptr, kernels);
-  scaling_.compute_common(problem.A, problem.Q, oracle_Q_.magnitude());
-  if (scaling_.trivial_A()) return;
-  oracle_A_.bind(problem.A, scaling_.factor_A(), kernels, problem.pairs);
-  oracle_Q_.bind(problem.Q, scaling_.factor_Q(), kernels);
+  scaling_.compute_common(problem.A, problem.Q, oracle_A_.magnitude(), oracle_Q_.magnitude());
+  if (!scaling_.trivial_A()) oracle_A_.bind(problem.A, scaling_.factor_A(), kernels, problem.pairs);
+  if (!scaling_.trivial_Q()) oracle_Q_.bind(problem.Q, scaling_.factor_Q(), kernels);
 }
 
 void ColumnGeneration::solve_by_support(const Problem& problem, DistanceResult& result) {
   const int n = problem.A.dimension();
   bind_oracles(problem);
+  const int shift = scaling_.distance_shift();
   by_support_.begin(oracle_A_, oracle_Q_, n, problem.options, kernels_for(problem.options.instruction_set),
-                    problem.threshold);
+                    std::ldexp(problem.threshold, shift));
   result.status = by_support_.run(problem.stopwatch);
-  result.lower = by_support_.lower();
-  result.upper = by_support_.upper();
+  result.lower = scaled_down(by_support_.lower(), -shift);
+  result.upper = scaled_up(by_support_.upper(), -shift);
   // In this order an objective that is not a number gives way to the lower bound.
-  result.distance = std::max(result.lower, std::min(by_support_.objective(), result.upper));
-  result.normal = scaling_.factor_A()[0] * Vector::Map(by_support_.normal(), n);
+  result.distance = std::max(result.lower, std::min(std::ldexp(by_support_.objective(), -shift), result.upper));
+  result.normal = scaling_.factor_Q()[0] * Vector::Map(by_support_.normal(), n);
   counters_ = by_support_.counters();
 }
 

@@ -27,6 +27,13 @@ class NearestPoint {
   /// Whether Q is a ball about the origin and A a polytope, or a difference S - T of two.
   static bool suits(const ConvexSet& A, const ConvexSet& Q);
 
+  /// A = S - T, as far as A knows; T is nullptr for {0}.
+  struct Difference {
+    const ConvexSet* S;
+    const ConvexSet* T;
+  };
+  static Difference difference(const ConvexSet& A);
+
   /// True if the solve was concluded: optimal, or a limit. Otherwise the caller has other means: the origin
   /// in S - T, or rounding, or not such sets.
   bool solve(const Problem& problem, DistanceResult& result);
@@ -47,13 +54,6 @@ class NearestPoint {
     double violation() const noexcept { return best - level; }
   };
 
-  // A = S - T, as far as A knows; T is nullptr for {0}.
-  struct Difference {
-    const ConvexSet* S;
-    const ConvexSet* T;
-  };
-
-  static Difference difference(const ConvexSet& A);
   void begin(const Difference& sets_of_A, const Problem& problem);
   bool choose_first_points(const double* start);
   DistanceStatus iterate(const Problem& problem);

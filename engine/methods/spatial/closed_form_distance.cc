@@ -74,18 +74,23 @@ void nearest_of_capsules(const SpatialPair& pair, SpatialPoint& point) {
   point.a2 = q + y * t;
 }
 
-// The ends of a core without area between which x is, in its own frame; the nearer one first. 0: of other
-// cores.
-int ends_around(const SpatialShape& shape, const Vector3& x, std::int32_t* ends) {
+// The ends of a core without area between which x is, in its own frame, the nearer one first, and how much of
+// x is that one.
+struct Ends {
+  int count = 0;  // 0: of other cores
+  std::int32_t index[2] = {0, 0};
+  double share = 1;
+};
+
+Ends ends_around(const SpatialShape& shape, const Vector3& x) {
   constexpr double kAtEnd = 1 - 1e-6;
-  if (shape.kind != Kind::point && shape.kind != Kind::segment) return 0;
-  ends[0] = 0;
-  if (shape.kind == Kind::point) return 1;
+  if (shape.kind == Kind::point) return {1};
+  if (shape.kind != Kind::segment) return {};
   const Vector3& half = shape.axis.column[0];
   const double along = dot(x - shape.center, half), square = dot(half, half);
-  ends[0] = along < 0 ? 1 : 0;
-  ends[1] = 1 - ends[0];
-  return std::fabs(along) > kAtEnd * square ? 1 : 2;
+  const std::int32_t nearer = along < 0 ? 1 : 0;
+  if (std::fabs(along) > kAtEnd * square) return {1, {nearer, nearer}};
+  return {2, {nearer, 1 - nearer}, square > 0 ? 0.5 + 0.5 * std::fabs(along) / square : 1.0};
 }
 
 // Whether a core and a point are the pair: PreciseDescent begins at their nearest points.
@@ -95,19 +100,20 @@ bool is_projection(const SpatialPair& pair) {
 }
 
 // Vertices around the nearest points of such cores, of which double-double arithmetic makes a start: at most
-// three, as the fourth corner of a parallelogram is the farthest.
+// three, as the fourth corner of a parallelogram is the farthest. Those three make the point with the weights
+// f + g - 1, 1 - g and 1 - f, where f and g are the shares of the nearer ends.
 void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialCombination& combination) {
   if (is_projection(pair)) return;  // the combination is `nearest`
-  std::int32_t ends_1[2], ends_2[2];
-  const int count_1 = ends_around(pair.shape(0), nearest.a1, ends_1);
-  const int count_2 = ends_around(pair.shape(1), pair.to_second(nearest.a2), ends_2);
+  const Ends one = ends_around(pair.shape(0), nearest.a1),
+             two = ends_around(pair.shape(1), pair.to_second(nearest.a2));
   combination.count = 0;
-  for (int i = 0; i < count_1; ++i) {
-    for (int k = 0; k < count_2; ++k) {
+  for (int i = 0; i < one.count; ++i) {
+    for (int k = 0; k < two.count; ++k) {
       if (i == 1 && k == 1) continue;
-      SpatialPoint& vertex = combination.point[combination.count++];
-      vertex.index_1 = ends_1[i];
-      vertex.index_2 = ends_2[k];
+      combination.weight[combination.count] = i == 1   ? 1 - one.share
+                                              : k == 1 ? 1 - two.share
+                                                       : one.share + two.share - 1;
+      pair.core_vertex(one.index[i], two.index[k], combination.point[combination.count++]);
     }
   }
 }
@@ -157,26 +163,23 @@ bool closed_form_distance(SpatialPair& pair, double tolerance, SpatialAnswer& an
   nearest.s = nearest.a1 - nearest.a2;
   const double size = length(nearest.s);
   if (!(size > pair.error())) return false;
-  answer.reset();
+  answer.begin_steps();
   answer.iterations = 1;
   answer.combination.count = 1;
   answer.combination.point[0] = nearest;
   answer.combination.weight[0] = 1;
-  answer.upper = upper_bound(pair, size);
+  answer.bound_from_above(upper_bound(pair, size));
   if (answer.upper < 0) {
     answer.end = SpatialEnd::intersecting;
     return true;
   }
-  answer.normal = answer.hint = nearest.s * (-1 / size);
+  answer.hint = nearest.s * (-1 / size);
   SpatialPoint touched;
-  pair.support(answer.normal, touched);
-  answer.lower = lower_bound(pair, dot(answer.normal, touched.s));
-  if (!(answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper)) {
-    name_ends(pair, nearest, answer.combination);
-    return false;
-  }
-  answer.end = SpatialEnd::closed;
-  return true;
+  pair.support(answer.hint, touched);
+  answer.bound_from_below(lower_bound(pair, dot(answer.hint, touched.s)), answer.hint);
+  if (answer.closes(tolerance)) return true;
+  name_ends(pair, nearest, answer.combination);
+  return false;
 }
 
 }  // namespace raygauge

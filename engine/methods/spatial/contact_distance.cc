@@ -40,7 +40,6 @@ class ContactDescent {
   bool step();
   void record(const ContactStep<double>& found);
   void bound(const Vector3& v);
-  bool is_closed();
 
   SpatialPair& pair_;
   double tolerance_;
@@ -128,15 +127,9 @@ void ContactDescent::begin() {
   }
 }
 
-bool ContactDescent::is_closed() {
-  if (!(answer_.lower > 0) || !(answer_.upper - answer_.lower <= tolerance_ * answer_.upper)) return false;
-  answer_.end = SpatialEnd::closed;
-  return true;
-}
-
 // By v, a point of the difference of the cores that the combination has.
 void ContactDescent::bound(const Vector3& v) {
-  answer_.upper = upper_bound(pair_, length(v));
+  answer_.bound_from_above(upper_bound(pair_, length(v)));
   if (answer_.upper < 0) answer_.end = SpatialEnd::intersecting;
 }
 
@@ -160,10 +153,9 @@ bool ContactDescent::try_disc(int i, const Vector3& v) {
   answer_.combination.count = 1;
   answer_.combination.point[0] = point;
   answer_.combination.weight[0] = 1;
-  const double lower = lower_bound(pair_, dot(n, point.s));
-  if (lower > answer_.lower) answer_.lower = lower, answer_.normal = n;
+  answer_.bound_from_below(lower_bound(pair_, dot(n, point.s)), n);
   bound(point.s);
-  is_closed();
+  answer_.closes(tolerance_);
   return true;
 }
 
@@ -204,8 +196,7 @@ bool ContactDescent::look(double& height) {
   SpatialPoint w;
   pair_.support(u_, w);
   height = dot(u_, w.s);
-  const double lower = lower_bound(pair_, height);
-  if (lower > answer_.lower) answer_.lower = lower, answer_.normal = u_;
+  answer_.bound_from_below(lower_bound(pair_, height), u_);
   if (height > lowest_ + kNoise * pair_.error()) {
     if (last_step_ < kShortStep) return false;
     u_ = lowest_u_;
@@ -237,7 +228,7 @@ bool ContactDescent::step() {
   }
   const ContactStep<double> found = contact_step(pieces, count_);
   record(found);
-  if (answer_.end != SpatialEnd::open || is_closed()) return false;
+  if (answer_.end != SpatialEnd::open || answer_.closes(tolerance_)) return false;
   if (answer_.upper - answer_.lower <= kPreciseGap * pair_.error()) return false;
   double d[2];
   metric.step(found.y, d);

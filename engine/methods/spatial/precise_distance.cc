@@ -8,7 +8,6 @@
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
 #include "engine/methods/spatial/precise_pieces.h"
-#include "engine/methods/spatial/slight_overlap.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -19,8 +18,6 @@ constexpr int kMostCurvedIterations = 10;  // Newton steps: they end soon or not
 constexpr int kMostProjections = 3;
 constexpr double kDamping = 1e-2;  // of the last of them
 constexpr double kLongestStep = 0.5;
-constexpr double kSlight = 8;            // error() of doubles: a distance that may be an overlap
-constexpr double kLeastWeight = 1e-10;   // of a vertex that is one of the face around the origin
 constexpr double kSmallStep = 1e-12;     // what Newton steps on overlapping cores have to gain
 constexpr double kLargestScale = 1e280;  // of a normal that is not zero
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
@@ -32,12 +29,11 @@ class PreciseDescent {
   PreciseDescent(PrecisePair& precise, double tolerance, SpatialAnswer& answer)
       : precise_(precise), tolerance_(tolerance), answer_(answer), before_(answer.combination) {}
 
-  void run(SpatialPair& pair);
+  void run(const SpatialPair& pair);
   void record(const SpatialPair& pair);
 
  private:
   bool begin_at_vertices();
-  bool overlaps_slightly(SpatialPair& pair);
   bool begin_on_curves(const SpatialPair& pair);
   bool step();
   bool step_on_face();
@@ -52,7 +48,7 @@ class PreciseDescent {
   bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
   SimplexFace<DoubleDouble> reduce();
   void keep(const SimplexFace<DoubleDouble>& face);
-  bool is_closed();
+  bool is_closed() { return answer_.closes(tolerance_); }
   PreciseVector3 direction(const PreciseVector3& v) const;
   PreciseVector3 combine(const SimplexFace<DoubleDouble>& face) const;
   PrecisePoint combine(const ContactStep<DoubleDouble>& step) const;
@@ -65,8 +61,8 @@ class PreciseDescent {
   SpatialAnswer& answer_;
   const SpatialCombination& before_;  // as doubles left it, until record()
   PrecisePieces now_;                 // proves the upper bound
-  PreciseVector3 normal_;
-  PreciseVector3 u_;  // of steps on curved cores
+  PreciseVector3 normal_;             // of the lower bound; zero: that of doubles is the best
+  PreciseVector3 u_;                  // of steps on curved cores
   double last_step_ = 0;
   bool bounded_ = false;  // from above, by now_
   bool within_ = false;   // the cores overlap at u_, if not proven yet
@@ -94,47 +90,10 @@ bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
   return true;
 }
 
-// With the face of the vertices that is around the origin, if they leave so little of a distance. Where that
-// proves no overlap, the face that it ends with is where to go on from.
-bool PreciseDescent::overlaps_slightly(SpatialPair& pair) {
-  const bool slight = pair.radius() == 0 && answer_.upper <= kSlight * pair.error();
-  if (!slight || now_.count != before_.count) return false;
-  SpatialCombination face;
-  PreciseVector3 v;
-  DoubleDouble rest{1};  // weights that add up to 1
-  int first = -1;
-  for (int i = 0; i < now_.count; ++i) {
-    if (!(before_.weight[i] > kLeastWeight)) continue;
-    face.weight[face.count] = before_.weight[i];
-    face.point[face.count++] = before_.point[i];
-    if (first < 0) {
-      first = i;
-      continue;
-    }
-    v = v + now_.point[i].s * DoubleDouble{before_.weight[i]};
-    rest = rest + -before_.weight[i];
-  }
-  if (first < 0 || face.count == 4) return false;
-  const Vector3 world = rounded(v + now_.point[first].s * rest);
-  const double in_world[3] = {world.x, world.y, world.z};
-  const double error = precise_.error() + (4 * pair.pose(0).defect + 0x1p-48) * length(world);
-  if (slight_overlap(pair, face, pair.to_body(in_world), error)) {
-    answer_.end = SpatialEnd::intersecting;
-    return true;
-  }
-  if (face.count != before_.count) {
-    answer_.combination = face;
-    now_.count = 0;
-    begin_at_vertices();
-  }
-  return false;
-}
-
-void PreciseDescent::run(SpatialPair& pair) {
+void PreciseDescent::run(const SpatialPair& pair) {
   if (before_.count == 1 && projection_steps(pair)) return;
   if (!precise_.is_curved()) {
     if (!begin_at_vertices()) return;
-    if (overlaps_slightly(pair)) return;
     if (step_on_face()) return;
     for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
     return;
@@ -225,7 +184,7 @@ PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
 
 // By the length of a vector of D that the combination has.
 void PreciseDescent::bound_from_above(double length) {
-  answer_.upper = (length + precise_.error()) * kUp;
+  answer_.bound_from_above((length + precise_.error()) * kUp);
   bounded_ = true;
 }
 
@@ -234,7 +193,6 @@ void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDoubl
   const double lower = (-height.rounded() / size) * kDown - precise_.error();
   if (!(lower > answer_.lower)) return;
   answer_.lower = lower;
-  answer_.normal = {u.x.high, u.y.high, u.z.high};
   normal_ = u;
 }
 
@@ -338,12 +296,6 @@ RAYGAUGE_FUSED bool PreciseDescent::step_on_face() {
     u = u * DoubleDouble{dot(u, v).high > 0 ? -scale : scale};
   }
   return !look(v, u);
-}
-
-bool PreciseDescent::is_closed() {
-  if (!(answer_.lower > 0) || !(answer_.upper - answer_.lower <= tolerance_ * answer_.upper)) return false;
-  answer_.end = SpatialEnd::closed;
-  return true;
 }
 
 // Draws the conclusions from v, a point of the simplex, and the points that it is the difference of. True
@@ -458,6 +410,11 @@ RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
 
 // The closest points and the normal, in the frame of the first body.
 void PreciseDescent::record(const SpatialPair& pair) {
+  if (!is_zero(normal_)) {
+    const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
+    answer_.normal = pair.to_body(normal);
+  }
+  if (answer_.end == SpatialEnd::open) return;
   SpatialCombination& combination = answer_.combination;
   combination.count = answer_.end == SpatialEnd::closed ? now_.count : 0;
   for (int i = 0; i < combination.count; ++i) {
@@ -469,23 +426,16 @@ void PreciseDescent::record(const SpatialPair& pair) {
     point.index_2 = std::max(now_.point[i].index_2, PrecisePoint::kSmooth);
     combination.weight[i] = now_.weight[i];
   }
-  const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
-  answer_.normal = pair.to_body(normal);
 }
 
 }  // namespace
 
-void precise_distance(SpatialPair& pair, const Kernels& kernels, double tolerance, SpatialAnswer& answer) {
+void precise_distance(const SpatialPair& pair, const Kernels& kernels, double tolerance,
+                      SpatialAnswer& answer) {
   PrecisePair precise;
   if (!precise.bind(pair, kernels)) return;
-  const double lower = answer.lower;
-  answer.lower = 0;
   PreciseDescent descent(precise, tolerance, answer);
   descent.run(pair);
-  if (answer.end == SpatialEnd::open) {
-    answer.lower = lower;
-    return;
-  }
   descent.record(pair);
 }
 

@@ -30,7 +30,7 @@ class PreciseGrowth {
   bool begin(const SpatialPair& pair, const SpatialAnswer& answer);
   bool run(double tolerance);
   bool on_curves(const SpatialPair& pair, const SpatialAnswer& answer, double tolerance);
-  void record(const SpatialPair& pair, SpatialAnswer& answer) const;
+  void record(const SpatialPair& pair, bool done, SpatialAnswer& answer) const;
 
  private:
   bool descend(const SpatialPair& pair, double tolerance);
@@ -244,20 +244,18 @@ bool PreciseGrowth::on_curves(const SpatialPair& pair, const SpatialAnswer& answ
 }
 
 bool PreciseGrowth::descend(const SpatialPair& pair, double tolerance) {
-  lower_ = 0;
   from_ratio_ = {};
-  upper_ = __builtin_inf();
   for (iterations_ = 0; iterations_ < kMostNewtonSteps && newton_step(pair, tolerance);) ++iterations_;
   return is_closed(lower_, upper_, tolerance);
 }
 
-void PreciseGrowth::record(const SpatialPair& pair, SpatialAnswer& answer) const {
-  answer.end = SpatialEnd::closed;
-  answer.lower = lower_;
-  answer.upper = upper_;
+void PreciseGrowth::record(const SpatialPair& pair, bool done, SpatialAnswer& answer) const {
   answer.iterations += iterations_;
   const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
-  answer.normal = pair.to_body(normal);
+  answer.bound_from_below(lower_, pair.to_body(normal));
+  answer.bound_from_above(upper_);
+  if (!done) return;
+  answer.end = SpatialEnd::closed;
   for (int i = 0; i < answer.combination.count; ++i) {
     answer.combination.point[i].index_1 = portal_[i].index_1;
     answer.combination.point[i].index_2 = portal_[i].index_2;
@@ -271,8 +269,9 @@ void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tole
   PrecisePair precise;
   if (!precise.bind(pair, kernels)) return;
   PreciseGrowth growth(precise, precise.between_centers());
-  if ((growth.begin(pair, answer) && growth.run(tolerance)) || growth.on_curves(pair, answer, tolerance))
-    growth.record(pair, answer);
+  const bool done =
+      (growth.begin(pair, answer) && growth.run(tolerance)) || growth.on_curves(pair, answer, tolerance);
+  growth.record(pair, done, answer);
 }
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/core_vertices.h"
 #include "engine/methods/spatial/precise_curves.h"
 #include "engine/methods/spatial/precise_projection.h"
 #include "engine/numerics/fused.h"
@@ -20,36 +21,8 @@ constexpr double kSmallest = 1e-30, kLargest = 1e30;  // of sizes whose products
 constexpr double kError = 0x1p-88;
 constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
 
-// Of the core, where it stands in its own frame.
-Vector3 vertex_of(const SpatialShape& shape, std::int32_t index) {
-  switch (shape.kind) {
-    case Kind::segment:
-      return index == 0 ? shape.top : shape.base;
-    case Kind::box:
-      return {(index & 1) != 0 ? shape.base.x : shape.top.x, (index & 2) != 0 ? shape.base.y : shape.top.y,
-              (index & 4) != 0 ? shape.base.z : shape.top.z};
-    case Kind::points: {
-      const double* p =
-          shape.blocks + std::ptrdiff_t{index / kLanes} * shape.coordinates * kLanes + index % kLanes;
-      return {p[0], p[kLanes], shape.coordinates == 3 ? p[std::ptrdiff_t{2} * kLanes] : 0.0};
-    }
-    default:
-      return shape.center;
-  }
-}
-
 bool has_vertex(const SpatialShape& shape, std::int32_t index) {
-  const auto size = static_cast<std::ptrdiff_t>(index);
-  switch (shape.kind) {
-    case Kind::segment:
-      return size >= 0 && size < 2;
-    case Kind::box:
-      return size >= 0 && size < 8;
-    case Kind::points:
-      return size >= 0 && size < shape.size;
-    default:
-      return shape.kind == Kind::point && size == 0;
-  }
+  return index >= 0 && index < count_core_vertices(shape);
 }
 
 bool is_curved_core(const SpatialShape& shape) {
@@ -151,7 +124,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
   const double size = (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
   const double floor = top - 4 * kHeightError * size;
   auto best = static_cast<std::int32_t>(std::min(index, shape.size - 1));
-  DoubleDouble height = dot(v, vertex_of(shape, best));
+  DoubleDouble height = dot(v, core_vertex(shape, best));
   const double third = n == 3 ? w.z : 0.0;
   for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
     const double* p = shape.blocks + block * n * kLanes;
@@ -164,7 +137,7 @@ std::int32_t PrecisePair::highest(const SpatialShape& shape, const PreciseVector
     for (int lane = 0; above > 0 && lane < kLanes; ++lane) {
       const std::ptrdiff_t candidate = block * kLanes + lane;
       if (!(value[lane] >= floor) || candidate == best || candidate >= shape.size) continue;
-      const DoubleDouble other = dot(v, vertex_of(shape, static_cast<std::int32_t>(candidate)));
+      const DoubleDouble other = dot(v, core_vertex(shape, static_cast<std::int32_t>(candidate)));
       if (!(other > height)) continue;
       height = other;
       best = static_cast<std::int32_t>(candidate);
@@ -210,7 +183,7 @@ DoubleDouble PrecisePair::support_of(int i, const PreciseVector3& v, PreciseVect
       index = 0;
       break;
   }
-  const Vector3 vertex = vertex_of(shape, index);
+  const Vector3 vertex = core_vertex(shape, index);
   if (x != nullptr) *x = precise(vertex);
   return dot(v, vertex);
 }
@@ -268,7 +241,7 @@ RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& p
     const std::int32_t index = i == 0 ? point.index_1 : point.index_2;
     const SpatialShape& shape = *body_[i].shape;
     if (index >= 0 || shape.kind == Kind::point) {
-      x[i] = precise(vertex_of(shape, std::max(index, 0)));
+      x[i] = precise(core_vertex(shape, std::max(index, 0)));
       continue;
     }
     if (shape.kind != Kind::ellipsoid && shape.kind != Kind::frustum) return false;
@@ -295,8 +268,8 @@ RAYGAUGE_FUSED bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index
                                         PrecisePoint& point) const {
   if (!vertices_ || !has_vertex(*body_[0].shape, index_1) || !has_vertex(*body_[1].shape, index_2))
     return false;
-  point.x1 = precise(vertex_of(*body_[0].shape, index_1));
-  point.x2 = precise(vertex_of(*body_[1].shape, index_2));
+  point.x1 = precise(core_vertex(*body_[0].shape, index_1));
+  point.x2 = precise(core_vertex(*body_[1].shape, index_2));
   point.index_1 = index_1;
   point.index_2 = index_2;
   place(point);
@@ -411,7 +384,7 @@ Matrix3 spread_of(const SpatialShape& shape) {
   Matrix3 M;
   const double share = 3 / static_cast<double>(shape.size);
   for (std::ptrdiff_t i = 0; i < shape.size; ++i) {
-    const Vector3 x = vertex_of(shape, static_cast<std::int32_t>(i)) - shape.center;
+    const Vector3 x = core_vertex(shape, static_cast<std::int32_t>(i)) - shape.center;
     M.column[0] = M.column[0] + x * (share * x.x);
     M.column[1] = M.column[1] + x * (share * x.y);
     M.column[2] = M.column[2] + x * (share * x.z);

@@ -56,14 +56,10 @@ class Descent {
   void run(const SpatialStart& start);
 
  private:
-  bool is_closed() const {
-    return answer_.lower > 0 && answer_.upper - answer_.lower <= tolerance_ * answer_.upper;
-  }
   void begin(const SpatialStart& start);
   bool reduce(double& depth);
   Vector3 direction(const Vector3& v, double size) const;
   bool step(double depth);
-  void bound_from_below(const Vector3& u, double along);
 
   SpatialPair& pair_;
   double tolerance_;
@@ -116,19 +112,11 @@ Vector3 Descent::direction(const Vector3& v, double size) const {
   return v * (-1 / size);
 }
 
-// `along` is u·w for the support point w for u: what is certain of it, after its rounding error.
-void Descent::bound_from_below(const Vector3& u, double along) {
-  const double lower = lower_bound(pair_, along);
-  if (!(lower > answer_.lower)) return;
-  answer_.lower = lower;
-  answer_.normal = u;
-}
-
 // One support point more. False where there is nothing to be gained.
 bool Descent::step(double depth) {
   const Vector3 v = combine(simplex_);
   const double size = length(v);
-  answer_.upper = upper_bound(pair_, size);
+  answer_.bound_from_above(upper_bound(pair_, size));
   if (depth > kDeep * pair_.error() || answer_.upper < 0) {
     answer_.end = SpatialEnd::intersecting;
     return false;
@@ -143,11 +131,8 @@ bool Descent::step(double depth) {
     best_hope_ = hopeful;
     answer_.hint = u;
   }
-  bound_from_below(u, along);
-  if (is_closed()) {
-    answer_.end = SpatialEnd::closed;
-    return false;
-  }
+  answer_.bound_from_below(lower_bound(pair_, along), u);
+  if (answer_.closes(tolerance_)) return false;
   if (answer_.upper < near_ && answer_.upper > very_near_) return false;
   // A gap that is rounding, or a point that is known.
   if (answer_.upper - hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
@@ -156,7 +141,6 @@ bool Descent::step(double depth) {
 }
 
 void Descent::run(const SpatialStart& start) {
-  answer_.upper = 1e300;
   // The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
   const double inner = pair_.inner_radius() * (2 - kRounding) - 4 * pair_.error();
   if (inner > 0 && dot(pair_.between_centers(), pair_.between_centers()) * kRounding < inner * inner) {
@@ -173,7 +157,7 @@ void Descent::run(const SpatialStart& start) {
 
 void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
                       const SpatialNearness& leave, SpatialAnswer& answer) {
-  answer.reset();
+  answer.begin_steps();
   Descent(pair, tolerance, leave, answer).run(start);
 }
 

@@ -16,21 +16,38 @@ struct SpatialCombination {
   double weight[4] = {0, 0, 0, 0};
 };
 
-/// The answer to a query about a pair, in the frame of its first body.
+/// The answer to a query about a pair, in the frame of its first body. Every solve begins with a new one; the
+/// steps that work on it, one kind after the other, only ever better its bounds.
 struct SpatialAnswer {
   SpatialEnd end = SpatialEnd::open;
   double lower = 0;
-  double upper = 0;
+  double upper = __builtin_inf();
   Vector3 normal;  ///< outer normal of what touches the difference D, of any length: it proves `lower`
   Vector3 hint;    ///< the best normal met, though it may prove nothing: where to go on from
-  SpatialCombination combination;  ///< proves `upper`
+  SpatialCombination combination;  ///< of the last steps; it proves `upper`, but for rounding
   int iterations = 0;
 
-  /// Nothing is known. The numbers of the combination stay, for nobody to read.
-  void reset() noexcept {
+  /// A bound that outer normal u proves.
+  void bound_from_below(double bound, const Vector3& u) noexcept {
+    if (!(bound > lower)) return;
+    lower = bound;
+    normal = u;
+  }
+  void bound_from_above(double bound) noexcept {
+    if (bound < upper) upper = bound;
+  }
+
+  /// Whether the bounds of a distance are close enough; the end is `closed` then.
+  bool closes(double tolerance) noexcept {
+    if (!(lower > 0) || !(upper - lower <= tolerance * upper)) return false;
+    end = SpatialEnd::closed;
+    return true;
+  }
+
+  /// For other steps: the bounds stay.
+  void begin_steps() noexcept {
     end = SpatialEnd::open;
-    lower = upper = 0;
-    normal = hint = {};
+    hint = {};
     combination.count = iterations = 0;
   }
 };

@@ -114,7 +114,7 @@ Vector3 SpatialGauge::rough_normal() const {
 }
 
 bool SpatialGauge::begin(const Problem& problem) {
-  evaluations_ = steps_ = contacts_ = 0;
+  *this = {};  // no value of a solve outlives it
   if (problem.A.dimension() != 3 || problem.pairs != nullptr || problem.options.max_iterations != 0 ||
       !std::isnan(problem.threshold) || !A_.bind(problem.A) || !Q_.bind(problem.Q)) {
     return false;
@@ -128,11 +128,6 @@ bool SpatialGauge::begin(const Problem& problem) {
   if (!(radius_ > 0) || !(size > 0) || !(size < kLargest)) return false;
   u_ = u_ * (1 / size);
   tolerance_ = problem.options.tolerance;
-  lower_ = 0;
-  upper_ = kInfinity;
-  std::fill_n(&weight_[0][0], 4, 0.0);
-  from_ratio_ = 0;
-  last_step_ = share_ = 1;
   return true;
 }
 

@@ -73,7 +73,7 @@ class SpatialGauge {
   int pair_[4] = {0, 0, 0, 0}, pairs_ = 0;  // 2i + j of those that there are
   Vector3 from_, way_;                      // the point before, and the step taken from there
   double from_ratio_ = 0, share_ = 1, last_step_ = 1;
-  double lower_ = 0, upper_ = 0, estimate_ = 0;
+  double lower_ = 0, upper_ = __builtin_inf(), estimate_ = 0;
   Vector3 normal_, contact_;
   std::int64_t evaluations_ = 0, steps_ = 0, contacts_ = 0;
 };

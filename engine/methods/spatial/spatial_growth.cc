@@ -99,10 +99,7 @@ void Growth::bound_from_below(const Vector3& u, const SpatialPoint& w) {
   const double slack = 2 * pair_.error() * length(u);
   const double along = dot(u, p_) - slack, height = dot(u, w.s) + slack;
   if (!(along > 0) || !(height > 0)) return;
-  const double lower = along / height * kDown;
-  if (!(lower > answer_.lower)) return;
-  answer_.lower = lower;
-  answer_.normal = u;
+  answer_.bound_from_below(along / height * kDown, u);
 }
 
 double Growth::price_of_residual(const Vector3& r, double weights) const {
@@ -117,9 +114,7 @@ void Growth::bound_from_above(const SpatialPoint* corner, int count, const doubl
     r = r - corner[i].s * weight[i];
     sum += weight[i];
   }
-  const double upper = sum * kUp + price_of_residual(r, sum);
-  if (!(upper < answer_.upper)) return;
-  answer_.upper = upper;
+  answer_.bound_from_above(sum * kUp + price_of_residual(r, sum));
 }
 
 // A solve of the 3 × 3 system K x = b for a positive definite K; false where it is singular to working
@@ -203,10 +198,8 @@ void Growth::enclose_weights(const double* weight) {
   if (!(8 * norm * pair_.error() < 0.25)) return;
   const double sum = weight[0] + weight[1] + weight[2];
   const double uncertainty = 2 * norm * (length(r) + 4 * pair_.error() * (1 + sum));
-  const double upper = (sum + 3 * uncertainty) * kUp;
-  if (weight[0] >= uncertainty && weight[1] >= uncertainty && weight[2] >= uncertainty &&
-      upper < answer_.upper)
-    answer_.upper = upper;
+  if (weight[0] >= uncertainty && weight[1] >= uncertainty && weight[2] >= uncertainty)
+    answer_.bound_from_above((sum + 3 * uncertainty) * kUp);
 }
 
 // The way from what is known of the portal, one support point or two, to the ray of p, at the height of the
@@ -409,7 +402,6 @@ void Growth::refine() {
 }
 
 void Growth::run(const SpatialStart& start) {
-  answer_.upper = kInfinity;
   if (!(dot(p_, p_) > 16 * pair_.error() * pair_.error())) return;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
   Matrix3 H;
@@ -429,7 +421,7 @@ void Growth::run(const SpatialStart& start) {
 
 void spatial_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
                     SpatialAnswer& answer) {
-  answer.reset();
+  answer.begin_steps();
   Growth(pair, tolerance, threshold, answer).run(start);
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/curved_support.h"
+#include "engine/numerics/exact_sum.h"
 #include "raygauge/sets/direction_table.h"
 
 namespace raygauge {
@@ -108,12 +109,13 @@ bool has_vertices(const SpatialShape& shape) {
 }  // namespace
 
 bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
+  shape_[0] = shape_[1] = {};  // a set writes what its kind has
   dimension_ = first.dimension();
   if ((dimension_ != 2 && dimension_ != 3) || second.dimension() != dimension_) return false;
   if (!first.spatial_shape_unchecked(shape_[0]) || !second.spatial_shape_unchecked(shape_[1])) return false;
   isa_ = isa;
   size_of_shapes_ = shape_[0].extent + shape_[0].radius + shape_[1].extent + shape_[1].radius;
-  vertices_ = dimension_ == 3 && raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
+  vertices_ = raygauge::has_vertices(shape_[0]) && raygauge::has_vertices(shape_[1]);
   return true;
 }
 
@@ -133,12 +135,36 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   if (!(size > kSmallest && size < kLargest)) return false;
   size_ = size;
   error_ = size * (kRounding + 2 * (first.defect + second.defect));
-  height_ = dimension_ == 2 ? size : 0.0;
+  prisms_ = 0;
+  known_radius_ = 0;
+  if (dimension_ == 2) add_prism({0, 0, size});
   between_centers_ = R_ * shape_[1].center + t_ - anchor_;
   for (int i = 0; i < 2; ++i) {
     if (shape_[i].kind == Kind::ellipsoid) place_ellipsoid(i);
   }
   queries_ = 0;
+  return true;
+}
+
+// The coordinates of R_1 c_1 + t_1 - R_2 c_2 - t_2, summed without rounding where they may be 0.
+bool SpatialPair::is_concentric() const noexcept {
+  const Vector3& p = between_centers_;
+  if (!(dot(p, p) <= error_ * error_)) return false;
+  const int n = dimension_;
+  for (int j = 0; j < n; ++j) {
+    ExactSum sum;
+    for (int i = 0; i < 2; ++i) {
+      const double sign = i == 0 ? 1.0 : -1.0;
+      const double c[3] = {shape_[i].center.x, shape_[i].center.y, shape_[i].center.z};
+      if (pose_[i].R == nullptr) {
+        sum.add(sign * c[j]);
+        continue;
+      }
+      for (int k = 0; k < n; ++k) sum.add_product(sign * pose_[i].R[k * n + j], c[k]);
+      sum.add(sign * pose_[i].t[j]);
+    }
+    if (!sum.is_zero()) return false;
+  }
   return true;
 }
 
@@ -200,13 +226,13 @@ void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
   point.a1 = support_of(0, u, point.index_1);
   point.a2 = R_ * support_of(1, R_.transposed_times(-u), point.index_2) + t_;
   point.s = point.a1 - point.a2;
-  if (height_ > 0) point.s.z += u.z < 0 ? -height_ : height_;
+  for (int i = 0; i < prisms_; ++i)
+    point.s = dot(u, prism_[i]) < 0 ? point.s - prism_[i] : point.s + prism_[i];
 }
 
-bool SpatialPair::vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
+bool SpatialPair::core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
   Vector3 x;
-  if (!vertices_ || !vertex_of(shape_[0], index_1, point.a1) || !vertex_of(shape_[1], index_2, x))
-    return false;
+  if (!vertex_of(shape_[0], index_1, point.a1) || !vertex_of(shape_[1], index_2, x)) return false;
   point.a2 = R_ * x + t_;
   point.s = point.a1 - point.a2;
   point.index_1 = index_1;
@@ -224,7 +250,7 @@ void SpatialPair::follow(const Vector3& u, SpatialPoint& point) const {
 
 bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   const bool curved = radius() > 0 || shape_[0].kind == Kind::ellipsoid || shape_[1].kind == Kind::ellipsoid;
-  if (!curved || height_ > 0) return false;
+  if (!curved || prisms_ > 0) return false;
   H = {};
   add_hessian(0, u, highest_rim(shape_[0], u), 1, H);
   add_hessian(1, u, highest_rim(shape_[1], R_.transposed_times(-u)), 1, H);
@@ -264,6 +290,13 @@ void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {
   out[0] = v.x;
   out[1] = v.y;
   if (dimension_ == 3) out[2] = v.z;
+}
+
+void SpatialPair::normal_to_world(const Vector3& u, double margin, double* out) const noexcept {
+  constexpr double kLittle = 0x1p-10;  // of what a plane may be off by
+  if (pose_[0].defect < kLittle * margin) return to_world(u, out);
+  const Vector3 v = W_ * u;
+  to_world(u - (W_.transposed_times(v) - u), out);
 }
 
 void SpatialPair::point_to_world(const Vector3& point, double* out) const noexcept {

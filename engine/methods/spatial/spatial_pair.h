@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "raygauge/methods/options.h"
 #include "raygauge/sets/pose.h"
@@ -56,17 +58,28 @@ class SpatialPair {
   /// too.
   bool scale_first_about_origin(const ConvexSet& first);
 
+  /// D becomes the prism D + [-1, 1] v, until it is placed anew. Where D is flat and v leads out of its
+  /// plane, which holds the origin, the prism holds the same of that plane: it has the same growth distance,
+  /// and the origin if D has it. At most three; in R^2 there is one from the beginning.
+  void add_prism(const Vector3& v) noexcept { prism_[prisms_++] = v; }
+  std::span<const Vector3> prisms() const noexcept { return {prism_, static_cast<std::size_t>(prisms_)}; }
+
   /// s_D(u): of the cores.
   void support(const Vector3& u, SpatialPoint& point);
 
-  /// The difference of two vertices by their indices; false if there are no such vertices.
-  bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const;
+  /// The difference of two vertices by their indices; false if there are no such vertices, or D is a prism.
+  bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
+    return prisms_ == 0 && core_vertex(index_1, index_2, point);
+  }
+
+  /// The same without the prism.
+  bool core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const;
 
   /// Whether neither core has an edge: ellipsoids and points.
   bool is_smooth() const noexcept { return is_smooth(shape_[0].kind) && is_smooth(shape_[1].kind); }
 
   /// Whether the cores have vertices, so that a support point is known by two indices.
-  bool has_vertices() const noexcept { return vertices_; }
+  bool has_vertices() const noexcept { return vertices_ && prisms_ == 0; }
 
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u.
   void follow(const Vector3& u, SpatialPoint& point) const;
@@ -91,18 +104,26 @@ class SpatialPair {
 
   /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
   /// but for rounding; 0 where none is known.
-  double inner_radius() const noexcept { return anchor_radius_ + shape_[1].inner_radius; }
+  double inner_radius() const noexcept {
+    return std::max(known_radius_, anchor_radius_ + shape_[1].inner_radius);
+  }
+
+  /// From now on there is such a ball of this radius, until the bodies are placed anew.
+  void set_inner_radius(double radius) noexcept { known_radius_ = radius; }
 
   /// c_2 - c_1 in the frame of the first body, from the centre of the first to that of the second.
   const Vector3& between_centers() const noexcept { return between_centers_; }
 
   /// Whether both centres are the same point, without a rounding error.
-  bool is_concentric() const noexcept {
-    return is_zero(apart_) && is_zero(shape_[0].center) && is_zero(shape_[1].center);
-  }
+  bool is_concentric() const noexcept;
 
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
   void to_world(const Vector3& vector, double* out) const noexcept;
+
+  /// The normal of a plane. The pose takes it to R⁻ᵀu, which is not Ru where R is orthonormal only to the
+  /// defect of the pose: it is where planes may be off by no more than `margin`, of the size of the pair.
+  void normal_to_world(const Vector3& u, double margin, double* out) const noexcept;
+
   void point_to_world(const Vector3& point, double* out) const noexcept;
 
   /// A point of the second body's frame in the first one's.
@@ -124,8 +145,8 @@ class SpatialPair {
   static bool is_curved(SpatialShape::Kind kind) noexcept {
     return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::frustum;
   }
-  static bool is_zero(const Vector3& v) noexcept { return v.x == 0 && v.y == 0 && v.z == 0; }
   static constexpr double kRounding = 256 * 0x1p-53;
+  static constexpr int kMostPrisms = 3;
 
   Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
   void place_ellipsoid(int i);
@@ -139,7 +160,8 @@ class SpatialPair {
   Vector3 t_;
   Vector3 apart_;  // between the origins of both frames, in the world
   Vector3 between_centers_;
-  Vector3 anchor_;            // what the first body is scaled about ...
+  Vector3 anchor_;  // what the first body is scaled about ...
+  double known_radius_ = 0;
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
   Matrix3 W_;                 // first frame to world
   Vector3 w_;
@@ -147,7 +169,8 @@ class SpatialPair {
   double error_ = 0;
   double size_of_shapes_ = 0;
   double size_ = 0;
-  double height_ = 0;  // sets of R^2 are prisms of this height, the first alone
+  Vector3 prism_[kMostPrisms];
+  int prisms_ = 0;
   int dimension_ = 3;
   bool vertices_ = false;
   std::int64_t queries_ = 0;

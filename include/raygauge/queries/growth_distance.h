@@ -10,13 +10,10 @@
 
 namespace raygauge {
 
-class MethodChain;
-class SpatialQuery;
-
 enum class Separation : std::uint8_t {
   separated,     ///< a plane lies between the objects, proven
   intersecting,  ///< the objects share a point, proven
-  undecided,     ///< they touch to within the tolerance, or a limit was reached first
+  undecided,     ///< they touch, or nearly, to within rounding errors; or a limit was reached first
 };
 
 /// The answer of a separation test.
@@ -64,7 +61,9 @@ class GrowthDistanceSolver {
   const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
 
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
-  /// bound that is on one side of 1. Throws DimensionMismatchError.
+  /// bound that is on one side of 1, and the Euclidean distance where that leaves it open. Objects with
+  /// interior points in common are never `undecided` in R^2 and R^3, but for rounding errors of twice the
+  /// precision of doubles. Throws DimensionMismatchError.
   const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
 
   /// The same for objects in poses, with the state that the last test of this pair stored.
@@ -72,15 +71,9 @@ class GrowthDistanceSolver {
 
  private:
   static DistanceOptions newton_options();
-  const DistanceResult& solve_about(const Posed& A, const Posed& Q, bool about_origin, double threshold,
-                                    WarmStart* warm);
 
-  std::unique_ptr<MethodChain> methods_;
-  std::unique_ptr<SpatialQuery> spatial_;
-  DistanceResult spatial_result_;
-  SeparationResult separation_;
-  struct Centers;
-  std::unique_ptr<Centers> centers_;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 }  // namespace raygauge

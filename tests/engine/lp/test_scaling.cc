@@ -56,12 +56,22 @@ TEST(Scaling, GivesAnyTwoSetsOneFactorThatBringsQToOne) {
   const Ball A(Vector::Constant(2, 3e150), 1.0);
   const Ball Q(Vector::Zero(2), 1e150);
   Scaling scaling;
-  scaling.compute_common(A, Q, 1e150);
+  scaling.compute_common(A, Q, 3e150, 1e150);
   EXPECT_FALSE(scaling.trivial_A());
   EXPECT_EQ(scaling.distance_shift(), 0);
   EXPECT_EQ(scaling.factor_A()[0], scaling.factor_Q()[1]);
   EXPECT_TRUE(is_power_of_two(scaling.factor_A()[0]));
   EXPECT_NEAR(std::log2(1e150 * scaling.factor_Q()[0]), 0, 1);
+}
+
+TEST(Scaling, GivesASetThatIsMuchSmallerThanQAFactorOfItsOwn) {
+  const Ball A(Vector::Constant(2, 3e-12), 1e-12), Q(Vector::Zero(2), 1.0);
+  Scaling scaling;
+  scaling.compute_common(A, Q, 4e-12, 1.0);
+  EXPECT_TRUE(scaling.trivial_Q());
+  EXPECT_TRUE(is_power_of_two(scaling.factor_A()[0]));
+  EXPECT_NEAR(std::log2(4e-12 * scaling.factor_A()[0]), 0, 1);
+  EXPECT_EQ(std::ldexp(1.0, scaling.distance_shift()), scaling.factor_A()[0]);
 }
 
 TEST(Scaling, DropsComponentsTooSmallForEitherSet) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A point next to a face, an edge or a corner of a box in a pose, against rational arithmetic.
-#include "engine/methods/spatial/slight_overlap.h"
+#include "engine/methods/spatial/inner_ball.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/rational.h"
 
-namespace raygauge::test_slight_overlap {
+namespace raygauge::test_inner_ball {
 namespace {
 
 using Eigen::Vector3d;
@@ -28,13 +28,6 @@ Vector3d gaussian(Random& random) {
   std::normal_distribution<double> normal;
   const double x = normal(random), y = normal(random), z = normal(random);
   return {x, y, z};
-}
-
-// Where the pose takes x.
-Exact3 moved(const Pose& pose, const Vector3d& x) {
-  Exact3 sum = exact(pose.translation());
-  for (int k = 0; k < 3; ++k) sum = sum + exact(pose.rotation().col(k)) * Rational(x[k]);
-  return sum;
 }
 
 // Whether p is in the interior of the box of half edges kHalf in the pose, by Cramer's rule.
@@ -54,15 +47,12 @@ bool is_inside(const Pose& pose, const Exact3& p) {
 // point of it with these weights is `depth` from the point, a depth along each axis across the face.
 struct Contact {
   Contact(Random& random, int corners, const Vector3d& depth)
-      : count(corners),
-        box(-kHalf, kHalf),
+      : box(-kHalf, kHalf),
         pose(Eigen::Quaterniond(Eigen::AngleAxisd(3 * gaussian(random)[0], gaussian(random).normalized())),
              gaussian(random)) {
     std::uniform_real_distribution<double> share(0.2, 0.5);
-    weight[1] = corners > 1 ? share(random) : 0.0;
-    weight[2] = corners > 2 ? share(random) : 0.0;
-    weight[0] = 1 - weight[1] - weight[2];
-    const Vector3d in_box = weight[0] * corner(0) + weight[1] * corner(1) + weight[2] * corner(2);
+    const double second = corners > 1 ? share(random) : 0.0, third = corners > 2 ? share(random) : 0.0;
+    const Vector3d in_box = (1 - second - third) * corner(0) + second * corner(1) + third * corner(2);
     Vector3d inward = depth;
     for (int k = 0; k + 1 < corners; ++k) inward[k] = 0;
     point = pose.rotation() * (in_box - inward) + pose.translation();
@@ -73,17 +63,8 @@ struct Contact {
     return {i == 1 ? -kHalf[0] : kHalf[0], i == 2 ? -kHalf[1] : kHalf[1], kHalf[2]};
   }
 
-  // The combination of the corners, less the point, in the world.
-  Exact3 exact_v() const {
-    const Rational rest = Rational(1) - Rational(weight[1]) - Rational(weight[2]);
-    return moved(pose, corner(0)) * rest + moved(pose, corner(1)) * Rational(weight[1]) +
-           moved(pose, corner(2)) * Rational(weight[2]) - exact(point);
-  }
-
-  int count;
   Box box;
   Pose pose;
-  double weight[3];
   Vector3d point;
 };
 
@@ -92,18 +73,13 @@ bool claims_overlap(const Contact& contact) {
   SpatialPair pair;
   EXPECT_TRUE(pair.bind(contact.box, other, InstructionSet::automatic));
   EXPECT_TRUE(pair.place(PoseNumbers(&contact.pose), PoseNumbers()));
-  SpatialCombination face;
-  face.count = contact.count;
-  constexpr std::int32_t kIndex[3] = {0, 1, 2};  // bit k: the corner is on the lower side of axis k
-  for (int i = 0; i < contact.count; ++i) EXPECT_TRUE(pair.vertex(kIndex[i], 0, face.point[i]));
-  const Exact3 v = contact.exact_v();
-  const double world[3] = {v.x.convert_to<double>(), v.y.convert_to<double>(), v.z.convert_to<double>()};
-  const Vector3 in_body = pair.to_body(world);
-  return slight_overlap(pair, face, in_body, length(in_body) * (4 * contact.pose.defect() + 0x1p-48));
+  PrecisePair precise;
+  EXPECT_TRUE(precise.bind(pair, best_kernels()));
+  return inner_ball(pair, precise, {}, 0) > 0;
 }
 
 // The origin is in D where the point is in the box.
-TEST(SlightOverlap, IsClaimedOnlyOfPointsInsideAndOfNearlyAllOfThem) {
+TEST(InnerBall, IsClaimedOfPointsInsideAndOfNoOthers) {
   Random random(53);
   int inside = 0, claimed = 0;
   for (int trial = 0; trial < 6000; ++trial) {
@@ -118,8 +94,8 @@ TEST(SlightOverlap, IsClaimedOnlyOfPointsInsideAndOfNearlyAllOfThem) {
     claimed += claim ? 1 : 0;
   }
   EXPECT_GT(inside, 2000);
-  EXPECT_GT(claimed, 0.95 * inside);
+  EXPECT_EQ(claimed, inside);
 }
 
 }  // namespace
-}  // namespace raygauge::test_slight_overlap
+}  // namespace raygauge::test_inner_ball
