@@ -13,7 +13,7 @@ struct Effort {
   bool quick = false;           ///< fewer cells
   int instances = 20;           ///< per cell
   bool processor_time = false;  ///< of the rows high, shapes and euclidean, instead of wall time
-  std::vector<int> dimensions;  ///< of the row `high`; none: its own
+  std::vector<int> dimensions;  ///< of the rows `high` and `degenerate`; none: their own
 };
 
 /// Each prints one row of the table of speed targets to standard output: its cells, geometric mean and worst
@@ -33,6 +33,9 @@ void print_euclidean(const Variant& variant, const Effort& effort);
 /// Boxes to n = 12 and cross-polytopes to n = 500: both methods / LP. Ellipsoids, p-norm balls and sums of
 /// both to n = 200: time of newton. Instances of its own, whatever the variant.
 void print_shapes(const Variant& variant, const Effort& effort);
+/// Planted integer instances with degenerate optima at n = 50 … 500, N = n + 2 … 2 n: how many are proven,
+/// and column_generation / Clp one by one. Instances of its own, whatever the variant.
+void print_degenerate(const Variant& variant, const Effort& effort);
 void print_n100(const Variant& variant, const Effort& effort);  ///< column_generation / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10

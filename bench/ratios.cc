@@ -18,10 +18,18 @@ namespace {
 
 using PrintRow = void (*)(const Variant&, const Effort&);
 using Rows = std::vector<std::pair<std::string, PrintRow>>;
-const Rows kRows = {{"grid", print_grid},           {"large", print_large},   {"n50", print_n50},
-                    {"n100", print_n100},           {"high", print_high},     {"certified", print_certified},
-                    {"euclidean", print_euclidean}, {"shapes", print_shapes}, {"threads", print_threads},
-                    {"memory", print_memory},       {"growth", print_growth}};
+const Rows kRows = {{"grid", print_grid},
+                    {"large", print_large},
+                    {"n50", print_n50},
+                    {"n100", print_n100},
+                    {"high", print_high},
+                    {"certified", print_certified},
+                    {"degenerate", print_degenerate},
+                    {"euclidean", print_euclidean},
+                    {"shapes", print_shapes},
+                    {"threads", print_threads},
+                    {"memory", print_memory},
+                    {"growth", print_growth}};
 
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;
@@ -41,7 +49,7 @@ int run(int argc, char** argv) {
   app.add_option("--variant", variant, "kind of instances")->check(CLI::IsMember(variant_names));
   app.add_option("--instances", effort.instances, "instances a cell")->check(CLI::Range(1, 10000));
   app.add_option("--dimensions", effort.dimensions,
-                 "dimensions of the row high, separated by commas; none: its own")
+                 "dimensions of the rows high and degenerate, separated by commas; none: their own")
       ->delimiter(',')
       ->check(CLI::Range(2, 2000));
   app.add_flag(

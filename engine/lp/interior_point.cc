@@ -390,29 +390,41 @@ bool InteriorPoint::is_separating() const {
   return least - 1 > kMargin * largest;
 }
 
-// Of a pair x, s one goes to zero: compared in the units of each, x about 1 in A and s about t, and the
+// Of a pair x, s one goes to zero: compared in the units of each, x about 1 in A and s about d, and the
 // other way round in Q. Above 1: the column carries weight.
-double InteriorPoint::weight_over_slack(const Side& side, std::size_t at) const {
-  const double t = std::fabs(y_[static_cast<std::size_t>(n_)]);
+double InteriorPoint::weight_over_slack(const Side& side, std::size_t at, double unit) const {
   const double ratio = side.x[at] / side.s[at];
-  return &side == &A_ ? ratio * t : ratio / t;
+  return &side == &A_ ? ratio * unit : ratio / unit;
+}
+
+void InteriorPoint::carriers(double unit, std::vector<Carrier>& carriers) const {
+  carriers.clear();
+  for (const Side* side : {&A_, &Q_}) {
+    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!(weight_over_slack(*side, at, unit) > 1)) continue;
+      carriers.push_back({side == &A_ ? id_of_A(i) : id_of_Q(i), side->x[at]});
+    }
+  }
 }
 
 int InteriorPoint::columns_with_weight() const {
+  const double unit = std::fabs(y_[static_cast<std::size_t>(n_)]);
   int count = 0;
   for (const Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      count += weight_over_slack(*side, static_cast<std::size_t>(i)) > 1 ? 1 : 0;
+      count += weight_over_slack(*side, static_cast<std::size_t>(i), unit) > 1 ? 1 : 0;
     }
   }
   return count;
 }
 
 void InteriorPoint::columns(std::vector<std::int64_t>& ids) {
+  const double unit = std::fabs(y_[static_cast<std::size_t>(n_)]);
   order_.clear();
   for (const Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      const double ratio = weight_over_slack(*side, static_cast<std::size_t>(i));
+      const double ratio = weight_over_slack(*side, static_cast<std::size_t>(i), unit);
       order_.emplace_back(ratio, side == &A_ ? id_of_A(i) : id_of_Q(i));
     }
   }

@@ -35,6 +35,20 @@ class InteriorPoint {
 
   const double* normal() const noexcept { return y_.data(); }  ///< u
 
+  /// The duals (u, t) that maximise t: n + 1 numbers.
+  const double* duals() const noexcept { return y_.data(); }
+
+  /// The columns that carry weight, compared with their slacks in units where d is about `unit`: those of an
+  /// optimal face, however many.
+  struct Carrier {
+    std::int64_t id;
+    double weight;
+  };
+  void carriers(double unit, std::vector<Carrier>& carriers) const;
+
+  /// Whether not just n + 1 columns carry weight.
+  bool is_degenerate() const { return columns_with_weight() != n_ + 1; }
+
   /// The n + 1 columns with the most weight at the end (identities as in PrimalSimplex): the optimal basis,
   /// if that is unique and not degenerate.
   void columns(std::vector<std::int64_t>& ids);
@@ -83,7 +97,7 @@ class InteriorPoint {
   double complementarity(double step_x, double step_s) const;
   double step();
   bool is_separating() const;
-  double weight_over_slack(const Side& side, std::size_t at) const;
+  double weight_over_slack(const Side& side, std::size_t at, double unit) const;
   int columns_with_weight() const;
 
   int n_ = 0;

@@ -20,6 +20,7 @@ constexpr double kFeasible = 1e-11;  // how negative a weight may be in a first 
 constexpr int kCostRaises = 14;      // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
+constexpr int kIdlePivots = 32;  // that an impatient solve allows, and half as many more as there are rows
 // Margins of Farkas directions, tried in turn: far above the rounding in u·q, and far below most margins that
 // random points leave.
 constexpr double kMargins[] = {0x1p-24, 0x1p-36};
@@ -53,7 +54,8 @@ DistanceStatus status_of(PrimalSimplex::End end) noexcept {
   }
 }
 
-void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels) {
+void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels,
+                          bool impatient) {
   n_ = n;
   kernels_ = &kernels;
   stage_ = Stage::optimise;
@@ -61,6 +63,7 @@ void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   separations_ = 0;
   repairs_ = 0;
   refactorisations_ = 0;
+  impatient_ = impatient;
   max_pivots_ = max_pivots > 0 ? max_pivots : default_pivot_limit(n);
   loop_ = {};
   loop_.gap_tolerance = gap_tolerance;
@@ -239,23 +242,30 @@ PrimalSimplex::End PrimalSimplex::solve(const ColumnPool& A, const ColumnPool& Q
   return end;
 }
 
-PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool& Q,
-                                           const Stopwatch& stopwatch) {
-  BasisView& view = basis_.view();
+void PrimalSimplex::bind(const ColumnPool& A, const ColumnPool& Q) {
   loop_.A = A.view();
   loop_.Q = Q.view();
   loop_.noise_A = kUnitRoundoff * A.magnitude();
   loop_.noise_Q = kUnitRoundoff * Q.magnitude();
+}
+
+PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool& Q,
+                                           const Stopwatch& stopwatch) {
+  BasisView& view = basis_.view();
+  bind(A, Q);
   idle_looks_ = 0;
   least_objective_ = kInfinity;
   pivots_assessed_ = view.pivots;
-  const std::int64_t between_looks = pivots_between_looks(n_ + 1, A.size() + Q.size());
+  std::int64_t between_looks = pivots_between_looks(n_ + 1, A.size() + Q.size());
+  if (impatient_) between_looks = std::min<std::int64_t>(between_looks, kIdlePivots + n_ / 2);
   for (;;) {
     loop_.pivot_limit = std::min(max_pivots_, view.pivots + between_looks);
+    const double objective = view.objective;
     const LoopEnd end = kernels_->simplex_loop(&view, &loop_);
     if (end == LoopEnd::pivot_limit) {
       const bool out_of_pivots = view.pivots >= max_pivots_;
       if (!out_of_pivots && !stopwatch.expired()) {
+        if (impatient_ && !(view.objective < objective * (1 - kProgress))) return End::stalled;
         if (!look_after_basis()) return End::failed;
         continue;
       }
@@ -266,6 +276,7 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
       if (!separate()) enter_stage(Stage::reach);
       continue;
     }
+    if (end == LoopEnd::stalled && impatient_) return End::stalled;
     if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
       if (!repair()) return End::failed;
       loop_.bland = end == LoopEnd::stalled;

@@ -37,13 +37,18 @@ class PrimalSimplex {
     unreachable,  ///< no multiple of the priced points of Q meets those of A: the duals are a Farkas
                   ///< direction
     failed,       ///< rounding defeated every repair
+    stalled,      ///< many basis changes without a gain, unless be_patient(): the optimum is degenerate
     pivot_limit,
     time_limit,
   };
 
   /// `gap_tolerance`: a solve may stop when its relative gap over the priced points is below. `max_pivots` as
-  /// in DistanceOptions::max_iterations.
-  void begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels);
+  /// in DistanceOptions::max_iterations. `impatient`: until be_patient() a solve may end as End::stalled.
+  void begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels,
+             bool impatient = false);
+
+  /// From now on Bland's rule leads out of what would end as End::stalled.
+  void be_patient() noexcept { impatient_ = false; }
 
   /// First basis from a guess of the normal's direction (n doubles, the largest ±1) and of its relative
   /// error, which sets the first bounds on the dual. Neither changes the answer; good ones save basis
@@ -142,6 +147,7 @@ class PrimalSimplex {
   void place_axis_points(const AxisPoints& axes);
   void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);
   void form_column(const ColumnPool& pool, std::int64_t id);
+  void bind(const ColumnPool& A, const ColumnPool& Q);
   bool look_after_basis();
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
@@ -159,6 +165,7 @@ class PrimalSimplex {
   Stage stage_ = Stage::optimise;
   int raises_ = 0;
   int separations_ = 0;
+  bool impatient_ = false;
   int repairs_ = 0;
   int idle_looks_ = 0;
   double least_objective_ = 0;

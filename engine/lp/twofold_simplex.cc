@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "engine/lp/exact_rank.h"
 #include "engine/lp/scaling.h"
-#include "engine/lp/zero_weights.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -274,12 +275,31 @@ double TwofoldSimplex::upper(const Stopwatch& stopwatch) {
     }
   }
   objective_ = beta.rounded();
-  if (!zeros_.empty() && !weights_are_zero(basis_.column(0), padded_rows(m_), m_, zeros_, stopwatch)) {
-    return kInfinity;
-  }
+  if (!zeros_.empty() && !are_zero(stopwatch)) return kInfinity;
   if (objective_ == 0) return 0;
   // Third parts are below 2⁻¹⁰⁵ of the first ones.
   return (objective_ + m_ * solution_.error) * (1 + 4 * kUnitRoundoff + m_ * 0x1p-98);
+}
+
+// Whether the weights at zeros_ are exactly zero: the other columns, which are independent, span the
+// right-hand side.
+bool TwofoldSimplex::are_zero(const Stopwatch& stopwatch) {
+  const auto count = m_ - static_cast<int>(zeros_.size());
+  const auto m = static_cast<std::size_t>(m_);
+  columns_.assign((static_cast<std::size_t>(count) + 1) * m, 0.0);
+  double* next = columns_.data();
+  auto zero = zeros_.begin();
+  for (int i = 0; i < m_; ++i) {
+    if (zero != zeros_.end() && *zero == i) {
+      ++zero;
+      continue;
+    }
+    next = std::copy_n(basis_.column(i), m_, next);
+  }
+  columns_.back() = 1;
+  std::vector<int> chosen(static_cast<std::size_t>(count));
+  std::iota(chosen.begin(), chosen.end(), 0);
+  return columns_span({columns_.data(), m_, m_, count + 1}, chosen, stopwatch);
 }
 
 void TwofoldSimplex::contact_point(double* point) const {

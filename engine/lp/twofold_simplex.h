@@ -45,7 +45,7 @@ class TwofoldSimplex {
   const double* normal_low() const noexcept { return y_low_.data(); }
 
   /// Σβ of the exact basic solution, rounded up, where its weights are proven to be positive or exactly zero
-  /// (weights_are_zero); 0 only where it is exactly 0. +infinity where nothing is proven.
+  /// (columns_span); 0 only where it is exactly 0. +infinity where nothing is proven.
   double upper(const Stopwatch& stopwatch);
 
   /// Of the solution of the last upper(), as computed: Σβ, the point Σα_i a_i scaled as the points are, and
@@ -85,6 +85,7 @@ class TwofoldSimplex {
   int leaving_row() const;
   bool enter(std::int64_t id);
   double objective_of_basis() const;
+  bool are_zero(const Stopwatch& stopwatch);
 
   Points A_, Q_;
   const Kernels* kernels_ = nullptr;
@@ -99,7 +100,8 @@ class TwofoldSimplex {
   std::int64_t points_priced_ = 0;
   TwofoldBasis basis_;
   TwofoldBasis::Solution solution_;
-  std::vector<int> zeros_;  // positions of weights that are zero, in solution_
+  std::vector<int> zeros_;       // positions of weights that are zero, in solution_
+  std::vector<double> columns_;  // at the others
   AlignedBuffer<double> column_, y_, y_low_, u_, u_low_, values_, cost_;
   AlignedBuffer<double> noise_;  // of the entries of x and w: rounding
 };

@@ -36,9 +36,12 @@ const MethodChain::Turn MethodChain::kTurns[] = {
     {&MethodChain::is_newton_asked_for_with_start, &MethodChain::by_newton},
     {&MethodChain::is_newton_asked_for, &MethodChain::by_nearest_point_afresh},
     {&MethodChain::is_newton_asked_for, &MethodChain::by_newton_afresh},
+    // Whether 0 is in a set of points is one exact question, asked once where no method is sure of d > 0.
+    {&MethodChain::is_newton_asked_for, &MethodChain::by_origin_question},
     {&MethodChain::is_newton_asked_for, &MethodChain::by_quad_newton_after_newton},
     {&MethodChain::is_zheng_yamane_asked_for, &MethodChain::by_zheng_yamane},
     {&MethodChain::always, &MethodChain::by_column_generation},
+    {&MethodChain::is_near_origin, &MethodChain::by_origin_question},
     {&MethodChain::is_distant, &MethodChain::by_tangent_plane},
     // Support points that crowd around a smooth contact spoil the linear program; Newton steps need no crowd.
     {&MethodChain::is_newton_untried, &MethodChain::refined_by_newton},
@@ -67,6 +70,7 @@ const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q,
   result_.sigma = DistanceResult::kUnset;
   result_.origin_weights.clear();
   counters_ = {};
+  is_origin_asked_ = false;
   chosen_ = options_.method == DistanceMethod::automatic ? method_for(Q) : options_.method;
   const Problem problem{A, Q, options_, stopwatch_, effects, start, aim.threshold, aim.pairs};
   for (const Turn& turn : kTurns) {
@@ -140,6 +144,15 @@ bool MethodChain::by_column_generation(const Problem& problem) {
 
 bool MethodChain::by_tangent_plane(const Problem& problem) { return tangent_plane_.solve(problem, result_); }
 
+bool MethodChain::by_origin_question(const Problem& problem) {
+  if (is_origin_asked_) return false;
+  is_origin_asked_ = true;
+  const bool inside = origin_question_.solve(problem, result_);
+  account(origin_question_.counters());
+  if (inside) concluded_ = Concluded::origin_question;
+  return inside;
+}
+
 bool MethodChain::refined_by_newton(const Problem& problem) {
   refine(newton_, Concluded::newton, afresh(problem));
   return is_finished();
@@ -209,6 +222,7 @@ bool MethodChain::contact_combination(WeightedPoints& combination) const {
   switch (concluded_) {
     case Concluded::nearest_point:
     case Concluded::spatial_gauge:
+    case Concluded::origin_question:
       break;
     case Concluded::column_generation:
       column_generation_.contact_combination(combination);

@@ -9,6 +9,7 @@
 
 #include "engine/lp/weighted_points.h"
 #include "engine/methods/column_generation/column_generation.h"
+#include "engine/methods/column_generation/origin_question.h"
 #include "engine/methods/nearest_point/nearest_point.h"
 #include "engine/methods/newton/newton.h"
 #include "engine/methods/problem.h"
@@ -65,7 +66,8 @@ class MethodChain {
     nearest_point,
     spatial_gauge,
     newton,
-    quad_newton
+    quad_newton,
+    origin_question
   };
 
   /// One entry of the list: a method, when it is asked, and how. `solve` is true where the solve is over.
@@ -82,6 +84,7 @@ class MethodChain {
   bool has_normal(const Problem& problem) const;
   bool is_distant(const Problem&) const { return result_.lower > 0; }
   bool may_hold_origin(const Problem& problem) const;
+  bool is_near_origin(const Problem&) const { return !(result_.lower > 0); }
   bool always(const Problem&) const { return true; }
 
   bool by_spatial_gauge(const Problem& problem);
@@ -93,6 +96,7 @@ class MethodChain {
   bool by_zheng_yamane(const Problem& problem);
   bool by_column_generation(const Problem& problem);
   bool by_tangent_plane(const Problem& problem);
+  bool by_origin_question(const Problem& problem);
   bool refined_by_newton(const Problem& problem);
   bool refined_by_quad_newton(const Problem& problem);
   bool refined_by_quad_newton_afresh(const Problem& problem);
@@ -110,6 +114,8 @@ class MethodChain {
   DistanceResult result_;
   ColumnGeneration column_generation_;
   TangentPlane tangent_plane_;
+  OriginQuestion origin_question_;
+  bool is_origin_asked_ = false;  // in this solve
   ZhengYamane zheng_yamane_;
   NearestPoint nearest_point_;
   SpatialGauge spatial_gauge_;

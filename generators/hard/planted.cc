@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/floating_point.h"
 #include "generators/component.h"
 #include "generators/hard/maps.h"
 
@@ -46,8 +47,9 @@ double random_slack(RandomStream& stream, double ties) {
   return stream.uniform() < ties ? 0 : random_integer(stream, 1, static_cast<std::int64_t>(4 * kLevel));
 }
 
+constexpr std::int64_t kSpread = 10;
+
 PointClouds plant(const InstanceKey& key, const char* name, int N, const Parameters& parameters) {
-  constexpr std::int64_t kSpread = 10;
   const auto lambda = integer_parameter(parameters, "lambda");
   const double ties = real_parameter(parameters, "ties");
   RandomStream shape(key, name, RandomPurpose::shape);
@@ -67,6 +69,68 @@ PointClouds plant(const InstanceKey& key, const char* name, int N, const Paramet
   return clouds;
 }
 
+void shear(PointClouds& clouds, const InstanceKey& key, const char* name, const Parameters& parameters) {
+  RandomStream stream(key, name, RandomPurpose::placement);
+  apply_unimodular(clouds, stream, static_cast<double>(integer_parameter(parameters, "entry")));
+}
+
+// Columns `columns` of `points` become random points with y·p = 0 (`flat`) or any, the last of them minus the
+// sum of the others: 0 is in the relative interior of their hull.
+void surround_origin(Eigen::MatrixXd& points, const std::vector<std::ptrdiff_t>& columns, const Functional& y,
+                     bool flat, RandomStream& stream) {
+  Vector sum = Vector::Zero(points.rows());
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+    const double level = flat ? 0.0 : random_integer(stream, -100, 100);
+    points.col(columns[i]) = point_on(y, level, kSpread, stream);
+    sum += points.col(columns[i]);
+  }
+  points.col(columns.back()) = -sum;
+}
+
+// So many of N columns, chosen at random: the fraction `ties` of them, at least `least`.
+std::vector<std::ptrdiff_t> some_columns(int N, double ties, int least, RandomStream& stream) {
+  std::vector<std::ptrdiff_t> columns = stream.permutation(N);
+  const auto count = std::clamp(static_cast<int>(ties * N), std::min(least, N), N);
+  columns.resize(static_cast<std::size_t>(count));
+  return columns;
+}
+
+Instance generate_origin(const InstanceKey& key, const Parameters& parameters) {
+  const char* name = "hard_planted_origin";
+  const bool inside = string_parameter(parameters, "place") == "interior";
+  const double ties = real_parameter(parameters, "ties");
+  RandomStream shape(key, name, RandomPurpose::shape);
+  RandomStream stream_of_A(key, name, RandomPurpose::points_of_A);
+  RandomStream stream_of_Q(key, name, RandomPurpose::points_of_Q);
+  const Functional y = random_functional(shape, key.n);
+  PointClouds clouds{Eigen::MatrixXd(key.n, key.N), Eigen::MatrixXd(key.n, key.N)};
+  for (int i = 0; i < key.N; ++i) {
+    clouds.Q.col(i) = point_on(y, kLevel - random_slack(stream_of_Q, ties), kSpread, stream_of_Q);
+    clouds.A.col(i) = point_on(y, 1 + random_slack(stream_of_A, 0), kSpread, stream_of_A);
+  }
+  const int least = inside ? std::min(key.N, key.n + 2) : 3;
+  surround_origin(clouds.A, some_columns(key.N, inside ? 0 : ties, least, shape), y, !inside, stream_of_A);
+  shear(clouds, key, name, parameters);
+  return to_instance(clouds, 0);
+}
+
+Instance generate_unreachable(const InstanceKey& key, const Parameters& parameters) {
+  const char* name = "hard_planted_unreachable";
+  const double ties = real_parameter(parameters, "ties");
+  RandomStream shape(key, name, RandomPurpose::shape);
+  RandomStream stream_of_A(key, name, RandomPurpose::points_of_A);
+  RandomStream stream_of_Q(key, name, RandomPurpose::points_of_Q);
+  const Functional y = random_functional(shape, key.n);
+  PointClouds clouds{Eigen::MatrixXd(key.n, key.N), Eigen::MatrixXd(key.n, key.N)};
+  for (int i = 0; i < key.N; ++i) {
+    clouds.Q.col(i) = point_on(y, -random_slack(stream_of_Q, 0), kSpread, stream_of_Q);
+    clouds.A.col(i) = point_on(y, 1 + random_slack(stream_of_A, ties), kSpread, stream_of_A);
+  }
+  surround_origin(clouds.Q, some_columns(key.N, ties, 3, shape), y, true, stream_of_Q);
+  shear(clouds, key, name, parameters);
+  return to_instance(clouds, kInfinity);
+}
+
 double planted_distance(const Parameters& parameters) {
   return static_cast<double>(integer_parameter(parameters, "lambda"));
 }
@@ -77,8 +141,7 @@ Instance generate_ties(const InstanceKey& key, const Parameters& parameters) {
 
 Instance generate_unimodular(const InstanceKey& key, const Parameters& parameters) {
   PointClouds clouds = plant(key, "hard_planted_unimodular", key.N, parameters);
-  RandomStream stream(key, "hard_planted_unimodular", RandomPurpose::placement);
-  apply_unimodular(clouds, stream, static_cast<double>(integer_parameter(parameters, "entry")));
+  shear(clouds, key, "hard_planted_unimodular", parameters);
   return to_instance(clouds, planted_distance(parameters));
 }
 
@@ -106,10 +169,18 @@ Instance generate_scaled_object(const InstanceKey& key, const Parameters& parame
   return to_instance(clouds, std::ldexp(planted_distance(parameters), exponent));
 }
 
+ParameterInfo ties_parameter() {
+  return {"ties", 0.5, 0, 1, "fraction of points on the optimal hyperplane", {}};
+}
+
+ParameterInfo entry_parameter() {
+  return {"entry", std::int64_t{1000}, 1, 1e4, "largest entry of the map", {}, "1", {"entry"}};
+}
+
 std::vector<ParameterInfo> planted_parameters(std::vector<ParameterInfo> more = {}) {
   std::vector<ParameterInfo> all = {
       {"lambda", std::int64_t{3}, 1, 1e6, "the planted distance", {}},
-      {"ties", 0.5, 0, 1, "fraction of points on the optimal hyperplane", {}},
+      ties_parameter(),
   };
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -128,11 +199,24 @@ Component<Generator> hard_planted_ties_generator() {
 }
 
 Component<Generator> hard_planted_unimodular_generator() {
+  return generator_component("hard_planted_unimodular",
+                             "as hard_planted_ties, after an ill-conditioned integer map",
+                             planted_parameters({entry_parameter()}), generate_unimodular);
+}
+
+Component<Generator> hard_planted_origin_generator() {
   return generator_component(
-      "hard_planted_unimodular", "as hard_planted_ties, after an ill-conditioned integer map",
-      planted_parameters(
-          {{"entry", std::int64_t{1000}, 1, 1e4, "largest entry of the map", {}, "1", {"entry"}}}),
-      generate_unimodular);
+      "hard_planted_origin", "integer points with the origin on a face or inside",
+      {{"place", std::string("face"), {}, {}, "where in A the origin is", {"face", "interior"}},
+       ties_parameter(),
+       entry_parameter()},
+      generate_origin);
+}
+
+Component<Generator> hard_planted_unreachable_generator() {
+  return generator_component("hard_planted_unreachable",
+                             "a plane between A and a Q that surrounds the origin in it",
+                             {ties_parameter(), entry_parameter()}, generate_unreachable);
 }
 
 Component<Generator> hard_duplicates_generator() {

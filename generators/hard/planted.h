@@ -21,6 +21,16 @@ Component<Generator> hard_planted_ties_generator();
 /// d = λ, and hopeless conditioning.
 Component<Generator> hard_planted_unimodular_generator();
 
+/// `hard_planted_origin`: 0 in A, with λ = 0: on a face of A, the relative interior of the hull of some of
+/// the points on the hyperplane, or (`place` = interior) with points of A on all sides of it; then the same
+/// map. d = 0. N >= 2, for the interior N >= n + 2.
+Component<Generator> hard_planted_origin_generator();
+
+/// `hard_planted_unreachable`: y·a_i >= 1 and y·q_j <= 0, where points of Q on the hyperplane y·q = 0
+/// surround the origin in it, so that no direction leaves all of Q strictly behind; then the same map. d =
+/// +infinity.
+Component<Generator> hard_planted_unreachable_generator();
+
 /// `hard_duplicates`: the same with N / copies distinct points (at least one) in each set, every one of them
 /// `copies` times, shuffled. d = λ.
 Component<Generator> hard_duplicates_generator();

@@ -35,8 +35,10 @@ void register_hard_generators(GeneratorRegistry& registry) {
   registry.add(with_known_distance(hard_origin_on_boundary_generator()));
   registry.add(with_known_distance(hard_origin_outside_generator()));
   registry.add(with_known_distance(hard_p_norm_ball_generator()));
+  registry.add(with_known_distance(hard_planted_origin_generator()));
   registry.add(with_known_distance(hard_planted_ties_generator()));
   registry.add(with_known_distance(hard_planted_unimodular_generator()));
+  registry.add(with_known_distance(hard_planted_unreachable_generator()));
   registry.add(with_known_distance(hard_point_generator()));
   registry.add(hard_polygons_generator());
   registry.add(with_known_distance(hard_scaled_generator()));

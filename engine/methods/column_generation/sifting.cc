@@ -32,6 +32,10 @@ void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions&
   if (separated_ && is_separated()) {
     return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
   }
+  if (interior_state_ == InteriorState::converged && interior_.is_degenerate() && is_complete() &&
+      certify_inside(effects, result)) {
+    return;
+  }
   run(false, effects, result);
 }
 
@@ -64,20 +68,39 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   counters_ = {};
   counters_.outer_iterations = 1;
   gauge_per_residual_ = 0;
+  interior_state_ = InteriorState::untried;
+  separated_ = false;
+  farkas_.clear();
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
-  program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_);
+  program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_, n_ >= kLeastToStall);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
 }
 
+// After a solve that ended for no answer: what is done about it.
+Sifting::Next Sifting::leave_impasse(PrimalSimplex::End end, bool restricted, Effects effects,
+                                     DistanceResult& result) {
+  if (interior_may_help(end)) {
+    return certify_by_plane(effects, result) || finish_inside(effects, result) ? Next::done : Next::again;
+  }
+  if (end == PrimalSimplex::End::stalled) {
+    program_.be_patient();
+    return Next::again;
+  }
+  if (end != PrimalSimplex::End::bounded || !(is_complete() || restricted || bounds_mislead())) {
+    return Next::conclude;
+  }
+  program_.raise_bounds();
+  return Next::again;
+}
+
 void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
-  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  const bool complete = is_complete();
   for (;;) {
     const PrimalSimplex::End end = program_.optimise(working_A_, working_Q_, *stopwatch_);
-    if (end == PrimalSimplex::End::bounded && (complete || restricted || bounds_mislead())) {
-      program_.raise_bounds();
-      continue;
-    }
+    const Next next = leave_impasse(end, restricted, effects, result);
+    if (next == Next::done) return;
+    if (next == Next::again) continue;
     const bool solved = end == PrimalSimplex::End::solved;
     const bool trusted = trusts_simplex_ && solved;
     if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
@@ -95,13 +118,9 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
       continue;
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
-    double upper = program_.proven_upper();
-    const bool concluded = is_final(end) || restricted || (solved && !violated);
-    if (upper == kInfinity && concluded) upper = upper_despite_residual();
-    if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
-    if (is_closed(lower, upper, tolerance_)) {
-      return finish(DistanceStatus::optimal, lower, upper, effects, result);
-    }
+    if (end == PrimalSimplex::End::unreachable && !restricted && certify_by_plane(effects, result)) return;
+    const double upper = bound_from_above(is_final(end) || restricted || (solved && !violated));
+    if (upper == 0 || is_closed(lower, upper, tolerance_)) return conclude(lower, upper, effects, result);
     if (!restricted && certify_refined(end, effects, result)) return;
     if (is_final(end) || restricted) return finish_short_of_tolerance(end, lower, upper, effects, result);
     // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
@@ -112,6 +131,22 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
   }
 }
 
+// `concluded`: there is no better basic solution to come.
+double Sifting::bound_from_above(bool concluded) {
+  by_face_ = false;
+  double upper = program_.proven_upper();
+  if (upper < kInfinity || !concluded) return upper;
+  if (n_ >= kLeastToStall) upper = upper_of_face();
+  by_face_ = upper < kInfinity;
+  return by_face_ ? upper : upper_despite_residual();
+}
+
+void Sifting::conclude(double lower, double upper, Effects effects, DistanceResult& result) {
+  if (by_face_) return finish_with_face(lower, upper, effects, result);
+  if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
+  finish(DistanceStatus::optimal, lower, upper, effects, result);
+}
+
 // The lower bound of the normal at hand. The normal of a program without a solution is tight at a vertex of
 // Q: h_Q is zero, but for rounding. True where the program can look for one that separates by a margin
 // instead.
@@ -119,6 +154,7 @@ bool Sifting::price_or_separate(PrimalSimplex::End end, bool restricted, double&
   const bool roughly = end == PrimalSimplex::End::unreachable && !restricted;
   lower = price_everything(roughly);
   if (!roughly || lower == kInfinity || violators_A_.any || violators_Q_.any) return false;
+  if (farkas_.empty()) farkas_.assign(program_.normal(), program_.normal() + n_);
   if (program_.separate()) return true;
   lower = price_everything(false);
   return false;

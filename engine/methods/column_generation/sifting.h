@@ -11,6 +11,7 @@
 #include "engine/lp/column_pool.h"
 #include "engine/lp/exact_simplex.h"
 #include "engine/lp/interior_point.h"
+#include "engine/lp/optimal_face.h"
 #include "engine/lp/primal_simplex.h"
 #include "engine/lp/refined_basis.h"
 #include "engine/lp/scaling.h"
@@ -53,8 +54,23 @@ class Sifting {
   double guess_error() const;
   void turn_guess(double* v) const;
   void run(bool restricted, Effects effects, DistanceResult& result);
+  enum class Next : std::uint8_t { conclude, again, done };
+  Next leave_impasse(PrimalSimplex::End end, bool restricted, Effects effects, DistanceResult& result);
+  double bound_from_above(bool concluded);
   bool prepare_next(PrimalSimplex::End end, bool points_are_missing);
   bool certify_as_priced(Effects effects, DistanceResult& result);
+  bool is_complete() const noexcept { return working_A_.is_complete() && working_Q_.is_complete(); }
+  bool interior_may_help(PrimalSimplex::End end) const noexcept;
+  void solve_inside(const double* guess);
+  bool finish_inside(Effects effects, DistanceResult& result);
+  bool certify_inside(Effects effects, DistanceResult& result);
+  bool certify_carriers(double distance, Effects effects, DistanceResult& result);
+  double upper_of_face();
+  bool certify_by_plane(Effects effects, DistanceResult& result);
+  std::vector<bool> collect_plane(const double* u);
+  const double* products_with(const ColumnPool& pool, const double* u);
+  void conclude(double lower, double upper, Effects effects, DistanceResult& result);
+  void finish_with_face(double lower, double upper, Effects effects, DistanceResult& result);
   bool certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result);
   bool certify_twofold(Effects effects, DistanceResult& result);
   double refine_lower(const double* y, const double* y_low, std::int64_t* best_A, std::int64_t* best_Q);
@@ -82,6 +98,9 @@ class Sifting {
                       DistanceResult& result);
   void record_work(DistanceResult& result);
 
+  // Dimensions from which on a simplex may stall for longer than the interior-point method takes.
+  static constexpr int kLeastToStall = 16;
+
   const PointSet* A_ = nullptr;
   const PointSet* Q_ = nullptr;
   const Kernels* kernels_ = nullptr;
@@ -99,7 +118,13 @@ class Sifting {
   RefinedBasis refined_;
   TwofoldSimplex twofold_;
   InteriorPoint interior_;
+  enum class InteriorState : std::uint8_t { untried, failed, converged };
+  InteriorState interior_state_ = InteriorState::untried;
   bool separated_ = false;  // by interior_, the working sets
+  OptimalFace face_;
+  bool by_face_ = false;  // whether that proved the last upper bound
+  std::vector<InteriorPoint::Carrier> carriers_;
+  std::vector<double> farkas_;  // a direction that may leave Q behind; none: empty
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed
   const Stopwatch* stopwatch_ = nullptr;

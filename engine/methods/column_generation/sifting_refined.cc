@@ -24,7 +24,7 @@ bool Sifting::certify_refined(PrimalSimplex::End end, Effects effects, DistanceR
   if (end != PrimalSimplex::End::solved && end != PrimalSimplex::End::failed) return false;
   Basis& basis = program_.basis();
   if (!(basis.residual_share() < kAccurate) && !basis.refactor()) return false;
-  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
+  const bool complete = is_complete();
   double lower = 0;
   for (int turn = 0;; ++turn) {
     refined_.refine_duals(basis, *kernels_);
@@ -37,15 +37,16 @@ bool Sifting::certify_refined(PrimalSimplex::End end, Effects effects, DistanceR
     if (!enter_refined(best_A, best_Q)) break;
   }
   if (lower == kInfinity) return false;
-  double upper = refined_.upper(basis, *kernels_);
-  if (upper == kInfinity && gauge_per_residual_ == 0) {
+  double upper = by_face_ ? kInfinity : refined_.upper(basis, *kernels_);
+  if (upper == kInfinity && !by_face_ && gauge_per_residual_ == 0) {
     gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, *stopwatch_);
   }
-  if (upper == kInfinity && gauge_per_residual_ < kInfinity) {
+  if (upper == kInfinity && !by_face_ && gauge_per_residual_ < kInfinity) {
     upper = refined_.upper_with_residual(basis, *kernels_, gauge_per_residual_);
   }
+  if (by_face_) upper = upper_of_face();
   if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
-  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  conclude(lower, upper, effects, result);
   return true;
 }
 

@@ -46,13 +46,11 @@ void Sifting::start() {
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
   for (int k = 0; k < n_ && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
-  separated_ = false;
   const bool look = n_ >= kLeastForAxes && !framed;
   if (look) axes_.find(working_Q_.view(), n_);
   if (n_ >= least_for_interior() && !(look && axes_.complete())) {
-    const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
-    separated_ = end == InteriorPoint::End::separated;
-    if (end != InteriorPoint::End::failed) return start_inside();
+    solve_inside(guess);
+    if (interior_state_ == InteriorState::converged) return start_inside();
   }
   const double error = guess_error();
   const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
@@ -71,8 +69,7 @@ int Sifting::least_for_interior() const {
 // be raised, cost more than bounds too wide; a normal of a sample had better stay near the guess.
 double Sifting::guess_error() const {
   const double spacing = std::max(A_->spacing(), Q_->spacing());
-  const bool complete = working_A_.is_complete() && working_Q_.is_complete();
-  if (!complete) return 0.02 + 0.8 * spacing;
+  if (!is_complete()) return 0.02 + 0.8 * spacing;
   return (n_ <= kFewDimensions ? 0.15 : 0.05) + spacing;
 }
 

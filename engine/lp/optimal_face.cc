@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/optimal_face.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/lp/exact_rank.h"
+#include "engine/numerics/double_double.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kIndependent = 1e-9;  // the least pivot, relative to the first: where ranks end
+constexpr double kLeastScale = 1e-4;   // of columns by their weights
+constexpr int kSteps = 3;              // of refinement
+constexpr double kRoundedUp = 1.02;
+
+}  // namespace
+
+void OptimalFace::begin(int m, const Kernels& kernels) {
+  m_ = m;
+  kernels_ = &kernels;
+  columns_.clear();
+  costs_.clear();
+  weights_.clear();
+  ids_.clear();
+  pivots_.clear();
+}
+
+void OptimalFace::add(const double* column, double cost, double weight, std::int64_t id) {
+  columns_.insert(columns_.end(), column, column + m_);
+  costs_.push_back(cost);
+  weights_.push_back(weight);
+  ids_.push_back(id);
+}
+
+// By elimination with complete pivoting. Columns count by their weights: the pivots' weights are those that
+// will change.
+void OptimalFace::choose_pivots(const Stopwatch& stopwatch) {
+  const auto m = static_cast<std::size_t>(m_);
+  const int count = this->count();
+  pivots_.clear();
+  work_ = columns_;
+  const double heaviest = *std::max_element(weights_.begin(), weights_.end());
+  for (int i = 0; i < count; ++i) {
+    double* column = work_.data() + static_cast<std::size_t>(i) * m;
+    double largest = 0;
+    for (int k = 0; k < m_; ++k) largest = std::max(largest, std::fabs(column[k]));
+    if (!(largest > 0)) continue;
+    const double scale = std::max(weight(i) / heaviest, kLeastScale) / largest;
+    for (int k = 0; k < m_; ++k) column[k] *= scale;
+  }
+  double first = 0;
+  while (rank() < std::min(m_, count) && !stopwatch.expired()) {
+    const auto largest = std::max_element(work_.begin(), work_.end(),
+                                          [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+    const double pivot = *largest;
+    if (pivots_.empty()) first = std::fabs(pivot);
+    if (!(std::fabs(pivot) > kIndependent * first)) return;
+    const auto at = static_cast<std::size_t>(largest - work_.begin());
+    const std::size_t row = at % m;
+    double* chosen = work_.data() + at / m * m;
+    pivots_.push_back({static_cast<int>(row), static_cast<int>(at / m)});
+    for (int i = 0; i < count; ++i) {
+      double* column = work_.data() + static_cast<std::size_t>(i) * m;
+      const double factor = column[row] / pivot;
+      if (column == chosen || factor == 0) continue;
+      for (std::size_t k = 0; k < m; ++k) column[k] -= factor * chosen[k];
+      column[row] = 0;
+    }
+    std::fill_n(chosen, m, 0.0);
+  }
+}
+
+bool OptimalFace::factor(const Stopwatch& stopwatch) {
+  if (ids_.empty()) return false;
+  choose_pivots(stopwatch);
+  const int r = rank();
+  if (r == 0 || stopwatch.expired()) return false;
+  basis_.reset(r, *kernels_);
+  work_.resize(static_cast<std::size_t>(r));
+  for (int i = 0; i < r; ++i) {
+    const int from = pivots_[static_cast<std::size_t>(i)].column;
+    for (int k = 0; k < r; ++k)
+      work_[static_cast<std::size_t>(k)] = column(from)[pivots_[static_cast<std::size_t>(k)].row];
+    basis_.set_column(i, work_.data(), costs_[static_cast<std::size_t>(from)], i);
+  }
+  return basis_.refactor();
+}
+
+// (b - M x)_R over the columns that are no pivots. Returns a bound on its rounding error in any entry.
+double OptimalFace::set_right_hand_side() {
+  std::vector<bool> is_pivot(ids_.size(), false);
+  for (const Pivot& pivot : pivots_) is_pivot[static_cast<std::size_t>(pivot.column)] = true;
+  double error = 0;
+  for (int k = 0; k < rank(); ++k) {
+    const int row = pivots_[static_cast<std::size_t>(k)].row;
+    DoubleDouble sum{row == m_ - 1 ? 1.0 : 0.0};
+    double size = sum.high;
+    for (int i = 0; i < count(); ++i) {
+      if (is_pivot[static_cast<std::size_t>(i)]) continue;
+      const DoubleDouble term = two_product(weight(i), column(i)[row]);
+      sum = sum - term;
+      size += std::fabs(term.high);
+    }
+    basis_.right_hand_side()[k] = sum.high;
+    error = std::max(error, std::fabs(sum.low) + count() * 0x1p-99 * size);
+  }
+  return error > 0 ? error + kUnderflow : 0;
+}
+
+// A bound on the error of x + x_low_, for a right-hand side of which every entry is known to `error_of_b`.
+double OptimalFace::enclose(Basis& basis, double error_of_b) {
+  BasisView& view = basis.view();
+  if (!basis.refactor()) return kInfinity;
+  x_low_.reserve(static_cast<std::size_t>(view.P));
+  std::fill_n(x_low_.data(), view.P, 0.0);
+  for (int step = 0; step < kSteps; ++step)
+    kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), true);
+  const double share = basis.residual_share();
+  const double residual = kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), false);
+  if (!(share < 0.5) || !std::isfinite(residual)) return kInfinity;
+  const double norm = error_of_b > 0 ? kernels_->norms(&view).R : 0;
+  return kRoundedUp * (residual + norm * error_of_b) / (1 - share);
+}
+
+double OptimalFace::upper(const Stopwatch& stopwatch) {
+  const double error = enclose(basis_, set_right_hand_side());
+  if (!(error < kInfinity)) return kInfinity;
+  for (int i = 0; i < rank(); ++i) {
+    const double x = basis_.view().x()[i];
+    if (!(x > 2 * error)) return kInfinity;
+    weights_[static_cast<std::size_t>(pivots_[static_cast<std::size_t>(i)].column)] = x;
+  }
+  DoubleDouble sum;
+  for (int i = 0; i < count(); ++i) {
+    if (!(weight(i) > 0)) return kInfinity;
+    if (costs_[static_cast<std::size_t>(i)] > 0) sum = sum + weight(i);
+  }
+  if (!spans(true, stopwatch)) return kInfinity;
+  if (sum.high == 0) return 0;
+  for (int i = 0; i < rank(); ++i) {
+    const int from = pivots_[static_cast<std::size_t>(i)].column;
+    if (costs_[static_cast<std::size_t>(from)] > 0) sum = sum + x_low_[static_cast<std::size_t>(i)];
+  }
+  return (sum.rounded() + rank() * error) * (1 + 4 * kUnitRoundoff + count() * 0x1p-98);
+}
+
+// Whether the pivot columns span all columns, and b.
+bool OptimalFace::spans(bool with_right_hand_side, const Stopwatch& stopwatch) {
+  if (rank() == m_) return true;
+  std::vector<int> chosen;
+  for (const Pivot& pivot : pivots_) chosen.push_back(pivot.column);
+  work_ = columns_;
+  if (with_right_hand_side) {
+    work_.insert(work_.end(), static_cast<std::size_t>(m_), 0.0);
+    work_.back() = 1;
+  }
+  const int columns = count() + (with_right_hand_side ? 1 : 0);
+  return columns_span({work_.data(), m_, m_, columns}, chosen, stopwatch);
+}
+
+void OptimalFace::refine_duals(double* y, double* y_low) {
+  const BasisView& view = basis_.view();
+  const int r = rank();
+  std::fill_n(y_low, m_, 0.0);
+  work_.resize(static_cast<std::size_t>(r));
+  for (int step = 0; step < kSteps; ++step) {
+    for (int i = 0; i < r; ++i) {
+      const int from = pivots_[static_cast<std::size_t>(i)].column;
+      DoubleDouble reduced{costs_[static_cast<std::size_t>(from)]};
+      for (int k = 0; k < m_; ++k) reduced = reduced - DoubleDouble{y[k], y_low[k]} * column(from)[k];
+      work_[static_cast<std::size_t>(i)] = reduced.rounded();
+    }
+    for (int k = 0; k < r; ++k) {
+      double change = 0;
+      for (int i = 0; i < r; ++i) {
+        change += work_[static_cast<std::size_t>(i)] * view.R[static_cast<std::ptrdiff_t>(k) * view.P + i];
+      }
+      const int row = pivots_[static_cast<std::size_t>(k)].row;
+      const DoubleDouble better = DoubleDouble{y[row], y_low[row]} + change;
+      y[row] = better.high;
+      y_low[row] = better.low;
+    }
+  }
+}
+
+// M_RPᵀ u_R = -M_PᵀU over the other rows, whose coordinates stay.
+double OptimalFace::enclose_orthogonal(double* u, const Stopwatch& stopwatch) {
+  const int r = rank();
+  if (r == m_) return kInfinity;  // u = 0 only
+  std::vector<bool> is_pivot(static_cast<std::size_t>(m_), false);
+  for (const Pivot& pivot : pivots_) is_pivot[static_cast<std::size_t>(pivot.row)] = true;
+  transposed_.reset(r, *kernels_);
+  work_.resize(static_cast<std::size_t>(r));
+  for (int k = 0; k < r; ++k) {
+    for (int i = 0; i < r; ++i) {
+      work_[static_cast<std::size_t>(i)] =
+          column(pivots_[static_cast<std::size_t>(i)].column)[pivots_[static_cast<std::size_t>(k)].row];
+    }
+    transposed_.set_column(k, work_.data(), 0, k);
+  }
+  double error = 0;
+  for (int i = 0; i < r; ++i) {
+    const double* p = column(pivots_[static_cast<std::size_t>(i)].column);
+    DoubleDouble sum;
+    double size = 0;
+    for (int k = 0; k < m_; ++k) {
+      if (is_pivot[static_cast<std::size_t>(k)]) continue;
+      const DoubleDouble term = two_product(u[k], p[k]);
+      sum = sum - term;
+      size += std::fabs(term.high);
+    }
+    transposed_.right_hand_side()[i] = sum.high;
+    error = std::max(error, std::fabs(sum.low) + m_ * 0x1p-99 * size + kUnderflow);
+  }
+  error = enclose(transposed_, error);
+  if (!(error < kInfinity) || !spans(false, stopwatch)) return kInfinity;
+  double largest = 0;
+  for (int k = 0; k < r; ++k) {
+    const double value = transposed_.view().x()[k];
+    u[pivots_[static_cast<std::size_t>(k)].row] = value;
+    largest = std::max(largest, std::fabs(value));
+  }
+  return error + 2 * kUnitRoundoff * largest;  // x_low_ is left out
+}
+
+}  // namespace raygauge

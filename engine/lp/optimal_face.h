@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/kernels/kernel.h"
+#include "engine/lp/basis.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
+
+namespace raygauge {
+
+/// The optimal face of  min c·x, M x = b, x >= 0  as an interior-point method sees it: the columns that carry
+/// weight, with their weights. Of rank r, however degenerate the optimum is: with r pivot columns P and rows
+/// R, the weights x_P = M_RP⁻¹ (b - M x)_R of the pivots follow from the others, which stay as they are, and
+/// are enclosed. That they solve all equations is a statement about ranks (columns_span). So a basis of m
+/// columns, of which most have weight zero, is not needed.
+class OptimalFace {
+ public:
+  void begin(int m, const Kernels& kernels);
+  /// A column of m entries, copied; cost 0 or 1.
+  void add(const double* column, double cost, double weight, std::int64_t id);
+  int count() const noexcept { return static_cast<int>(ids_.size()); }
+
+  /// Chooses the pivots and inverts M_RP. False where no inverse is to be had.
+  bool factor(const Stopwatch& stopwatch);
+  int rank() const noexcept { return static_cast<int>(pivots_.size()); }
+
+  /// Σ c_i x_i of a solution that is proven to be positive, rounded up, for b = e_m; +infinity where none is.
+  /// The weights of the pivots become that solution, to a double.
+  double upper(const Stopwatch& stopwatch);
+
+  /// Duals y (m doubles) become y + y_low, at which the reduced costs of all columns are zero to some 30
+  /// digits where they were nearly.
+  void refine_duals(double* y, double* y_low);
+
+  /// For Farkas directions u (m doubles, nearly orthogonal to all columns): changes u in the pivot rows by so
+  /// little that within the error returned of it, in these coordinates, there is one that is exactly
+  /// orthogonal. +infinity where that is not proven.
+  double enclose_orthogonal(double* u, const Stopwatch& stopwatch);
+
+  double weight(int i) const { return weights_[static_cast<std::size_t>(i)]; }
+  std::int64_t id(int i) const { return ids_[static_cast<std::size_t>(i)]; }
+  const double* column(int i) const { return columns_.data() + static_cast<std::ptrdiff_t>(i) * m_; }
+
+ private:
+  struct Pivot {
+    int row;
+    int column;
+  };
+  void choose_pivots(const Stopwatch& stopwatch);
+  bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
+  double enclose(Basis& basis, double error_of_b);
+  double set_right_hand_side();
+
+  int m_ = 0;
+  const Kernels* kernels_ = nullptr;
+  std::vector<double> columns_;  // m entries each
+  std::vector<double> costs_, weights_;
+  std::vector<std::int64_t> ids_;
+  std::vector<Pivot> pivots_;
+  std::vector<double> work_;
+  Basis basis_;       // M_RP
+  Basis transposed_;  // its transpose
+  AlignedBuffer<double> x_low_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// Degenerate optima, where a simplex stalls: what the interior-point method proves without a basis.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/methods/column_generation/sifting.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+// A distance that small, in units where both sets have magnitude 1, may be zero.
+constexpr double kMaybeZero = 1e-4;
+
+// A weight above carries, others are zero but for rounding.
+constexpr double kCarries = 1e-9;
+
+// Points of Q so close to the plane of a direction, relative to the farthest, may lie in it.
+constexpr double kMaybeInPlane = 1e-6;
+
+}  // namespace
+
+bool Sifting::interior_may_help(PrimalSimplex::End end) const noexcept {
+  if (end != PrimalSimplex::End::stalled && end != PrimalSimplex::End::failed) return false;
+  return interior_state_ == InteriorState::untried && n_ >= kLeastToStall && is_complete() &&
+         chosen_A_.empty();
+}
+
+// True where the result is complete. Otherwise the simplex goes on, from a better start if there is one.
+bool Sifting::finish_inside(Effects effects, DistanceResult& result) {
+  solve_inside(direction_.data());
+  if (separated_ && is_separated()) {
+    finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+    return true;
+  }
+  if (certify_inside(effects, result)) return true;
+  program_.be_patient();
+  if (interior_state_ == InteriorState::converged) start_inside();
+  return false;
+}
+
+// Runs the interior-point method, from a guess of the normal.
+void Sifting::solve_inside(const double* guess) {
+  const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
+  separated_ = end == InteriorPoint::End::separated;
+  interior_state_ = end == InteriorPoint::End::failed ? InteriorState::failed : InteriorState::converged;
+}
+
+// By what the interior-point method ends with: the columns that carry weight, or a plane.
+bool Sifting::certify_inside(Effects effects, DistanceResult& result) {
+  const double* y = interior_.duals();
+  const double distance = std::fabs(y[n_]);
+  if (distance < kMaybeZero && certify_carriers(0, effects, result)) return true;
+  if (certify_carriers(distance, effects, result)) return true;
+  if (distance < 1 / kMaybeZero) return false;
+  farkas_.assign(y, y + n_);
+  return certify_by_plane(effects, result);
+}
+
+// The carriers where d is about `distance`, those of A alone where that is 0.
+bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult& result) {
+  interior_.carriers(distance > 0 ? distance : 1.0, carriers_);
+  face_.begin(n_ + 1, *kernels_);
+  std::vector<double> column(static_cast<std::size_t>(n_) + 1);
+  for (const auto& [id, weight] : carriers_) {
+    const bool from_Q = is_from_Q(id);
+    if (from_Q && distance == 0) continue;
+    (from_Q ? working_Q_ : working_A_).copy_point(id / 2, column.data());
+    for (int k = 0; from_Q && k < n_; ++k) column[static_cast<std::size_t>(k)] *= -1;
+    column.back() = from_Q ? 0.0 : 1.0;
+    face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
+  }
+  if (!face_.factor(*stopwatch_)) return false;
+  std::vector<double> y(interior_.duals(), interior_.duals() + n_ + 1), y_low(y.size(), 0.0);
+  face_.refine_duals(y.data(), y_low.data());
+  std::int64_t best_A = 0;
+  std::int64_t best_Q = 0;
+  const double lower = refine_lower(y.data(), y_low.data(), &best_A, &best_Q);
+  if (lower == kInfinity) {
+    finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    return true;
+  }
+  const double upper = face_.upper(*stopwatch_);
+  if (upper > 0 && !is_closed(lower, upper, tolerance_)) return false;
+  finish_with_face(lower, upper, effects, result);
+  return true;
+}
+
+// An upper bound from the basic columns with weight alone: at a degenerate optimum the others prove nothing.
+double Sifting::upper_of_face() {
+  const BasisView& view = program_.basis().view();
+  face_.begin(n_ + 1, *kernels_);
+  for (int i = 0; i <= n_; ++i) {
+    const double weight = view.x()[i];
+    if (!(weight > kCarries)) continue;
+    if (is_artificial(view.id[i])) return kInfinity;
+    face_.add(program_.basis().column(i), is_from_Q(view.id[i]) ? 1.0 : 0.0, weight, view.id[i]);
+  }
+  return face_.factor(*stopwatch_) ? face_.upper(*stopwatch_) : kInfinity;
+}
+
+// A plane between A and Q, orthogonal to nearly farkas_, that holds points of Q, so that no other one leaves
+// all of Q behind by a margin.
+bool Sifting::certify_by_plane(Effects effects, DistanceResult& result) {
+  if (farkas_.empty() || !is_complete()) return false;
+  std::vector<double> u = farkas_;
+  double size = 0;
+  for (const double coordinate : u) size = std::max(size, std::fabs(coordinate));
+  if (!(size > 0) || !(size < kInfinity)) return false;
+  for (double& coordinate : u) coordinate /= size;
+  const std::vector<bool> in_plane = collect_plane(u.data());
+  if (!face_.factor(*stopwatch_)) return false;
+  const double error = face_.enclose_orthogonal(u.data(), *stopwatch_);
+  double length = 0;
+  for (const double coordinate : u) length += std::fabs(coordinate);
+  const auto margin = [&](const ColumnPool& pool) {
+    return 1.01 * pool.magnitude() * (n_ * error + 2 * n_ * kUnitRoundoff * length) + kUnderflow;
+  };
+  const double* values = products_with(working_A_, u.data());
+  for (std::ptrdiff_t i = 0; i < working_A_.size(); ++i) {
+    if (!(values[i] < -margin(working_A_))) return false;
+  }
+  values = products_with(working_Q_, u.data());
+  for (std::ptrdiff_t j = 0; j < working_Q_.size(); ++j) {
+    if (!in_plane[static_cast<std::size_t>(j)] && !(values[j] > margin(working_Q_))) return false;
+  }
+  for (int k = 0; k < n_; ++k) {
+    const double component = u[static_cast<std::size_t>(k)];
+    direction_[static_cast<std::size_t>(n_ + k)] =
+        -Scaling::direction_component(scaling_.factor_Q()[k], component);
+  }
+  h_Q_ = {};
+  finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+  return true;
+}
+
+// The points of Q near the plane of u, into face_, and which they are.
+std::vector<bool> Sifting::collect_plane(const double* u) {
+  const double* values = products_with(working_Q_, u);
+  const std::ptrdiff_t count = working_Q_.size();
+  const double farthest = *std::max_element(values, values + count);
+  std::vector<double> point(static_cast<std::size_t>(n_));
+  std::vector<bool> in_plane(static_cast<std::size_t>(count));
+  face_.begin(n_, *kernels_);
+  for (std::ptrdiff_t j = 0; j < count; ++j) {
+    if (!(std::fabs(values[j]) <= kMaybeInPlane * farthest)) continue;
+    in_plane[static_cast<std::size_t>(j)] = true;
+    working_Q_.copy_point(j, point.data());
+    face_.add(point.data(), 0, 1, id_of_Q(j));
+  }
+  return in_plane;
+}
+
+// u·p of the points, until the next call.
+const double* Sifting::products_with(const ColumnPool& pool, const double* u) {
+  const PricedPoints points = pool.view();
+  collected_value_.reserve(static_cast<std::size_t>(points.block_count) * PointSet::kLanes);
+  kernels_->products(points.blocks, points.block_count, n_, u, collected_value_.data());
+  return collected_value_.data();
+}
+
+// As finish(), with the weights of the face.
+void Sifting::finish_with_face(double lower, double upper, Effects effects, DistanceResult& result) {
+  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  double distance = 0;
+  result.origin_weights.clear();
+  for (int i = 0; i < face_.count(); ++i) {
+    const std::int64_t id = face_.id(i);
+    if (is_from_Q(id)) {
+      distance += face_.weight(i);
+    } else if (upper == 0) {
+      const std::int64_t index = working_A_.index_in(*A_, scaling_.factor_A(), id / 2);
+      result.origin_weights.push_back({index, face_.weight(i)});
+    }
+  }
+  if (upper == 0) result.status = DistanceStatus::contains_origin;
+  const double scaled = std::ldexp(distance, -scaling_.distance_shift());
+  result.distance = std::max(result.lower, std::min(scaled, result.upper));
+  double* contact = result.room_for_contact(effects, n_);
+  if (contact == nullptr) return;
+  std::fill_n(contact, n_, 0.0);
+  for (int i = 0; i < face_.count(); ++i) {
+    if (is_from_Q(face_.id(i))) continue;
+    for (int k = 0; k < n_; ++k) contact[k] += face_.weight(i) * face_.column(i)[k] / scaling_.factor_A()[k];
+  }
+}
+
+}  // namespace raygauge
