@@ -1,0 +1,113 @@
+# Copyright (c) 2026 The raygauge authors
+# SPDX-License-Identifier: MIT
+"""Files that were misread once (tests/cli/reports), with their right answers, and what robots are told of.
+
+    reported_files.py --raygauge PROGRAM --reports FOLDER
+"""
+import argparse
+import csv
+import io
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+# Answers by hand: the vertex of least 1-norm; the top of the mesh is at 5, the ball of radius 1 at 10; 3 - 1 - 0.5.
+DISTANCES = {"lone_vertex.obj": 3, "two_points.obj": 3, "byte_order_mark.obj": 2, "header_with_counts.off": 2}
+SCENES = {"z_up.toml": 4, "scale.toml": 1.5}
+
+ARM = ('<robot name="r">'
+       '<link name="a"><collision><geometry><sphere radius="1"/></geometry></collision></link>'
+       '<link name="b"><collision><origin xyz="5 0 0"/><geometry><sphere radius="1"/></geometry></collision></link>'
+       '<link name="c"><collision><origin xyz="-3.5 0 0"/><geometry><sphere radius="1"/></geometry></collision></link>'
+       '<link name="d"><collision><geometry><mesh filename="gone.stl"/></geometry></collision></link>'
+       '<joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/>'
+       '<limit lower="-1" upper="2"/></joint>'
+       '<joint name="k" type="revolute"><origin xyz="5 0 0"/><parent link="b"/><child link="c"/><axis xyz="1 0 0"/></joint>'
+       '<joint name="l" type="fixed"><parent link="a"/><child link="d"/></joint></robot>')
+SCENE = ('[time]\nto = 1\n[[robot]]\nurdf = "arm.urdf"\ntrajectory = "joints.csv"\n[[query]]\neffects = ["distance"]\n')
+
+
+class ReportedFiles(unittest.TestCase):
+    raygauge = None
+    reports = None
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.work = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_raygauge(self, *arguments, status=0):
+        done = subprocess.run([self.raygauge, *map(str, arguments)], cwd=self.work, capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def test_meshes_give_the_distances_of_all_their_vertices(self):
+        for name, distance in DISTANCES.items():
+            with self.subTest(name):
+                done = self.run_raygauge("distance", self.reports / name, self.reports / "cross_polytope.csv", "--json")
+                self.assertAlmostEqual(json.loads(done.stdout)["distance"], distance, 12)
+
+    def test_scenes_give_the_distances_of_what_their_files_say(self):
+        for name, distance in SCENES.items():
+            with self.subTest(name):
+                results = self.work / (name + ".h5")
+                self.run_raygauge("scene", "run", self.reports / name, "-q", "-o", results)
+                row = next(csv.DictReader(io.StringIO(self.run_raygauge("export", results, "--csv", "-").stdout)))
+                self.assertLessEqual(float(row["lower"]), distance + 1e-12)
+                self.assertGreaterEqual(float(row["upper"]), distance - 1e-12)
+                self.assertAlmostEqual(float(row["upper"]), float(row["lower"]), 4)
+
+    def test_a_polytope_without_a_point_is_called_empty(self):
+        done = self.run_raygauge("distance", self.reports / "empty_polytope.toml", self.reports / "unit_ball.toml", status=2)
+        self.assertIn("is empty", done.stderr)
+
+    def test_robots_tell_what_is_left_out_beyond_limits_and_in_contact(self):
+        (self.work / "arm.urdf").write_text(ARM)
+        (self.work / "joints.csv").write_text("time,j,k\n0,0,0\n0.5,2.5,9\n1,1,0\n")
+        (self.work / "arm.toml").write_text(SCENE)
+        refused = self.run_raygauge("scene", "explain", "arm.toml", status=2)
+        self.assertEqual(refused.stderr, "raygauge: arm.toml:4: arm.urdf:1: link 'd': there is no mesh gone.stl "
+                                         "(--skip-missing-meshes leaves it out)\n")
+        notes = self.run_raygauge("scene", "run", "arm.toml", "--skip-missing-meshes", "-o", "arm.h5").stderr.splitlines()
+        ignore = 'ignore = [["r/a", "r/c"]]'
+        self.assertEqual([note for note in notes if note.startswith("note: ")], [
+            "note: robot 'r': left out, for they are missing: gone.stl of link 'd'",
+            "note: robot 'r': joint values beyond their limits: j is 2.5 at time 0.5, its limits are -1 and 2",
+            f"note: robot 'r': 1 pair of links in contact at the start; this leaves them out: {ignore}"])
+        (self.work / "arm.toml").write_text(ignore + "\n" + SCENE)
+        after = self.run_raygauge("scene", "explain", "arm.toml", "--skip-missing-meshes").stderr
+        self.assertNotIn("contact", after)
+        (self.work / "joints.csv").write_text("time,j,k\n0,0,0\n1,1,0\n")
+        self.assertNotIn("limits", self.run_raygauge("scene", "explain", "arm.toml", "--skip-missing-meshes").stderr)
+        self.assertEqual("", self.run_raygauge("scene", "run", "arm.toml", "--skip-missing-meshes", "-q", "-o", "q.h5").stderr)
+
+    def test_set_files_that_name_each_other_end_soon(self):
+        for level in range(1, 19):
+            (self.work / f"s{level}.toml").write_text(
+                f'shape = "minkowski_sum"\nA = {{ shape = "file", file = "s{level - 1}.toml" }}\n'
+                f'B = {{ shape = "file", file = "s{level - 1}.toml" }}\n')
+        (self.work / "s0.toml").write_text('shape = "ball"\ncenter = [0, 0, 0]\nradius = 1\n')
+        start = time.monotonic()
+        done = self.run_raygauge("distance", "s18.toml", self.reports / "unit_ball.toml", status=2)
+        self.assertLess(time.monotonic() - start, 10)
+        self.assertIn("more than 16 set files inside one another", done.stderr)
+        done = self.run_raygauge("distance", "s15.toml", self.reports / "unit_ball.toml", status=2)
+        self.assertIn("more than 1000 files in one set", done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.run_raygauge("distance", "s5.toml", self.reports / "unit_ball.toml")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--raygauge", required=True)
+    parser.add_argument("--reports", type=pathlib.Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    ReportedFiles.raygauge = str(pathlib.Path(arguments.raygauge).resolve())
+    ReportedFiles.reports = arguments.reports.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
