@@ -109,13 +109,16 @@ class SceneReader {
       if (table.size() > 1) refuse(table, "time.instants lists all: give no from or to");
       return;
     }
-    if (!table.contains("to")) refuse(table, "[time] needs to, or a list of instants");
     const double from = table.contains("from") ? read_number(*table.get("from"), "time.from") : 0.0;
-    const double to = read_number(*table.get("to"), "time.to");
-    if (!(from < to)) refuse(table, "time.to must be after time.from");
-    const std::int64_t count = instants == nullptr ? 2 : read_integer(*instants, "time.instants", {2, 1e7});
+    const double to = table.contains("to") ? read_number(*table.get("to"), "time.to") : from;
+    if (!(from <= to)) refuse(table, "time.to must not be before time.from");
+    const std::int64_t usual = from < to ? 2 : 1;
+    const std::int64_t count =
+        instants == nullptr ? usual : read_integer(*instants, "time.instants", {1, 1e7});
+    if (count > 1 && from == to) refuse(table, "[time] needs to, after from, for more than one instant");
+    if (count == 1 && from < to) refuse(table, "[time] has one instant, from: give no to");
     for (std::int64_t k = 0; k < count; ++k) {
-      const double s = static_cast<double>(k) / static_cast<double>(count - 1);
+      const double s = static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
       scene().instants.push_back(k == count - 1 ? to : from + s * (to - from));
     }
   }
@@ -196,7 +199,7 @@ class SceneReader {
       const RobotLink& link = robot.links[static_cast<std::size_t>(i)];
       if (link.shapes.empty()) continue;
       body_of_link[i] = static_cast<int>(scene().bodies.size());
-      const MotionPointer motion = link_motion(tree, trajectory, base, i);
+      const MotionPointer motion = LinkMotion::make(tree, trajectory, base, i);
       add(table, placed(table, [&] { return make_body(name + "/" + link.name, link.shapes, motion); }),
           groups);
     }
@@ -216,21 +219,6 @@ class SceneReader {
     if (node == nullptr) return all_zero(robot, scene().instants.front(), scene().instants.back());
     const std::string path = (folder_ / read_text(*node, "robot.trajectory")).string();
     return placed(*node, [&] { return read_joint_trajectory(path, robot.joints); });
-  }
-
-  // A link that hangs on fixed joints alone stands still.
-  static MotionPointer link_motion(const std::shared_ptr<const KinematicTree>& tree,
-                                   const std::shared_ptr<const JointTrajectory>& trajectory,
-                                   const Placement& base, int link) {
-    auto motion = std::make_shared<LinkMotion>(tree, trajectory, base, link);
-    for (int i = link; i >= 0; i = tree->links[static_cast<std::size_t>(i)].parent) {
-      const TreeLink& step = tree->links[static_cast<std::size_t>(i)];
-      if (step.kind != JointKind::fixed &&
-          trajectory->values.row(step.joint).minCoeff() != trajectory->values.row(step.joint).maxCoeff()) {
-        return motion;
-      }
-    }
-    return std::make_shared<StaticMotion>(motion->at(motion->start()));
   }
 
   // Links that a joint joins touch by design, also over links without a shape.

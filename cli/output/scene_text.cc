@@ -46,7 +46,9 @@ SceneCounters counters_of(const SceneFile& file) {
 std::string continuous_text(const SceneFile& file, const SceneRecord& row) {
   const std::string head = "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": ";
   if (row.kind == SceneRowKind::clearance) {
-    if (row.status == SceneStatus::intersecting) return head + "they meet at " + number(row.time) + " s\n";
+    if (row.status == SceneStatus::intersecting) {
+      return head + "they meet, first in [" + number(row.time_lower) + ", " + number(row.time) + "] s\n";
+    }
     return head + "never closer than " + number(row.lower) + "; " + number(row.upper) + " at " +
            number(row.time) + " s\n";
   }
