@@ -94,7 +94,7 @@ class ClearanceSearch {
 
   // Once a look has proven nothing, only common points are looked for, for a while.
   bool is_over() const {
-    constexpr std::int64_t kStepsWithoutHope = 10'000;
+    constexpr std::int64_t kStepsWithoutHope = 2'000;
     return steps_ >= options_.max_steps || hopeless_steps_ >= kStepsWithoutHope ||
            (options_.stop && options_.stop());
   }

@@ -74,28 +74,30 @@ inline Frame frame_of(const Placement& where) {
 inline Quad dot(const QuadVector& a, const QuadVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Quad norm(const QuadVector& a) { return elementary::sqrt(dot(a, a)); }
 
-/// The rotation by |r| about r: (1 + S/2^k + …)^(2^k), S x = r × x, by its power series.
+/// The rotation by |r| about r: (1 + A S + B S²)^(2^k) with S x = r × x / 2^k, A = sin θ/θ and B = (1 - cos
+/// θ)/θ² by their power series, θ = |r|/2^k.
 inline Frame rotation(const QuadVector& r) {
-  int halvings = 0;
-  for (Quad size = norm(r); size > quad(0.25); size /= 2) ++halvings;
   QuadVector s = r;
-  for (int k = 0; k < halvings; ++k) {
+  int halvings = 0;
+  for (; dot(s, s) > quad(0.0625); ++halvings) {
     for (Quad& x : s) x /= 2;
   }
-  const std::array<QuadVector, 3> S{{{0, -s[2], s[1]}, {s[2], 0, -s[0]}, {-s[1], s[0], 0}}};
-  Frame sum, power, step;
-  step.R = S;
-  for (int k = 1; k <= 26; ++k) {
-    power = power * step;
-    for (auto& row : power.R) {
-      for (Quad& x : row) x /= k;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) sum.R[i][j] += power.R[i][j];
-    }
+  const Quad square = dot(s, s);
+  Quad A = 0, B = 0, term = 1;
+  for (int k = 1; k <= 28; k += 2) {
+    A += term;
+    B += term / (k + 1);
+    term *= -square / ((k + 1) * (k + 2));
   }
-  for (int k = 0; k < halvings; ++k) sum = sum * sum;
-  return sum;
+  Frame R;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) R.R[i][k] += B * (s[i] * s[k] - (i == k ? square : Quad(0)));
+    const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+    R.R[l][j] += A * s[i];
+    R.R[j][l] -= A * s[i];
+  }
+  for (int k = 0; k < halvings; ++k) R = R * R;
+  return R;
 }
 
 /// r with rotation(r) = R, from a value nearby: steps by the skew part of what is left.
