@@ -130,7 +130,7 @@ class SceneJob {
     open();
     if (writer_ && !arguments_.quiet) print_notes(source_);
     const InterruptGuard guard(
-        arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: finishing the cells in flight\n");
+        arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: storing the cells that are done\n");
     ProgressDisplay display(stderr, done_.size());
     SceneSummary summary;
     together([&] { summary = work(display); });
@@ -195,9 +195,7 @@ class SceneJob {
     hooks.stop = [orphaned] { return InterruptGuard::signal() != 0 || orphaned(); };
     hooks.progress = [&](const SceneProgress& progress) {
       if (arguments_.quiet || !writer_) return;
-      const double left = static_cast<double>(progress.cells_total - progress.cells_done);
-      display.show({progress.cells_done, progress.cells_total, progress.seconds,
-                    progress.seconds * left / static_cast<double>(progress.cells_done)});
+      display.show({progress.cells_done, progress.cells_total, progress.seconds, progress.seconds_left});
     };
     std::optional<RankCounter> counter;
     if (ranks_) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/input/motion_file.h"
+#include "cli/input/rotation_note.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
 #include "raygauge/exceptions.h"
@@ -31,7 +32,10 @@ Eigen::MatrixXd rotation_of(const toml::table& table, int n, const std::string& 
     if (n != 2) refuse(*angle, key + ".angle belongs to 2 dimensions");
     return plane_rotation(read_number(*angle, key + ".angle"));
   }
-  if (const toml::node* matrix = table.get("rotation")) return read_matrix(*matrix, key + ".rotation");
+  if (const toml::node* matrix = table.get("rotation")) {
+    return rotation_with_note(place_of(*matrix) + ": " + key + ".rotation",
+                              read_matrix(*matrix, key + ".rotation"));
+  }
   const toml::node* quaternion = table.get("quaternion");
   const toml::node* rpy = table.get("rpy");
   const toml::node* turned = quaternion != nullptr ? quaternion : rpy;

@@ -29,20 +29,6 @@ Trajectory all_zero(const Robot& robot, double from, double to) {
   return still;
 }
 
-/// A link that hangs on joints alone that do not move stands still.
-MotionPointer link_motion(const std::shared_ptr<const KinematicTree>& tree, const Trajectory& trajectory,
-                          const Placement& base, int link) {
-  auto motion = std::make_shared<LinkMotion>(tree, trajectory, base, link);
-  for (int i = link; i >= 0; i = tree->links[static_cast<std::size_t>(i)].parent) {
-    const TreeLink& step = tree->links[static_cast<std::size_t>(i)];
-    if (step.kind != JointKind::fixed &&
-        trajectory->values.row(step.joint).minCoeff() != trajectory->values.row(step.joint).maxCoeff()) {
-      return motion;
-    }
-  }
-  return std::make_shared<StaticMotion>(motion->at(motion->start()));
-}
-
 /// Links that a joint joins touch by design, also over links without a shape.
 std::vector<std::pair<int, int>> joined_bodies(const Robot& robot, const std::map<int, int>& body_of_link) {
   std::vector<std::pair<int, int>> joined;
@@ -140,7 +126,7 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
     if (link.shapes.empty()) continue;
     body_of_link[i] = static_cast<int>(result.bodies.size());
     const MotionPointer motion =
-        placed(given == nullptr ? urdf : *given, [&] { return link_motion(tree, trajectory, base, i); });
+        placed(given == nullptr ? urdf : *given, [&] { return LinkMotion::make(tree, trajectory, base, i); });
     result.bodies.push_back(
         placed(table, [&] { return make_body(result.name + "/" + link.name, link.shapes, motion); }));
   }

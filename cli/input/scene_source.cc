@@ -122,13 +122,16 @@ class SceneReader {
       if (table.size() > 1) refuse(table, "time.instants lists all: give no from or to");
       return;
     }
-    if (!table.contains("to")) refuse(table, "[time] needs to, or a list of instants");
     const double from = table.contains("from") ? read_number(*table.get("from"), "time.from") : 0.0;
-    const double to = read_number(*table.get("to"), "time.to");
-    if (!(from < to)) refuse(table, "time.to must be after time.from");
-    const std::int64_t count = instants == nullptr ? 2 : read_integer(*instants, "time.instants", {2, 1e7});
+    const double to = table.contains("to") ? read_number(*table.get("to"), "time.to") : from;
+    if (!(from <= to)) refuse(table, "time.to must not be before time.from");
+    const std::int64_t usual = from < to ? 2 : 1;
+    const std::int64_t count =
+        instants == nullptr ? usual : read_integer(*instants, "time.instants", {1, 1e7});
+    if (count > 1 && from == to) refuse(table, "[time] needs to, after from, for more than one instant");
+    if (count == 1 && from < to) refuse(table, "[time] has one instant, from: give no to");
     for (std::int64_t k = 0; k < count; ++k) {
-      const double s = static_cast<double>(k) / static_cast<double>(count - 1);
+      const double s = static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
       scene().instants.push_back(k == count - 1 ? to : from + s * (to - from));
     }
   }

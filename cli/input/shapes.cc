@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/input/rotation_note.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
@@ -86,6 +87,10 @@ SetPointer zonotope(const Vector& center, const Eigen::MatrixXd& rows) {
   return std::make_shared<Zonotope>(center, rows.transpose());
 }
 
+SetPointer rigid_image(const SetPointer& S, const Eigen::MatrixXd& R, const Vector& t) {
+  return AffineImage::rigid(S, rotation_with_note("rigid_image.R", R), t);
+}
+
 SetPointer itself(const SetPointer& set) { return set; }
 
 }  // namespace
@@ -122,8 +127,8 @@ const std::vector<Shape>& shapes() {
                              number("facets", "0: the exact cone; m >= 3: an inscribed one of m facets")),
       shape<AffineImage>("affine_image", "{M x + t : x in S}", set("S"), matrix("M", "n × n, invertible"),
                          vector("t")),
-      made_by(AffineImage::rigid, "rigid_image", "{R x + t : x in S}", set("S"),
-              matrix("R", "n × n, a rotation"), vector("t")),
+      made_by(rigid_image, "rigid_image", "{R x + t : x in S}", set("S"),
+              matrix("R", "n × n, a rotation, of 6 digits or more"), vector("t")),
       shape<MinkowskiSum>("minkowski_sum", "A + B = {a + b : a in A, b in B}", set("A"), set("B")),
       shape<MinkowskiDifference>("minkowski_difference", "A2 - A1 = {a2 - a1 : a2 in A2, a1 in A1}",
                                  set("A2"), set("A1")),

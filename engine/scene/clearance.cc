@@ -67,7 +67,8 @@ class ClearanceSearch {
     double given_up = kInfinity;  // the least bound of spans that cannot be split
     while (!spans_.empty()) {
       const Span top = spans_.top();
-      if (is_closed(top.bound) || is_over()) return std::min({top.bound, given_up, best_.upper});
+      if (is_closed(top.bound) || is_final(top.bound) || is_over())
+        return std::min({top.bound, given_up, best_.upper});
       spans_.pop();
       if (!(top.first.time < top.split && top.split < top.last.time)) {
         given_up = std::min(given_up, top.bound);
@@ -86,12 +87,24 @@ class ClearanceSearch {
     return best_.upper - bound <= options_.tolerance * best_.upper;
   }
 
-  bool is_over() const { return steps_ >= options_.max_steps || (options_.stop && options_.stop()); }
+  // No bound of a span gets above those of the looks at its ends.
+  bool is_final(double bound) const {
+    return least_lower_ > 0 && bound >= (1 - options_.tolerance) * least_lower_;
+  }
+
+  // Once a look has proven nothing, only common points are looked for, for a while.
+  bool is_over() const {
+    constexpr std::int64_t kStepsWithoutHope = 2'000;
+    return steps_ >= options_.max_steps || hopeless_steps_ >= kStepsWithoutHope ||
+           (options_.stop && options_.stop());
+  }
 
   PartLook look(double t) {
     ++steps_;
     ++best_.steps;
     PartLook seen = watch_.at(t);
+    least_lower_ = std::min(least_lower_, seen.lower);
+    if (least_lower_ == 0) ++hopeless_steps_;
     if (seen.meets) seen.upper = 0;
     if (seen.upper < best_.upper) {
       best_.upper = seen.upper;
@@ -140,6 +153,8 @@ class ClearanceSearch {
   const ContinuousOptions& options_;
   ClearanceResult& best_;
   std::priority_queue<Span> spans_;
+  double least_lower_ = kInfinity;
+  std::int64_t hopeless_steps_ = 0;
   std::int64_t steps_ = 0;
 };
 

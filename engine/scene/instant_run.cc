@@ -38,8 +38,8 @@ SceneStatus status_of(PairSeparation separation) {
 }  // namespace
 
 InstantRun::InstantRun(const Scene& scene, const Timeline& timeline, const InstantTask& task,
-                       PairSolver& solver, SceneCellResult& result)
-    : scene_(scene), timeline_(timeline), task_(task), solver_(solver), result_(result) {
+                       PairSolver& solver, SceneCellResult& result, const std::function<bool()>& stop)
+    : scene_(scene), timeline_(timeline), task_(task), solver_(solver), result_(result), stop_(stop) {
   const SceneQuery& query = scene.queries[static_cast<std::size_t>(task.queries.front())];
   solver_.set_tolerance(query.tolerance);
   solver_.bind(scene.bodies[static_cast<std::size_t>(task.pair.a)],
@@ -65,8 +65,11 @@ void InstantRun::study_queries() {
 }
 
 void InstantRun::run(std::size_t first, std::size_t last) {
+  constexpr unsigned kLooksPerStop = 16;
   first_ = first == 0;
+  unsigned looks = 0;
   for (std::size_t k = first == 0 ? 0 : first - 1; k < last; ++k) {
+    if (++looks % kLooksPerStop == 0 && stop_ && stop_()) return;
     recording_ = k >= first;
     placed_ = false;
     look(k);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "raygauge/scene/scene_plan.h"
 #include "raygauge/scene/scene_record.h"
 #include "raygauge/scene/timeline.h"
@@ -14,7 +16,7 @@ class InstantRun {
  public:
   /// `task` must outlive the object.
   InstantRun(const Scene& scene, const Timeline& timeline, const InstantTask& task, PairSolver& solver,
-             SceneCellResult& result);
+             SceneCellResult& result, const std::function<bool()>& stop);
 
   /// All instants in [first, last), in order. The instant before `first`, where there is one, is looked at
   /// but not recorded, so that what is recorded does not depend on where time is cut.
@@ -51,6 +53,7 @@ class InstantRun {
   const InstantTask& task_;
   PairSolver& solver_;
   SceneCellResult& result_;
+  const std::function<bool()>& stop_;
 
   // What the queries of the task need together.
   bool exact_ = false;         ///< the distance at every instant

@@ -167,9 +167,10 @@ class NearestRun {
 }  // namespace
 
 void find_nearest(const Scene& scene, const Timeline& timeline, int query, std::size_t first,
-                  std::size_t last, PairSolver& solver, SceneCellResult& result) {
+                  std::size_t last, PairSolver& solver, SceneCellResult& result,
+                  const std::function<bool()>& stop) {
   NearestRun run(scene, timeline, query, solver, result);
-  for (std::size_t k = first; k < last; ++k) run.look(k);
+  for (std::size_t k = first; k < last && !(stop && stop()); ++k) run.look(k);
 }
 
 }  // namespace raygauge

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "raygauge/scene/scene_record.h"
 #include "raygauge/scene/timeline.h"
 
@@ -11,6 +13,7 @@ namespace raygauge {
 /// of their bounding balls, until the next one cannot be among the k nearest. Planes of the instant before
 /// save some of those solves.
 void find_nearest(const Scene& scene, const Timeline& timeline, int query, std::size_t first,
-                  std::size_t last, PairSolver& solver, SceneCellResult& result);
+                  std::size_t last, PairSolver& solver, SceneCellResult& result,
+                  const std::function<bool()>& stop);
 
 }  // namespace raygauge

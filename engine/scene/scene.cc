@@ -33,8 +33,11 @@ void check_instants(const Scene& scene) {
     if (k > 0 && !(scene.instants[k - 1] < scene.instants[k])) refuse("instants must rise");
   }
   for (const Body& body : scene.bodies) {
-    if (scene.instants.front() >= body.motion->start() && scene.instants.back() <= body.motion->stop())
-      continue;
+    if (scene.instants.front() >= body.motion->start() && scene.instants.back() <= body.motion->stop()) {
+      if (std::isfinite(body.motion->error_at(scene.instants.back()).place)) continue;
+      refuse("body '" + body.name + "' moves farther than can be computed with: its place at time " +
+             std::to_string(scene.instants.back()) + " has numbers above 1e150");
+    }
     refuse("body '" + body.name + "' moves from time " + std::to_string(body.motion->start()) + " to " +
            std::to_string(body.motion->stop()) + ", but the scene asks from " +
            std::to_string(scene.instants.front()) + " to " + std::to_string(scene.instants.back()));

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "engine/scene/cell_clock.h"
 #include "engine/scene/instant_run.h"
 #include "engine/scene/nearest_run.h"
 #include "engine/threads/team.h"
@@ -65,6 +68,10 @@ void find_clearance(const Scene& scene, const ContinuousTask& task, const Contin
                 scene.bodies[static_cast<std::size_t>(task.pair.b)], metric, metric_body, options);
   row.kind = SceneRowKind::clearance;
   row.time = found.time;
+  if (found.touches) {
+    row.time_lower = found.no_contact_before;
+    row.time_upper = found.time;
+  }
   row.lower = found.lower;
   row.upper = found.upper;
   row.distance = found.upper;
@@ -75,13 +82,14 @@ void find_clearance(const Scene& scene, const ContinuousTask& task, const Contin
 }
 
 void run_continuous(const Scene& scene, const ContinuousTask& task, PairSolver& solver,
-                    SceneCellResult& result) {
+                    SceneCellResult& result, const std::function<bool()>& stop) {
   const SceneQuery& query = scene.queries[static_cast<std::size_t>(task.query)];
   ContinuousOptions options;
   options.from = scene.instants.front();
   options.to = scene.instants.back();
   options.contact = query.contact;
   options.tolerance = query.clearance_tolerance;
+  options.stop = stop;
   SceneRecord row = row_of(task);
   const Clock::time_point begin = Clock::now();
   const std::int64_t before = solver.counters().solves();
@@ -99,25 +107,25 @@ void run_continuous(const Scene& scene, const ContinuousTask& task, PairSolver& 
 }  // namespace
 
 SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
-                               std::uint64_t number) {
+                               std::uint64_t number, const std::function<bool()>& stop) {
   const SceneCell& cell = plan.cells[number];
   SceneCellResult result;
   result.cell = number;
   result.tallies.resize(scene.queries.size());
   const Clock::time_point begin = Clock::now();
   PairSolver solver(scene.dimension());
-  for (std::size_t i = cell.first_task; i < cell.last_task; ++i) {
+  for (std::size_t i = cell.first_task; i < cell.last_task && !(stop && stop()); ++i) {
     switch (cell.kind) {
       case SceneCellKind::instants:
-        InstantRun(scene, timeline, plan.instant_tasks[i], solver, result)
+        InstantRun(scene, timeline, plan.instant_tasks[i], solver, result, stop)
             .run(cell.first_instant, cell.last_instant);
         break;
       case SceneCellKind::nearest:
         find_nearest(scene, timeline, plan.nearest_queries[i], cell.first_instant, cell.last_instant, solver,
-                     result);
+                     result, stop);
         break;
       case SceneCellKind::continuous:
-        run_continuous(scene, plan.continuous_tasks[i], solver, result);
+        run_continuous(scene, plan.continuous_tasks[i], solver, result, stop);
         break;
     }
   }
@@ -126,46 +134,105 @@ SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const 
   return result;
 }
 
+namespace {
+
+/// One run: its cells, shared between threads.
+class SceneRun {
+ public:
+  SceneRun(const Scene& scene, const ScenePlan& plan, const SceneHooks& hooks, SceneSink& sink)
+      : scene_(scene), plan_(plan), hooks_(hooks), sink_(sink), begin_(Clock::now()) {}
+
+  SceneSummary run(int threads, const std::set<std::uint64_t>& done) {
+    for (std::uint64_t cell = 0; cell < plan_.cells.size(); ++cell) {
+      if (done.count(cell) == 0) cells_.push_back(cell);
+    }
+    summary_.threads = threads > 0 ? threads : omp_get_num_procs();
+    clock_.emplace(plan_, cells_, summary_.threads);
+    const Timeline timeline(scene_, summary_.threads, hooks_.stop);
+    run_team(summary_.threads, {}, [&](int, int) {
+      try {
+        work(timeline);
+      } catch (...) {
+        failed_.store(true);
+        throw;
+      }
+    });
+    sink_.flush();
+    summary_.stopped = summary_.stopped && summary_.cells_done < cells_.size();
+    summary_.wall_seconds = seconds_since(begin_);
+    return summary_;
+  }
+
+ private:
+  static constexpr double kSecondsPerReport = 1;
+
+  void work(const Timeline& timeline) {
+    bool stopped = false;
+    int asked = 0;
+    // A clock, a signal and a lock at some questions only: a look may take a microsecond.
+    const std::function<bool()> stop = [&] {
+      constexpr int kQuestionsPerLook = 16;
+      if (!stopped && asked++ % kQuestionsPerLook == 0) {
+        stopped = hooks_.stop && hooks_.stop();
+        report_within_cell();
+      }
+      return stopped;
+    };
+    while (!failed_.load()) {
+      asked = 0;
+      if (stop()) return stop_all();
+      const std::uint64_t i = hooks_.next ? hooks_.next() : next_.fetch_add(1);
+      if (i >= cells_.size()) return;
+      {
+        const std::lock_guard lock(mutex_);
+        clock_->begin(i, seconds_since(begin_));
+      }
+      const SceneCellResult result = run_scene_cell(scene_, plan_, timeline, cells_[i], stop);
+      if (stopped) return stop_all();
+      sink_.store(result);
+      const std::lock_guard lock(mutex_);
+      ++summary_.cells_done;
+      clock_->end(i, seconds_since(begin_));
+      report();
+    }
+  }
+
+  void stop_all() {
+    const std::lock_guard lock(mutex_);
+    summary_.stopped = true;
+  }
+
+  // The mutex is locked.
+  void report() {
+    reported_at_ = seconds_since(begin_);
+    if (!hooks_.progress) return;
+    hooks_.progress({summary_.cells_done, cells_.size(), reported_at_, clock_->seconds_left(reported_at_)});
+  }
+
+  void report_within_cell() {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock && seconds_since(begin_) >= reported_at_ + kSecondsPerReport) report();
+  }
+
+  const Scene& scene_;
+  const ScenePlan& plan_;
+  const SceneHooks& hooks_;
+  SceneSink& sink_;
+  Clock::time_point begin_;
+  std::vector<std::uint64_t> cells_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;  ///< of what follows
+  SceneSummary summary_;
+  std::optional<CellClock> clock_;
+  double reported_at_ = 0;
+};
+
+}  // namespace
+
 SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
                        const std::set<std::uint64_t>& done, SceneSink& sink, const SceneHooks& hooks) {
-  const Clock::time_point begin = Clock::now();
-  std::vector<std::uint64_t> cells;
-  for (std::uint64_t cell = 0; cell < plan.cells.size(); ++cell) {
-    if (done.count(cell) == 0) cells.push_back(cell);
-  }
-  SceneSummary summary;
-  summary.threads = threads > 0 ? threads : omp_get_num_procs();
-  const Timeline timeline(scene, summary.threads);
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> failed{false};
-  std::mutex mutex;
-  const auto work = [&](int, int) {
-    try {
-      for (;;) {
-        if (failed.load()) return;
-        if (hooks.stop && hooks.stop()) {
-          const std::lock_guard lock(mutex);
-          summary.stopped = true;
-          return;
-        }
-        const std::uint64_t i = hooks.next ? hooks.next() : next.fetch_add(1);
-        if (i >= cells.size()) return;
-        const SceneCellResult result = run_scene_cell(scene, plan, timeline, cells[i]);
-        sink.store(result);
-        const std::lock_guard lock(mutex);
-        ++summary.cells_done;
-        if (hooks.progress) hooks.progress({summary.cells_done, cells.size(), seconds_since(begin)});
-      }
-    } catch (...) {
-      failed.store(true);
-      throw;
-    }
-  };
-  run_team(summary.threads, {}, work);
-  sink.flush();
-  summary.stopped = summary.stopped && summary.cells_done < cells.size();
-  summary.wall_seconds = seconds_since(begin);
-  return summary;
+  return SceneRun(scene, plan, hooks, sink).run(threads, done);
 }
 
 }  // namespace raygauge

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
+#include "engine/numerics/floating_point.h"
 #include "engine/threads/team.h"
 #include "raygauge/sets/pose.h"
 
@@ -13,6 +15,16 @@ namespace raygauge {
 namespace {
 
 constexpr double kOutward = 1 + 1e-13;
+constexpr std::size_t kInstantsPerStop = 1024;
+
+// path + step, and more than path where there is a step at all, however small: a body that has moved is not
+// taken for one that stands. NaN, which equals nothing, where numbers are too large for their squares.
+double longer(double path, double step) {
+  constexpr double kLongest = 1e150;
+  if (step == 0) return path;
+  const double sum = std::max(path + step, std::nextafter(path, kInfinity));
+  return sum <= kLongest ? sum : std::numeric_limits<double>::quiet_NaN();
+}
 
 // How far points within `reach` of the origin are from where they were: |t' - t| + ‖R' - R‖ reach, where the
 // spectral norm of a difference of two rotations of the plane or of 3-space is its Frobenius norm over √2;
@@ -29,7 +41,7 @@ double way(const Placement& before, const Placement& after, double reach) {
 
 }  // namespace
 
-Timeline::Timeline(const Scene& scene, int threads)
+Timeline::Timeline(const Scene& scene, int threads, const std::function<bool()>& stop)
     : dimension_(scene.dimension()), size_(scene.instants.size()) {
   const std::size_t total = scene.bodies.size() * size_;
   const auto n = static_cast<std::size_t>(dimension_);
@@ -39,12 +51,12 @@ Timeline::Timeline(const Scene& scene, int threads)
   shifted_ = std::make_unique_for_overwrite<double[]>(total);
   std::atomic<std::size_t> next{0};
   run_team(threads, {}, [&](int, int) {
-    for (std::size_t body = next++; body < scene.bodies.size(); body = next++) follow(scene, body);
+    for (std::size_t body = next++; body < scene.bodies.size(); body = next++) follow(scene, body, stop);
   });
 }
 
 // The body's way from instant to instant.
-void Timeline::follow(const Scene& scene, std::size_t number) {
+void Timeline::follow(const Scene& scene, std::size_t number, const std::function<bool()>& stop) {
   const Body& body = scene.bodies[number];
   const auto n = static_cast<std::size_t>(dimension_);
   double moved = 0;
@@ -53,13 +65,15 @@ void Timeline::follow(const Scene& scene, std::size_t number) {
   SmallVector center_before;
   Pose pose(dimension_);
   for (std::size_t k = 0; k < size_; ++k) {
+    if (k % kInstantsPerStop == 0 && stop && stop()) return;
     const std::size_t at = number * size_ + k;
     const Placement here = body.motion->at(scene.instants[k]);
     const SmallVector center = here.R * body.ball.center + here.t;
     if (k > 0) {
-      moved += way(before, here, body.reach);
+      moved = longer(moved, way(before, here, body.reach));
       const double rounding = 1e-15 * (center.norm() + body.reach);
-      if (moved > moved_[at - 1]) shifted += (center - center_before).norm() * kOutward + rounding;
+      const bool stands = moved == moved_[at - 1];
+      if (!stands) shifted = longer(shifted, (center - center_before).norm() * kOutward + rounding);
     }
     pose.assign(here.R.data(), here.t.data());
     double* placement = placements_.get() + at * numbers_of_placement();

@@ -8,6 +8,7 @@
 
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/pose.h"
 
 namespace raygauge {
 namespace {
@@ -49,20 +50,8 @@ AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<co
 std::shared_ptr<const AffineImage> AffineImage::rigid(std::shared_ptr<const ConvexSet> S,
                                                       const Eigen::Ref<const Eigen::MatrixXd>& R,
                                                       const ConstVectorRef& t) {
-  constexpr double kOrthogonality = 1e-12;
-  auto image = std::make_shared<const AffineImage>(std::move(S), R, t);
-  const Eigen::Index n = R.rows();
-  const Eigen::MatrixXd defect = R.transpose() * R - Eigen::MatrixXd::Identity(n, n);
-  if (defect.cwiseAbs().maxCoeff() > kOrthogonality) {
-    throw InvalidParameterError(
-        "rigid image: the columns of R must be orthonormal to 1e-12, they are so to " +
-        std::to_string(defect.cwiseAbs().maxCoeff()));
-  }
-  if (R.determinant() < 0) {
-    throw InvalidParameterError(
-        "rigid image: R must be a rotation, but it is a reflection (its determinant is -1)");
-  }
-  return image;
+  check_dimension("rigid image", "a column of R", R.rows(), static_cast<int>(t.size()));
+  return std::make_shared<const AffineImage>(std::move(S), nearest_rotation("rigid image", R).R, t);
 }
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -14,7 +15,8 @@
 namespace raygauge {
 namespace {
 
-constexpr double kOrthogonality = 1e-12;
+constexpr double kOrthogonality = 1e-12;  // of RᵀR - 1: rounding
+constexpr double kFewDigits = 1e-6;       // of an entry: printing
 
 Eigen::Matrix3d rotation_of(const Eigen::Quaterniond& q) {
   if (!q.coeffs().allFinite()) throw NonFiniteError("pose: the quaternion is not finite");
@@ -50,7 +52,36 @@ double largest_defect(const double* R, int given) {
   return largest;
 }
 
+[[noreturn]] void refuse_rotation(const std::string& name, const char* what, double number) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", number);
+  throw InvalidParameterError(name + ": the matrix is not a rotation: " + what + " by " + digits);
+}
+
 }  // namespace
+
+// Newton-Schulz steps R (3 I - RᵀR) / 2: a defect d becomes 3 d²/4. (N. J. Higham, Functions of Matrices,
+// 2008, Section 8.3.)
+NearestRotation nearest_rotation(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& R) {
+  constexpr double kConverges = 0.1;
+  constexpr int kSteps = 6;
+  const Eigen::Index n = R.rows();
+  check_dimension(name, "a row of R", R.cols(), static_cast<int>(n));
+  check_finite_matrix(name, "R", R);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
+  const double defect = (R.transpose() * R - one).cwiseAbs().maxCoeff();
+  if (!(defect <= kConverges)) refuse_rotation(name, "RᵀR differs from 1", defect);
+  if (R.determinant() < 0) {
+    throw InvalidParameterError(name +
+                                ": the matrix is a reflection (its determinant is -1), not a rotation");
+  }
+  if (defect <= kOrthogonality) return {R, 0};
+  Eigen::MatrixXd nearest = R;
+  for (int k = 0; k < kSteps; ++k) nearest = nearest * (1.5 * one - 0.5 * nearest.transpose() * nearest);
+  const double off = (R - nearest).cwiseAbs().maxCoeff();
+  if (!(off <= kFewDigits)) refuse_rotation(name, "it differs from the nearest one", off);
+  return {nearest, off};
+}
 
 Pose::Pose(int n) : dimension_(checked_dimension(n)) {
   const auto size = static_cast<std::size_t>(n);
@@ -105,21 +136,22 @@ void Pose::check() {
   const double* t = translation_data();
   const bool is_finite = std::all_of(t, t + n, [](double t_k) { return std::isfinite(t_k); });
   // A defect that is no number comes from entries that are not finite.
-  if (!(defect_ <= n * kOrthogonality) || !is_finite) throw_what_is_wrong();
+  if (!is_finite) checked_finite("pose", "t", translation());
+  replaced_ = 0;
+  if (!(defect_ <= n * kOrthogonality)) return take_nearest_rotation();
   const double determinant = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
                              : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
                                       : rotation().determinant();
   if (determinant < 0) {
-    throw InvalidParameterError("pose: R must be a rotation, but it is a reflection (its determinant is -1)");
+    throw InvalidParameterError("pose: the matrix is a reflection (its determinant is -1), not a rotation");
   }
 }
 
-void Pose::throw_what_is_wrong() const {
-  check_finite_matrix("pose", "R", rotation());
-  checked_finite("pose", "t", translation());
-  throw InvalidParameterError(
-      "pose: the columns of R must be orthonormal to 1e-12, but RᵀR differs from 1 by " +
-      std::to_string(defect_ / dimension_));
+void Pose::take_nearest_rotation() {
+  const NearestRotation nearest = nearest_rotation("pose", rotation());
+  replaced_ = nearest.off;
+  std::copy_n(nearest.R.data(), dimension_ * dimension_, rotation_data());
+  measure();
 }
 
 double Pose::defect_of(const double* R, int n) noexcept {

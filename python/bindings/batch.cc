@@ -254,6 +254,7 @@ struct BatchTask {
   const DistanceOptions& options;
   const BatchOutput& output;
   const std::atomic<bool>& stop;
+  std::atomic<bool>& replaced;  ///< whether a rotation was
   Effects effects = Effects::none;
   bool along_path = false;
 };
@@ -268,6 +269,9 @@ void solve_problem(const BatchTask& task, std::ptrdiff_t k, DistanceSolver& solv
   }
   const std::optional<Pose> object_pose = task.A.poses.pose(k);
   const std::optional<Pose> gauge_pose = task.Q.poses.pose(k);
+  for (const auto* pose : {&object_pose, &gauge_pose}) {
+    if (*pose && (*pose)->replaced() > 0) task.replaced.store(true, std::memory_order_relaxed);
+  }
   task.output.store(k,
                     solver.solve(posed(*object, object_pose), posed(*gauge, gauge_pose), task.effects, warm));
 }
@@ -299,10 +303,12 @@ DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std:
   }
   DistanceBatch batch(count, n, witness);
   const BatchOutput output(batch, n);
-  std::atomic<bool> stop = false;
-  const BatchTask task{a, q, options, output, stop, witness ? Effects::witness : Effects::none, along_path};
+  std::atomic<bool> stop = false, replaced = false;
+  const Effects effects = witness ? Effects::witness : Effects::none;
+  const BatchTask task{a, q, options, output, stop, replaced, effects, along_path};
   run_interruptibly(
       stop, [&] { share_items(count, team, stop, [&task](const auto& next) { work_on(task, next); }); });
+  if (replaced) warn_of_replaced_rotation();
   return batch;
 }
 

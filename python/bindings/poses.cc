@@ -24,6 +24,11 @@ Pose pose_of_rows(const double* matrix, int n, const char* name) {
   return {parts.rotation, parts.translation};
 }
 
+void warn_of_replaced_rotation() {
+  const char* text = "a pose's matrix is a rotation to 6 to 11 digits only; the nearest rotation is used";
+  if (PyErr_WarnEx(PyExc_UserWarning, text, 1) != 0) throw py::error_already_set();
+}
+
 std::optional<Pose> as_pose(py::handle object, int n, const char* name) {
   if (object.is_none()) return std::nullopt;
   const auto matrix = as_doubles(object, name);
@@ -32,7 +37,9 @@ std::optional<Pose> as_pose(py::handle object, int n, const char* name) {
                                  std::to_string(n + 1) + ", " + std::to_string(n + 1) + ") is needed, got " +
                                  described(object));
   }
-  return pose_of_rows(matrix.data(), n, name);
+  Pose pose = pose_of_rows(matrix.data(), n, name);
+  if (pose.replaced() > 0) warn_of_replaced_rotation();
+  return pose;
 }
 
 WarmStart* as_warm_start(py::handle object) {

@@ -24,6 +24,9 @@ RigidParts parts_of_rows(const double* matrix, int n, const char* name);
 /// The pose of such a matrix. Throws InvalidParameterError and what Pose throws.
 Pose pose_of_rows(const double* matrix, int n, const char* name);
 
+/// Warns, as Python does once a place, that a rotation was replaced by the nearest one.
+void warn_of_replaced_rotation();
+
 /// A pose for a query: none for None, else that of an array of shape (n+1, n+1). Throws
 /// DimensionMismatchError for one of another n.
 std::optional<Pose> as_pose(py::handle object, int n, const char* name);

@@ -29,7 +29,9 @@ using py::literals::operator""_a;
 /// The placement that a homogeneous matrix of R^n describes.
 Placement placement_of_rows(const double* matrix, int n, const char* name) {
   const RigidParts parts = parts_of_rows(matrix, n, name);
-  return make_placement(parts.rotation, parts.translation);
+  const NearestRotation nearest = nearest_rotation(name, parts.rotation);
+  if (nearest.off > 0) warn_of_replaced_rotation();
+  return make_placement(nearest.R, parts.translation);
 }
 
 Placement placement(py::handle object, int n) {

@@ -14,7 +14,8 @@ std::string number(double x) {
 }
 
 std::string clearance_text(const SceneRecord& record) {
-  if (record.status == SceneStatus::intersecting) return "they meet at " + number(record.time) + " s";
+  if (record.status == SceneStatus::intersecting)
+    return "they meet, first in [" + number(record.time_lower) + ", " + number(record.time) + "] s";
   const std::string least = number(record.upper) + " at " + number(record.time) + " s";
   if (!(record.lower > 0)) return "meet, or nearly: undecided; " + least;
   return "never closer than " + number(record.lower) + "; " + least;

@@ -11,6 +11,7 @@
 
 #include "engine/numerics/number_text.h"
 #include "raygauge/sets/ball.h"
+#include "tests/soak/exact_motions.h"
 #include "tests/soak/random_set.h"
 
 namespace raygauge::soak {
@@ -200,9 +201,20 @@ bool RandomMotions::graze(Pair& pair, double gap) {
   return true;
 }
 
+std::optional<std::string> RandomMotions::check_exact(RandomStream& stream, std::int64_t number) {
+  ExactMotion motion(stream);
+  bool undecided = false;
+  const auto wrong = motion.check(undecided);
+  ++tally_.exact;
+  tally_.exact_undecided += undecided ? 1 : 0;
+  if (!wrong) return std::nullopt;
+  return "motion " + std::to_string(number) + ": " + *wrong;
+}
+
 std::optional<std::string> RandomMotions::check(std::int64_t number) {
   RandomStream stream({seed_, 2, static_cast<int>(number >> 31), static_cast<int>(number & 0x7fffffff)},
                       "random_motions", RandomPurpose::shape);
+  if (number % 3 == 2) return check_exact(stream, number);
   const int n = stream.uniform() < 0.8 ? 3 : 2;
   Pair pair{draw_set(stream, Vector::Zero(n), 1, 0),
             draw_set(stream, Vector::Zero(n), 1, 0),
@@ -243,7 +255,8 @@ std::string to_string(const MotionTally& tally) {
   return std::to_string(tally.motions) + " motions (" + std::to_string(tally.grazing) +
          " grazing): " + std::to_string(tally.contacts) + " contacts, " + std::to_string(tally.free) +
          " free, " + std::to_string(tally.undecided) + " undecided; " + std::to_string(tally.tests) +
-         " exact tests\n";
+         " exact tests; " + std::to_string(tally.exact) + " motions known in quadruple precision, " +
+         std::to_string(tally.exact_undecided) + " undecided\n";
 }
 
 }  // namespace raygauge::soak

@@ -36,8 +36,8 @@ struct Placement {
   Placement operator*(const Placement& inner) const;
 };
 
-/// The placement with these. Throws DimensionMismatchError, NonFiniteError, or InvalidParameterError unless
-/// RᵀR = 1 to 1e-9 and det R = 1. What RᵀR is off by is then removed.
+/// The placement with these, R being that of nearest_rotation(); what RᵀR is off by is removed. Throws
+/// DimensionMismatchError, NonFiniteError, or InvalidParameterError where nearest_rotation() does.
 Placement make_placement(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
 
 /// The rotation of 3-space by |r| radians about r.

@@ -26,14 +26,17 @@ struct SceneProgress {
   std::uint64_t cells_done = 0;  ///< of this run
   std::uint64_t cells_total = 0;
   double seconds = 0;
+  double seconds_left = 0;  ///< expected, see engine/scene/cell_clock.h; 0 while nothing is known
 };
 
 struct SceneHooks {
-  std::function<bool()> stop;  ///< true: take no further cell
+  std::function<bool()>
+      stop;  ///< true: end; what is in flight is dropped. Asked by all threads, within a cell too
   /// Returns 0, 1, …, each once to the threads of all processes: the number of the next cell among those not
   /// yet in `done`, which is the same in all. Empty: this process does all cells. Thread safe.
   std::function<std::uint64_t()> next;
-  std::function<void(const SceneProgress&)> progress;  ///< after each cell; never by two threads at once
+  /// After each cell, and every second within cells; never by two threads at once.
+  std::function<void(const SceneProgress&)> progress;
 };
 
 struct SceneSummary {
@@ -48,8 +51,8 @@ struct SceneSummary {
 SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
                        const std::set<std::uint64_t>& done, SceneSink& sink, const SceneHooks& hooks = {});
 
-/// The work on one cell.
+/// The work on one cell, of which a part is missing once `stop` was true.
 SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
-                               std::uint64_t cell);
+                               std::uint64_t cell, const std::function<bool()>& stop = {});
 
 }  // namespace raygauge

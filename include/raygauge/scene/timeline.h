@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 #include "raygauge/scene/scene.h"
@@ -16,8 +17,8 @@ namespace raygauge {
 /// centre of its bounding ball by at most shifted(b, k) - shifted(b, j).
 class Timeline {
  public:
-  /// Bodies are shared between `threads` threads.
-  explicit Timeline(const Scene& scene, int threads = 1);
+  /// Bodies are shared between `threads` threads. Once `stop` is true the rest is left out.
+  explicit Timeline(const Scene& scene, int threads = 1, const std::function<bool()>& stop = {});
 
   std::size_t size() const noexcept { return size_; }
 
@@ -36,7 +37,7 @@ class Timeline {
   std::size_t last_within(BodyPair pair, std::size_t from, double budget, bool balls) const;
 
  private:
-  void follow(const Scene& scene, std::size_t body);
+  void follow(const Scene& scene, std::size_t body, const std::function<bool()>& stop);
   std::size_t index(int body, std::size_t k) const { return static_cast<std::size_t>(body) * size_ + k; }
 
   std::size_t numbers_of_placement() const {

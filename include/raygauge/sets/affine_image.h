@@ -20,7 +20,7 @@ class AffineImage final : public LinearImage {
   AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<const Eigen::MatrixXd>& M,
               const ConstVectorRef& t);
 
-  /// The same for a rigid motion: throws InvalidParameterError also unless RᵀR = 1 to 1e-12 and det R = 1.
+  /// The same for a rigid motion: the rotation is that of nearest_rotation(), which may throw.
   static std::shared_ptr<const AffineImage> rigid(std::shared_ptr<const ConvexSet> S,
                                                   const Eigen::Ref<const Eigen::MatrixXd>& R,
                                                   const ConstVectorRef& t);

@@ -5,15 +5,29 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 
+/// A rotation, and how far the matrix that it was made of is from it: the largest difference of an entry; 0
+/// where that matrix is taken as it is.
+struct NearestRotation {
+  DenseMatrix R;
+  double off = 0;
+};
+
+/// The rotation that a matrix stands for: itself where RᵀR = 1 to 1e-12, else the nearest rotation, if no
+/// entry is farther than 1e-6 from it: what printing with 6 digits loses. `name` is what an error calls the
+/// matrix. Throws DimensionMismatchError (not square), NonFiniteError or InvalidParameterError.
+NearestRotation nearest_rotation(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& R);
+
 /// A rigid motion x -> R x + t of R^n, the pose of a body in the world. The constructor checks it; queries do
-/// not check it again. R is used as given: a set in this pose is {R x + t : x in S} for the stored R and t.
-/// So it is no error of a query that RᵀR differs from the identity by rounding.
+/// not check it again. R is used as given where RᵀR = 1 to 1e-12: a set in this pose is {R x + t : x in S}
+/// for the stored R and t. So it is no error of a query that RᵀR differs from the identity by rounding. A
+/// rotation with fewer digits is replaced by the nearest one, see nearest_rotation().
 ///
 /// Poses of R^2 and R^3 hold their numbers inside; a pose of a larger space allocates when it is made.
 class Pose {
@@ -22,7 +36,7 @@ class Pose {
   explicit Pose(int n);
 
   /// Throws DimensionMismatchError (R not n × n for n = size of t), NonFiniteError, or InvalidParameterError
-  /// unless RᵀR = 1 to 1e-12 and det R > 0.
+  /// where nearest_rotation() does.
   Pose(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
 
   /// The rotation of q/|q|. Throws NonFiniteError, or InvalidParameterError for |q| = 0.
@@ -32,8 +46,8 @@ class Pose {
   Pose(const Eigen::Isometry3d& pose);  // NOLINT(google-explicit-constructor)
   Pose(const Eigen::Isometry2d& pose);  // NOLINT(google-explicit-constructor)
 
-  /// The pose with these, R n × n by columns, t of n numbers, in the same space; no allocation. Throws as the
-  /// constructors do, and is then not to be used.
+  /// The pose with these, R n × n by columns, t of n numbers, in the same space; no allocation unless R is
+  /// replaced. Throws as the constructors do, and is then not to be used.
   void assign(const double* R, const double* t);
 
   /// The same for numbers that a pose was made of before, when its defect() was `defect`: they are not looked
@@ -63,7 +77,10 @@ class Pose {
   /// An upper bound on ‖RᵀR - 1‖ in the spectral norm, rounding errors included.
   double defect() const noexcept { return defect_; }
 
-  /// The same for any R, n × n by columns.
+  /// How far the matrix that was given is from R: NearestRotation::off.
+  double replaced() const noexcept { return replaced_; }
+
+  /// The defect of any R, n × n by columns.
   static double defect_of(const double* R, int n) noexcept;
 
   /// Whether R only exchanges axes and turns them about: all its entries are 0 and ±1.
@@ -77,12 +94,13 @@ class Pose {
   }
   void assign(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
   void check();
-  [[noreturn]] void throw_what_is_wrong() const;
+  void take_nearest_rotation();
   void measure();
 
   int dimension_;
   bool axis_exchange_ = true;
   double defect_ = 0;
+  double replaced_ = 0;
   std::array<double, 12> small_{};  // R, then t, for n <= 3
   std::vector<double> large_;       // the same for n > 3
 };
