@@ -137,7 +137,8 @@ class SceneReader {
   }
 
   SetPointer set_of(const toml::node& node, const std::string& what) {
-    if (node.is_string()) return read_set_source((folder_ / read_text(node, what)).string());
+    if (node.is_string())
+      return placed(node, [&] { return read_set_source((folder_ / read_text(node, what)).string()); });
     return read_set_table(table_of(node, what), folder_,
                           [](const std::string& name) { return read_set_source(name); });
   }
@@ -170,6 +171,12 @@ class SceneReader {
     if (dimension_ == 0) dimension_ = parts.front()->dimension();
     const std::string name = table.contains("name") ? read_text(*table.get("name"), "body.name")
                                                     : "body" + std::to_string(scene().bodies.size() + 1);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i]->dimension() != dimension_)
+        refuse(table, "part " + std::to_string(i + 1) + " of body '" + name + "' lives in R^" +
+                          std::to_string(parts[i]->dimension()) + ", the scene in R^" +
+                          std::to_string(dimension_));
+    }
     const MotionPointer motion = read_motion(table, dimension_, folder_, scene().instants.front());
     const Body body = placed(table, [&] { return make_body(name, parts, motion); });
     add(table, body,

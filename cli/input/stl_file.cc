@@ -51,6 +51,14 @@ bool is_word(std::string_view word, std::string_view wanted) {
                     [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
+/// "-nan(ind)", "-1.#IND", "1.#QNAN".
+bool is_undefined(std::string_view word) {
+  for (const std::string_view mark : {"nan", "NaN", "NAN", ".#IND", ".#QNAN"}) {
+    if (word.find(mark) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
 /// A text file: facets of three vertices inside one solid, or several.
 class TextReader {
  public:
@@ -95,7 +103,7 @@ class TextReader {
         reader_.fail("facet normal and three numbers are expected, not " + quoted(words_[0]));
       // The normal of a facet without area is written as NaN, in several spellings.
       for (std::size_t i = 2; i < 5; ++i) {
-        if (!number_of(words_[i]) && words_[i].find("nan") == std::string_view::npos)
+        if (!number_of(words_[i]) && !is_undefined(words_[i]))
           reader_.fail(quoted(words_[i]) + " is not a number");
       }
       read_facet();

@@ -53,8 +53,8 @@ Joint joint_of(const XmlFile& file, const XmlElement& element) {
   const bool limited =
       limit != nullptr && (limit->Attribute("lower") != nullptr || limit->Attribute("upper") != nullptr);
   if (limited && file.text(element, "type") != "continuous") {
-    joint.lower = file.number(*limit, "lower", 0);
-    joint.upper = file.number(*limit, "upper", 0);
+    joint.lower = file.limit(*limit, "lower");
+    joint.upper = file.limit(*limit, "upper");
   }
   if (const XmlElement* mimic = element.FirstChildElement("mimic")) {
     joint.mimicked = file.text(*mimic, "joint");

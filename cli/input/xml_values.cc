@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/xml_values.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -19,6 +21,16 @@ std::string line_text(const std::string& path, int line) {
 
 bool is_blank(const char* text) { return words_of(text).empty(); }
 
+/// Programs write comments in front of <?xml … ?>, which is against the rules and changes nothing.
+void blank_declaration(std::string& text) {
+  const std::size_t begin = text.find("<?xml ");
+  const std::size_t end = begin == std::string::npos ? begin : text.find("?>", begin);
+  if (end == std::string::npos || text.find("<robot") < begin) return;
+  std::replace_if(
+      text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end + 2),
+      [](char c) { return c != '\n'; }, ' ');
+}
+
 /// "XML_ERROR_MISMATCHED_ELEMENT" as words.
 std::string reason_of(const tinyxml2::XMLDocument& document) {
   std::string reason = document.ErrorName();
@@ -31,7 +43,8 @@ std::string reason_of(const tinyxml2::XMLDocument& document) {
 }  // namespace
 
 XmlFile::XmlFile(const std::string& path) : path_(path) {
-  const std::string text = read_text_input(path);
+  std::string text = read_text_input(path);
+  blank_declaration(text);
   const auto fail = [&](int line, const std::string& reason) {
     throw InvalidParameterError(line_text(path_, line) + ": not XML that can be read: " + reason);
   };
@@ -55,6 +68,16 @@ std::string XmlFile::text(const XmlElement& element, const char* name) const {
   const char* value = element.Attribute(name);
   if (value == nullptr) refuse(element, std::string("<") + element.Name() + "> needs the attribute " + name);
   return value;
+}
+
+double XmlFile::limit(const XmlElement& element, const char* name) const {
+  if (element.Attribute(name) == nullptr) return 0;
+  const std::string value = text(element, name);
+  const auto words = words_of(value);
+  const std::optional<double> number = words.size() == 1 ? number_of(words[0]) : std::nullopt;
+  if (!number || std::isnan(*number))
+    refuse(element, std::string(name) + " must be a number, got " + quoted(value));
+  return *number;
 }
 
 double XmlFile::number(const XmlElement& element, const char* name) const {

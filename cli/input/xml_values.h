@@ -28,6 +28,8 @@ class XmlFile {
   std::string text(const XmlElement& element, const char* name) const;
   double number(const XmlElement& element, const char* name) const;
   double number(const XmlElement& element, const char* name, double otherwise) const;
+  double limit(const XmlElement& element,
+               const char* name) const;  ///< may be infinite; 0 where it is missing
   Eigen::Vector3d vector(const XmlElement& element, const char* name, const Eigen::Vector3d& otherwise) const;
 
  private:

@@ -87,6 +87,25 @@ class ReportedFiles(unittest.TestCase):
         self.assertNotIn("limits", self.run_raygauge("scene", "explain", "arm.toml", "--skip-missing-meshes").stderr)
         self.assertEqual("", self.run_raygauge("scene", "run", "arm.toml", "--skip-missing-meshes", "-q", "-o", "q.h5").stderr)
 
+    def test_a_byte_order_mark_and_blanks_in_front_are_read_over_in_every_text(self):
+        texts = {"arm.urdf": ARM, "joints.csv": "time,j,k\n0,0,0\n1,1,0\n", "arm.toml": SCENE,
+                 "ball.toml": 'shape = "ball"\ncenter = [0, 0, 0]\nradius = 1\n', "A.csv": "3 0 0\n", "pairs.csv": "A,Q\nA.csv,Q.csv\n",
+                 "Q.csv": "1 1 1\n-1 0 0\n0 -1 0\n0 0 -1\n",
+                 "e.toml": '[[generator]]\nname = "files"\npairs = "pairs.csv"\n[[method]]\nname = "column_generation"\n',
+                 "m.obj": "v 3 0 0\n", "m.off": "OFF 1 0 0\n3 0 0\n", "m.stl": "solid\nfacet normal 0 0 1\nouter loop\n" +
+                 "vertex 3 0 0\n" * 3 + "endloop\nendfacet\nendsolid\n",
+                 "m.ply": "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                          "end_header\n3 0 0\n"}
+        for front in ("\ufeff", "\n  ", "\ufeff \t\n"):
+            for name, text in texts.items():
+                (self.work / name).write_text(front + text, encoding="utf-8")
+            with self.subTest(front):
+                self.run_raygauge("scene", "explain", "arm.toml", "--skip-missing-meshes")
+                self.run_raygauge("run", "e.toml", "--dry-run")
+                for name in ("A.csv", "m.obj", "m.off", "m.stl", "m.ply"):
+                    done = self.run_raygauge("distance", name, "ball.toml", "--json")
+                    self.assertAlmostEqual(json.loads(done.stdout)["distance"], 3, 5, name)
+
     def test_set_files_that_name_each_other_end_soon(self):
         for level in range(1, 19):
             (self.work / f"s{level}.toml").write_text(

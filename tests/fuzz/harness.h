@@ -25,6 +25,7 @@ void check_filter(std::string_view input);
 void check_scene_file(std::string_view input);
 void check_robot_file(std::string_view input);
 void check_pair_list(std::string_view input);
+void check_motion_file(std::string_view input);
 void check_solver(std::string_view input);
 
 /// A promise of the library that an input broke.

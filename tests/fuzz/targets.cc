@@ -22,6 +22,7 @@ const std::vector<Target>& targets() {
       {"scene_file", check_scene_file},
       {"robot_file", check_robot_file},
       {"pair_list", check_pair_list},
+      {"motion_file", check_motion_file},
 #ifdef RAYGAUGE_HAS_EXACT
       {"solver", check_solver, false},
 #endif

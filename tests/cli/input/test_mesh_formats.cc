@@ -102,7 +102,7 @@ TEST(StlVertices, OfATextAreReadInSmallLettersAndCapitalsAndFromSeveralSolids) {
   EXPECT_EQ(stl_vertices(
                 "\n  SOLID\n" + facet("Vertex 1 0 0\n VERTEX 0 2 0\n\tvertex 0 0 4\r\n") + "ENDSOLID\n", "m"),
             kTriangle);
-  EXPECT_EQ(stl_vertices("solid\n" + facet(kCorners, "-nan(ind) nan 0") + "endsolid\nsolid\nendsolid\n", "m"),
+  EXPECT_EQ(stl_vertices("solid\n" + facet(kCorners, "-nan(ind) -1.#IND 0") + "endsolid\nsolid\nendsolid\n", "m"),
             kTriangle);
 }
 

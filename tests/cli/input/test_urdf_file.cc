@@ -80,6 +80,10 @@ TEST_F(UrdfFile, WhatIsWrongInAVisualOrAnInertialIsNotLookedAt) {
       1U);
 }
 
+TEST_F(UrdfFile, ACommentMayStandInFrontOfTheDeclaration) {
+  EXPECT_EQ(read("<!-- made by hand -->\n<?xml version=\"1.0\"?>\n" + robot(link("l"))).links.size(), 1U);
+}
+
 TEST_F(UrdfFile, AMimicOfAMimicFollowsBoth) {
   const Robot fingers =
       read(robot(link("a") + link("b") + link("c") + link("d") + joint("j", "a", "b") +
@@ -97,10 +101,11 @@ TEST_F(UrdfFile, LimitsAreThoseOfTheJointWhereItHasSome) {
   const Robot arm = read(robot(link("a") + link("b") + link("c") + link("d") +
                                joint("j", "a", "b", "<limit lower=\"-1\" upper=\"2\" effort=\"1\"/>") +
                                joint("k", "b", "c", "<limit effort=\"1\"/>") +
-                               joint("l", "c", "d", "<limit lower=\"0\" upper=\"0\"/>", "continuous")));
+                               joint("l", "c", "d", "<limit lower=\"0\" upper=\"0\"/>", "continuous") +
+                               link("e") + joint("m", "d", "e", "<limit lower=\"-1\" upper=\"inf\"/>")));
   EXPECT_EQ(arm.links[1].lower, -1);
   EXPECT_EQ(arm.links[1].upper, 2);
-  for (const int free : {0, 2, 3})
+  for (const int free : {0, 2, 3, 4})
     EXPECT_EQ(arm.links[static_cast<std::size_t>(free)].upper, INFINITY) << free;
 }
 

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// A file of poses, in space and in the plane: what is accepted is a motion whose poses are rotations and
+// finite.
+#include "cli/input/motion_file.h"
+#include "tests/fuzz/harness.h"
+#include "tests/fuzz/scratch_file.h"
+
+namespace raygauge::fuzz {
+
+void check_motion_file(std::string_view input) {
+  static const ScratchFile file(".motion.csv");
+  file.write(input);
+  for (const int n : {2, 3}) {
+    expect_success_or_error([&] {
+      const MotionPointer motion = cli::read_pose_file(file.path(), n);
+      require(motion->start() < motion->stop(), "an accepted motion takes time");
+      for (const double t : {motion->start(), motion->stop()}) {
+        const Placement at = motion->at(t);
+        require(at.t.allFinite() && at.R.allFinite(), "accepted poses are finite");
+        require((at.R.transpose() * at.R).isIdentity(1e-9), "accepted poses have rotations");
+      }
+    });
+  }
+}
+
+}  // namespace raygauge::fuzz
