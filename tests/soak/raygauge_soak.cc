@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets`, `bodies`, `placed`, `motions` and `scenes` check random pairs of convex sets, posed
-// bodies, bodies at known distances, moving bodies and scenes: docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `placed`, `depths`, `motions` and `scenes` check random pairs of convex
+// sets, posed bodies, bodies at known distances, overlapping bodies, moving bodies and scenes: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -14,6 +14,7 @@
 #include "results/provenance/provenance.h"
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
+#include "tests/soak/random_depths.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
@@ -154,6 +155,9 @@ int main(int count, char** arguments) {
   const CLI::App* placed = raygauge::soak::declare(
       app, "placed", "Bodies of R^2 and R^3 placed at known distances, 250 poses a pair, warm and cold.",
       asked_pairs);
+  const CLI::App* depths = raygauge::soak::declare(
+      app, "depths", "Depths of overlapping bodies of R^2 and R^3, 20 poses a pair, warm and cold.",
+      asked_pairs);
   const CLI::App* motions = raygauge::soak::declare(
       app, "motions", "Times of impact of random moving bodies, against distances at single moments.",
       asked_pairs);
@@ -166,6 +170,7 @@ int main(int count, char** arguments) {
     if (*sets) return raygauge::soak::soak_pairs<raygauge::soak::SetPairs>(asked_pairs);
     if (*bodies) return raygauge::soak::soak_pairs<raygauge::soak::PosedBodies>(asked_pairs);
     if (*placed) return raygauge::soak::soak_pairs<raygauge::soak::PlacedBodies>(asked_pairs);
+    if (*depths) return raygauge::soak::soak_pairs<raygauge::soak::RandomDepths>(asked_pairs);
     if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
     if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);
     return raygauge::soak::soak(asked);
