@@ -99,6 +99,47 @@ DoubleDouble BodyDepth::ball_height(const PreciseVector3& u) const {
   return sum;
 }
 
+// The point of the difference of the cores that is nearest to the origin, in double-double arithmetic, by the
+// algorithm of Gilbert, Johnson & Keerthi from what the distance in doubles found: of a centre and a core
+// with a formula its projection, else the support point for the normal, and the vertices and curves that it
+// is on.
+PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
+  constexpr int kMostSteps = 16, kProjections = 3;
+  const SpatialCombination& found = cores_.answer().combination;
+  const double* n = cores_.normal();
+  const PreciseVector3 normal = -raygauge::precise({n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0});
+  PrecisePoint point[4];
+  DoubleDouble height;
+  int count = 1;
+  point[0] = precise.support(normal, height);
+  if (found.count > 0) {
+    PrecisePoint projected;
+    projected.x1 = raygauge::precise(found.point[0].a1);
+    projected.x2 = raygauge::precise(pair_.to_second(found.point[0].a2));
+    for (int i = 0; i < kProjections && precise.project(projected); ++i) point[0] = projected;
+  }
+  for (int i = 0; i < std::min(found.count, 3); ++i) {
+    point[count].index_1 = found.point[i].index_1;
+    point[count].index_2 = found.point[i].index_2;
+    if (precise.follow(normal, point[count])) ++count;
+  }
+  PreciseVector3 v;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const PreciseVector3* s[4] = {&point[0].s, &point[1].s, &point[2].s, &point[3].s};
+    const SimplexFace<DoubleDouble> face = nearest_face<DoubleDouble>(s, count);
+    count = face.count;
+    for (int i = 0; i < count; ++i) point[i] = point[face.corner[i]];
+    v = point[0].s;
+    for (int i = 1; i < count; ++i) v = v + (point[i].s - point[0].s) * face.weight[i];
+    const double away = length(rounded(v));
+    if (count == 4 || !(away > 0)) break;
+    const PrecisePoint w = precise.support(v * DoubleDouble{-1 / away}, height);
+    if (!((height + away).high > precise.error())) break;
+    point[count++] = w;
+  }
+  return v;
+}
+
 // Distances are rounded to doubles, which is too coarse where the depth is a small part of them. With the
 // normal of the distance, and the pieces of the bodies that it came from, the difference is taken in
 // double-double arithmetic. A point v of the difference of the cores proves a lower bound: with w = -v/|v|
@@ -107,27 +148,9 @@ DoubleDouble BodyDepth::ball_height(const PreciseVector3& u) const {
 // |v| - 1.3 (Σ r δ)²/|v|.
 void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   PrecisePair precise;
-  const SpatialCombination& found = cores_.answer().combination;
   if (!precise.bind(pair_, kernels_for(isa_))) return;
-  const double* n = cores_.normal();
-  const PreciseVector3 direction = -raygauge::precise({n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0});
-  PrecisePoint point[4];
-  const PreciseVector3* s[4];
-  DoubleDouble top;
-  point[0] = precise.support(direction, top);
-  s[0] = &point[0].s;
-  int count = 1;
-  for (int i = 0; i < std::min(found.count, 3); ++i) {
-    PrecisePoint& next = point[count];
-    next.index_1 = found.point[i].index_1;
-    next.index_2 = found.point[i].index_2;
-    if (!precise.follow(direction, next) || length(rounded(next.s - point[0].s)) == 0) continue;
-    s[count++] = &next.s;
-  }
-  const SimplexFace<DoubleDouble> face = nearest_face<DoubleDouble>(s, count);
-  PreciseVector3 v = point[face.corner[0]].s;
-  for (int i = 1; i < face.count; ++i)
-    v = v + (point[face.corner[i]].s - point[face.corner[0]].s) * face.weight[i];
+  const PreciseVector3 v = nearest_of_cores(precise);
+  answer.support_queries += precise.queries();
   const DoubleDouble away = sqrt(dot(v, v));
   const double error = 2 * precise.error();
   if (!(away.high > 0)) return;

@@ -39,6 +39,7 @@ class BodyDepth {
   bool solve_apart(double tolerance, BodyDepthAnswer& answer);
   void bound_apart(BodyDepthAnswer& answer) const;
   DoubleDouble ball_height(const PreciseVector3& u) const;
+  PreciseVector3 nearest_of_cores(PrecisePair& precise) const;
   void refine_apart(BodyDepthAnswer& answer);
   bool is_tiny(const PoseNumbers& first, const PoseNumbers& second);
   void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `motions` and `scenes` check random pairs of
-// convex sets, posed bodies, bodies at known distances, overlaps, used solvers, moving bodies and scenes:
-// docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions` and `scenes` check random
+// pairs of convex sets, posed bodies, bodies at known distances, overlaps, used solvers, depths, moving
+// bodies and scenes: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -16,6 +16,7 @@
 #include "tests/soak/overlaps.h"
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
+#include "tests/soak/random_depths.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
@@ -164,6 +165,9 @@ int main(int count, char** arguments) {
   const CLI::App* used = raygauge::soak::declare(
       app, "used", "Queries of every kind by solvers that have answered others and by new ones, bit for bit.",
       asked_pairs);
+  const CLI::App* depths = raygauge::soak::declare(
+      app, "depths", "Depths of overlapping bodies of R^2 and R^3, 20 poses a pair, warm and cold.",
+      asked_pairs);
   const CLI::App* motions = raygauge::soak::declare(
       app, "motions", "Times of impact of random moving bodies, against distances at single moments.",
       asked_pairs);
@@ -178,6 +182,7 @@ int main(int count, char** arguments) {
     if (*placed) return raygauge::soak::soak_pairs<raygauge::soak::PlacedBodies>(asked_pairs);
     if (*overlaps) return raygauge::soak::soak_pairs<raygauge::soak::Overlaps>(asked_pairs);
     if (*used) return raygauge::soak::soak_pairs<raygauge::soak::UsedSolvers>(asked_pairs);
+    if (*depths) return raygauge::soak::soak_pairs<raygauge::soak::RandomDepths>(asked_pairs);
     if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
     if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);
     return raygauge::soak::soak(asked);

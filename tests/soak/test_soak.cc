@@ -15,6 +15,7 @@
 #include "tests/soak/overlaps.h"
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
+#include "tests/soak/random_depths.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
@@ -245,6 +246,17 @@ TEST(Soak, PolytopesOfQuartersThatOverlapAreNeverUndecided) {
   }
   EXPECT_GT(overlaps.tally().overlapping, 1500);
   EXPECT_GT(overlaps.tally().touching, 100);
+}
+
+TEST(Soak, RandomDepthsHaveBoundsThatNoDirectionContradicts) {
+  soak::RandomDepths depths(1);
+  for (int i = 0; i < 200; ++i) {
+    const auto violation = depths.check(i);
+    ASSERT_FALSE(violation) << *violation;
+  }
+  EXPECT_EQ(depths.tally().poses, 200 * soak::RandomDepths::kPoses);
+  EXPECT_GT(depths.tally().certified, depths.tally().depths * 9 / 10);
+  EXPECT_GT(depths.tally().facets, 0);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ constexpr bool has_effect(ObjectEffects asked, ObjectEffects effect) noexcept {
 /// the least translation of A1, measured by Q, after which the interiors are disjoint. Values that were not
 /// computed are NaN or empty.
 struct ObjectDepth {
-  double depth = DistanceResult::kUnset;  ///< `upper`
-  double lower = DistanceResult::kUnset;  ///< certified: lower Q ⊆ D, which holds for all directions at once
+  double depth = DistanceResult::kUnset;  ///< `upper`; 0 if the interiors are disjoint
+  double lower = DistanceResult::kUnset;  ///< certified if above 0: lower Q ⊆ D, for all directions at once
   double upper = DistanceResult::kUnset;  ///< certified: h_D(normal)
 
   /// `optimal`: upper - lower <= tolerance * upper, or both are 0. `unreachable`: the depth is infinite. A
