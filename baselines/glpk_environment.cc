@@ -32,7 +32,7 @@ struct GlpkProblem::Environment {
   void delete_abandoned() {
     std::erase_if(slots, [](const std::shared_ptr<Slot>& slot) {
       if (!slot->abandoned) return false;
-      glp_delete_prob(std::exchange(slot->problem, nullptr));
+      if (slot->problem != nullptr) glp_delete_prob(std::exchange(slot->problem, nullptr));
       return true;
     });
     if (slots.empty()) glp_free_env();
@@ -54,7 +54,11 @@ GlpkProblem::GlpkProblem() : slot_(std::make_shared<Slot>()) {
   here.slots.push_back(slot_);
   glp_term_hook(swallow_output, nullptr);
   glp_term_out(GLP_OFF);
-  slot_->problem = glp_create_prob();
+  glp_prob*& problem = slot_->problem;
+  if (!run_guarded(
+          nullptr, [](glp_prob*, void* made) { *static_cast<glp_prob**>(made) = glp_create_prob(); },
+          &problem))
+    throw Error("GLPK is out of memory");
 }
 
 GlpkProblem::~GlpkProblem() { release(); }

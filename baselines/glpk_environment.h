@@ -17,7 +17,7 @@ namespace raygauge {
 /// thread is freed with its last problem. Its terminal output is silenced.
 class GlpkProblem {
  public:
-  /// An empty problem of the calling thread.
+  /// An empty problem of the calling thread. Throws Error where there is no memory for it.
   GlpkProblem();
   ~GlpkProblem();
   GlpkProblem(GlpkProblem&& other) noexcept;
@@ -26,9 +26,10 @@ class GlpkProblem {
   /// The problem. Throws Error outside the thread that made it.
   glp_prob* get() const;
 
-  /// Runs `call` on the problem and returns whether it came back: where GLPK hits an internal error it would
-  /// end the process; here the call is abandoned instead, and the problem is unusable afterwards. The call
-  /// is left by longjmp, so it must hold nothing that needs a destructor. Throws as get() does.
+  /// Runs `call` on the problem and returns whether it came back: where GLPK hits an internal error, or finds
+  /// no memory, it would end the process; here the call is abandoned instead, and the problem is unusable
+  /// afterwards. The call is left by longjmp, so it must hold nothing that needs a destructor. Throws as
+  /// get() does.
   template <class Call>
   bool survives(Call&& call) {
     return run_guarded(

@@ -65,24 +65,21 @@ void add_rows(glp_prob* model, const GaugeLp& lp) {
   }
 }
 
-/// False if that takes too long.
-bool fill_model(glp_prob* model, const GaugeLp& lp, BuildingTime& time) {
+/// False if that takes too long. `index` and `value` have room for the rows; GLPK counts from 1, and element
+/// 0 of both is not read. Out of memory GLPK leaves by longjmp: nothing here may need a destructor.
+bool fill_model(glp_prob* model, const GaugeLp& lp, const int* index, double* value, BuildingTime& time) {
   add_rows(model, lp);
   const int rows = lp.rows();
   const int columns = static_cast<int>(lp.columns());
-  // GLPK counts from 1: element 0 of both arrays is not read.
-  std::vector<int> index(static_cast<std::size_t>(rows) + 1);
-  std::iota(index.begin(), index.end(), 0);
-  std::vector<double> value(index.size());
   for (int j = 0; j < columns; ++j) {
     if (j % kColumnsBetweenLooks == 0) {
       if (time.is_too_long()) return false;
       glp_add_cols(model, std::min(kColumnsBetweenLooks, columns - j));
     }
-    lp.copy_column(j, value.data() + 1);
+    lp.copy_column(j, value + 1);
     glp_set_col_bnds(model, j + 1, GLP_LO, 0, 0);
     glp_set_obj_coef(model, j + 1, lp.cost(j));
-    glp_set_mat_col(model, j + 1, rows, index.data(), value.data());
+    glp_set_mat_col(model, j + 1, rows, index, value);
   }
   return !time.is_too_long();
 }
@@ -153,8 +150,14 @@ class GlpkSimplex final : public SolveMethod, public LimitedLoad {
   void build() {
     time_.begin();
     problem_.emplace();
-    aborted_ = false;
-    if (!fill_model(problem_->get(), *lp_, time_) || !settings_.scale) return;
+    std::vector<int> index(static_cast<std::size_t>(lp_->rows()) + 1);
+    std::iota(index.begin(), index.end(), 0);
+    std::vector<double> value(index.size());
+    bool filled = false;
+    aborted_ = !problem_->survives([this, &index, &value, &filled](glp_prob* model) {
+      filled = fill_model(model, *lp_, index.data(), value.data(), time_);
+    });
+    if (aborted_ || !filled || !settings_.scale) return;
     aborted_ = !problem_->survives([](glp_prob* model) { glp_scale_prob(model, GLP_SF_AUTO); });
   }
 
@@ -180,8 +183,9 @@ class GlpkSimplex final : public SolveMethod, public LimitedLoad {
   std::optional<GlpkProblem> problem_;
   BuildingTime time_;
   int code_ = GLP_EFAIL;
-  bool begun_ = false;    ///< the last solve had time to copy the model
-  bool aborted_ = false;  ///< GLPK gave up on an internal error; the model has to be built again
+  bool begun_ = false;  ///< the last solve had time to copy the model
+  bool aborted_ =
+      false;  ///< GLPK gave up on an internal error, or for want of memory; the model has to be built again
 };
 
 Component<SolveMethod> component(const std::string& name, const std::string& variant_name, int variant) {

@@ -5,14 +5,23 @@
 #include <filesystem>
 
 #include "results/run/shards.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
 
-constexpr const char* kSafe = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789@%+=:,./_-";
+/// A line of a batch script that holds an option of sbatch.
+std::string option_line(const std::string& option) { return "#SBATCH " + language::sbatch(option) + "\n"; }
 
 std::string head(const SlurmJob& job, const std::string& suffix) {
-  return "#!/bin/bash\n#SBATCH --job-name=" + job.name + suffix + "\n";
+  return "#!/bin/bash\n" + option_line("--job-name=" + job.name + suffix);
+}
+
+/// The log beside the results file; a % of a path is none of the signs that Slurm replaces.
+std::string log_line(const SlurmJob& job, const std::string& name) {
+  std::string path;
+  for (const char c : job.output) path += c == '%' ? std::string("%%") : std::string(1, c);
+  return option_line("--output=" + path + name);
 }
 
 /// Started again this often at most: a cell that no time limit admits must not be tried for ever.
@@ -20,23 +29,16 @@ constexpr const char* kMostRestarts = "100";
 
 }  // namespace
 
-std::string quoted(const std::string& text) {
-  if (!text.empty() && text.find_first_not_of(kSafe) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 std::string array_script(const SlurmJob& job) {
   const std::string count = std::to_string(job.shards);
   std::string script = head(job, "") + "#SBATCH --array=1-" + count + "\n" +
                        "#SBATCH --requeue\n#SBATCH --open-mode=append\n#SBATCH --signal=B:USR1@60\n" +
-                       "#SBATCH --output=" + job.output + ".slurm-%A_%a.log\n";
-  for (const std::string& option : job.sbatch_options) script += "#SBATCH " + option + "\n";
-  std::string run = quoted(job.program) + " run " + quoted(job.experiment) + " -o " + quoted(job.output) +
-                    " --shard \"$SLURM_ARRAY_TASK_ID/" + count +
+                       log_line(job, ".slurm-%A_%a.log");
+  for (const std::string& option : job.sbatch_options) script += option_line(option);
+  std::string run = language::shell(job.program) + " run " + language::shell(job.experiment) + " -o " +
+                    language::shell(job.output) + " --shard \"$SLURM_ARRAY_TASK_ID/" + count +
                     "\" --resume --threads \"${SLURM_CPUS_PER_TASK:-1}\"";
-  for (const std::string& option : job.run_options) run += " " + quoted(option);
+  for (const std::string& option : job.run_options) run += " " + language::shell(option);
   return script + "time_is_up=\n" + run +
          " &\nrun=$!\n"
          "trap 'kill -TERM \"$run\"' TERM\n"
@@ -53,10 +55,10 @@ std::string array_script(const SlurmJob& job) {
 std::string merge_script(const SlurmJob& job) {
   std::string parts;
   for (int i = 1; i <= job.shards; ++i) {
-    parts += " \\\n  " + quoted(shard_path(job.output, {i, job.shards}).string());
+    parts += " \\\n  " + language::shell(shard_path(job.output, {i, job.shards}).string());
   }
-  return head(job, "-merge") + "#SBATCH --output=" + job.output + ".slurm-merge-%j.log\n" + "exec " +
-         quoted(job.program) + " merge -o " + quoted(job.output) + parts + "\n";
+  return head(job, "-merge") + log_line(job, ".slurm-merge-%j.log") + "exec " + language::shell(job.program) +
+         " merge -o " + language::shell(job.output) + parts + "\n";
 }
 
 }  // namespace raygauge

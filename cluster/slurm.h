@@ -19,13 +19,11 @@ struct SlurmJob {
 };
 
 /// The batch script of one task of the array: its shard, resumed where an earlier start left it. A minute
-/// before the time limit Slurm signals it; it stores what is done and asks to be queued again.
+/// before the time limit Slurm signals it; it stores what is done and asks to be queued again. Throws
+/// InvalidParameterError where a name, path or option cannot stand in a batch script (language::sbatch).
 std::string array_script(const SlurmJob& job);
 
 /// The batch script of the merge, for after the array.
 std::string merge_script(const SlurmJob& job);
-
-/// A word of a POSIX shell that stands for `text`.
-std::string quoted(const std::string& text);
 
 }  // namespace raygauge

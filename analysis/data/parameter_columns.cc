@@ -12,6 +12,7 @@
 #include "engine/sweep/parameter_text.h"
 #include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -203,12 +204,12 @@ std::string tidy_csv(const std::vector<Record>& records) {
               names.end());
   std::string text = csv_header();
   text.pop_back();
-  for (const std::string& name : names) text += "," + name;
+  for (const std::string& name : names) text += "," + language::csv(name);
   text += '\n';
   for (const Record& record : records) {
     text += csv_rows({record});
     text.pop_back();
-    for (const std::string& name : names) text += "," + csv_text_field(parameter_text(record, name));
+    for (const std::string& name : names) text += "," + language::csv(parameter_text(record, name));
     text += '\n';
   }
   return text;

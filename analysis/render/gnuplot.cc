@@ -136,6 +136,9 @@ ImageFormat image_format_of(const std::string& path) {
 }
 
 std::string draw_with_gnuplot(const std::string& script, ImageFormat format, double width, double height) {
+  // No text of ours has these; language::gnuplot() writes none. gnuplot would hand what follows to a shell.
+  if (script.find('`') != std::string::npos || script.find("\n!") != std::string::npos)
+    throw GnuplotError("gnuplot: not drawn: the script would run a command");
   const TemporaryFile in = temporary_file(terminal(format, width, height) + script);
   const TemporaryFile out = temporary_file();
   const TemporaryFile messages = temporary_file();

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/analysis_options.h"
 
+#include <cstdio>
 #include <utility>
 
 #include "raygauge/exceptions.h"
+#include "results/run/results_file.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 
@@ -29,7 +32,26 @@ void add_baseline_option(Command& command, std::vector<std::string>& baselines) 
       .default_str("");
 }
 
-MergedResults read_files(const AnalysisArguments& arguments) { return read_merged(arguments.files); }
+void require_files(const AnalysisArguments& arguments) {
+  for (const std::string& path : arguments.files) require_results(path);
+}
+
+void note_checksum(const std::string& path, bool has_checksum) {
+  if (has_checksum) return;
+  std::fprintf(stderr, "note: %s: %s\n", language::printable(path).c_str(), kNoChecksum);
+}
+
+MergedResults read_files(const AnalysisArguments& arguments) {
+  MergedResults merged = read_merged(arguments.files);
+  for (const MergedFile& file : merged.files) note_checksum(file.path, file.provenance.has_checksum);
+  return merged;
+}
+
+SceneFile read_scene(const AnalysisArguments& arguments) {
+  SceneFile file = read_scene_file(arguments.files.front());
+  note_checksum(arguments.files.front(), file.has_checksum);
+  return file;
+}
 
 Filter filter_of(const AnalysisArguments& arguments) {
   return arguments.where.empty() ? Filter() : Filter(arguments.where);

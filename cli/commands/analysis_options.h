@@ -10,6 +10,7 @@
 #include "analysis/data/merge.h"
 #include "cli/commands/command_line.h"
 #include "results/run/output_place.h"
+#include "results/scene/scene_file.h"
 
 namespace raygauge::cli {
 
@@ -24,8 +25,17 @@ void add_analysis_options(Command& command, AnalysisArguments& arguments);
 /// --baseline, for commands that show ratios.
 void add_baseline_option(Command& command, std::vector<std::string>& baselines);
 
+/// Throws ResultsError where one of the files is missing, no HDF5 file or damaged: said before anything else.
+void require_files(const AnalysisArguments& arguments);
+
 /// The records of the files, all of them: ratios need more than what passes the filter.
 MergedResults read_files(const AnalysisArguments& arguments);
+
+/// The scene's results in the one file.
+SceneFile read_scene(const AnalysisArguments& arguments);
+
+/// Says on standard error of a file that was read that it has no checksum.
+void note_checksum(const std::string& path, bool has_checksum);
 
 /// --where as a filter; without it, the one that passes everything.
 Filter filter_of(const AnalysisArguments& arguments);

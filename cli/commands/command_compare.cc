@@ -23,6 +23,7 @@
 #include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -109,6 +110,7 @@ std::vector<ResultsFile> read_side(const std::vector<std::string>& paths,
   std::vector<ResultsFile> files;
   for (const std::string& path : paths) {
     files.push_back(read_results(path));
+    note_checksum(path, files.back().provenance.has_checksum);
     if (!seen.insert(std::filesystem::weakly_canonical(path)).second)
       throw InvalidParameterError(path + " is given twice on one side: its run would count twice");
     if (!files.back().finished()) warnings.push_back(path + " is unfinished");
@@ -166,13 +168,14 @@ void print_comparison(const CompareArguments& arguments, const Comparison& compa
   render_as.color = wants_color(stdout);
   if (render_as.format == TableFormat::csv) {
     std::fputs(render(comparison_long_table(comparison), render_as).c_str(), stdout);
-    for (const std::string& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& warning : warnings)
+      std::fprintf(stderr, "warning: %s\n", language::printable(warning).c_str());
     return;
   }
   constexpr std::size_t kMostRows = 20;
   for (const Table& table : comparison_tables(comparison, warnings, arguments.all ? 0 : kMostRows))
     std::printf("%s\n", render(table, render_as).c_str());
-  std::printf("%s\n", comparison_verdict(comparison).c_str());
+  std::printf("%s\n", language::printable(comparison_verdict(comparison)).c_str());
 }
 
 /// Before the files are read, or two builds are run for hours.

@@ -16,6 +16,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/distance_query.h"
+#include "cli/commands/input_options.h"
 #include "cli/input/input_file.h"
 #include "cli/input/registries.h"
 #include "cli/input/set_file.h"
@@ -219,6 +220,7 @@ void add_distance_command(Command& app, int& status) {
   Command command = app.add_subcommand("distance", "The distance of one set A in the gauge of one set Q");
   add_sets_and_output(command, *arguments);
   const std::vector<Option> of_engine = add_limits_and_engine_options(command, *arguments);
+  add_max_input_option(command);
   command.footer(distance_footer());
   command.callback([=, &status] {
     arguments->query.engine_options_set = std::any_of(

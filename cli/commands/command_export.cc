@@ -26,7 +26,7 @@ bool exported_scene(const ExportArguments& arguments) {
   if (files.size() != 1 || !is_scene_file(files.front())) return false;
   refuse_options_of_scene(arguments.analysis, {{"--tidy", arguments.tidy}});
   write_to(output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force),
-           scene_csv(read_scene_file(files.front())));
+           scene_csv(read_scene(arguments.analysis)));
   return true;
 }
 

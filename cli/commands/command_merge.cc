@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/counted.h"
 #include "results/merge/merge_parts.h"
@@ -31,6 +32,7 @@ int merge(const MergeArguments& arguments) {
   const std::vector<std::filesystem::path> parts(arguments.parts.begin(), arguments.parts.end());
   if (is_scene_file(parts.front())) {
     const SceneFile scene = merge_scenes(parts, arguments.output, arguments.options);
+    note_checksum("one of the parts", scene.has_checksum);
     if (arguments.quiet) return kAnswered;
     std::printf("%s: %zu of %s, %s from %s\n", arguments.output.c_str(), scene.cells.size(),
                 counted(scene.cell_count, "cell").c_str(), counted(scene.records.size(), "record").c_str(),
@@ -38,6 +40,7 @@ int merge(const MergeArguments& arguments) {
     return kAnswered;
   }
   const MergeSummary summary = merge_parts(parts, arguments.output, arguments.options);
+  note_checksum("one of the parts", summary.provenance.has_checksum);
   if (arguments.quiet) return kAnswered;
   std::printf("%s: %llu of %s, %s from %s", arguments.output.c_str(),
               static_cast<unsigned long long>(summary.cells),

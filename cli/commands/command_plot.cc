@@ -14,6 +14,7 @@
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
 #include "raygauge/exceptions.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -108,7 +109,7 @@ void write_all_figures(const PlotArguments& arguments, const FigureOptions& opti
       for (const OutputRequest& output : outputs.at(figure.name))
         write_figure(arguments, figure, records, options, output);
     } catch (const FigureNeedsError& missing) {
-      std::fprintf(stderr, "skipped: %s\n", missing.what());
+      std::fprintf(stderr, "skipped: %s\n", language::printable(missing.what()).c_str());
     }
   }
 }
@@ -120,7 +121,7 @@ int plot_scene(const PlotArguments& arguments) {
     throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
   const ImageFormat format = image_format_of(arguments.output);
   const OutputRequest output = picture_request(arguments, arguments.output);
-  const SceneFile file = read_scene_file(arguments.analysis.files.front());
+  const SceneFile file = read_scene(arguments.analysis);
   const Drawing drawing = draw_scene(file, figure_size_from_string(arguments.size));
   write_to(output, described(draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height), format,
                              file.name, kSceneDescription));
@@ -129,6 +130,7 @@ int plot_scene(const PlotArguments& arguments) {
 }
 
 int plot(const PlotArguments& arguments) {
+  require_files(arguments.analysis);
   if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front()))
     return plot_scene(arguments);
   const FigureOptions options = figure_options(arguments);

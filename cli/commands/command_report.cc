@@ -26,7 +26,7 @@ int write_report(const ReportArguments& arguments) {
                                               arguments.analysis, arguments.force);
   if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front())) {
     refuse_options_of_scene(arguments.analysis, {{"--baseline", !arguments.baselines.empty()}});
-    write_to(output, scene_page::make_page(read_scene_file(arguments.analysis.files.front())));
+    write_to(output, scene_page::make_page(read_scene(arguments.analysis)));
     print_path(output);
     return kAnswered;
   }

@@ -8,6 +8,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/dry_run.h"
+#include "cli/commands/input_options.h"
 #include "cli/commands/run_setup.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
@@ -151,6 +152,7 @@ void add_run_command(Command& app, int& status) {
   Command command = app.add_subcommand("run", "Run the sweep that an experiment file describes");
   add_experiment_options(command, *arguments);
   add_ways_to_run(command, *arguments);
+  add_max_input_option(command);
   command.callback([arguments, &status] {
     if (arguments->stop_when_within) {
       const ParameterValue fraction = *arguments->stop_when_within;

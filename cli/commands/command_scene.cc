@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
+#include "cli/commands/input_options.h"
 #include "cli/commands/rank_job.h"
 #include "cli/commands/run_setup.h"
 #include "cli/input/scene_source.h"
@@ -32,6 +33,7 @@
 #include "results/run/output_place.h"
 #include "results/run/shards.h"
 #include "results/scene/scene_writer.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -92,10 +94,10 @@ void print_notes(const SceneSource& source) {
 }
 
 std::string resume_command(const SceneArguments& arguments, const std::string& output) {
-  std::string command = shell_word(program_invocation_name) + " scene run " + shell_word(arguments.path) +
-                        " -o " + shell_word(output);
-  for (const std::string& text : arguments.overrides) command += " --set " + shell_word(text);
-  for (const std::string& text : arguments.packages) command += " --package " + shell_word(text);
+  std::string command = language::shell(program_invocation_name) + " scene run " +
+                        language::shell(arguments.path) + " -o " + language::shell(output);
+  for (const std::string& text : arguments.overrides) command += " --set " + language::shell(text);
+  for (const std::string& text : arguments.packages) command += " --package " + language::shell(text);
   if (arguments.skip_missing_meshes) command += " --skip-missing-meshes";
   if (arguments.shard) {
     command +=
@@ -105,15 +107,15 @@ std::string resume_command(const SceneArguments& arguments, const std::string& o
 }
 
 void print_end(const SceneFile& file, const SceneSummary& summary, const std::string& path) {
-  std::printf("%s: %llu cells in %s on %d %s; %zu records\n", file.name.c_str(),
+  std::printf("%s: %llu cells in %s on %d %s; %zu records\n", language::printable(file.name).c_str(),
               static_cast<unsigned long long>(summary.cells_done),
               duration_text(summary.wall_seconds).c_str(), summary.threads,
               summary.threads == 1 ? "thread" : "threads", file.records.size());
   std::fputs(tally_text(file).c_str(), stdout);
   std::fputs(event_text(file).c_str(), stdout);
   std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path.c_str(),
-              shell_word(program_invocation_name).c_str(), shell_word(path).c_str(),
-              shell_word(path.substr(0, path.rfind(".h5"))).c_str());
+              language::shell(program_invocation_name).c_str(), language::shell(path).c_str(),
+              language::shell(path.substr(0, path.rfind(".h5"))).c_str());
 }
 
 /// The processes that work on a scene: this one alone, or the ranks of a job.
@@ -274,7 +276,8 @@ int explain(const SceneArguments& arguments) {
   json["bodies"] = source.scene.bodies.size();
   json["instants"] = source.scene.instants.size();
   json["cells"] = plan.cells.size();
-  std::string text = source.scene.name + ": " + counted(source.scene.bodies.size(), "body", "bodies") + ", " +
+  std::string text = language::printable(source.scene.name) + ": " +
+                     counted(source.scene.bodies.size(), "body", "bodies") + ", " +
                      counted(source.scene.instants.size(), "instant") + ", " +
                      counted(plan.cells.size(), "cell") + " of work\n";
   for (std::size_t q = 0; q < source.scene.queries.size(); ++q) {
@@ -282,9 +285,9 @@ int explain(const SceneArguments& arguments) {
     query["name"] = source.scene.queries[q].name;
     query["effects"] = source.effects[q];
     query["pairs"] = pairs_of(source.scene, source.scene.queries[q]).size();
-    text += source.scene.queries[q].name + " (" + source.effects[q] + ")\n";
+    text += language::printable(source.scene.queries[q].name) + " (" + source.effects[q] + ")\n";
     for (const std::string& line : explain_query(source.scene, plan, static_cast<int>(q))) {
-      text += "  " + line + "\n";
+      text += "  " + language::printable(line) + "\n";
       query["plan"].push_back(line);
     }
     json["queries"].push_back(query);
@@ -313,6 +316,7 @@ void add_source_options(Command& command, SceneArguments& arguments) {
       .take_all();
   command.add_flag("--skip-missing-meshes", arguments.skip_missing_meshes,
                    "Leave out the meshes of robots that are not there, and name them");
+  add_max_input_option(command);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "raygauge/exceptions.h"
 #include "results/run/atomic_file.h"
 #include "results/run/output_place.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace fs = std::filesystem;
@@ -63,7 +64,7 @@ SlurmJob job_of(const SubmitArguments& arguments) {
 
 /// The number of the job that a call of sbatch has submitted.
 std::string submitted(const std::string& options, const fs::path& script) {
-  const std::string command = "sbatch --parsable " + options + " " + quoted(script.string());
+  const std::string command = "sbatch --parsable " + options + " " + language::shell(script.string());
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw Error("sbatch cannot be started");
   std::string id;
@@ -104,8 +105,8 @@ int submit(const SubmitArguments& arguments) {
   write_atomically(merge, merge_script(job));
   const std::string array_id = submitted("", array);
   std::string options = "--dependency=afterany:" + array_id;
-  if (!arguments.partition.empty()) options += " --partition=" + quoted(arguments.partition);
-  if (!arguments.account.empty()) options += " --account=" + quoted(arguments.account);
+  if (!arguments.partition.empty()) options += " --partition=" + language::shell(arguments.partition);
+  if (!arguments.account.empty()) options += " --account=" + language::shell(arguments.account);
   std::string merge_id;
   try {
     merge_id = submitted(options, merge);

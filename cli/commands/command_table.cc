@@ -21,6 +21,7 @@
 #include "cli/output/scene_text.h"
 #include "cli/output/terminal.h"
 #include "raygauge/exceptions.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -142,11 +143,12 @@ bool printed_scene(const TableArguments& arguments) {
                                                {"--format", arguments.format != "text"}});
   write_to(output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
                           {".txt", ".csv"}, arguments.analysis, arguments.force),
-           scene_table_text(read_scene_file(files.front())));
+           scene_table_text(read_scene(arguments.analysis)));
   return true;
 }
 
 int print_table(const TableArguments& arguments) {
+  require_files(arguments.analysis);
   if (printed_scene(arguments)) return kAnswered;
   require_one_kind(arguments);
   const TableFormat format = table_format_from_string(arguments.format);
@@ -165,7 +167,8 @@ int print_table(const TableArguments& arguments) {
   }
   write_to(output, text);
   if (format == TableFormat::csv) {
-    for (const std::string& note : last.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+    for (const std::string& note : last.notes)
+      std::fprintf(stderr, "note: %s\n", language::printable(note).c_str());
   }
   return kAnswered;
 }

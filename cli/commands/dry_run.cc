@@ -19,6 +19,7 @@
 #include "results/exceptions.h"
 #include "results/run/identity.h"
 #include "results/run/results_file.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -140,7 +141,7 @@ std::size_t end_of_family(const std::vector<GeneratorSpec>& generators, std::siz
 
 std::string grid_line(const std::string& heading, const std::string& text) {
   constexpr std::size_t kWidth = 13;
-  return "  " + heading + std::string(kWidth - heading.size(), ' ') + text + "\n";
+  return "  " + heading + std::string(kWidth - heading.size(), ' ') + language::printable(text) + "\n";
 }
 
 /// A line for each family.
@@ -203,8 +204,8 @@ std::string dry_run_text(const Experiment& experiment, const SweepEstimate& esti
   const bool paired = experiment.grid == GridMode::paired;
   const bool serial = experiment.timing == TimingMode::serial;
   const std::string at_most = experiment.stop_when_within > 0 ? "at most " : "";
-  std::string text = experiment.name;
-  if (!experiment.description.empty()) text += ": " + experiment.description;
+  std::string text = language::printable(experiment.name);
+  if (!experiment.description.empty()) text += ": " + language::printable(experiment.description);
   text += "\n";
   text += grid_line("n", list_text(experiment.n, " "));
   text += grid_line("N", list_text(experiment.N, " ") + (paired ? "  (paired with n)" : ""));

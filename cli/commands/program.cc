@@ -11,6 +11,7 @@
 #include "cli/commands/command_line.h"
 #include "cli/commands/commands.h"
 #include "results/provenance/provenance.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -25,7 +26,7 @@ std::string version_text() {
 int fail(std::string message) {
   std::replace_if(
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  std::fprintf(stderr, "%s\n", message.c_str());
+  std::fprintf(stderr, "%s\n", language::printable(message).c_str());
   return kBadInput;
 }
 

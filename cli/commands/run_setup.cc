@@ -13,12 +13,14 @@
 #include "cli/output/counted.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
+#include "engine/sweep/share.h"
 #include "raygauge/exceptions.h"
 #include "results/exceptions.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
 #include "results/run/shards.h"
 #include "results/run/stored_cells.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -27,14 +29,14 @@ std::string to_text(const Shard& shard) {
   return std::to_string(shard.index) + "/" + std::to_string(shard.count);
 }
 
-std::string program() { return shell_word(program_invocation_name); }
+std::string program() { return language::shell(program_invocation_name); }
 
 /// The command that continues this run. A run that has stored nothing yet is begun again, so that under
 /// --force what it was to replace, and is still there, is not taken for its own.
 std::string resume_command(const RunArguments& arguments, bool anything_stored) {
-  std::string command = program() + " run " + shell_word(arguments.experiment_path);
-  if (!arguments.output.empty()) command += " -o " + shell_word(arguments.output);
-  for (const std::string& text : arguments.overrides) command += " --set " + shell_word(text);
+  std::string command = program() + " run " + language::shell(arguments.experiment_path);
+  if (!arguments.output.empty()) command += " -o " + language::shell(arguments.output);
+  for (const std::string& text : arguments.overrides) command += " --set " + language::shell(text);
   if (arguments.threads) command += " --threads " + std::to_string(*arguments.threads);
   if (arguments.shard) command += " --shard " + to_text(*arguments.shard);
   return command + (arguments.force && !anything_stored ? " --force" : " --resume");
@@ -47,7 +49,7 @@ RunMode run_mode(const RunArguments& arguments) {
 
 /// The command that shows the results: Table III, or a row for each point of the grid.
 std::string table_command(const Experiment& experiment, const std::string& path) {
-  const std::string command = program() + " table " + shell_word(path);
+  const std::string command = program() + " table " + language::shell(path);
   if (experiment.name == "example2") return command + " --paper table3";
   std::string rows = "n,N";
   if (experiment.generators.size() > 1) rows = "generator,generator_parameters," + rows;
@@ -58,9 +60,9 @@ std::string table_command(const Experiment& experiment, const std::string& path)
 void print_end(const Experiment& experiment, const std::string& path, const SweepSummary& sweep,
                const std::vector<Record>& records) {
   const RunSummary summary = summarise(experiment, records);
-  std::printf("%s: %s in %s on %s; %s\n", experiment.name.c_str(), counted(sweep.cells_done, "cell").c_str(),
-              duration_text(sweep.wall_seconds).c_str(), counted(sweep.threads, "thread").c_str(),
-              counted(summary.records, "record").c_str());
+  std::printf("%s: %s in %s on %s; %s\n", language::printable(experiment.name).c_str(),
+              counted(sweep.cells_done, "cell").c_str(), duration_text(sweep.wall_seconds).c_str(),
+              counted(sweep.threads, "thread").c_str(), counted(summary.records, "record").c_str());
   std::fputs(summary_text(summary, sweep.calibration).c_str(), stdout);
   std::printf("  results    %s\n  next       %s\n", path.c_str(), table_command(experiment, path).c_str());
 }
@@ -94,6 +96,13 @@ void refuse_related(const std::filesystem::path& file, bool resume) {
   if (!resume) {
     throw ResultsExistError(file.string() + ": holds cells of this run; --resume goes on with the others");
   }
+}
+
+/// One of more shards than there are cells; `merge` wants its file as well.
+bool is_shard_without_cells(const RunArguments& arguments, const Experiment& experiment) {
+  SweepShare share;
+  if (arguments.shard) share.shard = *arguments.shard;
+  return pieces_to_do(experiment, grid_of(experiment), {}, share).empty();
 }
 
 }  // namespace
@@ -143,13 +152,17 @@ OpenRun open_run(const RunArguments& arguments, const Experiment& experiment, st
 }
 
 int report_done(const RunArguments& arguments, const Experiment& experiment, OpenRun& run) {
+  const bool no_cells = is_shard_without_cells(arguments, experiment);
+  if (no_cells && (arguments.force || !std::filesystem::exists(run.path))) run.writer->begin();
   run.writer->finish();
   if (arguments.quiet) return kAnswered;
   const std::size_t cells = grid_of(experiment).size();
   const std::string all = cells == 1 ? "the only cell" : "all " + counted(cells, "cell");
-  std::printf("%s: %s%s %s done already\n  results    %s\n  next       %s\n", experiment.name.c_str(),
-              all.c_str(), arguments.shard ? " of this shard" : "", cells == 1 ? "is" : "are",
-              run.path.c_str(), table_command(experiment, run.path).c_str());
+  const std::string what = no_cells ? "this shard has no cells"
+                                    : all + (arguments.shard ? " of this shard" : "") +
+                                          (cells == 1 ? " is" : " are") + " done already";
+  std::printf("%s: %s\n  results    %s\n  next       %s\n", language::printable(experiment.name).c_str(),
+              what.c_str(), run.path.c_str(), table_command(experiment, run.path).c_str());
   return kAnswered;
 }
 

@@ -7,9 +7,12 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 #include <system_error>
 
@@ -20,6 +23,13 @@ namespace {
 
 constexpr std::size_t kChunk = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+constexpr std::uint64_t kMebibyte = 1 << 20;
+
+std::atomic<std::uint64_t>& limit() {
+  static std::atomic<std::uint64_t> bytes = kMaxInput * kMebibyte;
+  return bytes;
+}
 
 [[noreturn]] void throw_reason(const std::string& name, int reason) {
   throw InvalidParameterError(name + ": " + std::generic_category().message(reason));
@@ -64,10 +74,27 @@ std::size_t InputFile::read(char* out, std::size_t size) {
     if (got < 0 || code == Z_BUF_ERROR || code == Z_DATA_ERROR)
       throw InvalidParameterError(name_ + ": gzip data that is truncated or damaged");
     done += static_cast<std::size_t>(got);
+    read_ += static_cast<std::uint64_t>(got);
+    if (read_ > limit() && gzdirect(stream_->file) == 0)
+      throw InvalidParameterError(name_ + ": compressed data of more than " +
+                                  std::to_string(limit() / kMebibyte) +
+                                  " MiB; --max-input sets another limit");
     if (got == 0) break;
   }
   return done;
 }
+
+void limit_compressed_input(const std::string& mebibytes) {
+  std::uint64_t number = 0;
+  const char* end = mebibytes.data() + mebibytes.size();
+  const auto [stop, error] = std::from_chars(mebibytes.data(), end, number);
+  if (error != std::errc() || stop != end || number == 0 ||
+      number > std::numeric_limits<std::uint64_t>::max() / kMebibyte)
+    throw InvalidParameterError("--max-input takes a number of MiB, as in 4096; got '" + mebibytes + "'");
+  limit() = number * kMebibyte;
+}
+
+std::uint64_t compressed_input_limit() { return limit(); }
 
 std::string input_name(const std::string& path) { return path == kStandardInput ? "standard input" : path; }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -10,6 +11,16 @@ namespace raygauge::cli {
 
 /// The name that stands for standard input.
 inline constexpr const char* kStandardInput = "-";
+
+/// How large a compressed input may become: a file of a kilobyte can stand for a gigabyte. In MiB.
+inline constexpr std::uint64_t kMaxInput = 2048;
+
+/// Sets another limit for all inputs that are read from now on; for --max-input. Throws InvalidParameterError
+/// unless `mebibytes` is a positive integer.
+void limit_compressed_input(const std::string& mebibytes);
+
+/// The limit in bytes.
+std::uint64_t compressed_input_limit();
 
 /// A file, or standard input for "-", read from front to back. What gzip has compressed is decompressed,
 /// whatever its name is.
@@ -22,12 +33,13 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
 
   /// Puts the next `size` bytes at `out`, fewer only at the end. Throws InvalidParameterError: a folder,
-  /// truncated or damaged gzip data.
+  /// truncated or damaged gzip data, compressed data that are larger than the limit.
   std::size_t read(char* out, std::size_t size);
 
  private:
   struct Stream;
   std::string name_;
+  std::uint64_t read_ = 0;  ///< bytes so far
   std::unique_ptr<Stream> stream_;
 };
 

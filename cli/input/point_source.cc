@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/point_source.h"
 
+#include "cli/input/input_file.h"
 #include "cli/input/mesh_file.h"
 #include "cli/input/point_file.h"
 #include "raygauge/exceptions.h"
@@ -10,7 +11,8 @@
 namespace raygauge::cli {
 
 Eigen::MatrixXd read_point_source(const std::string& source, const PointFormat& format) {
-  if (const auto reference = parse_dataset_reference(source)) return read_points(*reference);
+  if (const auto reference = parse_dataset_reference(source))
+    return read_points(*reference, compressed_input_limit());
   if (is_mesh_file(source)) return read_mesh_vertices(source);
   if (source.ends_with(".h5") || source.ends_with(".hdf5")) {
     throw InvalidParameterError(source + ": name the dataset, as in " + source + ":/points");

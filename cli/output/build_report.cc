@@ -12,6 +12,7 @@
 #include "cli/input/shapes.h"
 #include "raygauge/queries/solver.h"
 #include "results/provenance/provenance.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -107,7 +108,7 @@ std::string versions_text() {
 }  // namespace
 
 std::string labelled(const std::string& label, const std::string& text) {
-  return fmt::format("{:<18} {}\n", label, text);
+  return fmt::format("{:<18} {}\n", label, language::printable(text));
 }
 
 Json machine_json(const MachineInfo& machine) {

@@ -242,6 +242,7 @@ Json results_json(const std::string& path, const ResultsFile& results) {
           {"repetitions", contents.repetition.size()},
           {"statuses", contents.statuses},
           {"disagreements", contents.disagreements},
+          {"checksum", results.provenance.has_checksum},
           {"machines", machines_json(results)},
           {"sessions", sessions}};
 }
@@ -265,6 +266,7 @@ std::string results_text(const std::string& path, const ResultsFile& results) {
       labelled("statuses", statuses_text(contents.statuses)) +
       labelled("disagreements",
                fmt::format("{} of {} records", contents.disagreements, results.records.size()));
+  if (!results.provenance.has_checksum) text += labelled("checksum", kNoChecksum);
   for (const auto& [host, use] : machines_of(results)) text += labelled("machine", machine_text(use));
   return text + sessions_text(results.provenance.sessions);
 }

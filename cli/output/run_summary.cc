@@ -11,6 +11,7 @@
 
 #include "cli/output/counted.h"
 #include "cli/output/terminal.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -25,7 +26,8 @@ std::string counts_text(const RunSummary& summary, std::size_t RunSummary::Metho
   std::string text;
   for (const RunSummary::Method& method : summary.methods) {
     if (method.*count == 0) continue;
-    text += (text.empty() ? "" : ", ") + method.label + " " + std::to_string(method.*count);
+    text +=
+        (text.empty() ? "" : ", ") + language::printable(method.label) + " " + std::to_string(method.*count);
   }
   return text;
 }
@@ -59,7 +61,7 @@ std::string slowdown_text(const Calibration& calibration) {
     constexpr int kLength = 32;
     char ratio[kLength];
     std::snprintf(ratio, kLength, " %.3f", entry.slowdown);
-    text += (text.empty() ? "" : ", ") + entry.method + ratio;
+    text += (text.empty() ? "" : ", ") + language::printable(entry.method) + ratio;
   }
   return text;
 }

@@ -11,6 +11,7 @@
 
 #include "cli/output/counted.h"
 #include "results/scene/event_text.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace {
@@ -21,16 +22,16 @@ std::string number(double x) {
   return text;
 }
 
-const std::string& body_name(const SceneFile& file, int body) {
-  return file.bodies[static_cast<std::size_t>(body)].name;
+std::string body_name(const SceneFile& file, int body) {
+  return language::printable(file.bodies[static_cast<std::size_t>(body)].name);
 }
 
 std::string pair_name(const SceneFile& file, const SceneRecord& row) {
   return body_name(file, row.body_a) + " – " + body_name(file, row.body_b);
 }
 
-const std::string& query_name(const SceneFile& file, int query) {
-  return file.queries[static_cast<std::size_t>(query)].name;
+std::string query_name(const SceneFile& file, int query) {
+  return language::printable(file.queries[static_cast<std::size_t>(query)].name);
 }
 
 std::vector<SceneTally> tallies_of(const SceneFile& file) {
@@ -61,8 +62,9 @@ std::string tally_text(const SceneFile& file) {
   std::string text;
   for (std::size_t q = 0; q < tallies.size(); ++q) {
     const SceneTally& tally = tallies[q];
-    text += "  " + file.queries[q].name + " (" + file.queries[q].effects +
-            "): " + counted(tally.asked, "answer") + ": " + std::to_string(tally.solved) + " solved";
+    text += "  " + query_name(file, static_cast<int>(q)) + " (" +
+            language::printable(file.queries[q].effects) + "): " + counted(tally.asked, "answer") + ": " +
+            std::to_string(tally.solved) + " solved";
     if (tally.shared > 0) text += " (" + std::to_string(tally.shared) + " by another query)";
     text += ", " + std::to_string(tally.broad_phase) + " broad phase, " + std::to_string(tally.coherence) +
             " coherence, " + std::to_string(tally.standing) + " static\n";
@@ -99,14 +101,16 @@ std::string event_text(const SceneFile& file) {
 }
 
 std::string scene_info_text(const std::string& path, const SceneFile& file) {
-  std::string text = path + ": results of the scene '" + file.name + "'\n";
+  std::string text = path + ": results of the scene '" + language::printable(file.name) + "'\n";
   text += "  " + std::to_string(file.cells.size()) + " of " + counted(file.cell_count, "cell") + ", " +
           counted(file.records.size(), "record") + ", " + counted(file.bodies.size(), "body", "bodies") +
           ", " + counted(file.queries.size(), "query", "queries") + "\n";
   for (const Session& session : file.sessions) {
-    text += "  session started " + session.started_at + ", " + counted(session.threads, "thread") +
-            ", commit " + session.build.git_commit + ", " + session.machine.cpu_model + "\n";
+    text += "  session started " + language::printable(session.started_at) + ", " +
+            counted(session.threads, "thread") + ", commit " + language::printable(session.build.git_commit) +
+            ", " + language::printable(session.machine.cpu_model) + "\n";
   }
+  if (!file.has_checksum) text += std::string("  ") + kNoChecksum + "\n";
   return text + tally_text(file);
 }
 
@@ -115,6 +119,7 @@ Json scene_info_json(const std::string& path, const SceneFile& file) {
   json["file"] = path;
   json["scene"] = file.name;
   json["finished"] = file.finished();
+  json["checksum"] = file.has_checksum;
   json["cells"] = file.cells.size();
   json["cell_count"] = file.cell_count;
   json["records"] = file.records.size();
@@ -189,8 +194,8 @@ std::string scene_table_text(const SceneFile& file) {
   }
   for (const auto& [key, line] : lines) {
     const auto& [query, a, b] = key;
-    text += query_name(file, query) + ", " + body_name(file, a) + " – " + body_name(file, b) + ", " +
-            line.text() + "\n";
+    text += language::csv(query_name(file, query)) + ", " +
+            language::csv(body_name(file, a) + " – " + body_name(file, b)) + ", " + line.text() + "\n";
   }
   return text + events;
 }

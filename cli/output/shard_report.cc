@@ -17,6 +17,7 @@
 #include "results/run/run_directory.h"
 #include "results/run/shards.h"
 #include "results/run/stored_cells.h"
+#include "results/text/language.h"
 
 namespace raygauge::cli {
 namespace fs = std::filesystem;
@@ -75,22 +76,22 @@ std::vector<int> idle(const std::vector<ShardProgress>& shards) {
 
 /// Where Slurm did it, Slurm goes on: `submit` has left its scripts.
 std::string completion_of(const fs::path& target, const std::vector<ShardProgress>& shards) {
-  const std::string program = shell_word(program_invocation_name);
+  const std::string program = language::shell(program_invocation_name);
   const std::string count = std::to_string(shards.size());
   const std::vector<int> left = idle(shards);
   const fs::path array = target.string() + ".array.sbatch";
   const fs::path merge = target.string() + ".merge.sbatch";
-  fs::path parts = target;
-  parts.replace_filename(target.stem().string() + ".shard-*-of-" + count + target.extension().string());
+  const std::string parts = language::shell((target.parent_path() / target.stem()).string()) +
+                            ".shard-*-of-" + count + target.extension().string();
   if (!left.empty() && fs::exists(array) && fs::exists(merge)) {
     return fmt::format("sbatch -d afterany:$(sbatch --parsable --array={} {}) {}", fmt::join(left, ","),
-                       shell_word(array.string()), shell_word(merge.string()));
+                       language::shell(array.string()), language::shell(merge.string()));
   }
   const std::string merging =
-      fmt::format("{} merge -o {} {}", program, shell_word(target.string()), parts.string());
+      fmt::format("{} merge -o {} {}", program, language::shell(target.string()), parts);
   if (left.empty()) return merging;
   return fmt::format("for i in {}; do {} run EXPERIMENT.toml -o {} --shard $i/{} --resume; done; {}",
-                     fmt::join(left, " "), program, shell_word(target.string()), count, merging);
+                     fmt::join(left, " "), program, language::shell(target.string()), count, merging);
 }
 
 }  // namespace

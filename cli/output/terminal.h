@@ -23,7 +23,4 @@ std::string alarming(const std::string& text, std::FILE* stream);
 /// "0.4 s", "16 s", "3 min 20 s", "1 h 05 min": a duration as one says it.
 std::string duration_text(double seconds);
 
-/// `text` as one word of a shell's command line, quoted if it must be.
-std::string shell_word(const std::string& text);
-
 }  // namespace raygauge::cli

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import zlib
 from typing import Any
 
 import h5py
@@ -73,6 +74,24 @@ def _scene(file: h5py.File) -> Results:
     return Results(variables, attrs=attributes)
 
 
+_MARK = b"raygauge CRC-32 "
+_LINE = len(_MARK) + 9
+
+
+def _check(name: str) -> None:
+    """Raises ResultsError where the checksum at the end of the file (docs/file-format.md) is not that of the file."""
+    with open(name, "rb") as file:
+        size = file.seek(0, os.SEEK_END) - _LINE
+        file.seek(max(size, 0))
+        line = file.read()
+        file.seek(0)
+        checksum, left = 0, size
+        while line.startswith(_MARK) and left > 0 and (block := file.read(min(left, 1 << 20))):
+            checksum, left = zlib.crc32(block, checksum), left - len(block)
+    if line.startswith(_MARK) and line != _MARK + b"%08x\n" % checksum:
+        raise ResultsError(f"{name}: truncated or damaged: its checksum is wrong")
+
+
 def _dataset(file: h5py.File, path: str) -> Results:
     if file.attrs.get("format") == "raygauge-scene":
         return _scene(file)
@@ -101,6 +120,7 @@ def read(path: str | os.PathLike[str]) -> Results:
     """See raygauge.open."""
     name = os.fspath(path)
     try:
+        _check(name)
         with h5py.File(name, "r") as file:
             return _dataset(file, name)
     except (OSError, KeyError) as error:

@@ -13,7 +13,9 @@
 #include <system_error>
 
 #include "results/exceptions.h"
+#include "results/hdf5/checksum.h"
 #include "results/hdf5/global_heap.h"
+#include "results/hdf5/trial.h"
 #include "results/run/atomic_file.h"
 
 namespace raygauge::hdf5 {
@@ -21,6 +23,7 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
 constexpr std::size_t kImageIncrement = 65536;
+constexpr const char* kDamaged = ": truncated or damaged: ";
 
 std::mutex& library_mutex() {
   static std::mutex mutex;
@@ -86,11 +89,13 @@ std::string file_image(const std::function<void(H5::Group&)>& fill) {
     }
     file.flush(H5F_SCOPE_GLOBAL);
     const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
+    image.reserve(static_cast<std::size_t>(std::max<ssize_t>(size, 0)) + checksum_line("").size());
     image.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size) {
       throw ResultsError("file image: HDF5 gave none");
     }
   });
+  image += checksum_line(image);
   return image;
 }
 
@@ -112,21 +117,62 @@ void require_hdf5(const std::filesystem::path& path) {
   }
 }
 
-void read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+namespace {
+
+Checksum checked(const std::filesystem::path& path) {
   require_hdf5(path);
-  locked(path.string(), "truncated or damaged", [&] {
+  const Checksum checksum = checksum_of(path);
+  if (checksum == Checksum::wrong) throw ResultsError(path.string() + kDamaged + "its checksum is wrong");
+  return checksum;
+}
+
+/// Of a file without a checksum: far more than it takes, and an end where HDF5 would never come to one.
+double seconds_to_read(const std::filesystem::path& path) {
+  constexpr double kLeast = 5, kBytesPerSecond = 2e6;
+  return kLeast + static_cast<double>(std::filesystem::file_size(path)) / kBytesPerSecond;
+}
+
+/// Beyond the end that HDF5 knows.
+bool has_bytes_beyond_end(const H5::Group& root, const std::filesystem::path& path) {
+  const hid_t file = H5Iget_file_id(root.getId());
+  haddr_t end = 0;
+  const bool known = H5Fget_eoa(file, &end) >= 0;
+  H5Fclose(file);
+  return !known || std::filesystem::file_size(path) > end;
+}
+
+void read_as(const std::filesystem::path& path, Checksum checksum,
+             const std::function<void(H5::Group&)>& body) {
+  const auto read = [&] {
     H5::H5File file(path.string(), H5F_ACC_RDONLY);
     H5::Group root = file.openGroup("/");
     body(root);
+  };
+  locked(path.string(), "truncated or damaged", [&] {
+    if (checksum == Checksum::none && !survives(read, seconds_to_read(path)))
+      throw ResultsError(path.string() + kDamaged + "HDF5 itself fails to read it");
+    read();
   });
 }
 
-void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
-  require_hdf5(path);
-  if (has_damaged_global_heap(file_bytes(path))) {
-    throw ResultsError(path.string() + ": truncated or damaged: a text does not lie within its heap");
-  }
-  read_file(path, body);
+}  // namespace
+
+bool read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+  const Checksum checksum = checked(path);
+  read_as(path, checksum, body);
+  return checksum == Checksum::right;
+}
+
+bool read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body) {
+  const Checksum checksum = checked(path);
+  if (checksum == Checksum::none && has_damaged_global_heap(file_bytes(path)))
+    throw ResultsError(path.string() + kDamaged + "a text does not lie within its heap");
+  read_as(path, checksum, [&](H5::Group& root) {
+    if (checksum == Checksum::none && root.attrExists(kChecksumAttribute) && has_bytes_beyond_end(root, path))
+      throw ResultsError(path.string() + kDamaged + "its checksum is none");
+    body(root);
+  });
+  return checksum == Checksum::right;
 }
 
 }  // namespace raygauge::hdf5

@@ -14,16 +14,19 @@ namespace raygauge::hdf5 {
 /// meanwhile; an error of its becomes ResultsError("PLACE: FAILURE: REASON") with HDF5's innermost reason.
 void locked(const std::string& place, const std::string& failure, const std::function<void()>& body);
 
-/// The bytes of an HDF5 file with the content that `fill` writes, built in memory: what can fail on a disk is
-/// left to our own writing, which reports it better, and the lock is not held over it.
+/// The bytes of an HDF5 file with the content that `fill` writes and its checksum, built in memory: what can
+/// fail on a disk is left to our own writing, which reports it better, and the lock is not held over it.
 std::string file_image(const std::function<void(H5::Group&)>& fill);
 
-/// Opens an existing file for reading and hands its root group to `body`. Throws ResultsError: missing, not
-/// HDF5, truncated or damaged.
-void read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
+/// Opens an existing file for reading and hands its root group to `body`; whether it has its checksum
+/// (checksum.h). Without one `body` is tried in a process of its own first, so that it must start no threads
+/// (trial.h): HDF5 1.10 crashes on some damaged files. Throws ResultsError: missing, not HDF5, truncated or
+/// damaged.
+bool read_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
 
-/// The same for a file that raygauge wrote, in whose damaged copies HDF5 could be lost (global_heap.h).
-void read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
+/// The same for a file that raygauge wrote, which is refused where it says that it has a checksum and
+/// something else is in its place.
+bool read_own_file(const std::filesystem::path& path, const std::function<void(H5::Group&)>& body);
 
 /// Throws ResultsError unless `path` is a regular file that begins as an HDF5 file does.
 void require_hdf5(const std::filesystem::path& path);

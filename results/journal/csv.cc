@@ -9,16 +9,9 @@
 #include "engine/numerics/number_text.h"
 #include "results/run/atomic_file.h"
 #include "results/schema/schema.h"
+#include "results/text/language.h"
 
 namespace raygauge {
-
-std::string csv_text_field(const std::string& text) {
-  // The # that begins a comment to many readers is quoted too.
-  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 namespace {
 
@@ -39,7 +32,7 @@ struct Field {
   int digits = kAllDigits;
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(double value) const { return real_field(value, digits); }
-  std::string operator()(const std::string& text) const { return csv_text_field(text); }
+  std::string operator()(const std::string& text) const { return language::csv(text); }
   template <class Integer>
   std::string operator()(Integer value) const {
     return std::to_string(value);

@@ -21,9 +21,6 @@ std::string csv_text(const std::vector<Record>& records, int time_digits = 17);
 std::string csv_header();
 std::string csv_rows(const std::vector<Record>& records, int time_digits = 17);
 
-/// A text as a field of a line: quoted where it must be.
-std::string csv_text_field(const std::string& text);
-
 /// The inverse of csv_rows(), bit for bit where it wrote all digits. Throws ResultsError that names row (from
 /// 1) and column: "row 3, column seconds: 'soon' is not of type float64".
 std::vector<Record> read_csv_rows(std::string_view rows);

@@ -62,7 +62,7 @@ class Merge {
     if (is_being_written(path))
       throw RunLockedError(path.string() + ": another process is writing this part");
     const auto first_session = static_cast<int>(summary_.provenance.sessions.size());
-    if (list_parts(path).empty() && schema_version_of(path) == kSchemaVersion) {
+    if (list_parts(path).empty() && is_checked_of_this_version(path)) {
       add_provenance(path, decode_provenance(path));
       reader_.add_file(path, part, first_session);
     } else {
@@ -74,6 +74,7 @@ class Merge {
 
   void add_provenance(const fs::path& path, Provenance provenance) {
     Provenance& merged = summary_.provenance;
+    merged.has_checksum = merged.has_checksum && provenance.has_checksum;
     if (merged.identity.empty()) {
       merged.experiment_text = provenance.experiment_text;
       merged.identity = provenance.identity;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 
+#include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/merge/column_writer.h"
 #include "results/merge/for_all.h"
@@ -128,6 +129,7 @@ void write_rows(const fs::path& path, const Provenance& provenance, const std::v
       for (const RowRun& run : runs) writer.add(run, spool);
       writer.flush();
     });
+    hdf5::append_checksum(temporary);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;

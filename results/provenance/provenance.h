@@ -59,7 +59,12 @@ struct Provenance {
   std::string identity;          ///< experiment_identity() of the experiment
   std::uint64_t cell_count = 0;  ///< cells of the whole grid, whether done or not
   std::vector<Session> sessions;
+  bool has_checksum = true;  ///< of the file that it was read from (results/hdf5/checksum.h)
 };
+
+/// What readers say of a file without one.
+inline constexpr const char* kNoChecksum =
+    "no checksum: written by an earlier version, or changed by another program; damage may go unnoticed";
 
 /// The current time in ISO 8601, UTC, to the second.
 std::string utc_now();

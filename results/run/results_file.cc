@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "results/exceptions.h"
+#include "results/hdf5/hdf5_library.h"
 #include "results/journal/cell_journal.h"
 #include "results/run/atomic_file.h"
 #include "results/run/output_place.h"
@@ -33,6 +34,7 @@ void add_sessions(Provenance& provenance, const PartList& parts) {
     } else if (part.identity != provenance.identity) {
       throw ResultsError(path.string() + ": belongs to another experiment than the sessions before it");
     } else {
+      provenance.has_checksum = provenance.has_checksum && part.has_checksum;
       provenance.sessions.insert(provenance.sessions.end(), part.sessions.begin(), part.sessions.end());
     }
   }
@@ -98,6 +100,12 @@ ResultsFile read_results(const std::string& path) {
   } catch (const ResultsError&) {
     return read_once(file);
   }
+}
+
+void require_results(const std::string& path) {
+  const fs::path file = behind_links(path);
+  if (!fs::exists(file) && fs::exists(parts_folder(file))) return;
+  hdf5::read_own_file(file, [](H5::Group& /*root*/) {});
 }
 
 void write_results(const std::string& path, const ResultsFile& results) {

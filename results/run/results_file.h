@@ -32,6 +32,9 @@ void sort_by_cell(std::vector<Record>& records);
 /// that is missing, not HDF5, truncated or not raygauge's, and SchemaVersionError for another schema version.
 ResultsFile read_results(const std::string& path);
 
+/// Throws ResultsError unless `path` is an undamaged HDF5 file or there are parts of an unfinished run.
+void require_results(const std::string& path);
+
 /// Writes `results` as one self-describing file, aside first and renamed when complete: `path` is never seen
 /// half-written. Throws ResultsError (the message carries the system's reason).
 void write_results(const std::string& path, const ResultsFile& results);

@@ -10,12 +10,14 @@
 #include <set>
 
 #include "results/exceptions.h"
+#include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/run/run_directory.h"
 #include "results/scene/scene_writer.h"
 #include "results/schema/column_io.h"
 #include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -37,10 +39,7 @@ void check_format(const H5::Group& root, const std::string& file) {
 
 std::string field_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
-    if (text->find_first_of(",\"\n") == std::string::npos) return *text;
-    std::string quoted = "\"";
-    for (const char c : *text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
+    return language::csv(*text);
   }
   if (const auto* number = std::get_if<double>(&value)) {
     if (std::isnan(*number)) return "nan";
@@ -54,6 +53,21 @@ std::string field_of(const Value& value) {
         return {};
       },
       value);
+}
+
+void require_row(std::int64_t row, std::size_t rows, const char* table, const std::string& path) {
+  if (row >= 0 && static_cast<std::size_t>(row) < rows) return;
+  throw ResultsError(path + ": row " + std::to_string(row) + " is not in /" + table);
+}
+
+/// Names that records and tallies refer to are there.
+void require_known(const SceneFile& file, const std::string& path) {
+  for (const SceneRow& row : file.records) {
+    require_row(row.record.query, file.queries.size(), "queries", path);
+    require_row(row.record.body_a, file.bodies.size(), "bodies", path);
+    require_row(row.record.body_b, file.bodies.size(), "bodies", path);
+  }
+  for (const SceneTallyRow& row : file.tallies) require_row(row.query, file.queries.size(), "queries", path);
 }
 
 // Rows are long: each is moved once.
@@ -84,6 +98,7 @@ std::string encode_scene(const SceneFile& file) {
     hdf5::write_attribute(root, "format", std::string(kSceneFormat));
     hdf5::write_attribute(root, "schema_version", std::int64_t{kSceneSchemaVersion});
     hdf5::write_attribute(root, "raygauge_version", build_info().raygauge_version);
+    hdf5::write_attribute(root, hdf5::kChecksumAttribute, std::string(hdf5::kChecksumMeaning));
     hdf5::write_attribute(root, "cell_count", static_cast<std::int64_t>(file.cell_count));
     hdf5::write_text(root, "name", file.name);
     hdf5::write_text(root, "scene", file.text);
@@ -102,7 +117,7 @@ std::string encode_scene(const SceneFile& file) {
 SceneFile decode_scene(const fs::path& path) {
   SceneFile file;
   const std::string place = path.string() + ": ";
-  hdf5::read_own_file(path, [&](H5::Group& root) {
+  file.has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
     check_format(root, path.string());
     file.cell_count = static_cast<std::uint64_t>(hdf5::read_integer_attribute(root, "cell_count", place));
     file.name = hdf5::read_text(root, "name", place);
@@ -116,6 +131,7 @@ SceneFile decode_scene(const fs::path& path) {
     file.bodies = hdf5::read_table(root, "bodies", scene_body_columns(), place);
     file.queries = hdf5::read_table(root, "queries", scene_query_columns(), place);
   });
+  require_known(file, path.string());
   return file;
 }
 
@@ -171,6 +187,7 @@ SceneFile read_scene_file(const fs::path& path) {
     if (part.identity != all.identity) {
       throw ResultsError(part_path.string() + ": belongs to another scene than the parts before it");
     }
+    all.has_checksum = all.has_checksum && part.has_checksum;
     if (all.drawing.empty()) all.drawing = part.drawing;
     if (part.sessions.size() > all.sessions.size()) all.sessions = part.sessions;
     add_cells(part, known, all);

@@ -67,6 +67,7 @@ struct SceneFile {
   std::vector<SceneRow> records;
   std::vector<SceneTallyRow> tallies;
   std::vector<SceneCellRow> cells;
+  bool has_checksum = true;  ///< of the file that it was read from (results/hdf5/checksum.h)
 
   bool finished() const noexcept { return cells.size() == cell_count; }
 };

@@ -82,6 +82,7 @@ class SceneJoin {
     } else {
       require_same(all_, part, path, options);
     }
+    all_.has_checksum = all_.has_checksum && part.has_checksum;
     if (all_.drawing.empty()) all_.drawing = part.drawing;
     sort_scene(part);
     const auto first_session = static_cast<std::int32_t>(all_.sessions.size());

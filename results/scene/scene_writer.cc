@@ -128,8 +128,9 @@ void SceneWriter::finish() {
   batch_.flush();
   const std::scoped_lock lock(mutex_);
   const std::vector<fs::path> parts = list_scene_parts(path_);
-  if (parts.empty() && fs::exists(path_)) return;
-  if (mode_ == RunMode::force && !stored_any_) return;
+  // A scene, or a shard, without work has stored nothing: under force what is there is not of this run.
+  const bool replaces = mode_ == RunMode::force && !stored_any_;
+  if (!replaces && parts.empty() && fs::exists(path_)) return;
   if (begun_) all_ = read_scene_file(path_);
   if (all_.drawing.empty()) all_.drawing = head_.drawing;
   for (auto i = static_cast<std::size_t>(session_); i < all_.sessions.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string_view>
 
 namespace raygauge::hdf5 {
@@ -240,9 +241,17 @@ void write_attribute(H5::H5Object& object, const std::string& name, std::int64_t
 std::string read_text_attribute(const H5::H5Object& object, const std::string& name,
                                 const std::string& place) {
   const H5::Attribute attribute = open_attribute(object, name, H5T_STRING, place);
-  std::string text;
-  attribute.read(attribute.getStrType(), text);
-  return text;
+  const H5::StrType type = attribute.getStrType();
+  if (type.isVariableStr()) {  // not by the C++ layer, which takes a text without a place for one
+    char* text = nullptr;
+    attribute.read(type, static_cast<void*>(&text));
+    const std::unique_ptr<char, void (*)(void*)> owned(text, [](void* memory) { H5free_memory(memory); });
+    if (text == nullptr) throw ResultsError(place + ": attribute " + name + " has no text");
+    return text;
+  }
+  std::string text(type.getSize(), '\0');
+  attribute.read(type, static_cast<void*>(text.data()));
+  return without_padding(text.substr(0, text.find('\0')));
 }
 
 std::int64_t read_integer_attribute(const H5::H5Object& object, const std::string& name,

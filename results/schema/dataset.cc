@@ -30,6 +30,20 @@ H5::DataSet open_numeric(const H5::Group& root, const std::string& dataset, cons
   return opened;
 }
 
+void require_not_larger(const H5::DataSet& dataset, std::uint64_t most_packed_bytes,
+                        const std::string& place) {
+  const auto numbers = static_cast<double>(dataset.getSpace().getSimpleExtentNpoints());
+  const double bytes = numbers * static_cast<double>(sizeof(double));
+  const double stored_plain = numbers * static_cast<double>(dataset.getDataType().getSize());
+  const bool packed = static_cast<double>(dataset.getStorageSize()) < stored_plain;
+  if (!packed || most_packed_bytes == std::numeric_limits<std::uint64_t>::max() ||
+      bytes <= static_cast<double>(most_packed_bytes))
+    return;
+  constexpr std::uint64_t kMebibyte = 1 << 20;
+  throw ResultsError(place + ": compressed data of more than " +
+                     std::to_string(most_packed_bytes / kMebibyte) + " MiB; --max-input sets another limit");
+}
+
 Eigen::MatrixXd read_matrix(const H5::DataSet& dataset, const std::string& place) {
   const H5::DataSpace space = dataset.getSpace();
   const int rank = space.getSimpleExtentNdims();
@@ -64,11 +78,13 @@ std::optional<DatasetReference> parse_dataset_reference(const std::string& text)
   return DatasetReference{text.substr(0, colon), text.substr(colon + 1)};
 }
 
-Eigen::MatrixXd read_points(const DatasetReference& reference) {
+Eigen::MatrixXd read_points(const DatasetReference& reference, std::uint64_t most_packed_bytes) {
   const std::string place = reference.file + ":" + reference.dataset;
   Eigen::MatrixXd points;
   hdf5::read_file(reference.file, [&](H5::Group& root) {
-    points = read_matrix(open_numeric(root, reference.dataset, place), place);
+    const H5::DataSet dataset = open_numeric(root, reference.dataset, place);
+    require_not_larger(dataset, most_packed_bytes, place);
+    points = read_matrix(dataset, place);
   });
   require_finite(points, place);
   return points;

@@ -4,6 +4,7 @@
 
 #include "engine/numerics/number_text.h"
 #include "raygauge/sweep/method.h"
+#include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"
 #include "results/schema/older_files.h"
@@ -19,6 +20,7 @@ void write_head(H5::Group& root) {
   hdf5::write_attribute(root, "format", std::string(kFormatName));
   hdf5::write_attribute(root, "schema_version", std::int64_t{kSchemaVersion});
   hdf5::write_attribute(root, "raygauge_version", build_info().raygauge_version);
+  hdf5::write_attribute(root, hdf5::kChecksumAttribute, std::string(hdf5::kChecksumMeaning));
 }
 
 bool has_own_format(const H5::Group& root, const std::string& file) {
@@ -104,27 +106,30 @@ std::string encode_provenance(const Provenance& provenance) {
 
 ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
-  hdf5::read_own_file(path, [&](H5::Group& root) {
+  const bool has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
     const std::int64_t version = check_head(root, path.string());
     results.records = hdf5::read_table(root, "records", record_columns(), path.string() + ": ");
     results.provenance = read_provenance(root, path.string(), version);
   });
+  results.provenance.has_checksum = has_checksum;
   return results;
 }
 
 Provenance decode_provenance(const std::filesystem::path& path) {
   Provenance provenance;
-  hdf5::read_own_file(path, [&](H5::Group& root) {
+  const bool has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
     const std::int64_t version = check_head(root, path.string());
     provenance = read_provenance(root, path.string(), version);
   });
+  provenance.has_checksum = has_checksum;
   return provenance;
 }
 
-std::int64_t schema_version_of(const std::filesystem::path& path) {
+bool is_checked_of_this_version(const std::filesystem::path& path) {
   std::int64_t version = 0;
-  hdf5::read_own_file(path, [&](H5::Group& root) { version = check_head(root, path.string()); });
-  return version;
+  const bool has_checksum =
+      hdf5::read_own_file(path, [&](H5::Group& root) { version = check_head(root, path.string()); });
+  return has_checksum && version == kSchemaVersion;
 }
 
 bool is_foreign_hdf5(const std::filesystem::path& path) {

@@ -29,8 +29,8 @@ std::string encode_provenance(const Provenance& provenance);  ///< /provenance
 ResultsFile decode_results(const std::filesystem::path& path);
 Provenance decode_provenance(const std::filesystem::path& path);
 
-/// The schema version of such a file, which this raygauge reads. Throws like decode_provenance.
-std::int64_t schema_version_of(const std::filesystem::path& path);
+/// Whether such a file is of this schema version and has its checksum. Throws like decode_provenance.
+bool is_checked_of_this_version(const std::filesystem::path& path);
 
 /// Whether `path` is an HDF5 file that can be read and is not one of ours.
 bool is_foreign_hdf5(const std::filesystem::path& path);

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <thread>
 
+#include "baselines/glpk_environment.h"
 #include "tests/baselines/point_set_instances.h"
 
 namespace raygauge::testing::test_glpk_simplex {
@@ -51,6 +53,21 @@ TEST_P(GlpkSimplex, AnObjectMayOutliveItsThread) {
     method->solve({});
   }).join();
   EXPECT_THROW(method->solve({}), Error);
+  method->load(two_spheres(1, 3, 100));
+  method->solve({});
+  EXPECT_EQ(method->result().status, DistanceStatus::optimal);
+}
+
+TEST_P(GlpkSimplex, WithoutMemoryHasAnAnswerWithoutBounds) {
+  const GlpkProblem keeps_the_environment;
+  glp_mem_limit(1);  // MiB
+  const auto method = make(GetParam());
+  method->load(two_spheres(1, 10, 20000));
+  method->solve({});
+  const DistanceResult result = method->result();
+  EXPECT_EQ(result.status, DistanceStatus::precision_limit);
+  EXPECT_FALSE(std::isfinite(result.upper));
+  glp_mem_limit(std::numeric_limits<int>::max());
   method->load(two_spheres(1, 3, 100));
   method->solve({});
   EXPECT_EQ(method->result().status, DistanceStatus::optimal);

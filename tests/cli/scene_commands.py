@@ -108,6 +108,38 @@ class Scenes(unittest.TestCase):
                 self.assertIn("<svg", picture.read_text())
                 self.assertIn("never:", self.run_raygauge("scene", "explain", scene).stdout)
 
+    def test_a_scene_without_work_has_a_file_of_its_own(self):
+        (self.work / "lone.toml").write_text('name = "lone"\n' + GOOD[GOOD.index("[[body]]"):GOOD.index("motion")] +
+                                             '[[query]]\neffects = ["distance"]\n[time]\nto = 1\ninstants = 3\n')
+        results = self.work / "old.h5"
+        self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", results, "--set", "time.instants=3")
+        self.run_raygauge("scene", "run", self.work / "lone.toml", "-o", results, status=2)
+        for force in (["--force"], ["--force"], ["--resume"]):
+            self.run_raygauge("scene", "run", self.work / "lone.toml", "-o", results, *force)
+            info = json.loads(self.run_raygauge("info", results, "--json").stdout)
+            self.assertEqual((info["scene"], info["cells"], info["records"], info["finished"]), ("lone", 0, 0, True))
+        self.assertFalse((self.work / "old.h5.parts").exists())
+        self.run_raygauge("report", results, "-o", self.work / "lone.html")
+        self.run_raygauge("export", results, "--csv", "-")
+        self.run_raygauge("table", results)
+
+    def test_shards_without_work_have_files_that_merge(self):
+        for scene, count in (("lone.toml", 2), ("good.toml", 9)):
+            (self.work / "lone.toml").write_text('name = "lone"\n' + GOOD[GOOD.index("[[body]]"):GOOD.index("motion")] +
+                                                 '[[query]]\neffects = ["distance"]\n')
+            words = [] if scene == "lone.toml" else ["--set", "time.instants=3"]
+            for i in range(1, count + 1):
+                self.run_raygauge("scene", "run", self.work / scene, "-q", "-o", self.work / "s.h5", "--shard",
+                                  f"{i}/{count}", *words)
+            parts = [self.work / f"s.shard-{i}-of-{count}.h5" for i in range(1, count + 1)]
+            self.run_raygauge("merge", *parts, "-o", self.work / f"{count}.h5")
+            self.assertTrue(json.loads(self.run_raygauge("info", self.work / f"{count}.h5", "--json").stdout)["finished"])
+
+    def test_table_and_plot_of_a_file_that_is_not_there_say_so(self):
+        missing = self.work / "missing.h5"
+        for words in (["table", missing], ["plot", missing, "-o", self.work / "x.svg"], ["plot", missing, "-o", "-"]):
+            self.assertEqual(self.run_raygauge(*words, status=2).stderr, f"raygauge: {missing}: no such file\n")
+
     def test_a_picture_has_a_panel_for_each_query_with_distances_and_names_the_pairs(self):
         results, picture = self.work / "good.h5", self.work / "good.svg"
         self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", results, "--set", "time.instants=21")

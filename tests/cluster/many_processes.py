@@ -121,6 +121,18 @@ class ManyProcesses(unittest.TestCase):
         self.assertIn("one.h5 and two.h5 contradict each other in solves", text)
         self.assertFalse((self.folder / "t.h5").exists())
 
+    def test_shards_without_cells_have_files_that_merge(self):
+        words = ["--set", "sweep.n=3", "--set", "sweep.N=20", "--set", "sweep.tolerance=1e-3", "--set", "sweep.repetitions=1"]
+        for i in (1, 2, 3):
+            self.tool.run("run", "e.toml", "-o", "s.h5", "--shard", f"{i}/3", *words, "-q")
+        parts = [f"s.shard-{i}-of-3.h5" for i in (1, 2, 3)]
+        self.tool.run("merge", *parts, "-o", "s.h5")
+        self.assertEqual(sum(len(answers(self.folder / part)) for part in parts), 2)
+        self.assertEqual(len(answers(self.folder / "s.h5")), 2)
+        self.assertIn("already", self.tool.run("run", "e.toml", "-o", "s.h5", "--shard", "3/3", *words, status=2))
+        text = self.tool.run("run", "e.toml", "-o", "s.h5", "--shard", "3/3", *words, "--resume")
+        self.assertIn("no cells", text)
+
     def test_parts_of_another_experiment_are_refused(self):
         self.shards(2)
         self.tool.run("run", "e.toml", "-o", "other.h5", "--set", "sweep.seed=2", "-q")

@@ -11,6 +11,7 @@
 #include "analysis/render/figures/style.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -76,7 +77,7 @@ Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& pan
                     grid.axis_labels(x, y) + grid.legend_plot(methods);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     drawing.script += grid.margins(p) + panels[p].settings + "set title " +
-                      figure_style::quoted(panels[p].title) + title_font(panels[p].title, grid) +
+                      language::gnuplot(panels[p].title) + title_font(panels[p].title, grid) +
                       " offset 0,-0.7\n" + plot_of(panels[p], p, methods);
   }
   drawing.script += "unset multiplot\n";

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/render/markup.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -18,7 +18,7 @@ void replace_element(std::string& svg, const std::string& tag, const std::string
   const std::size_t end = svg.find("</" + tag + ">", begin);
   if (begin == std::string::npos || end == std::string::npos) return;
   const std::size_t inside = begin + tag.size() + 2;
-  svg.replace(inside, end - inside, escaped_markup(text));
+  svg.replace(inside, end - inside, language::markup(text));
 }
 
 std::string big_endian(std::uint32_t number) {

@@ -7,6 +7,7 @@
 
 #include "analysis/render/figures/style.h"
 #include "analysis/render/number_text.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -75,7 +76,7 @@ std::string PanelGrid::legend_plot(const MethodList& methods) const {
   for (const std::string& method : methods) {
     text += method == methods.front() ? "plot " : ", \\\n  ";
     text += "NaN with linespoints " + figure_style::line_style(method, methods) + " title " +
-            figure_style::quoted(method);
+            language::gnuplot(method);
   }
   return text +
          "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "

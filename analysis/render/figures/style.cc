@@ -61,17 +61,6 @@ std::string line_color(const std::string& method, const MethodList& methods) {
 
 std::string screen(double fraction) { return rounded_text(fraction, 6); }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    // Once for the double quotes, once for the enhanced mode.
-    if (std::string("_^{}@&~\\").find(c) != std::string::npos) result += "\\\\";
-    if (c == '"' || c == '\\' || c == '`') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
 std::string one_two_five_ticks(double low, double high) {
   std::string ticks;
   int count = 0;

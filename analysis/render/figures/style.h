@@ -28,9 +28,6 @@ std::string line_color(const std::string& method, const MethodList& methods);
 /// A fraction of the width or height of the whole picture, for gnuplot's "screen".
 std::string screen(double fraction);
 
-/// `text` as it stands in a string of gnuplot's enhanced mode, with its quotes.
-std::string quoted(const std::string& text);
-
 /// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)"; where there are fewer
 /// than two of them, the ends with two digits.
 std::string one_two_five_ticks(double low, double high);

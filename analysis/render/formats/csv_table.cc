@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "engine/numerics/number_text.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
-
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string csv_header(const Table& table, std::size_t column) {
   std::string text;
@@ -31,14 +25,14 @@ std::string csv_table(const Table& table) {
   std::string text;
   for (std::size_t c = 0; c < columns; ++c) {
     if (c > 0) text += ',';
-    text += field(csv_header(table, c));
+    text += language::csv(csv_header(table, c));
   }
   text += "\n";
   for (const TableRow& row : table.rows) {
     for (std::size_t c = 0; c < columns; ++c) {
       const TableCell& cell = row.cells[c];
       if (c > 0) text += ',';
-      text += std::isnan(cell.number) ? field(cell.text) : shortest_text(cell.number);
+      text += std::isnan(cell.number) ? language::csv(cell.text) : shortest_text(cell.number);
     }
     text += "\n";
   }

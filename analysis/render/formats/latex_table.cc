@@ -2,52 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/formats/latex_table.h"
 
-#include <array>
-#include <string_view>
-#include <utility>
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
 
-using Replacement = std::pair<std::string_view, std::string_view>;
-
-constexpr std::array<Replacement, 32> kReplacements = {{
-    {"\\", "\\textbackslash{}"},
-    {"&", "\\&"},
-    {"%", "\\%"},
-    {"$", "\\$"},
-    {"#", "\\#"},
-    {"_", "\\_"},
-    {"{", "\\{"},
-    {"}", "\\}"},
-    {"~", "\\textasciitilde{}"},
-    {"^", "\\textasciicircum{}"},
-    {"<", "\\textless{}"},
-    {">", "\\textgreater{}"},
-    {"|", "\\textbar{}"},
-    {"\"", "''"},
-    {"ε", "$\\varepsilon$"},
-    {"µ", "$\\mu$"},  // micro sign
-    {"μ", "$\\mu$"},  // Greek letter
-    {"σ", "$\\sigma$"},
-    {"η", "$\\eta$"},
-    {"λ", "$\\lambda$"},
-    {"≤", "$\\le$"},
-    {"≥", "$\\ge$"},
-    {"×", "$\\times$"},
-    {"·", "$\\cdot$"},
-    {"±", "$\\pm$"},
-    {"∞", "$\\infty$"},
-    {"√", "$\\surd$"},
-    {"…", "\\ldots{}"},
-    {"–", "--"},
-    {"—", "---"},
-    {"†", "$\\dagger$"},
-    {"−", "$-$"},
-}};
-
 std::string latex_cell(const TableCell& cell) {
-  std::string text = latex_escaped(cell.text);
+  std::string text = language::latex(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
     case Emphasis::strong:
@@ -70,31 +31,13 @@ std::string latex_line(const Cells& cells, const TextOf& text_of) {
 
 }  // namespace
 
-std::string latex_escaped(const std::string& text) {
-  std::string result;
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const Replacement* match = nullptr;
-    for (const Replacement& replacement : kReplacements)
-      if (rest.substr(0, replacement.first.size()) == replacement.first) match = &replacement;
-    if (match == nullptr) {
-      result += rest.front();
-      rest.remove_prefix(1);
-    } else {
-      result += match->second;
-      rest.remove_prefix(match->first.size());
-    }
-  }
-  return result;
-}
-
 std::string latex_table(const Table& table) {
   const std::size_t columns = table.header.empty() ? 0 : table.header.front().size();
   std::string text = "\\begin{table}\n\\centering\n";
-  if (!table.title.empty()) text += "\\caption{" + latex_escaped(table.title) + "}\n";
+  if (!table.title.empty()) text += "\\caption{" + language::latex(table.title) + "}\n";
   text += "\\begin{tabular}{" + std::string(table.key_columns, 'l') +
           std::string(columns - table.key_columns, 'r') + "}\n  \\hline\n";
-  for (const auto& header : table.header) text += latex_line(header, latex_escaped);
+  for (const auto& header : table.header) text += latex_line(header, language::latex);
   text += "  \\hline\n";
   for (const TableRow& row : table.rows) {
     if (row.starts_group && &row != &table.rows.front()) text += "  \\hline\n";
@@ -102,7 +45,7 @@ std::string latex_table(const Table& table) {
   }
   text += "  \\hline\n\\end{tabular}\n";
   if (!table.notes.empty()) text += "\n\\footnotesize\n";
-  for (const std::string& note : table.notes) text += latex_escaped(note) + "\\par\n";
+  for (const std::string& note : table.notes) text += language::latex(note) + "\\par\n";
   return text + "\\end{table}\n";
 }
 

@@ -2,21 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/formats/markdown_table.h"
 
+#include "results/text/language.h"
+
 namespace raygauge {
 namespace {
 
-/// Marks that Markdown or a pipe table would take for its own.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string("\\|*_<>[]`#~").find(c) != std::string::npos) result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 std::string markdown_cell(const TableCell& cell) {
-  std::string text = escaped(cell.text);
+  std::string text = language::markdown(cell.text);
   if (text.empty()) return text;
   switch (cell.emphasis) {
     case Emphasis::strong:
@@ -35,7 +27,7 @@ std::string markdown_header(const Table& table, std::size_t column) {
   std::string text;
   for (const auto& line : table.header) {
     if (line[column].empty()) continue;
-    text += (text.empty() ? "" : "<br>") + escaped(line[column]);
+    text += (text.empty() ? "" : "<br>") + language::markdown(line[column]);
   }
   return text;
 }
@@ -44,7 +36,7 @@ std::string markdown_header(const Table& table, std::size_t column) {
 
 std::string markdown_table(const Table& table) {
   std::string text;
-  if (!table.title.empty()) text += "**" + escaped(table.title) + "**\n\n";
+  if (!table.title.empty()) text += "**" + language::markdown(table.title) + "**\n\n";
   const std::size_t columns = table.header.empty() ? 0 : table.header.front().size();
   std::string rule = "|";
   text += "|";
@@ -59,7 +51,7 @@ std::string markdown_table(const Table& table) {
     text += "\n";
   }
   if (!table.notes.empty()) text += "\n";
-  for (const std::string& note : table.notes) text.append("- ").append(escaped(note)).append("\n");
+  for (const std::string& note : table.notes) text.append("- ").append(language::markdown(note)).append("\n");
   return text;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "results/text/language.h"
+
 namespace raygauge {
 namespace {
 
@@ -19,8 +21,10 @@ std::size_t display_width(const std::string& text) {
 std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths(table.header.empty() ? 0 : table.header.front().size(), 0);
   for (std::size_t c = 0; c < widths.size(); ++c) {
-    for (const auto& line : table.header) widths[c] = std::max(widths[c], display_width(line[c]));
-    for (const TableRow& row : table.rows) widths[c] = std::max(widths[c], display_width(row.cells[c].text));
+    for (const auto& line : table.header)
+      widths[c] = std::max(widths[c], display_width(language::printable(line[c])));
+    for (const TableRow& row : table.rows)
+      widths[c] = std::max(widths[c], display_width(language::printable(row.cells[c].text)));
   }
   return widths;
 }
@@ -29,6 +33,11 @@ std::string colored(const std::string& text, Emphasis emphasis, bool color) {
   if (!color || emphasis == Emphasis::none || text.empty()) return text;
   const char* code = emphasis == Emphasis::strong ? "1" : emphasis == Emphasis::muted ? "2" : "1;31";
   return "\033[" + std::string(code) + "m" + text + "\033[0m";
+}
+
+TableCell printable(TableCell cell) {
+  cell.text = language::printable(cell.text);
+  return cell;
 }
 
 /// The columns that are printed side by side: keys, and values from `begin` to `end`.
@@ -82,7 +91,7 @@ class BlockPrinter {
     std::string text;
     std::size_t pending = 0;  // blanks are written only before something: lines have none at their end
     for (const std::size_t c : columns_) {
-      const TableCell cell = cell_of(c);
+      const TableCell cell = printable(cell_of(c));
       const std::size_t blanks = widths_[c] - display_width(cell.text);
       const bool left = c < table_.key_columns;
       if (!left) pending += blanks;
@@ -112,14 +121,15 @@ class BlockPrinter {
 std::string text_table(const Table& table, std::size_t width, bool color) {
   const std::vector<std::size_t> widths = column_widths(table);
   std::string text;
-  if (!table.title.empty()) text += colored(table.title, Emphasis::strong, color) + "\n\n";
+  if (!table.title.empty())
+    text += colored(language::printable(table.title), Emphasis::strong, color) + "\n\n";
   const std::vector<Block> blocks = blocks_of(table, widths, width);
   for (const Block& block : blocks) {
     if (&block != &blocks.front()) text += "\n";
     text += BlockPrinter(table, widths, block, color).print();
   }
   if (!table.notes.empty()) text += "\n";
-  for (const std::string& note : table.notes) text += note + "\n";
+  for (const std::string& note : table.notes) text += language::printable(note) + "\n";
   return text;
 }
 

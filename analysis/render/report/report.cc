@@ -5,14 +5,15 @@
 #include <array>
 #include <set>
 
-#include "analysis/render/markup.h"
 #include "analysis/render/method_look.h"
+#include "analysis/render/page_template.h"
 #include "analysis/render/report/blocks_json.h"
 #include "analysis/render/report/page_assets.h"
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/exceptions.h"
 #include "results/provenance/provenance.h"
+#include "results/text/language.h"
 
 namespace raygauge::report {
 namespace {
@@ -72,24 +73,6 @@ std::string page_title(const std::vector<MergedFile>& files) {
   return title;
 }
 
-/// JSON that may stand inside a script element: no "<" begins a tag there.
-std::string script_json(const Json& value) {
-  std::string result;
-  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      result += "\\u003c";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-void replace_mark(std::string& page, const std::string& mark, const std::string& text) {
-  const std::size_t place = page.find(mark);
-  if (place != std::string::npos) page.replace(place, mark.size(), text);
-}
-
 Input input_of(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines) {
   std::vector<Record> records = filtered(merged.records, filter);
   if (records.empty()) {
@@ -123,13 +106,11 @@ std::string make_page(const MergedResults& merged, const Filter& filter,
     for (const Block& block : section->blocks) blocks.push_back(to_json(block));
     data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", blocks}});
   }
-  std::string page = page_template();
-  replace_mark(page, "<!--TITLE-->", escaped_markup(data["title"]));
-  replace_mark(page, "/*STYLE*/", page_style());
-  replace_mark(page, "/*DATA*/", script_json(data));
-  replace_mark(page, "/*CHARTJS*/", chart_library());
-  replace_mark(page, "/*SCRIPT*/", page_script());
-  return page;
+  return filled(page_template(), {{"<!--TITLE-->", language::markup(page_title(merged.files))},
+                                  {"/*STYLE*/", page_style()},
+                                  {"/*DATA*/", script_json(data)},
+                                  {"/*CHARTJS*/", chart_library()},
+                                  {"/*SCRIPT*/", page_script()}});
 }
 
 }  // namespace raygauge::report

@@ -11,11 +11,10 @@
 
 #include "analysis/render/figures/style.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
-
-using figure_style::quoted;
 
 constexpr std::size_t kMostCurves = 6;  // of a panel; farther pairs are not drawn
 constexpr double kPanelHeight = 1.9;    // inches
@@ -128,7 +127,7 @@ std::string plot_of(const SceneFile& file, const Panel& panel, const std::string
     const auto [a, b] = panel.curves[c].first;
     text += (c > 0 ? ", \\\n  " : "") + block + " using 1:3:4 with filledcurves fs transparent solid 0.25" +
             look + " notitle, \\\n  " + block + " using 1:2 with linespoints pt 7 ps 0.25 lw 1.3" + look +
-            " title " + quoted(body_name(file, a) + " – " + body_name(file, b));
+            " title " + language::gnuplot(body_name(file, a) + " – " + body_name(file, b));
   }
   return text + "\n";
 }
@@ -142,8 +141,8 @@ Drawing draw_over_time(const SceneFile& file, const std::vector<Panel>& panels, 
     const std::string prefix = "$panel" + std::to_string(p) + "curve";
     for (std::size_t c = 0; c < panels[p].curves.size(); ++c)
       drawing.script += data_block(prefix + std::to_string(c), panels[p].curves[c].second);
-    plots += "set title " + quoted(panels[p].title) + " offset 0,-0.7\nset ylabel " +
-             quoted(panels[p].quantity) + "\n" +
+    plots += "set title " + language::gnuplot(panels[p].title) + " offset 0,-0.7\nset ylabel " +
+             language::gnuplot(panels[p].quantity) + "\n" +
              (p + 1 == panels.size() ? "set xlabel 'time / s' offset 0,0.5\n" : "") +
              plot_of(file, panels[p], prefix);
   }
@@ -169,7 +168,7 @@ Drawing draw_one_instant(const SceneFile& file, const std::vector<Panel>& panels
       const std::string pair =
           body_name(file, curve.first.first) + " – " + body_name(file, curve.first.second);
       tics += (tics.empty() ? "" : ", ") +
-              quoted(panel.curves.size() > 1 ? panel.title + ": " + pair : panel.title) + " " +
+              language::gnuplot(panel.curves.size() > 1 ? panel.title + ": " + pair : panel.title) + " " +
               std::to_string(count++);
     }
   }
@@ -178,7 +177,7 @@ Drawing draw_one_instant(const SceneFile& file, const std::vector<Panel>& panels
   drawing.script +=
       "EOD\nset encoding utf8\nset border 3\nset tics nomirror out scale 0.5\nunset key\nset ytics (" + tics +
       ")\nset yrange [" + std::to_string(count) + "-0.5:-0.5]\nset xlabel " +
-      quoted(panels.front().quantity) + " offset 0,0.5\nset xrange [0:*]\n" +
+      language::gnuplot(panels.front().quantity) + " offset 0,0.5\nset xrange [0:*]\n" +
       "plot $answers using 3:1:($4-$3):(0) with vectors nohead lw 5 lc rgb '#9CC3E0', "
       "$answers using 2:1 with points pt 7 ps 0.6 lc rgb '#0072B2'\n";
   return drawing;

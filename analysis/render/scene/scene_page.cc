@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analysis/render/page_template.h"
 #include "results/scene/event_text.h"
 
 namespace raygauge::scene_page {
@@ -130,13 +131,6 @@ json queries_of(const SceneFile& file) {
   return queries;
 }
 
-// Inside a script element "</" would end it.
-std::string escaped(std::string text) {
-  for (std::size_t i = text.find("</"); i != std::string::npos; i = text.find("</", i + 3))
-    text.replace(i, 2, "<\\/");
-  return text;
-}
-
 // Its licence asks for this in every copy, and Debian's minified file has lost it.
 constexpr const char* kThreeNotice =
     R"(/* three.js, https://threejs.org
@@ -156,10 +150,6 @@ COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER I
 OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE. */
 )";
 
-void fill(std::string& page, const std::string& place, const std::string& text) {
-  page.replace(page.find(place), place.size(), text);
-}
-
 }  // namespace
 
 std::string make_page(const SceneFile& file) {
@@ -173,13 +163,11 @@ std::string make_page(const SceneFile& file) {
   data["events"] = events_of(file);
   data["records"] = json::array();
   for (const SceneRow& row : file.records) data["records"].push_back(record_json(row.record));
-  std::string page = page_template();
-  fill(page, "{{style}}", page_style());
-  fill(page, "{{data}}", escaped(data.dump(-1, ' ', true)));
-  fill(page, "{{script}}", page_script());
   const bool space = data["drawing"].is_object() && data["drawing"]["dimension"] == 3;
-  fill(page, "{{three}}", space ? kThreeNotice + three_library() : "");
-  return page;
+  return filled(page_template(), {{"{{style}}", page_style()},
+                                  {"{{three}}", space ? kThreeNotice + three_library() : ""},
+                                  {"{{data}}", script_json(data)},
+                                  {"{{script}}", page_script()}});
 }
 
 }  // namespace raygauge::scene_page

@@ -10,6 +10,7 @@
 #include "analysis/render/figures/style.h"
 #include "analysis/render/number_text.h"
 #include "analysis/studies/crossover/crossover.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -59,7 +60,7 @@ std::string winner_block(const std::string& name, const std::string& method,
 /// Heading and key above the cells.
 std::string crossover_legend(const std::string& problem, double height, std::size_t key_columns) {
   const std::string where = problem.empty() ? "" : problem + ": ";
-  return "set label 9 " + figure_style::quoted(where + "fastest method; time of the second / its own") +
+  return "set label 9 " + language::gnuplot(where + "fastest method; time of the second / its own") +
          " at screen 0.5, screen " + screen(1 - 0.1 / height) + " center\nset key at screen 0.5, screen " +
          screen(1 - kCrossoverHeading / height) +
          " center top horizontal Left reverse samplen 1.2 spacing 0.9 width 1 maxcols " +
@@ -93,7 +94,7 @@ Drawing crossover_of(const Problem& problem, const FigureOptions& options) {
     drawing.script += winner_block(block, winning[w], winners, map, mark);
     boxes += (boxes.empty() ? "plot " : ", \\\n  ") + block + " using " + kCellBox +
              " with boxxyerror lc rgb '" + figure_style::line_color(winning[w], methods) + "' title " +
-             figure_style::quoted(mark + winning[w]);
+             language::gnuplot(mark + winning[w]);
     labels += ", \\\n  " + block + " using 1:2:3 with labels " + map.font(kWinnerCharacters) + " notitle";
   }
   drawing.script += "set style fill transparent solid 0.45 noborder\n" + map.settings() +

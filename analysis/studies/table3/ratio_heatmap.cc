@@ -14,6 +14,7 @@
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -93,7 +94,7 @@ std::string ratio_panel(const CellMap& map, double height, std::size_t index, st
                         const std::string& method) {
   const double top = height - kHeading - static_cast<double>(index) * (map.height() + kPanelTitle);
   const std::string block = "$ratios" + std::to_string(index);
-  return map.margins(top, height) + "set title " + figure_style::quoted(method) + " offset 0,-0.8\n" +
+  return map.margins(top, height) + "set title " + language::gnuplot(method) + " offset 0,-0.8\n" +
          (index + 1 == panels ? map.bottom_axis(kRatioCharacters) : "unset xlabel\nunset xtics\n") + "plot " +
          block + " using " + kCellBox + ":3 with boxxyerror lc palette, \\\n  " + block +
          " using 1:2:4:5 with labels " + map.font(kRatioCharacters) + " tc rgb variable\nunset colorbox\n";
@@ -104,7 +105,7 @@ std::string ratio_heading(const std::vector<std::string>& baselines, const std::
                           double height) {
   const std::string text = baselines.size() > 1 ? "time, % of the best of " : "time, % of ";
   const std::string where = problem.empty() ? "" : problem + ": ";
-  return "set label 9 " + figure_style::quoted(where + text + joined(baselines, ", ")) +
+  return "set label 9 " + language::gnuplot(where + text + joined(baselines, ", ")) +
          " at screen 0.5, screen " + screen(1 - 0.1 / height) + " center\n";
 }
 

@@ -104,12 +104,6 @@ TEST(Table, AsLatexIsEscaped) {
             "\\end{table}\n");
 }
 
-TEST(Table, AsLatexLeavesNoSpecialCharacterBare) {
-  EXPECT_EQ(latex_escaped("50% of a_b & {c} $#~^\\"),
-            "50\\% of a\\_b \\& \\{c\\} \\$\\#\\textasciitilde{}\\textasciicircum{}\\textbackslash{}");
-  EXPECT_EQ(latex_escaped("a<b|c>d"), "a\\textless{}b\\textbar{}c\\textgreater{}d");
-}
-
 TEST(Table, AsCsvHasNumbersInFullAndQuotesWhatNeedsIt) {
   EXPECT_EQ(rendered(TableFormat::csv),
             "method,N=200 ours,N=400 ours\n"

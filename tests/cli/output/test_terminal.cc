@@ -19,14 +19,6 @@ TEST(DurationText, SaysItAsOneWould) {
   EXPECT_EQ(duration_text(3900), "1 h 05 min");
 }
 
-TEST(ShellWord, IsQuotedOnlyWhereItMustBe) {
-  EXPECT_EQ(shell_word("out/x-1.h5"), "out/x-1.h5");
-  EXPECT_EQ(shell_word("sweep.n=3,4"), "sweep.n=3,4");
-  EXPECT_EQ(shell_word("sweep.n=[3, 4]"), "'sweep.n=[3, 4]'");
-  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-  EXPECT_EQ(shell_word(""), "''");
-}
-
 TEST(Terminal, AFileIsNoneAndGetsNoColour) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
   EXPECT_FALSE(is_terminal(file.get()));
