@@ -34,7 +34,7 @@ struct GrowthDistanceSolver::Workspace {
   void go_on(const Posed& A, const Posed& Q, bool about_origin, double threshold, const ProvenBounds& proven,
              WarmStart* warm);
   void separate(const Posed& A1, const Posed& A2, WarmStart* warm);
-  bool conclude();
+  [[gnu::always_inline]] bool conclude();
   void conclude_by_methods(const Posed& A1, const Posed& A2);
   void conclude(Separation outcome, const Vector& normal);
 };
@@ -61,6 +61,22 @@ void GrowthDistanceSolver::Workspace::go_on(const Posed& A, const Posed& Q, bool
   tighten(proven, A.dimension(), methods.options().tolerance, result);
 }
 
+// By the bounds on the growth distance.
+inline bool GrowthDistanceSolver::Workspace::conclude() {
+  separation.lower = result.lower;
+  separation.upper = result.upper;
+  separation.counters = result.counters;
+  separation.outcome = result.lower > 1   ? Separation::separated
+                       : result.upper < 1 ? Separation::intersecting
+                                          : Separation::undecided;
+  if (separation.outcome == Separation::separated) {
+    separation.normal = result.normal;
+  } else {
+    separation.normal.resize(0);
+  }
+  return separation.outcome != Separation::undecided;
+}
+
 void GrowthDistanceSolver::Workspace::separate(const Posed& A1, const Posed& A2, WarmStart* warm) {
   const DistanceOptions& options = methods.options();
   const bool found = spatial.growth(A2, A1, false, options, 1.0, warm, result);
@@ -77,25 +93,13 @@ void GrowthDistanceSolver::Workspace::separate(const Posed& A1, const Posed& A2,
     conclude_by_methods(A1, A2);
 }
 
-// By the bounds on the growth distance.
-bool GrowthDistanceSolver::Workspace::conclude() {
-  const Separation outcome = result.lower > 1   ? Separation::separated
-                             : result.upper < 1 ? Separation::intersecting
-                                                : Separation::undecided;
-  conclude(outcome, result.normal);
-  return outcome != Separation::undecided;
-}
-
+// By another proof.
 void GrowthDistanceSolver::Workspace::conclude(Separation outcome, const Vector& normal) {
+  conclude();
   separation.outcome = outcome;
-  separation.lower = outcome == Separation::separated ? std::max(result.lower, 1.0) : result.lower;
-  separation.upper = outcome == Separation::intersecting ? std::min(result.upper, 1.0) : result.upper;
-  separation.counters = result.counters;
-  if (outcome == Separation::separated) {
-    separation.normal = normal;
-  } else {
-    separation.normal.resize(0);
-  }
+  if (outcome == Separation::separated) separation.lower = std::max(result.lower, 1.0);
+  if (outcome == Separation::intersecting) separation.upper = std::min(result.upper, 1.0);
+  separation.normal = normal;
 }
 
 void GrowthDistanceSolver::Workspace::conclude_by_methods(const Posed& A1, const Posed& A2) {

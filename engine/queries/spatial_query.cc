@@ -13,8 +13,7 @@ constexpr std::ptrdiff_t kPointsUnderLimit =
     10000;  // a hundred passes over so many end before the clock would be read
 
 // The radius of a ball about the origin; 0 for every other set.
-double radius_of_metric(const ConvexSet& Q) {
-  SpatialShape shape;
+double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
   if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
   return shape.center.x == 0 && shape.center.y == 0 && shape.center.z == 0 ? shape.radius : 0.0;
 }
@@ -42,9 +41,11 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
-  proven_ = {};
-  const double radius = radius_of_metric(metric);
-  if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) return false;
+  const double radius = radius_of_metric(metric, metric_);
+  if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) {
+    proven_ = {};
+    return false;
+  }
   const bool found = solve_.distance(options.tolerance, warm);
   const SpatialAnswer& answer = solve_.answer();
   const int n = solve_.dimension();
@@ -77,8 +78,10 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
 
 bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
                           double threshold, WarmStart* warm, DistanceResult& result) {
-  proven_ = {};
-  if (!bind(Q, A, options)) return false;
+  if (!bind(Q, A, options)) {
+    proven_ = {};
+    return false;
+  }
   const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm);
   const SpatialAnswer& answer = solve_.answer();
   if (!found) {

@@ -23,7 +23,7 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
-  /// Of the last query, in its units.
+  /// Of the last query, in its units, where that returned false.
   const ProvenBounds& proven() const noexcept { return proven_; }
 
   /// Whether two bodies have a point in common: the Euclidean distance, to whatever precision. normal() is
@@ -36,6 +36,7 @@ class SpatialQuery {
   void set_counters(DistanceResult& result) const;
 
   SpatialSolve solve_;
+  SpatialShape metric_;
   ProvenBounds proven_;
 };
 

@@ -20,6 +20,7 @@ namespace {
 constexpr double kLeastSquare = 1e-200;                                 // of a normal that a start may have
 constexpr SpatialNearness kNearCurved{3e-3, 0}, kNearFlat{2e-2, 1e-6};  // where other steps are faster
 constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal
+constexpr double kClose = 0x1p-40;          // of a size
 constexpr double kUnitSquare = 0x1p-50;     // how far from 1 the square of a unit vector may be
 
 // Needles of an ellipsoid: support points of doubles crowd around the contact, and double-double Newton steps
@@ -146,18 +147,28 @@ bool SpatialSolve::find_overlap() {
   return overlap;
 }
 
-bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
-  record_ = {};
-  if (!begin_with_vertices(warm)) begin_with_normal(warm);
-  const bool found = find_distance(tolerance) || find_overlap();
-  if (warm != nullptr && found) record(warm);
-  if (record_.answer.end == SpatialEnd::intersecting || !(record_.answer.lower > 0)) return found;
-  const double square = dot(record_.answer.normal, record_.answer.normal);
+// The normal of the lower bound, of length one, in the world.
+inline void SpatialSolve::turn_normal() {
+  const SpatialAnswer& answer = record_.answer;
+  const double square = dot(answer.normal, answer.normal);
   const bool is_unit = std::fabs(square - 1) <= kUnitSquare;  // nearly always: no root to wait for
-  const Vector3 normal = record_.answer.normal * (is_unit ? -1.0 : -1 / std::sqrt(square));
-  pair_.normal_to_world(normal, record_.answer.lower / pair_.size(), record_.normal);
-  if (warm != nullptr && found) std::copy_n(record_.normal, 3, warm->normal.begin());
-  return found;
+  const Vector3 normal = answer.normal * (is_unit ? -1.0 : -1 / std::sqrt(square));
+  pair_.normal_to_world(normal, answer.lower < kClose * pair_.size(), record_.normal);
+}
+
+bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
+  record_.begin();
+  if (!begin_with_vertices(warm)) begin_with_normal(warm);
+  if (!find_distance(tolerance) && !find_overlap()) {
+    if (record_.answer.lower > 0) turn_normal();
+    return false;
+  }
+  const bool apart = record_.answer.end == SpatialEnd::closed;
+  if (warm != nullptr) record(warm);
+  if (!apart) return true;
+  turn_normal();
+  if (warm != nullptr) std::copy_n(record_.normal, pair_.dimension(), warm->normal.begin());
+  return true;
 }
 
 bool SpatialSolve::find_growth(bool about_origin, double tolerance, double threshold) {
@@ -191,24 +202,18 @@ void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
 }
 
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
-  record_ = {};
+  record_.begin();
   if (!begin_with_vertices(warm) || record_.start.count != 3) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;
   if (warm == nullptr) return true;
   record(warm);
-  if (record_.answer.lower > 0)
-    pair_.normal_to_world(-record_.answer.normal, growth_margin(), warm->normal.data());
+  if (record_.answer.lower > 0) pair_.normal_to_world(-record_.answer.normal, false, warm->normal.data());
   return true;
-}
-
-// How far a plane that proves the lower bound is from both bodies, of the size of the pair.
-double SpatialSolve::growth_margin() const {
-  return std::fabs(record_.answer.lower - 1) * length(pair_.between_centers()) / pair_.size();
 }
 
 void SpatialSolve::growth_normal(double* normal) const {
   const double along = dot(record_.answer.normal, pair_.between_centers());
-  pair_.normal_to_world(record_.answer.normal * (-record_.answer.lower / along), growth_margin(), normal);
+  pair_.normal_to_world(record_.answer.normal * (-record_.answer.lower / along), false, normal);
 }
 
 }  // namespace raygauge

@@ -47,11 +47,19 @@ class SpatialSolve {
   void closest_points(double* point_1, double* point_2) const;
 
  private:
-  // All that a solve knows.
+  // All that a solve knows. What is behind a count or a flag, such as the points of a combination, is written
+  // whole before that is raised, and is not read before: clearing it would take as long as some of the
+  // solves.
   struct Record {
     SpatialStart start;
     SpatialAnswer answer;
     double normal[3] = {0, 0, 0};
+
+    void begin() noexcept {
+      start.has_normal = false;
+      start.count = 0;
+      answer.begin();
+    }
   };
 
   static std::ptrdiff_t points_of(const SpatialShape& shape) noexcept {
@@ -61,12 +69,12 @@ class SpatialSolve {
   void step_on_cores(double tolerance);
   bool settle(double tolerance);
   bool find_overlap();
+  void turn_normal();
   bool find_growth(bool about_origin, double tolerance, double threshold);
   void go_on_in_ball(double tolerance, double threshold);
   bool begin_with_vertices(const WarmStart* warm);
   void begin_with_normal(const WarmStart* warm);
   void record(WarmStart* warm) const;
-  double growth_margin() const;
 
   SpatialPair pair_;
   Record record_;

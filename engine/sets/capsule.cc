@@ -55,6 +55,7 @@ bool Capsule::do_spatial_shape(SpatialShape& shape) const {
   shape.axis.column[0] = spatial(q_, dimension()) - shape.center;
   shape.base = spatial(p_, dimension());
   shape.top = spatial(q_, dimension());
+  shape.base_radius = shape.top_radius = 0;  // whatever the shape was of before
   shape.radius = shape.inner_radius = radius_;
   shape.extent = length(shape.center) + length(shape.axis.column[0]);
   return true;

@@ -75,7 +75,8 @@ std::vector<Whole> draw_vertices(RandomStream& stream, int n, std::int64_t step,
 }
 
 bool is_box(const std::vector<Whole>& points, int n) {
-  if (points.size() != std::size_t{1} << n) return false;
+  if (points.size() != std::size_t{1} << n || (points.front().array() > points.back().array()).any())
+    return false;
   for (int i = 0; i < 1 << n; ++i) {
     for (int k = 0; k < n; ++k) {
       const Whole& corner = (i >> k & 1) != 0 ? points.back() : points.front();

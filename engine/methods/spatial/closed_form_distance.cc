@@ -163,7 +163,6 @@ bool closed_form_distance(SpatialPair& pair, double tolerance, SpatialAnswer& an
   nearest.s = nearest.a1 - nearest.a2;
   const double size = length(nearest.s);
   if (!(size > pair.error())) return false;
-  answer.begin_steps();
   answer.iterations = 1;
   answer.combination.count = 1;
   answer.combination.point[0] = nearest;

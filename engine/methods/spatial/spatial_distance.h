@@ -9,7 +9,8 @@ namespace raygauge {
 /// How a fixed-size solve ended. Where it is `open` the bounds hold, but another method has to close them.
 enum class SpatialEnd : std::uint8_t { closed, intersecting, separated, open };
 
-/// A combination of at most four support points.
+/// A combination of at most four support points. Points and weights from `count` on are not there: nobody
+/// reads them, and they are written whole before `count` is raised.
 struct SpatialCombination {
   int count = 0;
   SpatialPoint point[4];
@@ -26,6 +27,16 @@ struct SpatialAnswer {
   Vector3 hint;    ///< the best normal met, though it may prove nothing: where to go on from
   SpatialCombination combination;  ///< of the last steps; it proves `upper`, but for rounding
   int iterations = 0;
+
+  /// Of a new solve: nothing is known, and the combination has no points. Steps begin with a hint of their
+  /// own.
+  void begin() noexcept {
+    end = SpatialEnd::open;
+    lower = 0;
+    upper = __builtin_inf();
+    normal = {};
+    combination.count = iterations = 0;
+  }
 
   /// A bound that outer normal u proves.
   void bound_from_below(double bound, const Vector3& u) noexcept {

@@ -415,6 +415,7 @@ void Growth::run(const SpatialStart& start) {
   if (!recall(start, u) && !discover(u)) return;
   refine();
   answer_.combination.count = 3;
+  std::fill_n(answer_.combination.weight, 3, 1.0 / 3);  // a portal has none of its own
 }
 
 }  // namespace

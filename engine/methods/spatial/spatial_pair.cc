@@ -109,7 +109,6 @@ bool has_vertices(const SpatialShape& shape) {
 }  // namespace
 
 bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
-  shape_[0] = shape_[1] = {};  // a set writes what its kind has
   dimension_ = first.dimension();
   if ((dimension_ != 2 && dimension_ != 3) || second.dimension() != dimension_) return false;
   if (!first.spatial_shape_unchecked(shape_[0]) || !second.spatial_shape_unchecked(shape_[1])) return false;
@@ -147,9 +146,7 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
 }
 
 // The coordinates of R_1 c_1 + t_1 - R_2 c_2 - t_2, summed without rounding where they may be 0.
-bool SpatialPair::is_concentric() const noexcept {
-  const Vector3& p = between_centers_;
-  if (!(dot(p, p) <= error_ * error_)) return false;
+bool SpatialPair::share_center() const noexcept {
   const int n = dimension_;
   for (int j = 0; j < n; ++j) {
     ExactSum sum;
@@ -197,7 +194,7 @@ std::int32_t SpatialPair::highest(const SpatialShape& shape, const Vector3& v) c
   return static_cast<std::int32_t>(std::min(index, shape.size - 1));
 }
 
-Vector3 SpatialPair::support_of(int i, const Vector3& v, std::int32_t& index) {
+[[gnu::always_inline]] inline Vector3 SpatialPair::support_of(int i, const Vector3& v, std::int32_t& index) {
   const SpatialShape& shape = shape_[i];
   ++queries_;
   switch (shape.kind) {
@@ -226,8 +223,11 @@ void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
   point.a1 = support_of(0, u, point.index_1);
   point.a2 = R_ * support_of(1, R_.transposed_times(-u), point.index_2) + t_;
   point.s = point.a1 - point.a2;
-  for (int i = 0; i < prisms_; ++i)
-    point.s = dot(u, prism_[i]) < 0 ? point.s - prism_[i] : point.s + prism_[i];
+  if (prisms_ > 0) add_prisms(u, point);
+}
+
+void SpatialPair::add_prisms(const Vector3& u, SpatialPoint& point) const {
+  for (const Vector3& v : prisms()) point.s = dot(u, v) < 0 ? point.s - v : point.s + v;
 }
 
 bool SpatialPair::core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
@@ -292,11 +292,8 @@ void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {
   if (dimension_ == 3) out[2] = v.z;
 }
 
-void SpatialPair::normal_to_world(const Vector3& u, double margin, double* out) const noexcept {
-  constexpr double kLittle = 0x1p-10;  // of what a plane may be off by
-  if (pose_[0].defect < kLittle * margin) return to_world(u, out);
-  const Vector3 v = W_ * u;
-  to_world(u - (W_.transposed_times(v) - u), out);
+void SpatialPair::turn_normal(const Vector3& u, double* out) const noexcept {
+  to_world(u - (W_.transposed_times(W_ * u) - u), out);
 }
 
 void SpatialPair::point_to_world(const Vector3& point, double* out) const noexcept {

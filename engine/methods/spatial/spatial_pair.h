@@ -115,15 +115,19 @@ class SpatialPair {
   const Vector3& between_centers() const noexcept { return between_centers_; }
 
   /// Whether both centres are the same point, without a rounding error.
-  bool is_concentric() const noexcept;
+  bool is_concentric() const noexcept {
+    return dot(between_centers_, between_centers_) <= error_ * error_ && share_center();
+  }
 
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
   void to_world(const Vector3& vector, double* out) const noexcept;
 
-  /// The normal of a plane. The pose takes it to R⁻ᵀu, which is not Ru where R is orthonormal only to the
-  /// defect of the pose: it is where planes may be off by no more than `margin`, of the size of the pair.
-  void normal_to_world(const Vector3& u, double margin, double* out) const noexcept;
-
+  /// The normal of a plane. The pose takes it to R⁻ᵀu, which is Ru only where R is orthonormal; `close`: the
+  /// plane is so near to the bodies that rounding errors of R matter.
+  void normal_to_world(const Vector3& u, bool close, double* out) const noexcept {
+    constexpr double kOrthonormal = 0x1p-44;
+    close || pose_[0].defect > kOrthonormal ? turn_normal(u, out) : to_world(u, out);
+  }
   void point_to_world(const Vector3& point, double* out) const noexcept;
 
   /// A point of the second body's frame in the first one's.
@@ -148,6 +152,9 @@ class SpatialPair {
   static constexpr double kRounding = 256 * 0x1p-53;
   static constexpr int kMostPrisms = 3;
 
+  bool share_center() const noexcept;
+  void turn_normal(const Vector3& u, double* out) const noexcept;
+  void add_prisms(const Vector3& u, SpatialPoint& point) const;
   Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
   void place_ellipsoid(int i);
   void add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;

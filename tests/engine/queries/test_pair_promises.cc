@@ -22,6 +22,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/point_set.h"
 
@@ -232,6 +233,36 @@ TEST(PairPromises, FlatBodiesInACommonPlaneHaveGrowthDistances) {
   line << 0, 2, 0, 1;
   next << 1, 5, 0.5, 2.5;
   expect_growth(PointSet(line), PointSet(next), Pose(2), 2.0 / 3);
+}
+
+// One square inside another, at quarter coordinates: each query was undecided where it was asked alone.
+TEST(PairPromises, ABodyInsideAnotherOverlapsInEveryQuery) {
+  Eigen::MatrixXd big(2, 4), small(2, 4);
+  big << -1.5, -1.5, 0.5, 0.5, -0.5, 1.5, -0.5, 1.5;
+  small << -0.75, -0.75, 0.25, 0.25, -0.25, 0.75, -0.25, 0.75;
+  for (const double size : {1.0, 1e9, 1e-9}) {
+    const PointSet outer(size * big), inner(size * small);
+    EXPECT_EQ(GrowthDistanceSolver(options(1e-6)).separation(outer, inner).outcome, Separation::intersecting);
+    EXPECT_NEAR(GrowthDistanceSolver(options(1e-6)).solve_about_centers(outer, inner).upper, 1.0 / 6, 1e-6);
+    const Ball metric(Vector::Zero(2), 1);
+    EXPECT_EQ(ObjectDistanceSolver(options(1e-6)).solve(outer, inner, metric).distance.status,
+              DistanceStatus::contains_origin);
+  }
+}
+
+TEST(PairPromises, ADifferenceOfOctahedraHoldsTheOrigin) {
+  Eigen::MatrixXd octahedron(3, 6);
+  octahedron << 1, -1, 0, 0, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0, 0, 0, 1, -1;
+  const auto one = std::make_shared<PointSet>(2 * octahedron),
+             other = std::make_shared<PointSet>((3 * octahedron).colwise() + Vector3d(-0.5, -0.5, 0));
+  const MinkowskiDifference difference(other, one);
+  const Ball Q(Vector3d::Zero(), 1);
+  for (const auto method :
+       {DistanceMethod::newton, DistanceMethod::column_generation, DistanceMethod::zheng_yamane}) {
+    DistanceOptions asked;
+    asked.method = method;
+    EXPECT_EQ(DistanceSolver(asked).solve(difference, Q).status, DistanceStatus::contains_origin);
+  }
 }
 
 TEST(PairPromises, SumsOfUnlikeSetsHaveTheSameRelativeBoundsAtAnySize) {
