@@ -167,7 +167,7 @@ bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
   if (warm != nullptr) record(warm);
   if (!apart) return true;
   turn_normal();
-  if (warm != nullptr) std::copy_n(record_.normal, pair_.dimension(), warm->normal.begin());
+  if (warm != nullptr) std::copy_n(record_.normal, 3, warm->normal.begin());
   return true;
 }
 

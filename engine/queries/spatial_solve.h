@@ -59,6 +59,7 @@ class SpatialSolve {
       start.has_normal = false;
       start.count = 0;
       answer.begin();
+      normal[2] = 0;  // of R^2
     }
   };
 

@@ -422,7 +422,8 @@ void Growth::run(const SpatialStart& start) {
 
 void spatial_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
                     SpatialAnswer& answer) {
-  answer.begin_steps();
+  answer.end = SpatialEnd::open;
+  answer.combination.count = answer.iterations = 0;
   Growth(pair, tolerance, threshold, answer).run(start);
 }
 

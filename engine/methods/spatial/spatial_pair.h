@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -116,7 +117,8 @@ class SpatialPair {
 
   /// Whether both centres are the same point, without a rounding error.
   bool is_concentric() const noexcept {
-    return dot(between_centers_, between_centers_) <= error_ * error_ && share_center();
+    const Vector3& p = between_centers_;
+    return std::fabs(p.x) <= error_ && std::fabs(p.y) <= error_ && std::fabs(p.z) <= error_ && share_center();
   }
 
   /// A vector, or a point, of the first body's frame in the world's; n numbers.
