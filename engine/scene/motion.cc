@@ -193,32 +193,37 @@ TwistMotion::TwistMotion(Placement first, Rates rates, double start, double stop
   if (n != 3 && !plane && !rates_.spin.isZero(0)) {
     throw InvalidParameterError("motion: a spin needs 3 dimensions, or 2 and (0, 0, ω)");
   }
-  stands_ = rates_.velocity.isZero(0) && rates_.acceleration.isZero(0);
+  path_ = rates_.velocity.isZero(0) ? Path::none : Path::straight;
+  if (!rates_.acceleration.isZero(0)) path_ = Path::curved;
 }
 
-// The origin in twice the digits: where the body comes to rest its terms cancel.
+// With an acceleration the origin is computed in twice the digits: where the body comes to rest its terms
+// cancel for a time.
 Placement TwistMotion::do_at(double t) const {
   const DoubleDouble s = two_sum(t, -start());
-  const DoubleDouble half_square = s * s * 0.5;
   Placement here{turned_by(s.high * rates_.spin, first_.R), first_.t};
-  if (stands_) return here;
+  if (path_ == Path::straight) here.t += s.high * rates_.velocity;
+  if (path_ != Path::curved) return here;
+  const DoubleDouble half_square = s * s * 0.5;
   for (Eigen::Index k = 0; k < here.t.size(); ++k) {
     here.t[k] = (s * rates_.velocity[k] + half_square * rates_.acceleration[k] + first_.t[k]).rounded();
   }
   return here;
 }
 
-// The origin is rounded once, and loses 2⁻⁹⁵ of its terms before. Computed in doubles below it is within 8 u
-// of its terms. An angle loses 8 u of itself.
+// An angle loses 8 u of itself, an origin on a straight path 3 u of its terms. On a curved one it is rounded
+// once and loses 2⁻⁹⁵ of its terms before; computed in doubles below it is within 8 u of them.
 PlacementError TwistMotion::do_error_at(double t) const {
   const double s = std::fabs(t - start());
   PlacementError error;
   if (rates_.spin != Eigen::Vector3d::Zero()) {
     error.turn = kTurnRounding * (1 + s * rates_.spin.lpNorm<1>());
   }
-  if (stands_) return error;
+  if (path_ == Path::none) return error;
   const double terms =
       first_.t.lpNorm<1>() + s * rates_.velocity.lpNorm<1>() + s * s / 2 * rates_.acceleration.lpNorm<1>();
+  error.place = 4 * kUnitRoundoff * terms + kUnderflow;
+  if (path_ == Path::straight) return error;
   const double size =
       (first_.t + s * rates_.velocity + s * s / 2 * rates_.acceleration).lpNorm<1>() + 1e-15 * terms;
   error.place = 1.01 * kUnitRoundoff * size + 1e-28 * terms + kUnderflow;
@@ -229,7 +234,7 @@ PlacementError TwistMotion::do_error_at(double t) const {
 // its terms.
 MotionBound TwistMotion::do_bound(double from, double to) const {
   const double acceleration = rates_.acceleration.norm();
-  if (acceleration == 0) return {rates_.velocity, 0, rates_.spin, 0};
+  if (path_ != Path::curved) return {rates_.velocity, 0, rates_.spin, 0};
   const double middle = (from + to) / 2 - start();
   const double spread = acceleration * (to - from) / 2;
   const double terms =

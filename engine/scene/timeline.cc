@@ -22,7 +22,8 @@ constexpr std::size_t kInstantsPerStop = 1024;
 double longer(double path, double step) {
   constexpr double kLongest = 1e150;
   if (step == 0) return path;
-  const double sum = std::max(path + step, std::nextafter(path, kInfinity));
+  double sum = path + step;
+  if (sum == path) sum = std::nextafter(path, kInfinity);
   return sum <= kLongest ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 

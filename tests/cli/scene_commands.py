@@ -8,6 +8,7 @@ import argparse
 import json
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -191,6 +192,83 @@ class Scenes(unittest.TestCase):
         self.assertGreater(killed, 0)
         self.assertEqual(self.answers(whole), self.answers(cut))
         self.assertFalse(pathlib.Path(str(cut) + ".parts").exists())
+
+    def test_a_rotation_of_few_digits_is_replaced_by_the_nearest_one_and_said_once(self):
+        rotation = "[[-0.70710677,-0.70710677,0],[-0.70710677,0.70710677,0],[0,0,-1]]"
+        pose = f"pose = {{ rotation = {rotation} }}"
+        text = GOOD.replace("motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }", pose).replace("2000", "3")
+        text = text.replace("motion = { velocity = [0, -0.5, 0], spin = [3, 0, 0] }", pose)
+        (self.work / "digits.toml").write_text(text)
+        done = self.run_raygauge("scene", "run", self.work / "digits.toml", "-o", self.work / "digits.h5")
+        self.assertEqual(done.stderr.count("the nearest rotation is used"), 1)
+        self.assertIn("digits.toml:9: pose.rotation: the matrix is a rotation to 1.1e-08 only", done.stderr)
+        (self.work / "digits.toml").write_text(text.replace("0.70710677", "0.7071"))
+        done = self.run_raygauge("scene", "run", self.work / "digits.toml", "-o", self.work / "no.h5", status=2)
+        self.assertIn("differs from the nearest one by 6.78e-06", done.stderr)
+
+    def test_a_set_file_may_hold_a_rotation_of_few_digits(self):
+        (self.work / "image.toml").write_text(
+            'shape = "rigid_image"\nR = [[0.8660254038, -0.5, 0], [0.5, 0.8660254038, 0], [0, 0, 1]]\n'
+            't = [5, 0, 0]\n[S]\nshape = "box"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n')
+        (self.work / "ball.toml").write_text('shape = "ball"\ncenter = [0, 0, 0]\nradius = 1\n')
+        done = self.run_raygauge("distance", self.work / "image.toml", self.work / "ball.toml", "--json")
+        self.assertAlmostEqual(json.loads(done.stdout)["distance"], 3.65236169651, 9)
+        self.assertEqual(done.stderr.count("the nearest rotation is used"), 1)
+
+    def test_a_scene_of_one_instant_needs_no_end_of_time(self):
+        still = GOOD.replace('effects = ["time_of_impact", "clearance"]', 'effects = ["growth"]')
+        for time_text, at in (("", 0), ("[time]\ninstants = 1", 0), ("[time]\nfrom = 0.5", 0.5),
+                              ("[time]\nfrom = 0.5\nto = 0.5", 0.5), ("[time]\ninstants = [0.5]", 0.5)):
+            with self.subTest(time_text):
+                (self.work / "one.toml").write_text(still.replace("[time]\nto = 1\ninstants = 2000", time_text))
+                self.run_raygauge("scene", "run", self.work / "one.toml", "-q", "--force", "-o", self.work / "one.h5")
+                rows = self.answers(self.work / "one.h5")
+                times = {float(row[rows[0].index("time")]) for row in rows[1:]}
+                self.assertEqual(times, {at})
+
+    def test_bodies_that_rest_or_pass_in_no_time_are_not_proven_apart(self):
+        ball = 'shape = { shape = "ball", center = [0, 0, 0], radius = 0.5 }\n'
+        wall = 'shape = { shape = "box", lower = [%s, -3, -3], upper = [%s, 3, 3] }\n'
+        cases = {
+            "rest": ("5.1127457655831225", "pose = { translation = [-110634.19708028663, 0, 0] }\nmotion = { velocity = "
+                     "[86555.60213850647, 0, 0], acceleration = [-33858.75461328932, 0, 0] }\n",
+                     ("0.4999999999435327", "1.4999999999435327"), 1.5376373935916744e-15),
+            "rest from afar": ("1.2213376997303587", "pose = { translation = [-8616585.786782837, 0, 0] }\nmotion = { velocity = "
+                               "[28220158.236940257, 0, 0], acceleration = [-46211884.302221365, 0, 0] }\n",
+                               ("0.5000000003552881", "1.5000000003552882"), 2.5797165789598584e-13),
+            "in no time": ("1", "motion = { keyframes = [{ time = 0, translation = [-5, 0, 0] }, { time = 1e-310, translation = "
+                           "[5, 0, 0] }, { time = 1, translation = [5, 0, 0] }] }\n", ("-0.1", "0.1"), 1e-6),
+        }
+        for what, (to, motion, faces, contact) in cases.items():
+            with self.subTest(what):
+                (self.work / "rest.toml").write_text(
+                    f'[time]\nto = {to}\ninstants = 3\n[[body]]\nname = "ball"\n{ball}{motion}[[body]]\nname = "wall"\n'
+                    f'{wall % faces}[[query]]\neffects = ["clearance", "time_of_impact"]\ncontact = {contact}\n')
+                self.run_raygauge("scene", "run", self.work / "rest.toml", "-q", "--force", "-o", self.work / "rest.h5")
+                rows = self.answers(self.work / "rest.h5")
+                status = [row[rows[0].index("status")] for row in rows[1:]]
+                self.assertNotIn("free", status)
+                self.assertIn("intersecting", status)
+                self.assertNotIn("separated", status)
+
+    def test_an_interrupted_run_ends_at_once_though_a_pair_takes_longer(self):
+        # Nothing is proven of the jump at the start: each pair takes the most steps there are.
+        bodies = "".join(
+            f'[[body]]\nname = "b{i}"\nshape = {{ shape = "ball", center = [0, 0, 0], radius = 0.5 }}\n'
+            f"motion = {{ keyframes = [{{ time = 0, translation = [{3 * i}, 0, 0] }}, {{ time = 1e-310, translation = "
+            f"[{3 * i}, 5, 0] }}, {{ time = 1, translation = [{3 * i}, {5 + i}, 0] }}] }}\n" for i in range(12))
+        (self.work / "long.toml").write_text(
+            f'[time]\nto = 1\ninstants = 3\n{bodies}[[query]]\neffects = ["clearance"]\n')
+        command = [self.raygauge, "scene", "run", self.work / "long.toml", "-o", self.work / "long.h5"]
+        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        begin = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        stderr = process.communicate(timeout=60)[1]
+        self.assertLess(time.monotonic() - begin, 5)  # 0.1 on a machine that does nothing else; a pair takes 3 to 20
+        self.assertEqual(process.returncode, 130, stderr)
+        self.assertIn("interrupted: storing the cells that are done", stderr)
+        self.assertIn("--resume", stderr)
 
     def test_results_are_not_replaced_unasked_and_not_mixed(self):
         results = self.work / "r.h5"

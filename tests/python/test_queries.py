@@ -28,6 +28,19 @@ class Distances(unittest.TestCase):
             self.assertGreaterEqual(result.upper, 2.0)
             self.assertLessEqual(result.gap, 1e-9 * result.upper)
 
+    def test_a_rotation_of_few_digits_is_replaced_by_the_nearest_one_with_a_warning(self):
+        half = np.sqrt(0.5)
+        exact = np.array([[half, -half], [half, half]])
+        expected = rg.distance(TRIANGLE, SQUARE, pose_A=pose(exact, [3, 0])).distance
+        printed = pose(exact.round(8), [3, 0])
+        with self.assertWarnsRegex(UserWarning, "the nearest rotation is used"):
+            result = rg.distance(TRIANGLE, SQUARE, pose_A=printed)
+        self.assertAlmostEqual(result.distance, expected, delta=1e-7)
+        with self.assertWarnsRegex(UserWarning, "the nearest rotation is used"):
+            rg.distances([TRIANGLE, TRIANGLE], SQUARE, poses_A=np.array([printed, printed]))
+        with self.assertRaisesRegex(ValueError, "by 6.78e-06"):
+            rg.distance(TRIANGLE, SQUARE, pose_A=pose(exact.round(4), [3, 0]))
+
     def test_the_normal_proves_the_lower_bound(self):
         result = rg.distance(TRIANGLE, SQUARE)
         proven = -(TRIANGLE @ result.normal).max() / (SQUARE @ -result.normal).max()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -159,7 +160,7 @@ class TwistMotion final : public Motion {
 
   Placement first_;
   Rates rates_;
-  bool stands_ = false;  ///< the origin
+  enum class Path : std::uint8_t { none, straight, curved } path_ = Path::none;  ///< of the origin
 };
 
 }  // namespace raygauge

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
@@ -40,7 +42,7 @@ TEST(Pose, IsAssignedInPlaceWithTheSameChecks) {
   EXPECT_EQ(pose.translation(), given.translation());
   EXPECT_EQ(pose.defect(), given.defect());
   EXPECT_FALSE(pose.is_axis_exchange());
-  double R[9] = {1, 1e-9, 0, 0, 1, 0, 0, 0, 1}, t[3] = {0, 0, 0};
+  double R[9] = {1, 1e-5, 0, 0, 1, 0, 0, 0, 1}, t[3] = {0, 0, 0};
   EXPECT_THROW(pose.assign(R, t), InvalidParameterError);
   R[1] = 0;
   t[2] = std::numeric_limits<double>::infinity();
@@ -73,10 +75,61 @@ TEST(Pose, TurnsThePlane) {
   EXPECT_EQ(pose.apply(Eigen::Vector2d(2, 1)), Eigen::Vector2d(-1, 2));
 }
 
+// R rounded to `digits` digits after the point.
+Eigen::Matrix3d printed(const Eigen::Matrix3d& R, int digits) {
+  const double unit = std::pow(10.0, digits);
+  return (R * unit).array().round() / unit;
+}
+
+TEST(Pose, TakesTheNearestRotationOfOneThatWasPrintedAndSaysHowFarItIs) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  const Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Eigen::Matrix3d exact =
+        Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+            .normalized()
+            .toRotationMatrix();
+    const int digits = 6 + trial % 9;
+    const Eigen::Matrix3d given = printed(exact, digits);
+    const Pose pose(given, t);
+    EXPECT_LE((pose.rotation() - exact).norm(), 1.6 * std::pow(10.0, -digits)) << digits;
+    EXPECT_LE(pose.defect(), 3.1e-12);
+    if (pose.replaced() == 0) {
+      EXPECT_EQ(pose.rotation(), given);
+    } else {
+      EXPECT_LE(pose.defect(), 2e-14);
+      EXPECT_NEAR(pose.replaced(), (pose.rotation() - given).cwiseAbs().maxCoeff(), 1e-15);
+    }
+    if (digits != 12) {
+      EXPECT_EQ(pose.replaced() > 0, digits < 12) << digits;
+    }
+    EXPECT_EQ(nearest_rotation("R", given).R, pose.rotation());
+    Pose again(3);
+    again.assign(given.data(), t.data());
+    EXPECT_EQ(again.rotation(), pose.rotation());
+  }
+}
+
+TEST(Pose, SaysByHowMuchAMatrixIsNoRotation) {
+  const Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  const auto said = [&](double scale) -> std::string {
+    try {
+      Pose(scale * Eigen::Matrix3d::Identity(), t);
+    } catch (const InvalidParameterError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(said(1 + 9e-7), "");
+  EXPECT_NE(said(1 + 2e-6).find("by 2e-06"), std::string::npos) << said(1 + 2e-6);
+  EXPECT_NE(said(2).find("by 3"), std::string::npos) << said(2);
+}
+
 TEST(Pose, RefusesWhatIsNoRigidMotion) {
   const Eigen::Vector3d t = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R(0, 1) = 1e-9;
+  R(0, 1) = 1e-5;
   EXPECT_THROW(Pose(R, t), InvalidParameterError);
   EXPECT_THROW(Pose(Eigen::Matrix3d(-Eigen::Matrix3d::Identity()), t), InvalidParameterError);
   EXPECT_THROW(Pose(Eigen::Quaterniond(0, 0, 0, 0), t), InvalidParameterError);
