@@ -87,9 +87,10 @@ class ClearanceSearch {
     return best_.upper - bound <= options_.tolerance * best_.upper;
   }
 
-  // No bound of a span gets above those of the looks at its ends.
+  // No bound of a span gets above those of the looks at its ends: where these leave more than the tolerance,
+  // nothing is gained beyond them.
   bool is_final(double bound) const {
-    return least_lower_ > 0 && bound >= (1 - options_.tolerance) * least_lower_;
+    return least_lower_ > 0 && !is_closed(least_lower_) && bound >= (1 - options_.tolerance) * least_lower_;
   }
 
   // Once a look has proven nothing, only common points are looked for, for a while.

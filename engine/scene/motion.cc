@@ -201,9 +201,10 @@ TwistMotion::TwistMotion(Placement first, Rates rates, double start, double stop
 // cancel for a time.
 Placement TwistMotion::do_at(double t) const {
   const DoubleDouble s = two_sum(t, -start());
+  if (path_ != Path::curved) {
+    return {turned_by(s.high * rates_.spin, first_.R), first_.t + s.high * rates_.velocity};
+  }
   Placement here{turned_by(s.high * rates_.spin, first_.R), first_.t};
-  if (path_ == Path::straight) here.t += s.high * rates_.velocity;
-  if (path_ != Path::curved) return here;
   const DoubleDouble half_square = s * s * 0.5;
   for (Eigen::Index k = 0; k < here.t.size(); ++k) {
     here.t[k] = (s * rates_.velocity[k] + half_square * rates_.acceleration[k] + first_.t[k]).rounded();

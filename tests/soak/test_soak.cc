@@ -192,7 +192,7 @@ TEST(Soak, FindsNoContradictionInTenThousandPairsOfSets) {
   EXPECT_EQ(pairs.tally().pairs, 10000);
 }
 
-TEST(Soak, TimesOfImpactAreThoseOfBisections) {
+TEST(Soak, TimesOfImpactAreThoseOfBisectionsAndOfQuadruplePrecision) {
   soak::RandomMotions motions(1);
   for (std::int64_t i = 0; i < 300; ++i) {
     ASSERT_EQ(motions.check(i).value_or(""), "");
@@ -200,6 +200,8 @@ TEST(Soak, TimesOfImpactAreThoseOfBisections) {
   EXPECT_GT(motions.tally().contacts, 50);
   EXPECT_GT(motions.tally().free, 50);
   EXPECT_GT(motions.tally().grazing, 20);
+  EXPECT_EQ(motions.tally().exact, 100);
+  EXPECT_LT(motions.tally().exact_undecided, 60);  // half of them graze by less than poses can tell
 }
 
 TEST(Soak, ScenesHaveTheAnswersOfBruteForce) {

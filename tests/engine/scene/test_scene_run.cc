@@ -259,6 +259,50 @@ TEST(SceneRun, ResultsAreTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(SceneRun, ACellThatIsStoppedIsDroppedAndThoseBeforeAreWhole) {
+  Random random(17);
+  Scene scene = random_scenes::scene(random, 3, 5, 3000, 3.0);
+  scene.queries = {all_pairs(scene, SceneEffects::distance), all_pairs(scene, SceneEffects::clearance)};
+  const ScenePlan plan = plan_scene(scene);
+  Collector whole;
+  run_scene(scene, plan, 1, {}, whole);
+  std::map<std::uint64_t, std::size_t> records;
+  for (const SceneCellResult& cell : whole.cells) records[cell.cell] = cell.records.size();
+  int within_cells = 0;
+  for (const int most : {0, 1, 5, 20, 80, 300, 700}) {
+    Collector cut;
+    int asked = 0;
+    SceneHooks hooks;
+    hooks.stop = [&] { return ++asked > most; };
+    const SceneSummary summary = run_scene(scene, plan, 1, {}, cut, hooks);
+    EXPECT_EQ(summary.cells_done, cut.cells.size());
+    EXPECT_EQ(summary.stopped, cut.cells.size() < plan.cells.size());
+    for (const SceneCellResult& cell : cut.cells) EXPECT_EQ(cell.records.size(), records[cell.cell]);
+    within_cells += asked > static_cast<int>(cut.cells.size()) + 2 ? 1 : 0;
+  }
+  EXPECT_GT(within_cells, 3);
+}
+
+// After a way of 2e17 a step of 1 changes no sum in double precision.
+TEST(SceneRun, ABodyThatHasMovedIsNotTakenForOneThatStands) {
+  std::vector<Placement> frames(4, Placement::identity(3));
+  frames[1].t[0] = 1e17;
+  frames[3].t[0] = 1;
+  Scene scene;
+  const auto ball = std::make_shared<Ball>(Vector::Zero(3), 0.1);
+  const std::vector<double> times = {0, 1, 2, 3};
+  scene.bodies.push_back(make_body("far", {ball}, std::make_shared<KeyframeMotion>(times, frames)));
+  Placement still = Placement::identity(3);
+  still.t[0] = 5;
+  scene.bodies.push_back(make_body("still", {ball}, std::make_shared<StaticMotion>(still)));
+  scene.instants = times;
+  scene.queries = {all_pairs(scene, SceneEffects::distance)};
+  const SceneCellResult result = run(scene);
+  ASSERT_EQ(result.records.size(), 4U);
+  EXPECT_NEAR(result.records[2].distance, 4.8, 1e-9);
+  EXPECT_NEAR(result.records[3].distance, 3.8, 1e-9);
+}
+
 TEST(SceneRun, RefusesScenesThatCannotBeAnswered) {
   Random random(19);
   const Scene good = random_scenes::scene(random, 3, 3, 4, 2.0);
