@@ -201,7 +201,7 @@ class Scenes(unittest.TestCase):
         (self.work / "digits.toml").write_text(text)
         done = self.run_raygauge("scene", "run", self.work / "digits.toml", "-o", self.work / "digits.h5")
         self.assertEqual(done.stderr.count("the nearest rotation is used"), 1)
-        self.assertIn("digits.toml:9: pose.rotation: the matrix is a rotation to 1.1e-08 only", done.stderr)
+        self.assertIn("digits.toml:8: pose.rotation: the matrix is a rotation to 1.1e-08 only", done.stderr)
         (self.work / "digits.toml").write_text(text.replace("0.70710677", "0.7071"))
         done = self.run_raygauge("scene", "run", self.work / "digits.toml", "-o", self.work / "no.h5", status=2)
         self.assertIn("differs from the nearest one by 6.78e-06", done.stderr)
