@@ -34,7 +34,8 @@ double falling_speed(const PartWatch& watch, const PartLook& look, double from, 
     speed += look.normal.norm() * (turning.spin.norm() + turning.spin_error) *
              (apart + travelled + watch.a().reach + watch.b().reach) * (1 + 1e-13);
   }
-  return std::max(0.0, speed);
+  if (speed > 0) return speed;
+  return speed <= 0 ? 0.0 : kInfinity;  // no bound where it is no number
 }
 
 // By how fast the distances at both ends can fall.

@@ -54,7 +54,9 @@ ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
                             const ContinuousOptions& options);
 
 /// Branch and bound on intervals of time: between two moments the distance is at least what it is at either,
-/// less the speed times the time from there. `metric_body` is the body that the metric follows, or nullptr.
+/// less the speed times the time from there; the Euclidean one also what planes as those of time_of_impact()
+/// prove. Two links of one robot are seen from the link that carries both. `metric_body` is the body that the
+/// metric follows, or nullptr.
 ClearanceResult clearance(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
                           const Body* metric_body, const ContinuousOptions& options);
 
