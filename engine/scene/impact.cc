@@ -62,7 +62,11 @@ class Advance {
   }
 
   ImpactResult run() {
-    while (result_.steps < options_.max_steps && !(options_.stop && options_.stop())) {
+    while (!(options_.stop && options_.stop())) {
+      if (result_.steps >= options_.max_steps) {
+        look_ahead();
+        break;
+      }
       const double end = watch_.end_of_piece(t_, options_.to);
       if (end != piece_end_ && t_ < options_.to) {
         enter_piece(end);
@@ -114,8 +118,8 @@ class Advance {
     return true;
   }
 
-  /// Where no step is proven any more: the next moment of a proven contact, in steps that double. False: it
-  /// is the end.
+  /// Where no step is proven any more, or steps have run out: the next moment of a proven contact, in steps
+  /// that double. False: it is the end.
   bool look_ahead() {
     constexpr int kDoublings = 60;
     for (int k = kDoublings; k >= 0 && t_ < options_.to; --k) {
