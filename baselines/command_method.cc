@@ -36,6 +36,8 @@ constexpr const char* kName = "command";
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::size_t kLongestLine = std::size_t{1} << 26U;  // bytes
+
 /// A running program and the socket that is its standard input and output.
 class Child {
  public:
@@ -93,6 +95,8 @@ class Child {
         received_.erase(0, at + 1);
         return line;
       }
+      // A program that goes on sending without a line end is as late as one that sends nothing.
+      if (Clock::now() > end || received_.size() > kLongestLine) return std::nullopt;
       if (!wait_for(POLLIN, end)) return std::nullopt;
       std::array<char, 4096> block{};
       const ssize_t got = ::recv(socket_, block.data(), block.size(), 0);
@@ -226,19 +230,24 @@ class CommandMethod final : public SolveMethod {
     const Clock::time_point end = in_seconds(load_limit_);
     if (!child_->send(text, end) || child_->line(end) != "ready") {
       child_.reset();
-      throw Error("method 'command': '" + command_ + "' did not take the points and say ready");
+      fail_to_load();
     }
     text_ = std::move(text);
   }
 
   void solve(const SolveRequest& request) override {
     if (!lp_) throw Error("method 'command': solve before load");
-    if (!child_) restart();
+    const Clock::time_point end = in_seconds(request.time_limit);
+    if (!child_ && !restart(std::min(end, in_seconds(load_limit_)))) {
+      if (Clock::now() < end) fail_to_load();
+      result_ = {};
+      result_.status = DistanceStatus::time_limit;
+      return;
+    }
     std::string text = "solve ";
     append_number(text, request.tolerance);
     text += ' ';
     append_number(text, request.time_limit);
-    const Clock::time_point end = in_seconds(request.time_limit);
     const std::optional<std::string> line = child_->send(text + '\n', end) ? child_->line(end) : std::nullopt;
     if (line) {
       result_ = certified_result(*lp_, Answer(*line, *lp_).parse());
@@ -253,11 +262,14 @@ class CommandMethod final : public SolveMethod {
   DistanceResult result() override { return result_; }
 
  private:
-  void restart() {
+  bool restart(Clock::time_point end) {
     child_.emplace(command_);
-    const Clock::time_point end = in_seconds(load_limit_);
-    if (child_->send(text_, end) && child_->line(end) == "ready") return;
+    if (child_->send(text_, end) && child_->line(end) == "ready") return true;
     child_.reset();
+    return false;
+  }
+
+  [[noreturn]] void fail_to_load() const {
     throw Error("method 'command': '" + command_ + "' did not take the points and say ready");
   }
 

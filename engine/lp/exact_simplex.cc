@@ -50,7 +50,7 @@ const double* coordinates(const PointSet& S, std::ptrdiff_t i) {
 }  // namespace
 
 ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::span<const std::int64_t> start,
-                                      const Stopwatch& stopwatch) {
+                                      const Stopwatch& stopwatch, double most_seconds) {
   A_ = A;
   Q_ = Q;
   n_ = A.set->dimension();
@@ -60,7 +60,7 @@ ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::spa
   late_ = false;
   scaling_.compute(*A.set, *Q.set);
   if (is_late()) return End::stopped;
-  if (stopwatch.limited() && expected_seconds(n_, scaling_.mean_bits()) > stopwatch.remaining()) {
+  if (expected_seconds(n_, scaling_.mean_bits()) > std::min(stopwatch.remaining(), most_seconds)) {
     return End::too_long;
   }
   const auto size = static_cast<std::size_t>(m_);
@@ -360,7 +360,7 @@ void ExactSimplex::weights_of_A(std::vector<PointWeight>& weights) const {
   for (int i = 0; i < m_; ++i) {
     const Basic& basic = basic_[static_cast<std::size_t>(i)];
     if (basic.artificial || is_from_Q(basic.id) || x(i).sign() == 0) continue;
-    weights.push_back({static_cast<std::ptrdiff_t>(index_of(basic.id)), ratio(x(i), D_, 0)});
+    weights.push_back({static_cast<std::ptrdiff_t>(index_of(basic.id)), rounded_ratio(x(i), D_, 0).nearest});
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -41,9 +42,10 @@ class ExactSimplex {
   };
 
   /// Solves for the points given, starting from the basic columns `start` (identities as in id_of_A, id_of_Q
-  /// with indices into the sets; negative ones are passed over).
-  End solve(const Points& A, const Points& Q, std::span<const std::int64_t> start,
-            const Stopwatch& stopwatch);
+  /// with indices into the sets; negative ones are passed over). Not begun if it is expected to take more
+  /// than `most_seconds`.
+  End solve(const Points& A, const Points& Q, std::span<const std::int64_t> start, const Stopwatch& stopwatch,
+            double most_seconds = std::numeric_limits<double>::infinity());
 
   /// What a solve in R^n of coordinates of `bits` bits may be expected to take, in seconds: the basis is
   /// built from n + 1 columns, at each of which (n + 1)² determinants grow by `bits` bits.

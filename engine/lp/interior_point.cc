@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -67,7 +68,10 @@ InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q
   bool single = many_;
   const int limit = many_ ? kIterations : kIterationsOfFew;
   for (iterations_ = 1; iterations_ <= limit; ++iterations_) {
-    if (stopwatch.expired()) return End::failed;
+    const double squares = static_cast<double>(n) * n;
+    if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n))) {
+      return End::failed;
+    }
     if (single) single = factor(true);
     if (!single && !factor(false)) return End::failed;
     const double length = step();

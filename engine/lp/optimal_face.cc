@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/affords.h"
 #include "engine/lp/exact_rank.h"
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
@@ -38,7 +39,7 @@ void OptimalFace::add(const double* column, double cost, double weight, std::int
 
 // By elimination with complete pivoting. Columns count by their weights: the pivots' weights are those that
 // will change.
-void OptimalFace::choose_pivots(const Stopwatch& stopwatch) {
+void OptimalFace::eliminate(const Stopwatch& stopwatch) {
   const auto m = static_cast<std::size_t>(m_);
   const int count = this->count();
   pivots_.clear();
@@ -74,9 +75,9 @@ void OptimalFace::choose_pivots(const Stopwatch& stopwatch) {
   }
 }
 
-bool OptimalFace::factor(const Stopwatch& stopwatch) {
+bool OptimalFace::choose(const Stopwatch& stopwatch) {
   if (ids_.empty()) return false;
-  choose_pivots(stopwatch);
+  eliminate(stopwatch);
   const int r = rank();
   if (r == 0 || stopwatch.expired()) return false;
   basis_.reset(r, *kernels_);
@@ -87,20 +88,20 @@ bool OptimalFace::factor(const Stopwatch& stopwatch) {
       work_[static_cast<std::size_t>(k)] = column(from)[pivots_[static_cast<std::size_t>(k)].row];
     basis_.set_column(i, work_.data(), costs_[static_cast<std::size_t>(from)], i);
   }
-  return basis_.refactor();
+  return true;
 }
 
 // (b - M x)_R over the columns that are no pivots. Returns a bound on its rounding error in any entry.
 double OptimalFace::set_right_hand_side() {
-  std::vector<bool> is_pivot(ids_.size(), false);
-  for (const Pivot& pivot : pivots_) is_pivot[static_cast<std::size_t>(pivot.column)] = true;
+  is_pivot_.assign(ids_.size(), false);
+  for (const Pivot& pivot : pivots_) is_pivot_[static_cast<std::size_t>(pivot.column)] = true;
   double error = 0;
   for (int k = 0; k < rank(); ++k) {
     const int row = pivots_[static_cast<std::size_t>(k)].row;
     DoubleDouble sum{row == m_ - 1 ? 1.0 : 0.0};
     double size = sum.high;
     for (int i = 0; i < count(); ++i) {
-      if (is_pivot[static_cast<std::size_t>(i)]) continue;
+      if (is_pivot_[static_cast<std::size_t>(i)]) continue;
       const DoubleDouble term = two_product(weight(i), column(i)[row]);
       sum = sum - term;
       size += std::fabs(term.high);
@@ -127,12 +128,17 @@ double OptimalFace::enclose(Basis& basis, double error_of_b) {
 }
 
 double OptimalFace::upper(const Stopwatch& stopwatch) {
+  if (!affords(stopwatch, 3 * cube(rank()))) return kInfinity;
   const double error = enclose(basis_, set_right_hand_side());
   if (!(error < kInfinity)) return kInfinity;
+  rounded_ = true;
   for (int i = 0; i < rank(); ++i) {
-    const double x = basis_.view().x()[i];
-    if (!(x > 2 * error)) return kInfinity;
-    weights_[static_cast<std::size_t>(pivots_[static_cast<std::size_t>(i)].column)] = x;
+    double& low = x_low_[static_cast<std::size_t>(i)];
+    const DoubleDouble x = two_sum(basis_.view().x()[i], low);
+    if (!(x.high > 2 * error)) return kInfinity;
+    weights_[static_cast<std::size_t>(pivots_[static_cast<std::size_t>(i)].column)] = x.high;
+    low = x.low;
+    rounded_ = rounded_ && std::fabs(low) + error < 0.5 * (x.high - std::nextafter(x.high, 0.0));
   }
   DoubleDouble sum;
   for (int i = 0; i < count(); ++i) {
@@ -190,7 +196,7 @@ void OptimalFace::refine_duals(double* y, double* y_low) {
 // M_RPᵀ u_R = -M_PᵀU over the other rows, whose coordinates stay.
 double OptimalFace::enclose_orthogonal(double* u, const Stopwatch& stopwatch) {
   const int r = rank();
-  if (r == m_) return kInfinity;  // u = 0 only
+  if (r == m_ || !affords(stopwatch, 3 * cube(r))) return kInfinity;  // of m columns: u = 0 only
   std::vector<bool> is_pivot(static_cast<std::size_t>(m_), false);
   for (const Pivot& pivot : pivots_) is_pivot[static_cast<std::size_t>(pivot.row)] = true;
   transposed_.reset(r, *kernels_);

@@ -24,15 +24,18 @@ class OptimalFace {
   void add(const double* column, double cost, double weight, std::int64_t id);
   int count() const noexcept { return static_cast<int>(ids_.size()); }
 
-  /// Chooses the pivots and inverts M_RP. False where no inverse is to be had.
-  bool factor(const Stopwatch& stopwatch);
+  /// Chooses the pivots. False where there are none.
+  bool choose(const Stopwatch& stopwatch);
   int rank() const noexcept { return static_cast<int>(pivots_.size()); }
 
   /// Σ c_i x_i of a solution that is proven to be positive, rounded up, for b = e_m; +infinity where none is.
   /// The weights of the pivots become that solution, to a double.
   double upper(const Stopwatch& stopwatch);
 
-  /// Duals y (m doubles) become y + y_low, at which the reduced costs of all columns are zero to some 30
+  /// After upper(): whether the weights of the pivots are proven to be those of the solution as they round.
+  bool is_rounded() const noexcept { return rounded_; }
+
+  /// After upper(): duals y (m doubles) become y + y_low, at which the reduced costs of all columns are zero to some 30
   /// digits where they were nearly.
   void refine_duals(double* y, double* y_low);
 
@@ -50,7 +53,7 @@ class OptimalFace {
     int row;
     int column;
   };
-  void choose_pivots(const Stopwatch& stopwatch);
+  void eliminate(const Stopwatch& stopwatch);
   bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
   double enclose(Basis& basis, double error_of_b);
   double set_right_hand_side();
@@ -61,7 +64,9 @@ class OptimalFace {
   std::vector<double> costs_, weights_;
   std::vector<std::int64_t> ids_;
   std::vector<Pivot> pivots_;
+  std::vector<bool> is_pivot_;  // of columns
   std::vector<double> work_;
+  bool rounded_ = false;
   Basis basis_;       // M_RP
   Basis transposed_;  // its transpose
   AlignedBuffer<double> x_low_;

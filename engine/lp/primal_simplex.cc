@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -277,16 +278,17 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
       continue;
     }
     if (end == LoopEnd::stalled && impatient_) return End::stalled;
+    const bool no_time_to_invert = stopwatch.expired() || !affords(stopwatch, 2 * cube(n_ + 1));
     if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
+      if (no_time_to_invert) return End::time_limit;
       if (!repair()) return End::failed;
       loop_.bland = end == LoopEnd::stalled;
       continue;
     }
     const bool artificial = artificial_weight() > kArtificialZero;
-    const bool late = stopwatch.expired();
-    if (!artificial && !late && stage_ == Stage::optimise) return End::solved;
+    if (!artificial && !stopwatch.expired() && stage_ == Stage::optimise) return End::solved;
     basis_.refresh_duals();
-    if (late) return End::time_limit;
+    if (no_time_to_invert) return End::time_limit;
     if (artificial) return stage_ == Stage::optimise ? End::bounded : End::unreachable;
     enter_stage(Stage::optimise);
   }

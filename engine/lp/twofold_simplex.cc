@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/lp/affords.h"
 #include "engine/lp/exact_rank.h"
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
@@ -21,6 +22,7 @@ constexpr double kMargin = 0x1p-75;       // of a Farkas direction, relative to 
 constexpr double kSlack = 1 + 0x1p-48;    // of ratios, for their own rounding
 constexpr double kOutOfTurn = 0x1p20;     // the same, of an artificial column that leaves out of turn
 constexpr double kDrift = 1e-6;
+constexpr double kInversion = 30;  // operations for m³, in those of doubles
 constexpr int kPivotsOfAFactorisation = 64;
 
 std::int64_t pivot_limit(int m) { return 200 + 20 * static_cast<std::int64_t>(m); }
@@ -37,7 +39,7 @@ TwofoldSimplex::End TwofoldSimplex::solve(const Points& A, const Points& Q,
                                           std::span<const std::int64_t> start, double gap_tolerance,
                                           const Kernels& kernels, const Stopwatch& stopwatch) {
   begin(A, Q, gap_tolerance, kernels, stopwatch);
-  if (!start_from(start)) return End::stopped;
+  if (!affords(stopwatch, kInversion * cube(m_)) || !start_from(start)) return End::stopped;
   std::int64_t fresh = 0;  // pivots at the last factorisation
   for (;;) {
     if (stopwatch.expired()) return End::stopped;

@@ -37,7 +37,7 @@ const MethodChain::Turn MethodChain::kTurns[] = {
     {&MethodChain::is_newton_asked_for, &MethodChain::by_nearest_point_afresh},
     {&MethodChain::is_newton_asked_for, &MethodChain::by_newton_afresh},
     // Whether 0 is in a set of points is one exact question, asked once where no method is sure of d > 0.
-    {&MethodChain::is_newton_asked_for, &MethodChain::by_origin_question},
+    {&MethodChain::is_newton_near_origin, &MethodChain::by_origin_question},
     {&MethodChain::is_newton_asked_for, &MethodChain::by_quad_newton_after_newton},
     {&MethodChain::is_zheng_yamane_asked_for, &MethodChain::by_zheng_yamane},
     {&MethodChain::always, &MethodChain::by_column_generation},
@@ -53,6 +53,12 @@ const MethodChain::Turn MethodChain::kTurns[] = {
 
 bool MethodChain::is_newton_asked_for_with_start(const Problem& problem) const {
   return chosen_ == DistanceMethod::newton && problem.start != nullptr;
+}
+
+// Not where it is a method for other sets.
+bool MethodChain::is_newton_near_origin(const Problem& problem) const {
+  return chosen_ == DistanceMethod::newton && newton_.direction() == nullptr &&
+         method_for(problem.Q) == DistanceMethod::newton;
 }
 
 bool MethodChain::has_normal(const Problem& problem) const {

@@ -84,6 +84,7 @@ class MethodChain {
   bool has_normal(const Problem& problem) const;
   bool is_distant(const Problem&) const { return result_.lower > 0; }
   bool may_hold_origin(const Problem& problem) const;
+  bool is_newton_near_origin(const Problem& problem) const;
   bool is_near_origin(const Problem&) const { return !(result_.lower > 0); }
   bool always(const Problem&) const { return true; }
 

@@ -98,6 +98,35 @@ bool has_ended(const std::string& process) {
 }
 
 // Left running it would take a core from all solves that are timed after it.
+// Bytes without a line end, for ever; and a program that, started anew, takes the points no sooner.
+TEST(CommandMethod, EndsAtTheTimeLimitWhateverAProgramSends) {
+  for (const std::string& late : {answering("cat /dev/zero"), answering("yes | tr -d \"\\n\"")}) {
+    const auto solver = method(late);
+    solver->load(triangle());
+    const auto begin = std::chrono::steady_clock::now();
+    solver->solve({1e-6, 0.3});
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(solver->result().status, DistanceStatus::time_limit);
+    EXPECT_LT(spent.count(), 2);
+  }
+}
+
+TEST(CommandMethod, AProgramThatIsStartedAnewHasTheTimeLimitToTakeThePoints) {
+  const std::filesystem::path mark =
+      std::filesystem::temp_directory_path() / ("raygauge_command_" + std::to_string(::getpid()));
+  const auto solver =
+      method("sh -c 'if test -e " + mark.string() + "; then sleep 60; fi; touch " + mark.string() +
+             "; for i in 0 1 2 3 4 5 6 7; do read p; done; echo ready; sleep 60'");
+  solver->load(triangle());
+  solver->solve({1e-6, 0.2});
+  const auto begin = std::chrono::steady_clock::now();
+  solver->solve({1e-6, 0.2});
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  std::filesystem::remove(mark);
+  EXPECT_EQ(solver->result().status, DistanceStatus::time_limit);
+  EXPECT_LT(spent.count(), 5);
+}
+
 TEST(CommandMethod, WhatAProgramHasStartedEndsWithIt) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("raygauge_child_" + std::to_string(::getpid()));

@@ -85,7 +85,8 @@ TEST_P(PairOfClouds, HasNPointsInEachSet) {
 
 INSTANTIATE_TEST_SUITE_P(Room, PairOfClouds,
                          testing::Values("example2", "clustered", "needle", "hard_planted_ties",
-                                         "hard_planted_unimodular", "hard_scaled", "hard_scaled_object",
+                                         "hard_planted_unimodular", "hard_planted_origin",
+                                         "hard_planted_unreachable", "hard_scaled", "hard_scaled_object",
                                          "hard_moment_curve"),
                          [](const auto& test) { return test.param; });
 

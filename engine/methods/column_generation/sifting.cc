@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/lp/affords.h"
 #include "engine/lp/shared_pass.h"
 #include "engine/numerics/floating_point.h"
 
@@ -134,6 +135,7 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
 // `concluded`: there is no better basic solution to come.
 double Sifting::bound_from_above(bool concluded) {
   by_face_ = false;
+  if (!affords(*stopwatch_, 2 * cube(n_ + 1))) return kInfinity;
   double upper = program_.proven_upper();
   if (upper < kInfinity || !concluded) return upper;
   if (n_ >= kLeastToStall) upper = upper_of_face();
@@ -230,6 +232,7 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
     late = exact == ExactSimplex::End::too_long;
   }
   late = late || stopwatch_->expired();
+  if (!restricted) lower = std::max(lower, bound_inside(lower));
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
 }
 
@@ -356,12 +359,7 @@ void Sifting::finish(DistanceStatus status, double lower, double upper, Effects 
   for (int k = 0; k < n_; ++k) result.normal[k] = -v[k] * length;
 
   result.origin_weights.clear();
-  if (status == DistanceStatus::contains_origin) {
-    program_.origin_weights(result.origin_weights);
-    for (PointWeight& weight : result.origin_weights) {
-      weight.index = working_A_.index_in(*A_, scaling_.factor_A(), weight.index);
-    }
-  }
+  if (status == DistanceStatus::contains_origin) find_origin_weights(result.origin_weights);
   if (double* contact = result.room_for_contact(effects, n_)) {
     program_.contact_point(contact);
     for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];

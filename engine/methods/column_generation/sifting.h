@@ -63,9 +63,12 @@ class Sifting {
   bool interior_may_help(PrimalSimplex::End end) const noexcept;
   void solve_inside(const double* guess);
   bool finish_inside(Effects effects, DistanceResult& result);
+  double bound_inside(double lower);
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_carriers(double distance, Effects effects, DistanceResult& result);
   double upper_of_face();
+  void find_origin_weights(std::vector<PointWeight>& weights);
+  void weights_of_face(std::vector<PointWeight>& weights) const;
   bool certify_by_plane(Effects effects, DistanceResult& result);
   std::vector<bool> collect_plane(const double* u);
   const double* products_with(const ColumnPool& pool, const double* u);

@@ -17,6 +17,9 @@ constexpr double kMaybeZero = 1e-4;
 // A weight above carries, others are zero but for rounding.
 constexpr double kCarries = 1e-9;
 
+// That exact arithmetic may take for weights that other arithmetic has as good.
+constexpr double kSecondsForWeights = 0.05;
+
 // Points of Q so close to the plane of a direction, relative to the farthest, may lie in it.
 constexpr double kMaybeInPlane = 1e-6;
 
@@ -48,6 +51,18 @@ void Sifting::solve_inside(const double* guess) {
   interior_state_ = end == InteriorPoint::End::failed ? InteriorState::failed : InteriorState::converged;
 }
 
+// The lower bound of the interior-point method's normal where that is better than `lower`, the one of the
+// program's normal, which is the normal at hand otherwise.
+double Sifting::bound_inside(double lower) {
+  if (interior_state_ == InteriorState::untried) return lower;
+  const std::vector<double> nothing(static_cast<std::size_t>(n_) + 1, 0.0);
+  std::int64_t best_A = 0;
+  std::int64_t best_Q = 0;
+  const double inside = refine_lower(interior_.duals(), nothing.data(), &best_A, &best_Q);
+  if (inside > lower && inside < kInfinity) return inside;
+  return refine_lower(program_.normal(), nothing.data(), &best_A, &best_Q);
+}
+
 // By what the interior-point method ends with: the columns that carry weight, or a plane.
 bool Sifting::certify_inside(Effects effects, DistanceResult& result) {
   const double* y = interior_.duals();
@@ -72,18 +87,17 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
     column.back() = from_Q ? 0.0 : 1.0;
     face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
   }
-  if (!face_.factor(*stopwatch_)) return false;
+  if (!face_.choose(*stopwatch_)) return false;
+  const double upper = face_.upper(*stopwatch_);
+  if (!(upper < kInfinity)) return false;
   std::vector<double> y(interior_.duals(), interior_.duals() + n_ + 1), y_low(y.size(), 0.0);
   face_.refine_duals(y.data(), y_low.data());
   std::int64_t best_A = 0;
   std::int64_t best_Q = 0;
   const double lower = refine_lower(y.data(), y_low.data(), &best_A, &best_Q);
-  if (lower == kInfinity) {
-    finish(DistanceStatus::unreachable, lower, lower, effects, result);
-    return true;
-  }
-  const double upper = face_.upper(*stopwatch_);
-  if (upper > 0 && !is_closed(lower, upper, tolerance_)) return false;
+  // Weights of dependent points are not the one solution that a result is to hold.
+  const bool independent = face_.count() == face_.rank();
+  if (upper > 0 ? !is_closed(lower, upper, tolerance_) : !independent) return false;
   finish_with_face(lower, upper, effects, result);
   return true;
 }
@@ -98,7 +112,40 @@ double Sifting::upper_of_face() {
     if (is_artificial(view.id[i])) return kInfinity;
     face_.add(program_.basis().column(i), is_from_Q(view.id[i]) ? 1.0 : 0.0, weight, view.id[i]);
   }
-  return face_.factor(*stopwatch_) ? face_.upper(*stopwatch_) : kInfinity;
+  return face_.choose(*stopwatch_) ? face_.upper(*stopwatch_) : kInfinity;
+}
+
+void Sifting::weights_of_face(std::vector<PointWeight>& weights) const {
+  weights.clear();
+  for (int i = 0; i < face_.count(); ++i) {
+    if (is_from_Q(face_.id(i))) continue;
+    weights.push_back({working_A_.index_in(*A_, scaling_.factor_A(), face_.id(i) / 2), face_.weight(i)});
+  }
+}
+
+// Of the basic solution, which is known to combine points of A to the origin: rounded as the rational
+// numbers that they are, by the first arithmetic that is certain of it.
+void Sifting::find_origin_weights(std::vector<PointWeight>& weights) {
+  if (upper_of_face() == 0) {
+    weights_of_face(weights);
+    if (face_.is_rounded()) return;
+  } else {
+    program_.origin_weights(weights);
+    for (PointWeight& weight : weights) {
+      weight.index = working_A_.index_in(*A_, scaling_.factor_A(), weight.index);
+    }
+  }
+  collect_basis();
+  if (exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_, kSecondsForWeights) ==
+          ExactSimplex::End::solved &&
+      exact_.distance().above == 0) {
+    exact_.weights_of_A(weights);
+    return;
+  }
+  using End = TwofoldSimplex::End;
+  const End end = twofold_.solve({A_, scaling_.factor_A()}, {Q_, scaling_.factor_Q()}, start_,
+                                 0.25 * tolerance_, *kernels_, *stopwatch_);
+  if (end == End::solved && twofold_.upper(*stopwatch_) == 0) twofold_.weights_of_A(weights);
 }
 
 // A plane between A and Q, orthogonal to nearly farkas_, that holds points of Q, so that no other one leaves
@@ -111,7 +158,7 @@ bool Sifting::certify_by_plane(Effects effects, DistanceResult& result) {
   if (!(size > 0) || !(size < kInfinity)) return false;
   for (double& coordinate : u) coordinate /= size;
   const std::vector<bool> in_plane = collect_plane(u.data());
-  if (!face_.factor(*stopwatch_)) return false;
+  if (!face_.choose(*stopwatch_)) return false;
   const double error = face_.enclose_orthogonal(u.data(), *stopwatch_);
   double length = 0;
   for (const double coordinate : u) length += std::fabs(coordinate);
@@ -164,18 +211,13 @@ const double* Sifting::products_with(const ColumnPool& pool, const double* u) {
 // As finish(), with the weights of the face.
 void Sifting::finish_with_face(double lower, double upper, Effects effects, DistanceResult& result) {
   finish(DistanceStatus::optimal, lower, upper, effects, result);
-  double distance = 0;
-  result.origin_weights.clear();
-  for (int i = 0; i < face_.count(); ++i) {
-    const std::int64_t id = face_.id(i);
-    if (is_from_Q(id)) {
-      distance += face_.weight(i);
-    } else if (upper == 0) {
-      const std::int64_t index = working_A_.index_in(*A_, scaling_.factor_A(), id / 2);
-      result.origin_weights.push_back({index, face_.weight(i)});
-    }
+  if (upper == 0) {
+    result.status = DistanceStatus::contains_origin;
+    weights_of_face(result.origin_weights);
+    if (!face_.is_rounded()) find_origin_weights(result.origin_weights);
   }
-  if (upper == 0) result.status = DistanceStatus::contains_origin;
+  double distance = 0;
+  for (int i = 0; i < face_.count(); ++i) distance += is_from_Q(face_.id(i)) ? face_.weight(i) : 0.0;
   const double scaled = std::ldexp(distance, -scaling_.distance_shift());
   result.distance = std::max(result.lower, std::min(scaled, result.upper));
   double* contact = result.room_for_contact(effects, n_);

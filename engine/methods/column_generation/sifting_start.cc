@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/affords.h"
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/numerics/floating_point.h"
 
@@ -76,7 +77,9 @@ double Sifting::guess_error() const {
 // From the columns that carry weight at the end of the interior-point method, or from its normal.
 void Sifting::start_inside() {
   interior_.columns(start_);
-  if (!separated_ && program_.start_from(working_A_, working_Q_, start_)) return;
+  if (!separated_ && affords(*stopwatch_, 2 * cube(n_ + 1)) &&
+      program_.start_from(working_A_, working_Q_, start_))
+    return;
   double* guess = direction_.data();
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(interior_.normal()[k]));

@@ -88,6 +88,7 @@ double SupportColumnGeneration::surround_origin(SupportOracle& S, ColumnPool& po
   double* point = axis + n_;
   std::fill_n(axis, n_, 0.0);
   for (int k = 0; k < 2 * n_; ++k) {
+    if (stopwatch.expired()) return kInfinity;
     axis[k / 2] = 1.0;
     S.query(axis, k % 2 == 0 ? 1.0 : -1.0, point);
     axis[k / 2] = 0.0;
@@ -97,7 +98,7 @@ double SupportColumnGeneration::surround_origin(SupportOracle& S, ColumnPool& po
   double gauge = gauge_bound_.compute(points, n_, *kernels_, stopwatch);
   // Ties can leave the origin outside the hull of those points (a box answers with corners of its own
   // choice).
-  for (int more = 0; more < kSurroundingPoints * n_ && gauge == kInfinity; ++more) {
+  for (int more = 0; more < kSurroundingPoints * n_ && gauge == kInfinity && !stopwatch.expired(); ++more) {
     S.query(gauge_bound_.normal(), -1.0, point);
     points.add(point);
     ++counters_.support_queries;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/capability_queries.h"
@@ -62,6 +63,16 @@ Real combine(const PieceList<Real>& list, Real* point) {
   }
   return size;
 }
+
+// Of a quadratic program, for n³, in those of doubles in vectors.
+template <class Real>
+constexpr double kStepOperations = std::is_same_v<Real, double> ? 4 : 200;
+
+// Where there is no time for a step: doubles are the first to be asked, and others may do better than
+// quadruple precision in what is left.
+template <class Real>
+constexpr DistanceStatus kNoTime =
+    std::is_same_v<Real, double> ? DistanceStatus::time_limit : DistanceStatus::precision_limit;
 
 bool is_smooth(const ConvexSet& S) { return S.structure() == SupportStructure::smooth; }
 
@@ -295,7 +306,7 @@ void Newton<Real>::move(const Real* step, Real share, bool flat) {
 }
 
 template <class Real>
-bool Newton<Real>::advance(const Real* step) {
+bool Newton<Real>::advance(const Real* step, const Stopwatch& stopwatch) {
   if (on_facet_) {
     step = leave_facet();
   } else if (try_facet(step)) {
@@ -311,7 +322,7 @@ bool Newton<Real>::advance(const Real* step) {
       keep(true);
       return true;
     }
-    if (evaluations_ >= max_evaluations_) return false;
+    if (evaluations_ >= max_evaluations_ || stopwatch.expired()) return false;
     if (!flat) share *= kShorter;
     flat = false;
   }
@@ -338,6 +349,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
       pair_.move_contact_along_faces(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A,
                                      now_->Q);
     }
+    if (!affords(stopwatch, kStepOperations<Real> * cube(n_))) return kNoTime<Real>;
     const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
     if (step == nullptr) return DistanceStatus::precision_limit;
     if (!growing_) {
@@ -349,7 +361,9 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     }
     if (evaluations_ >= max_evaluations_) return DistanceStatus::iteration_limit;
     if (stopwatch.expired()) return DistanceStatus::time_limit;
-    if (!advance(step)) return DistanceStatus::precision_limit;
+    if (!advance(step, stopwatch)) {
+      return stopwatch.expired() ? DistanceStatus::time_limit : DistanceStatus::precision_limit;
+    }
     if (growing_ && now_->A.support.above() < 0) {
       set_growing(false);
       now_->ratio = -shifted_support(*now_) / now_->Q.support.value;

@@ -78,7 +78,7 @@ class Newton {
   const Real* leave_facet();
   void move(const Real* step, Real share, bool flat);
   void set_growing(bool growing);
-  bool advance(const Real* step);
+  bool advance(const Real* step, const Stopwatch& stopwatch);
   bool try_facet(const Real* step);
   void choose_facet_point(bool of_A);
   bool shares_facet();

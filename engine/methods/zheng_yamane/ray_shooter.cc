@@ -20,8 +20,9 @@ constexpr int kFewDimensions = 16;
 constexpr double kMarginOfFew = 0.14;
 constexpr double kMarginOfMany = 0.5;
 constexpr int kRayRepairs = 2;
-constexpr int kIterationsBetweenLooks = 64;  // at the clock
-constexpr int kShortlistQueries = 8;         // after a pass
+constexpr int kIterationsBetweenLooks = 64;  // at the clock, where they are over few points
+constexpr std::ptrdiff_t kFewNumbers = 1 << 16;
+constexpr int kShortlistQueries = 8;  // after a pass
 // Of the pass's own reduced cost: a column of a shortlist that promises less waits for a better one.
 constexpr double kWorthEntering = 0.4;
 
@@ -232,7 +233,7 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, double overtakin
     double h_S = best_column(view.y, eta, 1 + tolerance);
     sigma_ = view.objective;
     const bool out_of_iterations = iterations_ >= max_iterations;
-    const bool out_of_time = iterations_ % kIterationsBetweenLooks == 0 && stopwatch.expired();
+    const bool out_of_time = iterations_ % between_looks() == 0 && stopwatch.expired();
     if (h_S <= 1 + tolerance || out_of_iterations || out_of_time) h_S = verify(view.y, eta);
     if (passes_ > passes && is_overtaken(eta, overtaking)) return End::overtaken;
     if (out_of_iterations) return End::iteration_limit;
@@ -250,6 +251,13 @@ RayShooter::End RayShooter::shoot(double eta, double tolerance, double overtakin
     ++refactorisations_;
     if (++repairs > kRayRepairs || !basis_->refactor()) return End::failed;
   }
+}
+
+// A support query of a general set may be a linear program of its own.
+int RayShooter::between_looks() const {
+  if (!A_->has_points() || !Q_->has_points()) return 1;
+  const std::ptrdiff_t blocks = A_->points().block_count + Q_->points().block_count;
+  return blocks * n_ * PointSet::kLanes < kFewNumbers ? kIterationsBetweenLooks : 1;
 }
 
 const double* RayShooter::vertex_A(int l) const noexcept {

@@ -70,6 +70,7 @@ class RayShooter {
   double* slot_Q(std::int64_t slot) const noexcept;
   void form_column(std::int64_t slot, double eta, double* column) const;
   double artificial_weight() const;
+  int between_looks() const;
   bool overtakes(double overtaking) const noexcept;
   bool is_overtaken(double eta, double overtaking);
   bool enter_candidate(double h_S);

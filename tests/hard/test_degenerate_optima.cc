@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// Optima on faces of low dimension, where most basic weights are zero: proven, and without the exact simplex.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "raygauge/queries/solver.h"
+#include "tests/generators/points_of.h"
+
+namespace raygauge::test_degenerate_optima {
+namespace {
+
+struct Family {
+  std::string generator;
+  Parameters parameters;
+};
+
+std::vector<Family> families() {
+  std::vector<Family> all = {{"hard_planted_ties", {{"ties", 0.05}}}};
+  for (const std::int64_t entry : {1, 30, 1000}) {
+    const Parameters sheared = {{"ties", 0.05}, {"entry", entry}};
+    Parameters inside = sheared;
+    inside["place"] = std::string("interior");
+    all.push_back({"hard_planted_unimodular", sheared});
+    all.push_back({"hard_planted_origin", sheared});
+    all.push_back({"hard_planted_origin", inside});
+    all.push_back({"hard_planted_unreachable", sheared});
+  }
+  return all;
+}
+
+DistanceStatus promised(double distance) {
+  if (distance == 0) return DistanceStatus::contains_origin;
+  return std::isinf(distance) ? DistanceStatus::unreachable : DistanceStatus::optimal;
+}
+
+TEST(DegenerateOptima, AreProvenWithoutTheExactSimplex) {
+  DistanceSolver solver;
+  for (const auto& [generator, parameters] : families()) {
+    for (const int n : {16, 30, 60}) {
+      for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
+        for (int repetition = 0; repetition < 2; ++repetition) {
+          const Instance instance = generate(generator, {1, n, N, repetition}, parameters);
+          const double truth = instance.exact_distance.value();
+          const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+          EXPECT_EQ(result.status, promised(truth))
+              << generator << " " << to_string(parameters) << ", n = " << n << ", N = " << N;
+          EXPECT_LE(result.lower, truth);
+          EXPECT_GE(result.upper, truth);
+          EXPECT_EQ(result.counters.exact_pivots, 0)
+              << generator << " " << to_string(parameters) << ", n = " << n << ", N = " << N;
+        }
+      }
+    }
+  }
+}
+
+// The weights that prove the origin in A combine to it.
+TEST(DegenerateOptima, LeaveWeightsThatCombineToTheOrigin) {
+  DistanceSolver solver;
+  for (const char* place : {"face", "interior"}) {
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      const Parameters parameters = {{"place", std::string(place)}, {"ties", 0.1}};
+      const Instance instance = generate("hard_planted_origin", {2, 40, 60, repetition}, parameters);
+      const auto& A = dynamic_cast<const PointSet&>(*instance.A);
+      const DistanceResult& result = solver.solve(A, *instance.Q);
+      ASSERT_EQ(result.status, DistanceStatus::contains_origin);
+      Vector sum = Vector::Zero(40);
+      double weights = 0, largest = 0;
+      for (const auto& [index, weight] : result.origin_weights) {
+        EXPECT_GT(weight, 0);
+        weights += weight;
+        sum += weight * A.point(index);
+        largest = std::max(largest, A.point(index).cwiseAbs().maxCoeff());
+      }
+      EXPECT_NEAR(weights, 1, 1e-14);
+      EXPECT_LE(sum.cwiseAbs().maxCoeff(), 1e-14 * largest);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_degenerate_optima
