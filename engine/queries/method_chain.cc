@@ -76,12 +76,13 @@ const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q,
   result_.sigma = DistanceResult::kUnset;
   result_.origin_weights.clear();
   counters_ = {};
-  is_origin_asked_ = false;
+  is_origin_asked_ = is_newton_tried_ = false;
   chosen_ = options_.method == DistanceMethod::automatic ? method_for(Q) : options_.method;
   const Problem problem{A, Q, options_, stopwatch_, effects, start, aim.threshold, aim.pairs};
   for (const Turn& turn : kTurns) {
     if ((this->*turn.is_due)(problem) && (this->*turn.solve)(problem)) break;
   }
+  keep_newton_bounds(effects);
   if (concluded_ == Concluded::column_generation && column_generation_.report_contact(problem, result_)) {
     ++counters_.witness_evaluations;
   }
@@ -96,6 +97,17 @@ const DistanceResult& MethodChain::solve(const ConvexSet& A, const ConvexSet& Q,
     result_.upper = kInfinity;
   }
   return result_;
+}
+
+// Where `newton` was asked for and the methods after it, short of time or of precision, ended farther apart.
+void MethodChain::keep_newton_bounds(Effects effects) {
+  const bool short_of_tolerance = result_.status == DistanceStatus::time_limit ||
+                                  result_.status == DistanceStatus::precision_limit ||
+                                  result_.status == DistanceStatus::iteration_limit;
+  if (chosen_ != DistanceMethod::newton || !is_newton_tried_ || !short_of_tolerance) return;
+  if (concluded_ == Concluded::newton || !(newton_.gap() < result_.upper - result_.lower)) return;
+  newton_.report(result_.status, effects, result_);
+  concluded_ = Concluded::newton;
 }
 
 const DistanceResult& MethodChain::solve(const Posed& A, const Posed& Q, Effects effects, WarmStart* warm,
@@ -129,7 +141,10 @@ bool MethodChain::by_nearest_point_afresh(const Problem& problem) {
   return by_nearest_point(afresh(problem));
 }
 
-bool MethodChain::by_newton(const Problem& problem) { return answers(newton_, Concluded::newton, problem); }
+bool MethodChain::by_newton(const Problem& problem) {
+  is_newton_tried_ = true;
+  return answers(newton_, Concluded::newton, problem);
+}
 
 bool MethodChain::by_newton_afresh(const Problem& problem) { return by_newton(afresh(problem)); }
 

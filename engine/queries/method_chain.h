@@ -107,6 +107,7 @@ class MethodChain {
   bool answers(Method& method, Concluded name, const Problem& problem);
   template <class Method>
   void refine(Method& method, Concluded name, const Problem& problem);
+  void keep_newton_bounds(Effects effects);
   void account(const DistanceCounters& of_method);
   bool is_finished() const;
 
@@ -117,6 +118,7 @@ class MethodChain {
   TangentPlane tangent_plane_;
   OriginQuestion origin_question_;
   bool is_origin_asked_ = false;  // in this solve
+  bool is_newton_tried_ = false;  // the same
   ZhengYamane zheng_yamane_;
   NearestPoint nearest_point_;
   SpatialGauge spatial_gauge_;

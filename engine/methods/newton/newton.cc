@@ -68,6 +68,9 @@ Real combine(const PieceList<Real>& list, Real* point) {
 template <class Real>
 constexpr double kStepOperations = std::is_same_v<Real, double> ? 4 : 200;
 
+template <class Real>
+constexpr double kSetUpOperations = std::is_same_v<Real, double> ? 0 : 800;
+
 // Where there is no time for a step: doubles are the first to be asked, and others may do better than
 // quadruple precision in what is left.
 template <class Real>
@@ -373,7 +376,9 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
 
 template <class Real>
 bool Newton<Real>::solve(const Problem& problem, DistanceResult& result) {
-  if (!begin(problem)) return false;
+  // Quadruple precision takes that long before its first step.
+  const bool in_time = affords(problem.stopwatch, kSetUpOperations<Real> * cube(problem.A.dimension()));
+  if (!in_time || !begin(problem)) return false;
   const DistanceStatus status = iterate(problem.stopwatch);
   // The default limit is a guard: beyond it, and where nothing got better, column generation has other means.
   const bool limited = status == DistanceStatus::time_limit ||
