@@ -13,7 +13,7 @@
 namespace raygauge {
 namespace {
 
-constexpr double kIndependent = 1e-9;  // the least pivot, relative to the first: where ranks end
+constexpr double kIndependent = 1e-11;  // the least pivot, relative to the first: where ranks end
 constexpr double kLeastScale = 1e-4;   // of columns by their weights
 constexpr int kSteps = 3;              // of refinement
 constexpr double kRoundedUp = 1.02;

@@ -100,7 +100,8 @@ bool has_ended(const std::string& process) {
 // Left running it would take a core from all solves that are timed after it.
 // Bytes without a line end, for ever; and a program that, started anew, takes the points no sooner.
 TEST(CommandMethod, EndsAtTheTimeLimitWhateverAProgramSends) {
-  for (const std::string& late : {answering("cat /dev/zero"), answering("yes | tr -d \"\\n\"")}) {
+  for (const std::string& late :
+       {answering("cat /dev/zero"), answering("yes 2>/dev/null | tr -d \"\\n\" 2>/dev/null")}) {
     const auto solver = method(late);
     solver->load(triangle());
     const auto begin = std::chrono::steady_clock::now();

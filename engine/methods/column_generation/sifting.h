@@ -70,7 +70,8 @@ class Sifting {
   void find_origin_weights(std::vector<PointWeight>& weights);
   void weights_of_face(std::vector<PointWeight>& weights) const;
   bool certify_by_plane(Effects effects, DistanceResult& result);
-  std::vector<bool> collect_plane(const double* u);
+  bool certify_by_plane(double near, Effects effects, DistanceResult& result);
+  std::vector<bool> collect_plane(const double* u, double near);
   const double* products_with(const ColumnPool& pool, const double* u);
   void conclude(double lower, double upper, Effects effects, DistanceResult& result);
   void finish_with_face(double lower, double upper, Effects effects, DistanceResult& result);

@@ -21,7 +21,7 @@ constexpr double kCarries = 1e-9;
 constexpr double kSecondsForWeights = 0.05;
 
 // Points of Q so close to the plane of a direction, relative to the farthest, may lie in it.
-constexpr double kMaybeInPlane = 1e-6;
+constexpr double kMaybeInPlane[] = {1e-6, 1e-9};
 
 }  // namespace
 
@@ -152,12 +152,18 @@ void Sifting::find_origin_weights(std::vector<PointWeight>& weights) {
 // all of Q behind by a margin.
 bool Sifting::certify_by_plane(Effects effects, DistanceResult& result) {
   if (farkas_.empty() || !is_complete()) return false;
+  return std::any_of(std::begin(kMaybeInPlane), std::end(kMaybeInPlane),
+                     [&](double near) { return certify_by_plane(near, effects, result); });
+}
+
+// Points so `near` its plane are taken to lie in it.
+bool Sifting::certify_by_plane(double near, Effects effects, DistanceResult& result) {
   std::vector<double> u = farkas_;
   double size = 0;
   for (const double coordinate : u) size = std::max(size, std::fabs(coordinate));
   if (!(size > 0) || !(size < kInfinity)) return false;
   for (double& coordinate : u) coordinate /= size;
-  const std::vector<bool> in_plane = collect_plane(u.data());
+  const std::vector<bool> in_plane = collect_plane(u.data(), near);
   if (!face_.choose(*stopwatch_)) return false;
   const double error = face_.enclose_orthogonal(u.data(), *stopwatch_);
   double length = 0;
@@ -184,7 +190,7 @@ bool Sifting::certify_by_plane(Effects effects, DistanceResult& result) {
 }
 
 // The points of Q near the plane of u, into face_, and which they are.
-std::vector<bool> Sifting::collect_plane(const double* u) {
+std::vector<bool> Sifting::collect_plane(const double* u, double near) {
   const double* values = products_with(working_Q_, u);
   const std::ptrdiff_t count = working_Q_.size();
   const double farthest = *std::max_element(values, values + count);
@@ -192,7 +198,7 @@ std::vector<bool> Sifting::collect_plane(const double* u) {
   std::vector<bool> in_plane(static_cast<std::size_t>(count));
   face_.begin(n_, *kernels_);
   for (std::ptrdiff_t j = 0; j < count; ++j) {
-    if (!(std::fabs(values[j]) <= kMaybeInPlane * farthest)) continue;
+    if (!(std::fabs(values[j]) <= near * farthest)) continue;
     in_plane[static_cast<std::size_t>(j)] = true;
     working_Q_.copy_point(j, point.data());
     face_.add(point.data(), 0, 1, id_of_Q(j));

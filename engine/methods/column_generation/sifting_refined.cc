@@ -102,7 +102,10 @@ bool Sifting::certify_twofold(Effects effects, DistanceResult& result) {
     finish(DistanceStatus::unreachable, lower, lower, effects, result);
     return true;
   }
-  if (end != End::solved) return false;
+  if (end != End::solved) {
+    farkas_.assign(twofold_.normal(), twofold_.normal() + n_);
+    return certify_by_plane(effects, result);
+  }
   const double upper = twofold_.upper(*stopwatch_);
   if (upper > 0 && !is_closed(lower, upper, tolerance_)) return false;
   finish_with_twofold(lower, upper, effects, result);

@@ -8,6 +8,8 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/validate.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/h_polytope.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 
@@ -73,6 +75,39 @@ TEST_P(Limits, ThatAreNotReachedChangeNothing) {
   EXPECT_EQ(result.upper, truth_.upper);
   EXPECT_GT(result.seconds, 0);
   EXPECT_TRUE(std::isnan(truth_.seconds));  // the clock is not read unless a limit asks for it
+}
+
+// A support query of an H-polytope is a linear program: the clock is looked at after each.
+TEST(LimitsOfGeneralSets, EndRaysAfterEachDearSupportQuery) {
+  Random random(7);
+  Eigen::MatrixXd normals = gaussian_points(12, 40, random);
+  normals.colwise().normalize();
+  const Vector distances = Vector::Ones(40);
+  const HPolytope Q(normals.transpose(), distances);
+  const HPolytope A(normals.transpose(), distances + 6 * normals.row(0).transpose());
+  DistanceOptions options;
+  options.method = DistanceMethod::zheng_yamane;
+  DistanceSolver solver(options);
+  int asked = 0;
+  solver.set_stop([&asked] { return ++asked > 5; });
+  const DistanceResult& result = solver.solve(A, Q);
+  EXPECT_EQ(result.status, DistanceStatus::time_limit);
+  EXPECT_LE(result.counters.ray_iterations, 10);
+}
+
+// Quadruple precision in R^200 takes longer than that: it is not begun, and what doubles have proven stays.
+TEST(LimitsOfGeneralSets, KeepWhatDoublesHaveProven) {
+  Random random(8);
+  const int n = 200;
+  const Eigen::MatrixXd F = Eigen::MatrixXd::Identity(n, n) + gaussian_points(n, n, random) / 15;
+  const Ellipsoid A(8 * Vector::Unit(n, 0) + 8 * Vector::Unit(n, 1), F);
+  const Ellipsoid Q(Vector::Zero(n), Eigen::MatrixXd::Identity(n, n) + gaussian_points(n, n, random) / 20);
+  DistanceOptions options;
+  options.tolerance = 1e-15;
+  options.time_limit = 0.2;
+  const DistanceResult result = DistanceSolver(options).solve(A, Q);
+  EXPECT_NE(result.status, DistanceStatus::optimal);
+  EXPECT_LT(result.upper, kInfinity);
 }
 
 TEST(DistanceSolverOptions, OutsideTheirRangeAreRefused) {

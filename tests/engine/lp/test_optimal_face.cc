@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/lp/optimal_face.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/engine/point_clouds.h"
+
+namespace raygauge::test_optimal_face {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// `count` columns of integers of which 1 : 2 : 3 : … make e_m, up to a common factor; every other one costs.
+struct Columns {
+  Eigen::MatrixXd M;
+  Vector weights;
+};
+
+Columns columns_with_solution(int m, int count, Random& random) {
+  Columns columns{integer_points(m, count, 100, random), Vector(count)};
+  for (int i = 0; i < count; ++i) columns.weights[i] = i + 1;
+  columns.weights /= columns.weights.sum();
+  columns.M.row(m - 1).setOnes();
+  columns.M.topRows(m - 1).col(0).setZero();
+  for (int i = 1; i < count; ++i)
+    columns.M.topRows(m - 1).col(0) -= (i + 1) * columns.M.topRows(m - 1).col(i);
+  return columns;
+}
+
+double upper_of(const Columns& columns, OptimalFace& face, double error = 0) {
+  face.begin(static_cast<int>(columns.M.rows()), best_kernels());
+  for (int i = 0; i < columns.M.cols(); ++i) {
+    face.add(columns.M.col(i).eval().data(), i % 2, columns.weights[i] * (1 + error), i);
+  }
+  return face.choose(Stopwatch()) ? face.upper(Stopwatch()) : kInfinity;
+}
+
+double cost_of(const Columns& columns) {
+  double cost = 0;
+  for (int i = 1; i < columns.M.cols(); i += 2) cost += columns.weights[i];
+  return cost;
+}
+
+TEST(OptimalFace, ProvesTheCostOfItsWeights) {
+  Random random(51);
+  OptimalFace face;
+  for (const int m : {3, 20, 60}) {
+    for (const int count : {2, 3, m / 2 + 1, m}) {
+      const Columns columns = columns_with_solution(m, count, random);
+      const double upper = upper_of(columns, face, 1e-6);
+      EXPECT_GE(upper, cost_of(columns) * (1 - 1e-15)) << "m = " << m << ", " << count << " columns";
+      EXPECT_LE(upper, cost_of(columns) * (1 + 1e-13)) << "m = " << m << ", " << count << " columns";
+      for (int i = 0; i < count; ++i) EXPECT_NEAR(face.weight(i), columns.weights[i], 1e-14);
+      EXPECT_TRUE(face.is_rounded());
+    }
+  }
+}
+
+// More columns than their rank: some weights stay as they are, the others make up for it.
+TEST(OptimalFace, ProvesTheCostOfDependentColumns) {
+  Random random(52);
+  OptimalFace face;
+  Columns columns = columns_with_solution(30, 6, random);
+  columns.M.conservativeResize(30, 8);
+  columns.M.col(6) = 2 * columns.M.col(1) - columns.M.col(2);
+  columns.M.col(7) = 2 * columns.M.col(3) - columns.M.col(4);
+  columns.weights.conservativeResize(8);
+  columns.weights.tail(2).setConstant(0.01);
+  const double upper = upper_of(columns, face);
+  EXPECT_EQ(face.rank(), 6);
+  ASSERT_LT(upper, kInfinity);
+  Vector left = -Vector::Unit(30, 29);
+  for (int i = 0; i < 8; ++i) left += face.weight(i) * columns.M.col(i);
+  EXPECT_LE(left.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(OptimalFace, ProvesNothingOfColumnsThatMissTheRightHandSide) {
+  Random random(53);
+  OptimalFace face;
+  Columns columns = columns_with_solution(30, 6, random);
+  columns.M(4, 0) += 1;
+  EXPECT_EQ(upper_of(columns, face), kInfinity) << "one entry off";
+  columns = columns_with_solution(30, 6, random);
+  columns.M.col(0) *= -1;
+  columns.M(29, 0) = 1;
+  EXPECT_EQ(upper_of(columns, face), kInfinity) << "a negative weight";
+}
+
+TEST(OptimalFace, EnclosesDirectionsThatAreOrthogonalToItsColumns) {
+  Random random(54);
+  OptimalFace face;
+  const int n = 20;
+  Vector y = integer_points(n, 1, 3, random).col(0);
+  y[0] = 1;
+  face.begin(n, best_kernels());
+  for (int i = 0; i < 8; ++i) {
+    Vector p = integer_points(n, 1, 50, random).col(0);
+    p[0] -= y.dot(p);
+    face.add(p.data(), 0, 1, i);
+  }
+  Vector u = y + 1e-9 * gaussian_points(n, 1, random).col(0);
+  ASSERT_TRUE(face.choose(Stopwatch()));
+  const double error = face.enclose_orthogonal(u.data(), Stopwatch());
+  ASSERT_LT(error, 1e-12);
+  for (int i = 0; i < 8; ++i) {
+    const Vector p = Vector::Map(face.column(i), n);
+    EXPECT_LE(std::fabs(u.dot(p)), error * p.cwiseAbs().sum() + 1e-14 * u.cwiseAbs().dot(p.cwiseAbs()));
+  }
+  EXPECT_LE((u - y).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+}  // namespace
+}  // namespace raygauge::test_optimal_face
