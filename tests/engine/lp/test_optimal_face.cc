@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "raygauge/sets/convex_set.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_optimal_face {
@@ -69,8 +70,9 @@ TEST(OptimalFace, ProvesTheCostOfDependentColumns) {
   columns.M.conservativeResize(30, 8);
   columns.M.col(6) = 2 * columns.M.col(1) - columns.M.col(2);
   columns.M.col(7) = 2 * columns.M.col(3) - columns.M.col(4);
-  columns.weights.conservativeResize(8);
-  columns.weights.tail(2).setConstant(0.01);
+  Vector weights = Vector::Constant(8, 0.01);
+  for (int i = 0; i < 6; ++i) weights[i] = columns.weights[i];
+  columns.weights = weights;
   const double upper = upper_of(columns, face);
   EXPECT_EQ(face.rank(), 6);
   ASSERT_LT(upper, kInfinity);
