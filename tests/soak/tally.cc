@@ -15,7 +15,7 @@ std::int64_t count(const FamilyTally& tally, DistanceStatus status) {
 }
 
 double microseconds(const FamilyTally& tally, DistanceMethod method) {
-  const auto i = static_cast<std::size_t>(method);
+  const std::size_t i = place_of(method);
   return 1e6 * tally.seconds[i] / static_cast<double>(std::max<std::int64_t>(1, tally.by_method[i]));
 }
 

@@ -3,13 +3,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 
+#include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 
 namespace raygauge::soak {
+
+/// Of a method that the soak asks, among them.
+constexpr std::size_t place_of(DistanceMethod method) {
+  return method == DistanceMethod::column_generation ? 0 : 1;
+}
 
 /// What became of the solves of one family.
 struct FamilyTally {
@@ -20,7 +27,7 @@ struct FamilyTally {
   std::int64_t normals_checked = 0;         ///< by dual_value()
   std::int64_t normals_short = 0;   ///< of those: the rounded normal alone proves less than lower (1 - 1e-9)
   std::int64_t exact_checks = 0;    ///< solved again by the exact rational program
-  std::array<double, 2> seconds{};  ///< of the solves by method, in the order of DistanceMethod
+  std::array<double, 2> seconds{};  ///< of the solves by method, see place_of
   std::array<std::int64_t, 2> by_method{};
   double worst_width = 0;  ///< among optimal ones with a tolerance of 1e-12
 

@@ -91,7 +91,7 @@ std::optional<Violation> Worker::solve_variant(const ProvenInstance& base, Rando
   FamilyTally counts;
   const auto begin = std::chrono::steady_clock::now();
   const DistanceResult& result = solver.solve(A, Q, request.effects);
-  const auto method = static_cast<std::size_t>(request.options.method);
+  const std::size_t method = place_of(request.options.method);
   counts.seconds[method] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   counts.by_method[method] = 1;
   work_ += work_of(result.counters, n);
