@@ -30,14 +30,12 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-/// While it lives, HDF5 reports its errors here instead of printing them.
+/// While it lives, HDF5 reports its errors here instead of printing them. Nor does it print afterwards: at the
+/// end of the process it may complain of what a damaged file has left open.
 class ErrorCapture {
  public:
-  ErrorCapture() {
-    H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_data_);
-    H5Eset_auto2(H5E_DEFAULT, &ErrorCapture::on_error, this);
-  }
-  ~ErrorCapture() { H5Eset_auto2(H5E_DEFAULT, printer_, printer_data_); }
+  ErrorCapture() { H5Eset_auto2(H5E_DEFAULT, &ErrorCapture::on_error, this); }
+  ~ErrorCapture() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
   ErrorCapture(const ErrorCapture&) = delete;
   ErrorCapture& operator=(const ErrorCapture&) = delete;
 
@@ -55,8 +53,6 @@ class ErrorCapture {
     return 0;
   }
 
-  H5E_auto2_t printer_ = nullptr;
-  void* printer_data_ = nullptr;
   std::string reason_;
 };
 
