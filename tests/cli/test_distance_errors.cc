@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "tests/cli/program_fixture.h"
 
@@ -18,6 +19,22 @@ TEST_F(DistanceErrors, AMissingFileIsNamed) {
 TEST_F(DistanceErrors, AFolderIsNotAFile) {
   write("Q.csv", kSquare);
   expect_complaint(run_raygauge({"distance", ".", "Q.csv"}), "raygauge: .: Is a directory");
+}
+
+TEST_F(DistanceErrors, ACompressedInputHasALimit) {
+  write("Q.csv", kSquare);
+  write("plain.csv", "3 0\n" + std::string(1100000, '\n'));
+  const std::string name = folder_.file("A.csv.gz");
+  const gzFile file = gzopen(name.c_str(), "wb");
+  const std::string bytes = "3 0\n" + std::string(1100000, '\n');
+  gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size()));
+  gzclose(file);
+  EXPECT_EQ(run_raygauge({"distance", "A.csv.gz", "Q.csv"}).status, 0);
+  expect_complaint(run_raygauge({"distance", "A.csv.gz", "Q.csv", "--max-input", "1"}),
+                   "raygauge: A.csv.gz: compressed data of more than 1 MiB; --max-input sets another limit");
+  EXPECT_EQ(run_raygauge({"distance", "plain.csv", "Q.csv", "--max-input", "1"}).status, 0);
+  expect_complaint(run_raygauge({"distance", "A.csv.gz", "Q.csv", "--max-input", "0"}),
+                   "raygauge: --max-input takes a number of MiB, as in 4096; got '0'");
 }
 
 TEST_F(DistanceErrors, RaggedRowsAreNamed) {

@@ -149,6 +149,16 @@ class Results(unittest.TestCase):
             with self.assertRaises(rg.ResultsError):
                 rg.open(path)
 
+    def test_a_flipped_bit_is_found_by_the_checksum(self):
+        sound = self.path.read_bytes()
+        damaged = pathlib.Path(self.scratch.name, "damaged.h5")
+        for bit in range(0, 8 * len(sound) - 8 * 25, len(sound) // 5):
+            content = bytearray(sound)
+            content[bit // 8] ^= 1 << bit % 8
+            damaged.write_bytes(content)
+            with self.assertRaisesRegex(rg.ResultsError, "checksum"):
+                rg.open(damaged)
+
     def test_answers_of_a_scene_are_those_of_the_export_with_names(self):
         source = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "scenes", "two_vehicles.toml")
         path = pathlib.Path(self.scratch.name, "two_vehicles.h5")
