@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -51,15 +52,21 @@ int run_command(int argc, char** argv) {
   return status;
 }
 
+/// Ends a process that has failed. HDF5's own clean-up, which the end of main() starts, crashes after some
+/// errors of damaged files and of memory.
+int ended(int status) {
+  if (status != kBadInput) return status;
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
+
 /// What was printed must have arrived: a full disk or a closed pipe is an error.
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   return fail("raygauge: standard output cannot be written");
 }
 
-}  // namespace
-
-int run_program(int argc, char** argv) {
+int status_of_program(int argc, char** argv) {
   try {
     return flushed(run_command(argc, argv));
   } catch (const UsageError& error) {
@@ -72,5 +79,9 @@ int run_program(int argc, char** argv) {
     return fail("raygauge: an unknown error");
   }
 }
+
+}  // namespace
+
+int run_program(int argc, char** argv) { return ended(status_of_program(argc, argv)); }
 
 }  // namespace raygauge::cli
