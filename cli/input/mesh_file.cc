@@ -14,6 +14,7 @@
 namespace raygauge::cli {
 namespace {
 
+/// Binary formats and maps of nodes give any double.
 void require_finite(const std::vector<Vertex>& vertices, const std::string& path) {
   for (const Vertex& vertex : vertices) {
     for (const double value : vertex) {
@@ -31,7 +32,8 @@ std::vector<Vertex> vertices_of(const std::string& bytes, const std::string& pat
   if (format == "off") return off_vertices(bytes, path);
   if (format == "ply") return ply_vertices(bytes, path);
   if (format == "stl") return stl_vertices(bytes, path);
-  return assimp_vertices(bytes, path, format);
+  if (format == "dae") return collada_vertices(bytes, path);
+  throw InvalidParameterError(path + ": not a mesh that is read: .obj, .off, .stl, .ply and .dae are");
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name
 /// STL, text or binary: binary if the size of the file is what its count of facets makes it.
 std::vector<Vertex> stl_vertices(std::string_view bytes, const std::string& name);
 
-/// What assimp reads, Collada above all: the vertices that faces use, moved by the nodes of the scene and
-/// multiplied by the unit that a Collada file states. `extension` is that of the format.
-std::vector<Vertex> assimp_vertices(std::string_view bytes, const std::string& name,
-                                    const std::string& extension);
+/// Collada: the positions of all meshes that the scene shows, moved by its nodes and multiplied by the unit
+/// that the file states; its up axis turns nothing. Skins in their bind pose. Other geometry than meshes is
+/// refused.
+std::vector<Vertex> collada_vertices(std::string_view text, const std::string& name);
 
 }  // namespace raygauge::cli

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/input/input_file.h"
 #include "cli/input/urdf_shapes.h"
 #include "cli/input/xml_values.h"
 #include "raygauge/exceptions.h"
@@ -67,7 +68,7 @@ Joint joint_of(const XmlFile& file, const XmlElement& element) {
 class UrdfReader {
  public:
   UrdfReader(const std::string& path, const RobotMeshes& meshes)
-      : path_(path), meshes_(meshes), file_(path) {}
+      : path_(path), meshes_(meshes), file_(read_text_input(path), path) {}
 
   Robot read() {
     check_language();

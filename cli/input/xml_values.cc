@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "cli/input/byte_reader.h"
-#include "cli/input/input_file.h"
 #include "cli/input/number_word.h"
 #include "raygauge/exceptions.h"
 
@@ -42,8 +41,7 @@ std::string reason_of(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-XmlFile::XmlFile(const std::string& path) : path_(path) {
-  std::string text = read_text_input(path);
+XmlFile::XmlFile(std::string text, const std::string& path) : path_(path) {
   blank_declaration(text);
   const auto fail = [&](int line, const std::string& reason) {
     throw InvalidParameterError(line_text(path_, line) + ": not XML that can be read: " + reason);

@@ -16,7 +16,8 @@ using XmlElement = tinyxml2::XMLElement;
 /// XML or has other than one root.
 class XmlFile {
  public:
-  explicit XmlFile(const std::string& path);
+  /// `text` came from `path`.
+  XmlFile(std::string text, const std::string& path);
 
   const XmlElement& root() const { return *document_.RootElement(); }
 

@@ -96,9 +96,9 @@ namespace raygauge::fuzz {
 void check_mesh_file(std::string_view input) {
   if (input.empty()) return;
   static const ScratchFile files[] = {ScratchFile(".off"), ScratchFile(".ply"), ScratchFile(".stl"),
-                                      ScratchFile(".obj")};
-  static const std::string formats[] = {".off", ".ply", ".stl", ".obj"};
-  const std::size_t chosen = static_cast<unsigned char>(input[0]) % 4;
+                                      ScratchFile(".obj"), ScratchFile(".dae")};
+  static const std::string formats[] = {".off", ".ply", ".stl", ".obj", ".dae"};
+  const std::size_t chosen = static_cast<unsigned char>(input[0]) % 5;
   files[chosen].write(input.substr(1));
   expect_success_or_error([&] {
     const Eigen::MatrixXd vertices = cli::read_mesh_vertices(files[chosen].path());

@@ -138,7 +138,7 @@ class Packages(unittest.TestCase):
                 named = [owner for owner in owners if re.search(rf"(^|[ ,|]){re.escape(owner)}(?![-\w.])", depends)]
                 self.assertTrue(named, msg=f"{module.name}: {library} of {owners}, not in {depends}")
         if (BUILD / "python/raygauge/_sweeps.so").exists() or len(modules) > 1:
-            for library in ("libassimp", "libhdf5", "libglpk"):
+            for library in ("libtinyxml2", "libhdf5", "libglpk"):
                 self.assertIn(library, depends)
 
     def test_8_a_sweep_with_a_method_in_python_runs_from_the_package(self):

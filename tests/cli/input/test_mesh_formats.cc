@@ -102,8 +102,9 @@ TEST(StlVertices, OfATextAreReadInSmallLettersAndCapitalsAndFromSeveralSolids) {
   EXPECT_EQ(stl_vertices(
                 "\n  SOLID\n" + facet("Vertex 1 0 0\n VERTEX 0 2 0\n\tvertex 0 0 4\r\n") + "ENDSOLID\n", "m"),
             kTriangle);
-  EXPECT_EQ(stl_vertices("solid\n" + facet(kCorners, "-nan(ind) -1.#IND 0") + "endsolid\nsolid\nendsolid\n", "m"),
-            kTriangle);
+  EXPECT_EQ(
+      stl_vertices("solid\n" + facet(kCorners, "-nan(ind) -1.#IND 0") + "endsolid\nsolid\nendsolid\n", "m"),
+      kTriangle);
 }
 
 TEST(StlVertices, OfATextAreRefusedWithTheLineOfWhatIsNotUnderstood) {
@@ -185,30 +186,69 @@ TEST(PlyVertices, AreRefusedWhereTheHeaderAndTheLinesDoNotMatch) {
        {ply("1 0 0\n0 2 0\n2 0 1\n", ""), "m:8: a line of the PLY header is not understood"}});
 }
 
+/// A triangle in Collada; `node` stands inside its node, in front of the mesh.
+std::string collada(const std::string& asset, const std::string& node = "",
+                    const std::string& faces = "0 1 2") {
+  return "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>" + asset +
+         "</asset><library_geometries><geometry id=\"g\"><mesh>\n<source id=\"p\"><float_array id=\"pa\" "
+         "count=\"9\">"
+         "1 0 0 0 2 0 0 0 4</float_array><technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\">"
+         "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+         "type=\"float\"/>"
+         "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+         "source=\"#p\"/>"
+         "</vertices>\n<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" +
+         faces +
+         "</p></triangles></mesh></geometry></library_geometries>\n<library_visual_scenes><visual_scene "
+         "id=\"s\"><node>" +
+         node +
+         "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes><scene>"
+         "<instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+}
+
 TEST(ColladaVertices, KeepTheAxesOfTheFileAndTakeItsUnit) {
-  const auto collada = [](const std::string& asset) {
-    return "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>" +
-           asset +
-           "</asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
-           "count=\"9\">"
-           "1 0 0 0 2 0 0 0 4</float_array><technique_common><accessor source=\"#pa\" count=\"3\" "
-           "stride=\"3\">"
-           "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
-           "type=\"float\"/>"
-           "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
-           "source=\"#p\"/>"
-           "</vertices><triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
-           "2</p>"
-           "</triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
-           "id=\"s\"><node>"
-           "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes><scene>"
-           "<instance_visual_scene url=\"#s\"/></scene></COLLADA>";
-  };
   for (const char* up : {"X_UP", "Y_UP", "Z_UP"})
-    EXPECT_EQ(assimp_vertices(collada(std::string("<up_axis>") + up + "</up_axis>"), "m", "dae"), kTriangle)
-        << up;
+    EXPECT_EQ(collada_vertices(collada(std::string("<up_axis>") + up + "</up_axis>"), "m"), kTriangle) << up;
   const std::vector<Vertex> large = {{2, 0, 0}, {0, 4, 0}, {0, 0, 8}};
-  EXPECT_EQ(assimp_vertices(collada("<unit meter=\"2\"/><up_axis>Z_UP</up_axis>"), "m", "dae"), large);
+  EXPECT_EQ(collada_vertices(collada("<unit meter=\"2\"/><up_axis>Z_UP</up_axis>"), "m"), large);
+}
+
+TEST(ColladaVertices, AreMovedByTheNodesThatHoldThem) {
+  const auto moved = [](const std::string& node) {
+    return collada_vertices(collada("", node), "m").at(0);
+  };  // (1, 0, 0)
+  EXPECT_EQ(moved("<translate>1 2 3</translate><scale>2 1 1</scale>"), (Vertex{3, 2, 3}));
+  EXPECT_EQ(moved("<matrix>0 0 1 5 1 0 0 6 0 1 0 7 0 0 0 1</matrix>"), (Vertex{5, 7, 7}));
+  EXPECT_NEAR(moved("<rotate>0 0 2 90</rotate>")[1], 1, 1e-15);
+  EXPECT_EQ(
+      collada_vertices(
+          collada("", "<node><translate>0 0 9</translate><instance_geometry url=\"#g\"/></node>"), "m")[0],
+      (Vertex{1, 0, 9}));
+}
+
+TEST(ColladaVertices, AreRefusedWithTheLineOfWhatIsNotUnderstood) {
+  const auto with = [](const std::string& old, const std::string& fresh) {
+    std::string text = collada("");
+    return text.replace(text.find(old), old.size(), fresh);
+  };
+  expect_refusals(
+      collada_vertices,
+      {{"<robot/>", "m:1: not a Collada file: its root is <robot>, not <COLLADA>"},
+       {collada("", "", "0 1 nan"), "m:3: 'nan' is not a count"},
+       {collada("", "", "0 1 3"), "m:3: vertex 3 is not there: 3 are, counted from 0"},
+       {with("1 0 0 0", "1 0 0,5 0"), "m:2: '0,5' is not a finite number"},
+       {with("count=\"9\"", "count=\"8\""), "m:2: <float_array> has 9 numbers, 8 are expected"},
+       {with("count=\"3\"", "count=\"4\""),
+        "m:2: it reads beyond the numbers that there are, or fewer than three for a position"},
+       {with("source=\"#p\"", "source=\"#q\""), "m:2: source names no <source> of this file: '#q'"},
+       {with("POSITION", "POSITIO"), "m:2: vertices without positions"},
+       {with("<instance_geometry url=\"#g\"/>", "<instance_geometry url=\"o.dae#g\"/>"),
+        "m:4: url names no <geometry> of this file: 'o.dae#g'"},
+       {collada("<unit meter=\"0\"/>"), "m:1: the unit must be positive"},
+       {collada("", "<skew>1 2 3 4 5 6 7</skew>"), "m:4: <skew> is not read"},
+       {collada("", "<translate>1 2</translate>"), "m:4: <translate> has 2 numbers, 3 are expected"}});
+  std::string circle = collada("", "<node id=\"n\"><instance_node url=\"#n\"/></node>");
+  EXPECT_EQ(error(collada_vertices, circle), "m:4: nodes that contain themselves, or too many");
 }
 
 }  // namespace
