@@ -57,11 +57,9 @@ Filter filter_of(const AnalysisArguments& arguments) {
   return arguments.where.empty() ? Filter() : Filter(arguments.where);
 }
 
-OutputRequest output_request(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
-                             const AnalysisArguments& arguments, bool force) {
-  OutputRequest request = {path, kind, std::move(extensions), arguments.files, force};
-  output_place(request);
-  return request;
+Output output_of(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
+                 const AnalysisArguments& arguments, bool force) {
+  return decided({path, kind, std::move(extensions), arguments.files, force});
 }
 
 void refuse_options_of_scene(const AnalysisArguments& arguments, std::vector<GivenOption> others) {

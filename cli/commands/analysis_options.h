@@ -9,7 +9,7 @@
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
 #include "cli/commands/command_line.h"
-#include "results/run/output_place.h"
+#include "cli/output/output_file.h"
 #include "results/scene/scene_file.h"
 
 namespace raygauge::cli {
@@ -47,9 +47,9 @@ using GivenOption = std::pair<std::string, bool>;
 /// scene: `--where` or one of `others`.
 void refuse_options_of_scene(const AnalysisArguments& arguments, std::vector<GivenOption> others);
 
-/// What a command that reads these files wants to write. Throws OutputRefusedError where it may not, so that
-/// this is known before the files are read.
-OutputRequest output_request(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
-                             const AnalysisArguments& arguments, bool force);
+/// Decides where an output of a command that reads these files goes. Throws OutputRefusedError where it may
+/// not, so that this is known before the files are read.
+Output output_of(const std::string& path, OutputKind kind, std::vector<std::string> extensions,
+                 const AnalysisArguments& arguments, bool force);
 
 }  // namespace raygauge::cli

@@ -25,16 +25,17 @@ bool exported_scene(const ExportArguments& arguments) {
   const std::vector<std::string>& files = arguments.analysis.files;
   if (files.size() != 1 || !is_scene_file(files.front())) return false;
   refuse_options_of_scene(arguments.analysis, {{"--tidy", arguments.tidy}});
-  write_to(output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force),
-           scene_csv(read_scene(arguments.analysis)));
+  const Output output =
+      output_of(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
+  write_to(output, scene_csv(read_scene(arguments.analysis)));
   return true;
 }
 
 int export_records(const ExportArguments& arguments) {
   if (exported_scene(arguments)) return kAnswered;
   const Filter filter = filter_of(arguments.analysis);
-  const OutputRequest output =
-      output_request(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
+  const Output output =
+      output_of(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
   const std::vector<Record> records = filtered(read_files(arguments.analysis).records, filter);
   if (records.empty() && !filter.expression().empty())
     throw EmptySetError("no record passes the filter '" + filter.expression() + "'; nothing was written");

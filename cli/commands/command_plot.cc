@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/render/figures/description.h"
@@ -39,11 +40,10 @@ ImageFormat format_of(const std::string& path) {
   return path == kStandardOutput ? ImageFormat::svg : image_format_of(path);
 }
 
-OutputRequest picture_request(const PlotArguments& arguments, const std::string& path) {
+Output picture_output(const PlotArguments& arguments, const std::string& path) {
   if (path == kStandardOutput)
-    return output_request(path, OutputKind::text, {".svg"}, arguments.analysis, arguments.force);
-  return output_request(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis,
-                        arguments.force);
+    return output_of(path, OutputKind::text, {".svg"}, arguments.analysis, arguments.force);
+  return output_of(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis, arguments.force);
 }
 
 FigureOptions figure_options(const PlotArguments& arguments) {
@@ -60,18 +60,18 @@ std::string page_path(const std::filesystem::path& path, std::size_t page) {
   return (path.parent_path() / name).string();
 }
 
-void write_figure(const PlotArguments& arguments, const Figure& figure, const std::vector<Record>& records,
-                  const FigureOptions& options, const OutputRequest& output) {
-  const std::vector<std::string> pages = draw(figure, records, options, format_of(output.path));
+/// Draws the pages of a figure and decides where each of them goes.
+void add_figure(const PlotArguments& arguments, const Figure& figure, const std::vector<Record>& records,
+                const FigureOptions& options, const Output& output, std::vector<Written>& all) {
+  std::vector<std::string> pages = draw(figure, records, options, format_of(output.path));
   if (output.path == kStandardOutput && pages.size() > 1) {
     throw InvalidParameterError("figure " + figure.name + " has " + std::to_string(pages.size()) +
                                 " pages, and standard output takes one: name a file (-o " + figure.name +
                                 ".svg), or choose with --where");
   }
   for (std::size_t p = 0; p < pages.size(); ++p) {
-    const OutputRequest place = p == 0 ? output : picture_request(arguments, page_path(output.path, p + 1));
-    write_to(place, pages[p]);
-    print_path(place);
+    all.push_back(
+        {p == 0 ? output : picture_output(arguments, page_path(output.path, p + 1)), std::move(pages[p])});
   }
 }
 
@@ -85,33 +85,35 @@ bool is_image_name(const std::string& path) {
 }
 
 /// The files that all figures are to be written to, by figure. Throws where one of them may not be.
-std::map<std::string, std::vector<OutputRequest>> all_outputs(const PlotArguments& arguments) {
+std::map<std::string, std::vector<Output>> all_outputs(const PlotArguments& arguments) {
   const std::filesystem::path folder = arguments.output;
   const bool is_folder = std::filesystem::is_directory(folder);
   if (!is_folder &&
       (folder == "-" || folder.empty() || std::filesystem::exists(folder) || is_image_name(folder)))
     throw InvalidParameterError(arguments.output +
                                 ": is no folder; without --figure, -o is the folder for all figures");
-  std::map<std::string, std::vector<OutputRequest>> outputs;
+  std::map<std::string, std::vector<Output>> outputs;
   for (const Figure& figure : figures())
     for (const char* extension : {".svg", ".png"})
       outputs[figure.name].push_back(
-          picture_request(arguments, (folder / (figure.name + extension)).string()));
+          picture_output(arguments, (folder / (figure.name + extension)).string()));
   return outputs;
 }
 
 /// Every figure that the records have the data of, as SVG and PNG.
-void write_all_figures(const PlotArguments& arguments, const FigureOptions& options) {
+std::vector<Written> draw_all_figures(const PlotArguments& arguments, const FigureOptions& options) {
   const auto outputs = all_outputs(arguments);
   const std::vector<Record> records = read_files(arguments.analysis).records;
+  std::vector<Written> all;
   for (const Figure& figure : figures()) {
     try {
-      for (const OutputRequest& output : outputs.at(figure.name))
-        write_figure(arguments, figure, records, options, output);
+      for (const Output& output : outputs.at(figure.name))
+        add_figure(arguments, figure, records, options, output, all);
     } catch (const FigureNeedsError& missing) {
       std::fprintf(stderr, "skipped: %s\n", language::printable(missing.what()).c_str());
     }
   }
+  return all;
 }
 
 /// A scene's results have one picture.
@@ -120,7 +122,7 @@ int plot_scene(const PlotArguments& arguments) {
   if (!arguments.figure.empty() && arguments.figure != kSceneFigure)
     throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
   const ImageFormat format = image_format_of(arguments.output);
-  const OutputRequest output = picture_request(arguments, arguments.output);
+  const Output output = picture_output(arguments, arguments.output);
   const SceneFile file = read_scene(arguments.analysis);
   const Drawing drawing = draw_scene(file, figure_size_from_string(arguments.size));
   write_to(output, described(draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height), format,
@@ -135,13 +137,15 @@ int plot(const PlotArguments& arguments) {
     return plot_scene(arguments);
   const FigureOptions options = figure_options(arguments);
   if (arguments.figure.empty()) {
-    write_all_figures(arguments, options);
+    write_all(draw_all_figures(arguments, options));
     return kAnswered;
   }
   const Figure& figure = figure_named(arguments.figure);
   format_of(arguments.output);  // complains before the files are read
-  const OutputRequest output = picture_request(arguments, arguments.output);
-  write_figure(arguments, figure, read_files(arguments.analysis).records, options, output);
+  const Output output = picture_output(arguments, arguments.output);
+  std::vector<Written> all;
+  add_figure(arguments, figure, read_files(arguments.analysis).records, options, output, all);
+  write_all(all);
   return kAnswered;
 }
 

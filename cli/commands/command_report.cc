@@ -22,8 +22,8 @@ struct ReportArguments {
 
 int write_report(const ReportArguments& arguments) {
   const Filter filter = filter_of(arguments.analysis);  // complains before the files are read
-  const OutputRequest output = output_request(arguments.output, OutputKind::text, {".html", ".htm"},
-                                              arguments.analysis, arguments.force);
+  const Output output =
+      output_of(arguments.output, OutputKind::text, {".html", ".htm"}, arguments.analysis, arguments.force);
   if (arguments.analysis.files.size() == 1 && is_scene_file(arguments.analysis.files.front())) {
     refuse_options_of_scene(arguments.analysis, {{"--baseline", !arguments.baselines.empty()}});
     write_to(output, scene_page::make_page(read_scene(arguments.analysis)));

@@ -141,9 +141,9 @@ bool printed_scene(const TableArguments& arguments) {
                                                {"--intervals", arguments.intervals},
                                                {"--baseline", !arguments.baselines.empty()},
                                                {"--format", arguments.format != "text"}});
-  write_to(output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
-                          {".txt", ".csv"}, arguments.analysis, arguments.force),
-           scene_table_text(read_scene(arguments.analysis)));
+  const Output output = output_of(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
+                                  {".txt", ".csv"}, arguments.analysis, arguments.force);
+  write_to(output, scene_table_text(read_scene(arguments.analysis)));
   return true;
 }
 
@@ -152,9 +152,8 @@ int print_table(const TableArguments& arguments) {
   if (printed_scene(arguments)) return kAnswered;
   require_one_kind(arguments);
   const TableFormat format = table_format_from_string(arguments.format);
-  const OutputRequest output =
-      output_request(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
-                     extensions_of(format), arguments.analysis, arguments.force);
+  const Output output = output_of(arguments.output.empty() ? "-" : arguments.output, OutputKind::text,
+                                  extensions_of(format), arguments.analysis, arguments.force);
   const MergedResults merged = read_files(arguments.analysis);
   std::vector<Table> tables = tables_of(arguments, merged.records, format);
   Table& last = tables.back();

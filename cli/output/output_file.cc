@@ -11,17 +11,25 @@ void add_force_option(Command& command, bool& force) {
                    "Replace an existing file of another kind; never measurements, never an input");
 }
 
-void write_to(const OutputRequest& request, const std::string& bytes) {
-  const OutputPlace place = output_place(request);
-  if (place.way == OutputWay::standard_output) {
+Output decided(const OutputRequest& request) { return {request.path, output_place(request)}; }
+
+void write_to(const Output& output, const std::string& bytes) {
+  if (output.place.way == OutputWay::standard_output) {
     std::fwrite(bytes.data(), 1, bytes.size(), stdout);
   } else {
-    write_output(place, bytes);
+    write_output(output.place, bytes);
   }
 }
 
-void print_path(const OutputRequest& request) {
-  if (output_place(request).way == OutputWay::file) std::printf("%s\n", request.path.c_str());
+void print_path(const Output& output) {
+  if (output.place.way == OutputWay::file) std::printf("%s\n", output.path.c_str());
+}
+
+void write_all(const std::vector<Written>& outputs) {
+  for (const Written& each : outputs) {
+    write_to(each.output, each.bytes);
+    print_path(each.output);
+  }
 }
 
 }  // namespace raygauge::cli

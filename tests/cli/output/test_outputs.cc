@@ -272,6 +272,34 @@ TEST_P(Outputs, OfAnotherKindAreNotGivenTheNameOfMeasurements) {
   EXPECT_FALSE(fs::exists(folder_.file("new.h5")));
 }
 
+TEST_P(Outputs, UnderAnUnusualNameAreDecidedOnceBeforeTheyAreWritten) {
+  if (GetParam().chooses_by_extension || !GetParam().derived) return;
+  expect_written(write_to("new.odd"), "new.odd");
+  expect_refused("new.odd", "new.odd", false);
+}
+
+/// A figure of two pages, the second of which has the name of somebody else's file.
+class FigurePages : public testing::ProgramTest {};
+
+TEST_F(FigurePages, AreAllDecidedBeforeTheFirstIsWritten) {
+  ResultsFile results;
+  for (const double tolerance : {1e-6, 1e-9}) {
+    const std::size_t first = results.records.size();
+    testing::add_records(results.records, "direct", 3, 200, {1, 2, 3});
+    testing::add_records(results.records, "glpk_dual", 3, 200, {10, 20, 30});
+    for (std::size_t i = first; i < results.records.size(); ++i) results.records[i].tolerance = tolerance;
+  }
+  results.provenance.cell_count = 1;
+  results.provenance.sessions = {testing::sample_session()};
+  write_results(folder_.file("m.h5"), results);
+  write_results(folder_.file("fig-2.svg"), results);
+  const std::vector<std::string> command = {"plot", "m.h5", "--figure", "ratio_heatmap", "-o", "fig.svg"};
+  expect_complaint(run_raygauge(command), "fig-2.svg");
+  EXPECT_FALSE(fs::exists(folder_.file("fig.svg")));
+  fs::remove(folder_.file("fig-2.svg"));
+  EXPECT_EQ(run_raygauge(command).out, "fig.svg\nfig-2.svg\n");
+}
+
 /// All figures into a folder: the rules hold for each file in it.
 class FigureFolder : public Outputs {};
 INSTANTIATE_TEST_SUITE_P(OfPlot, FigureFolder,
