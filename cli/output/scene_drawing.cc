@@ -2,28 +2,29 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output/scene_drawing.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "analysis/render/scene/support_mesh.h"
 #include "raygauge/scene/timeline.h"
 
 namespace raygauge::cli {
 namespace {
 
 using nlohmann::json;
-using Triangle = std::array<int, 3>;
 
 // Enough for a smooth film, few enough for a page.
 constexpr std::size_t kMostPoses = 30'000;
 constexpr std::size_t kMostFrames = 400;
-constexpr std::size_t kPartsInDetail = 40;
+// Of all bodies together, and of one part.
+constexpr std::size_t kMostVertices = 24'000;
+constexpr std::size_t kMostOfPart = 1200;
+constexpr std::size_t kFewestOfPart = 60;
+// Of the size of a part: how far its surface may lie from the picture's.
+constexpr double kFineness = 1e-3;
 
 /// Six significant digits: more than a screen shows.
 double short_number(double x) {
@@ -32,98 +33,22 @@ double short_number(double x) {
   return std::strtod(text, nullptr);
 }
 
-struct Sphere {
-  std::vector<Eigen::Vector3d> directions;
-  std::vector<Triangle> triangles;
-};
-
-/// An octahedron whose triangles are cut into four, `levels` times: 4^(levels+1) + 2 directions. The axes are
-/// among them, so that boxes come out as they are.
-Sphere sphere(int levels) {
-  Sphere sphere;
-  for (int k = 0; k < 3; ++k) {
-    sphere.directions.emplace_back(Eigen::Vector3d::Unit(k));
-    sphere.directions.emplace_back(-Eigen::Vector3d::Unit(k));
-  }
-  sphere.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<int, int>, int> middles;
-    const auto middle = [&](int i, int j) {
-      const auto [found, added] = middles.try_emplace({std::min(i, j), std::max(i, j)}, 0);
-      if (added) {
-        found->second = static_cast<int>(sphere.directions.size());
-        sphere.directions.push_back(
-            (sphere.directions[static_cast<std::size_t>(i)] + sphere.directions[static_cast<std::size_t>(j)])
-                .normalized());
-      }
-      return found->second;
-    };
-    std::vector<Triangle> finer;
-    for (const auto& [a, b, c] : sphere.triangles) {
-      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      for (const Triangle& part :
-           {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c}, Triangle{ab, bc, ca}}) {
-        finer.push_back(part);
-      }
-    }
-    sphere.triangles = std::move(finer);
-  }
-  return sphere;
+json polygon_of(const ConvexSet& set, std::size_t most) {
+  json vertices = json::array();
+  for (const Eigen::Vector2d& p : support_polygon(set, kFineness, most))
+    for (const double x : p) vertices.push_back(short_number(x));
+  return {{"vertices", vertices}};
 }
 
-/// Numbers of support points, each distinct one once.
-class Vertices {
- public:
-  int number(const SmallVector& point) {
-    std::vector<double> key;
-    for (Eigen::Index k = 0; k < point.size(); ++k) key.push_back(short_number(point[k]));
-    const auto [found, added] = numbers_.try_emplace(key, static_cast<int>(numbers_.size()));
-    if (added) {
-      for (const double x : key) list.push_back(x);
-    }
-    return found->second;
-  }
-
-  json list = json::array();
-
- private:
-  std::map<std::vector<double>, int> numbers_;
-};
-
-SmallVector support_point(const ConvexSet& set, const SmallVector& u) {
-  SmallVector point(u.size());
-  set.support_unchecked(u.data(), point.data());
-  return point;
-}
-
-json polygon_of(const ConvexSet& set) {
-  constexpr int kDirections = 180;
-  Vertices vertices;
-  for (int i = 0; i < kDirections; ++i) {
-    SmallVector u(2);
-    const double angle = 2 * EIGEN_PI * (i + 0.5) / kDirections;
-    u << std::cos(angle), std::sin(angle);
-    vertices.number(support_point(set, u));
-  }
-  return {{"vertices", vertices.list}};
-}
-
-json mesh_of(const ConvexSet& set, const Sphere& sphere) {
-  Vertices vertices;
-  std::vector<int> number;
-  for (const Eigen::Vector3d& u : sphere.directions) {
-    // Off the axes by a little: at a box's normals a whole face would tie.
-    number.push_back(vertices.number(support_point(set, SmallVector(u + Eigen::Vector3d(1e-4, 2e-4, 3e-4)))));
-  }
+json mesh_of(const ConvexSet& set, std::size_t most) {
+  const SupportMesh mesh = support_mesh(set, kFineness, most);
+  json vertices = json::array();
+  for (const Eigen::Vector3d& p : mesh.vertices)
+    for (const double x : p) vertices.push_back(short_number(x));
   json triangles = json::array();
-  for (const auto& [a, b, c] : sphere.triangles) {
-    const std::array<int, 3> corner = {number[static_cast<std::size_t>(a)],
-                                       number[static_cast<std::size_t>(b)],
-                                       number[static_cast<std::size_t>(c)]};
-    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-    for (const int k : corner) triangles.push_back(k);
-  }
-  return {{"vertices", vertices.list}, {"triangles", triangles}};
+  for (const auto& triangle : mesh.triangles)
+    for (const int corner : triangle) triangles.push_back(corner);
+  return {{"vertices", vertices}, {"triangles", triangles}};
 }
 
 json pose_of(const Placement& where) {
@@ -140,7 +65,8 @@ std::string drawing_of(const Scene& scene) {
   if (n != 2 && n != 3) return {};
   std::size_t parts = 0;
   for (const Body& body : scene.bodies) parts += body.parts.size();
-  const Sphere directions = sphere(parts > kPartsInDetail ? 2 : 4);
+  const std::size_t detail =
+      std::clamp(kMostVertices / std::max<std::size_t>(1, parts), kFewestOfPart, kMostOfPart);
   const std::size_t instants = scene.instants.size();
   const std::size_t most = std::max<std::size_t>(2, std::min(kMostFrames, kMostPoses / scene.bodies.size()));
   const std::size_t step = (instants + most - 1) / most;
@@ -150,7 +76,7 @@ std::string drawing_of(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     json shapes = json::array();
     for (const BodyPart& part : body.parts) {
-      shapes.push_back(n == 2 ? polygon_of(*part.set) : mesh_of(*part.set, directions));
+      shapes.push_back(n == 2 ? polygon_of(*part.set, detail) : mesh_of(*part.set, detail));
     }
     json poses = json::array();
     for (std::size_t k = 0; k < instants; k += step) {

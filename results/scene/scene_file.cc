@@ -6,9 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 
+#include "engine/numerics/number_text.h"
 #include "results/exceptions.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
@@ -196,7 +198,39 @@ SceneFile read_scene_file(const fs::path& path) {
   return all;
 }
 
+namespace {
+
+/// Rows of another table are exported by their names.
+std::string exported(const SceneFile& file, const std::vector<std::string>& queries,
+                     const Column<SceneRow>& column, const SceneRow& row) {
+  const SceneRecord& record = row.record;
+  const auto body = [&](std::int32_t number) {
+    return field_of(file.bodies.at(static_cast<std::size_t>(number)).name);
+  };
+  if (column.name == "query") return field_of(queries.at(static_cast<std::size_t>(record.query)));
+  if (column.name == "body_a") return body(record.body_a);
+  if (column.name == "body_b") return body(record.body_b);
+  return field_of(column.get(row));
+}
+
+}  // namespace
+
+std::vector<std::string> distinct_query_names(const SceneFile& file) {
+  std::map<std::string, std::size_t> count;
+  for (const SceneQueryRow& query : file.queries) ++count[query.name];
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const SceneQueryRow& query : file.queries) {
+    std::string name = query.name;
+    if (count[name] > 1) name += " (tolerance " + rounded_text(query.tolerance, 6) + ")";
+    for (int k = 2; !taken.insert(name).second; ++k) name = query.name + " (" + std::to_string(k) + ")";
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
 std::string scene_csv(const SceneFile& file) {
+  const std::vector<std::string> queries = distinct_query_names(file);
   std::string text;
   const auto& columns = scene_record_columns();
   for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name;
@@ -204,7 +238,7 @@ std::string scene_csv(const SceneFile& file) {
   for (const SceneRow& row : file.records) {
     for (const auto& column : columns) {
       if (&column != &columns.front()) text += ',';
-      text += field_of(column.get(row));
+      text += exported(file, queries, column, row);
     }
     text += '\n';
   }

@@ -79,6 +79,10 @@ const std::vector<Column<SceneCellRow>>& scene_cell_columns();
 const std::vector<Column<SceneBodyRow>>& scene_body_columns();
 const std::vector<Column<SceneQueryRow>>& scene_query_columns();
 
+/// The names of the queries; where several have one name, as those of a list of tolerances, with what tells
+/// them apart.
+std::vector<std::string> distinct_query_names(const SceneFile& file);
+
 /// Puts tables into the order of cells.
 void sort_scene(SceneFile& file);
 
@@ -93,7 +97,7 @@ SceneFile read_scene_file(const std::filesystem::path& path);
 std::string encode_scene(const SceneFile& file);
 SceneFile decode_scene(const std::filesystem::path& path);
 
-/// The records as CSV.
+/// The records as CSV, queries and bodies by their names.
 std::string scene_csv(const SceneFile& file);
 
 }  // namespace raygauge

@@ -5,6 +5,8 @@
     scene_commands.py --raygauge PROGRAM --scenes FOLDER
 """
 import argparse
+import csv
+import io
 import json
 import pathlib
 import re
@@ -163,6 +165,15 @@ class Scenes(unittest.TestCase):
         for query in queries:
             self.assertLessEqual(query["gap"], query["tolerance"])
             self.assertGreater(query["frame_seconds"], 0)
+
+    def test_an_export_has_the_names_of_bodies_and_queries(self):
+        results = self.work / "good.h5"
+        text = GOOD.replace('effects = ["distance", "closest_points"]', 'name = "gap"\neffects = ["distance"]\ntolerance = [1e-2, 1e-8]')
+        (self.work / "good.toml").write_text(text.replace("2000", "3"))
+        self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", results)
+        rows = list(csv.DictReader(io.StringIO(self.run_raygauge("export", results, "--csv", "-").stdout)))
+        self.assertEqual({row["body_a"] for row in rows} | {row["body_b"] for row in rows}, {"a", "b", "c"})
+        self.assertEqual({row["query"] for row in rows if row["kind"] == "instant"}, {"gap (tolerance 0.01)", "gap (tolerance 1e-8)"})
 
     def test_answers_are_the_same_on_any_number_of_threads(self):
         first = None

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/render/figures/style.h"
+#include "analysis/render/scene/scene_answers.h"
 #include "engine/numerics/number_text.h"
 #include "results/text/language.h"
 
@@ -19,6 +20,8 @@ namespace {
 constexpr std::size_t kMostCurves = 6;  // of a panel; farther pairs are not drawn
 constexpr double kPanelHeight = 1.9;    // inches
 constexpr std::array kColors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000"};
+// Where curves lie on each other, the one below is seen through the dashes of the one above.
+constexpr std::array kDashes = {"1", "'-'", "'.'", "'-.'", "'--'", "'-..'"};
 
 /// An answer at an instant: distance where it was asked for, otherwise growth.
 struct Sample {
@@ -50,15 +53,17 @@ std::string body_name(const SceneFile& file, std::int32_t body) {
 
 std::vector<Panel> panels_of(const SceneFile& file) {
   std::vector<Panel> panels;
+  const std::vector<std::string> names = distinct_query_names(file);
   for (std::size_t q = 0; q < file.queries.size(); ++q) {
     std::map<Pair, std::vector<Sample>> found;
-    Panel panel{file.queries[q].name, "growth distance", {}};
+    Panel panel{names[q], "growth distance", {}};
     for (const SceneRow& row : file.records) {
       const SceneRecord& r = row.record;
       if (static_cast<std::size_t>(r.query) != q || r.kind != SceneRowKind::instant) continue;
       const Sample sample = sample_of(r);
       if (!std::isfinite(sample.value)) continue;
-      if (r.distance == r.distance) panel.quantity = "distance";
+      if (r.distance == r.distance)
+        panel.quantity = scene_page::length_unit(file, r.query).empty() ? "distance" : "distance / m";
       found[{r.body_a, r.body_b}].push_back(sample);
     }
     if (found.empty()) continue;
@@ -126,8 +131,9 @@ std::string plot_of(const SceneFile& file, const Panel& panel, const std::string
     const std::string look = std::string(" lc rgb '") + kColors[c] + "'";
     const auto [a, b] = panel.curves[c].first;
     text += (c > 0 ? ", \\\n  " : "") + block + " using 1:3:4 with filledcurves fs transparent solid 0.25" +
-            look + " notitle, \\\n  " + block + " using 1:2 with linespoints pt 7 ps 0.25 lw 1.3" + look +
-            " title " + language::gnuplot(body_name(file, a) + " – " + body_name(file, b));
+            look + " notitle, \\\n  " + block + " using 1:2 with linespoints pt 7 ps 0.25 lw 1.3 dt " +
+            kDashes[c] + look + " title " +
+            language::gnuplot(body_name(file, a) + " – " + body_name(file, b));
   }
   return text + "\n";
 }

@@ -5,21 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "analysis/render/page_template.h"
-#include "results/scene/event_text.h"
+#include "analysis/render/scene/scene_answers.h"
 
 namespace raygauge::scene_page {
 namespace {
 
 using nlohmann::json;
 
-json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+/// NaN, which JSON has no word for, is null; infinity is "inf".
+json number(double x) {
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return std::isnan(x) ? json(nullptr) : json(x);
+}
 
 json point(const SmallVector& v) {
   json list = json::array();
@@ -27,60 +29,42 @@ json point(const SmallVector& v) {
   return list;
 }
 
-json record_json(const SceneRecord& record) {
-  json entry = {{"query", record.query},
-                {"a", record.body_a},
-                {"b", record.body_b},
-                {"kind", std::string(to_string(record.kind))},
-                {"time", number(record.time)},
-                {"status", std::string(to_string(record.status))},
-                {"distance", number(record.distance)},
-                {"lower", number(record.lower)},
-                {"upper", number(record.upper)},
-                {"growth", number(record.growth)},
-                {"growth_lower", number(record.growth_lower)},
-                {"growth_upper", number(record.growth_upper)}};
-  if (record.point_a.size() > 0) {
-    entry["pa"] = point(record.point_a);
-    entry["pb"] = point(record.point_b);
-  }
-  return entry;
-}
-
-std::string short_text(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", x);
-  return text;
-}
-
-std::string pair_text(const SceneFile& file, const SceneRecord& record) {
-  return file.queries[static_cast<std::size_t>(record.query)].name + ": " +
-         file.bodies[static_cast<std::size_t>(record.body_a)].name + " – " +
-         file.bodies[static_cast<std::size_t>(record.body_b)].name + ": ";
-}
-
-json event(const SceneRecord& record, const std::string& text) {
-  return {{"time", number(record.time)}, {"text", text}};
-}
-
-json events_of(const SceneFile& file) {
-  json events = json::array();
-  std::map<std::tuple<int, int, int>, SceneStatus> before;
+/// The answers at instants, a list for each column.
+json records_json(const SceneFile& file) {
+  static const std::vector<std::pair<const char*, double SceneRecord::*>> kNumbers = {
+      {"time", &SceneRecord::time},
+      {"distance", &SceneRecord::distance},
+      {"lower", &SceneRecord::lower},
+      {"upper", &SceneRecord::upper},
+      {"growth", &SceneRecord::growth},
+      {"growth_lower", &SceneRecord::growth_lower},
+      {"growth_upper", &SceneRecord::growth_upper}};
+  json columns;
+  for (const char* name : {"query", "a", "b", "touches", "pa", "pb"}) columns[name] = json::array();
+  for (const auto& [name, member] : kNumbers) columns[name] = json::array();
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
-    if (record.kind != SceneRowKind::instant) {
-      events.push_back(event(record, pair_text(file, record) + event_text(record)));
-      continue;
-    }
-    const auto key = std::make_tuple(record.query, record.body_a, record.body_b);
-    const auto known = before.find(key);
-    const bool changed = known != before.end() && known->second != record.status;
-    if (changed && record.status != SceneStatus::undecided) {
-      const bool touches = record.status == SceneStatus::intersecting;
-      events.push_back(event(record, pair_text(file, record) + (touches ? "contact" : "release") + " by " +
-                                         short_text(record.time) + " s"));
-    }
-    before[key] = record.status;
+    if (record.kind != SceneRowKind::instant) continue;
+    columns["query"].push_back(record.query);
+    columns["a"].push_back(record.body_a);
+    columns["b"].push_back(record.body_b);
+    columns["touches"].push_back(record.status == SceneStatus::intersecting ? 1 : 0);
+    columns["pa"].push_back(record.point_a.size() > 0 ? point(record.point_a) : json(nullptr));
+    columns["pb"].push_back(record.point_b.size() > 0 ? point(record.point_b) : json(nullptr));
+    for (const auto& [name, member] : kNumbers) columns[name].push_back(number(record.*member));
+  }
+  return columns;
+}
+
+json events_json(const SceneFile& file) {
+  json events = json::array();
+  for (const Event& event : events_of(file)) {
+    events.push_back({{"kind", std::string(to_string(event.kind))},
+                      {"query", event.query},
+                      {"a", event.a},
+                      {"b", event.b},
+                      {"time", number(event.time)},
+                      {"text", event.text}});
   }
   return events;
 }
@@ -112,10 +96,11 @@ json queries_of(const SceneFile& file) {
   for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
   for (const SceneRow& row : file.records)
     seconds[static_cast<std::size_t>(row.record.query)] += row.record.seconds;
+  const std::vector<std::string> names = distinct_query_names(file);
   json queries = json::array();
   for (std::size_t q = 0; q < file.queries.size(); ++q) {
     const auto instants = static_cast<double>(instants_of(file, q));
-    queries.push_back({{"name", file.queries[q].name},
+    queries.push_back({{"name", names[q]},
                        {"effects", file.queries[q].effects},
                        {"asked", tallies[q].asked},
                        {"solved", tallies[q].solved},
@@ -123,10 +108,11 @@ json queries_of(const SceneFile& file) {
                        {"broad_phase", tallies[q].broad_phase},
                        {"coherence", tallies[q].coherence},
                        {"standing", tallies[q].standing},
-                       {"tolerance", file.queries[q].tolerance},
+                       {"unit", length_unit(file, static_cast<std::int32_t>(q))},
+                       {"tolerance", number(file.queries[q].tolerance)},
                        {"gap", number(widest_gap(file, q))},
                        {"frame_seconds", number(instants > 0 ? seconds[q] / instants : SceneRecord::kNone)},
-                       {"seconds", seconds[q]}});
+                       {"seconds", number(seconds[q])}});
   }
   return queries;
 }
@@ -155,14 +141,17 @@ OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR
 std::string make_page(const SceneFile& file) {
   json data;
   data["name"] = file.name;
+  const Verdict verdict = verdict_of(file);
+  data["verdict"] = {{"state", verdict.state}, {"text", verdict.text}};
+  data["grasp"] = is_grasp(file);
+  data["count"] = file.records.size();
   data["finished"] = file.finished();
   data["drawing"] = file.drawing.empty() ? json(nullptr) : json::parse(file.drawing);
   data["bodies"] = json::array();
   for (const SceneBodyRow& body : file.bodies) data["bodies"].push_back(body.name);
   data["queries"] = queries_of(file);
-  data["events"] = events_of(file);
-  data["records"] = json::array();
-  for (const SceneRow& row : file.records) data["records"].push_back(record_json(row.record));
+  data["events"] = events_json(file);
+  data["records"] = records_json(file);
   const bool space = data["drawing"].is_object() && data["drawing"]["dimension"] == 3;
   return filled(page_template(), {{"{{style}}", page_style()},
                                   {"{{three}}", space ? kThreeNotice + three_library() : ""},
