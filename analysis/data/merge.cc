@@ -115,8 +115,12 @@ MergedResults read_merged(const std::vector<std::string>& paths) {
     for (const std::string& note : {unfinished_note(file), timing_note(file.provenance)}) {
       if (!note.empty()) merged.notes.push_back(path + ": " + note);
     }
-    merged.records.insert(merged.records.end(), std::make_move_iterator(file.records.begin()),
-                          std::make_move_iterator(file.records.end()));
+    if (merged.records.empty()) {
+      merged.records = std::move(file.records);
+    } else {
+      merged.records.insert(merged.records.end(), std::make_move_iterator(file.records.begin()),
+                            std::make_move_iterator(file.records.end()));
+    }
     merged.files.push_back({path, std::move(file.provenance)});
   }
   const std::string note = machines_note(merged.files);

@@ -64,6 +64,17 @@ std::string csv_text(const std::vector<Record>& records, int time_digits) {
   return csv_header() + csv_rows(records, time_digits);
 }
 
+std::string csv_columns(const std::vector<Record>& records, int time_digits) {
+  std::string text;
+  for (const Column<Record>& column : record_columns()) {
+    const Field field{column.unit == "s" ? time_digits : kAllDigits};
+    text += column.name + '\n';
+    for (const Record& record : records) text += std::visit(field, column.get(record)) + '\n';
+    text += '\n';
+  }
+  return text;
+}
+
 void write_csv(const std::string& path, const std::vector<Record>& records) {
   write_atomically(path, csv_text(records));
 }

@@ -71,9 +71,12 @@ ResultsFile read_once(const fs::path& path) {
 }  // namespace
 
 void sort_by_cell(std::vector<Record>& records) {
-  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
+  const auto before = [](const Record& a, const Record& b) {
     return std::pair(a.cell, a.repetition) < std::pair(b.cell, b.repetition);
-  });
+  };
+  // Finished files are in order, and a sort would move every record several times.
+  if (!std::is_sorted(records.begin(), records.end(), before))
+    std::stable_sort(records.begin(), records.end(), before);
   auto group = records.begin();  // of what stays, the first record of its repetition
   auto end = records.begin();
   for (auto it = records.begin(); it != records.end(); ++it) {

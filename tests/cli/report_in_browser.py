@@ -5,14 +5,19 @@
     report_in_browser.py --raygauge PROGRAM --results FILE.h5 [--screenshots FOLDER] [--most-seconds S]
 
 Fails on an error on the console, a request to the network, a chart without its curves (by the pixels of their
-colours), a control without effect, content wider than a phone, a download that lacks records, or a page of 10 MB or
-more. The time to open is printed; it fails the test only with --most-seconds.
+colours), a control without effect, numbers that are not those of the file, a place that the keyboard does not reach,
+content wider than a phone, a download that lacks records, or a page of 5 MB or more. The time to open is printed; it
+fails the test only with --most-seconds.
 """
 import argparse
 import base64
+import csv
+import io
 import json
 import pathlib
+import re
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -22,16 +27,19 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-MOST_BYTES = 10_000_000
+MOST_BYTES = 5_000_000
 
-# For each visible curve of a chart: how many pixels of the canvas nearly have its colour.
+# For each visible curve of a chart that no other covers: how many pixels of the canvas nearly have its colour.
 CURVE_PIXELS = """
 const chart = raygauge.charts[arguments[0]], canvas = chart.canvas;
 const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
 return chart.data.datasets.map((dataset, index) => {
-  if (!chart.isDatasetVisible(index)) return -1;
+  const same = (other) => JSON.stringify(other.data.map((p) => [p.x, p.y])) === JSON.stringify(dataset.data.map((p) => [p.x, p.y]));
+  const covered = chart.data.datasets.findIndex(same) < index;  // another curve lies on it, point for point
+  if (!chart.isDatasetVisible(index) || covered) return -1;
   const [r, g, b] = [1, 3, 5].map((i) => parseInt(dataset.borderColor.slice(i, i + 2), 16));
   let count = 0;
   const near = (i) => Math.abs(pixels[i] - r) + Math.abs(pixels[i + 1] - g) + Math.abs(pixels[i + 2] - b) < 24;
@@ -92,19 +100,14 @@ def check_curves(browser, failures, when):
 
 def check_legend(browser, failures):
     """A click on the legend hides a curve and its pixels, another brings it back."""
-    canvas = browser.find_elements(By.TAG_NAME, "canvas")[0]
+    canvas = browser.find_elements(By.CSS_SELECTOR, ".chart canvas")[0]
     index = browser.execute_script("return raygauge.charts.findIndex((c) => c.canvas === arguments[0])", canvas)
     before = browser.execute_script(CURVE_PIXELS, index)
-    place = browser.execute_script("""
-        const chart = raygauge.charts[arguments[0]], box = chart.legend.legendHitBoxes[0];
-        chart.canvas.scrollIntoView({block: "center"});
-        return [box.left + box.width / 2 - chart.width / 2, box.top + box.height / 2 - chart.height / 2];""", index)
-    def click():
-        ActionChains(browser).move_to_element_with_offset(canvas, *map(int, place)).click().perform()
-        time.sleep(0.7)  # two clicks in quick succession are a double click; and the curve is drawn by and by
-
+    entry = browser.execute_script("return arguments[0].closest('.block').querySelector('.entry')", canvas)
+    click = lambda: browser.execute_script("arguments[0].click()", entry)
     click()
     failures.expect(browser.execute_script(CURVE_PIXELS, index)[0] == -1, "the legend hides no curve")
+    failures.expect(entry.get_attribute("aria-pressed") == "false", "the legend does not say that a curve is hidden")
     click()
     after = browser.execute_script(CURVE_PIXELS, index)
     failures.expect(after[0] > 0.8 * before[0], f"the legend does not bring the curve back: {before} {after}")
@@ -168,6 +171,61 @@ def check_axes(browser, failures):
     failures.expect(not wrong, f"axes far beyond their data: {wrong}")
 
 
+def check_keyboard(browser, failures):
+    """Every chart, legend, map, menu and button is reached by Tab, a map and a legend in one stop; arrows move inside."""
+    browser.execute_script("scrollTo(0, 0); document.activeElement.blur()")
+    name = """
+        const a = document.activeElement;
+        if (a === document.body) return null;
+        const maps = [...document.querySelectorAll(".heat")], legends = [...document.querySelectorAll(".legend[role=group]")];
+        const charts = [...document.querySelectorAll(".chart canvas")];
+        if (a.closest(".heat")) return "map " + maps.indexOf(a.closest(".heat"));
+        if (a.closest(".legend")) return "legend " + legends.indexOf(a.closest(".legend"));
+        return charts.includes(a) ? "chart " + charts.indexOf(a) : a.tagName;"""
+    stops = []
+    for _ in range(400):
+        ActionChains(browser).send_keys(Keys.TAB).perform()
+        stop = browser.execute_script(name)
+        if stop is None and stops:
+            break  # past the end of the page
+        stops.append(stop)
+    counts = browser.execute_script("""
+        return {map: document.querySelectorAll(".heat").length, legend: document.querySelectorAll(".legend[role=group]").length,
+                chart: document.querySelectorAll(".chart canvas").length};""")
+    for kind, count in counts.items():
+        found = [stop for stop in stops if stop and stop.startswith(kind)]
+        failures.expect(count > 0 and sorted(found) == sorted(f"{kind} {i}" for i in range(count)),
+                        f"the Tab key stops at {found} for {count} of kind {kind}")
+    words = "return document.querySelector('#summary .remark').textContent"
+    browser.execute_script("document.querySelector('#summary .heat td[tabindex=\"0\"]').focus()")
+    first = browser.execute_script(words)
+    ActionChains(browser).send_keys(Keys.ARROW_RIGHT).perform()
+    failures.expect(first and browser.execute_script(words) != first, f"arrows do not move in the map: {first!r}")
+
+
+def check_numbers(browser, results, raygauge, failures):
+    """The page's own texts of numbers; and what keys say of a chart's point, against the file."""
+    texts = browser.execute_script(
+        "return [12200, 1e-10, 1e-300, 0, Infinity, 1.2041e-10, null].map((x) => raygauge.short(x))")
+    wanted = ["12200", "10⁻¹⁰", "10⁻³⁰⁰", "0", "∞", "1.2·10⁻¹⁰", "–"]
+    failures.expect(texts == wanted, f"numbers are told as {texts}, not {wanted}")
+    block, series, point = browser.execute_script("""
+        const canvas = document.querySelector("#scaling .chart canvas"), chart = raygauge.charts.find((c) => c.canvas === canvas);
+        canvas.focus();
+        const problem = document.querySelector("[data-shared=problem]");
+        const menus = [...canvas.closest(".block").querySelectorAll("select")].map((m) => [m.dataset.facet, m.value]);
+        return [menus, chart.data.datasets[0].method, chart.data.datasets[0].data[0].x];""")
+    ActionChains(browser).send_keys(Keys.HOME).perform()
+    said = browser.execute_script("return document.querySelector('#scaling .remark').textContent")
+    facets = dict(block)
+    where = f"method=={series} && N=={point:.0f} && n=={facets['n']} && tolerance=={facets['tolerance']}"
+    rows = csv.DictReader(io.StringIO(subprocess.check_output([raygauge, "export", results, "--csv", "-", "--where", where], text=True)))
+    seconds = statistics.median(float(row["seconds"]) for row in rows if row["status"] == "optimal")
+    value, unit = re.search(r": ([0-9.]+) \[.*\] (µs|ms|s)", said).groups()
+    shown = float(value) * {"µs": 1e-6, "ms": 1e-3, "s": 1}[unit]
+    failures.expect(abs(shown - seconds) < 0.006 * seconds, f"the file's median is {seconds} s, the page says {said!r}")
+
+
 def check_phone(browser, failures):
     browser.set_window_size(500, 844)  # the narrowest window that Chromium grants
     phone = {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True}
@@ -197,13 +255,31 @@ def check_words(browser, failures, where):
     failures.expect(not broken, f"words of tables broken on the {where}: {broken[:8]}")
 
 
-def check_download(browser, failures, records):
-    lines = browser.execute_async_script("""
+def check_download(browser, failures, exported):
+    """The records inside the page are those of the file; times have fewer digits."""
+    text = browser.execute_async_script("""
         const done = arguments[arguments.length - 1];
         const block = raygauge.data.sections.flatMap((s) => s.blocks).find((b) => b.type === "records");
-        const count = (text) => text.trimEnd().split("\\n").length;
-        raygauge.unpack(block.gzip).then((text) => done(count(text)), (error) => done(String(error)));""")
-    failures.expect(lines == records + 1, f"the download has {lines} lines for {records} records")
+        raygauge.unpack(block.gzip).then((text) => done(raygauge.csvOfColumns(text, block.count)), (error) => done(String(error)));""")
+    inside, outside = list(csv.DictReader(io.StringIO(text))), list(csv.DictReader(io.StringIO(exported)))
+    failures.expect(len(inside) == len(outside), f"the download has {len(inside)} records of {len(outside)}")
+    for ours, theirs in zip(inside, outside):
+        different = [name for name in theirs if ours.get(name) != theirs[name]]
+        close = all(abs(float(ours[name]) - float(theirs[name])) <= 1e-6 * abs(float(theirs[name])) for name in different)
+        if not close:
+            failures.append(f"the download differs in {different}")
+            return
+
+
+def check_small_page(browser, arguments, folder, failures):
+    """A part of the records, few enough to be inside the page."""
+    page, few = pathlib.Path(folder) / "small.html", "n==3 && N<=400 && tolerance<1e-5"
+    subprocess.run([arguments.raygauge, "report", arguments.results, "-o", str(page), "--where", few], check=True,
+                   stdout=subprocess.DEVNULL)
+    exported = subprocess.check_output([arguments.raygauge, "export", arguments.results, "--csv", "-", "--where", few], text=True)
+    open_page(browser, page)
+    check_download(browser, failures, exported)
+    check_silence(browser, page, failures)
 
 
 def main():
@@ -231,6 +307,8 @@ def main():
             browser.set_window_size(1184, 900)
             check_tables(browser, failures, "1184 pixels")
             check_legend(browser, failures)
+            check_keyboard(browser, failures)
+            check_numbers(browser, arguments.results, arguments.raygauge, failures)
             check_controls(browser, failures)
             check_curves(browser, failures, "dark")
             shoot(browser, arguments.screenshots, "dark")
@@ -239,8 +317,8 @@ def main():
             check_tables(browser, failures, "phone")
             check_words(browser, failures, "phone")
             shoot(browser, arguments.screenshots, "phone")
-            check_download(browser, failures, information["records"])
             check_silence(browser, page, failures)
+            check_small_page(browser, arguments, folder, failures)
         finally:
             browser.quit()
         size = page.stat().st_size

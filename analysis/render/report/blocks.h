@@ -37,7 +37,8 @@ struct ChartPoint {
   double y = 0;
   double low = 0;
   double high = 0;
-  std::string remark;  ///< shown beside the value
+  std::string remark;   ///< shown beside the value
+  bool flawed = false;  ///< crossed: answers behind it are wrong or missing
 };
 
 struct Series {
@@ -50,6 +51,7 @@ struct Series {
 struct Axis {
   std::string label;
   bool logarithmic = true;
+  std::string unit;  ///< of the values, shown with them; "" for none
 };
 
 struct Chart {
@@ -62,9 +64,9 @@ struct Chart {
 
 struct HeatCell {
   Facets facets;
-  double row = 0;
-  double column = 0;
-  double value = 0;    ///< its logarithm gives the colour
+  double row = 0;      ///< a value, or the number of a name in HeatMap::rows
+  double column = 0;   ///< alike
+  double value = 0;    ///< gives the colour
   std::string group;   ///< where not empty, the method whose colour the cell has
   std::string text;    ///< in the cell
   std::string remark;  ///< beside it, when it is pointed at
@@ -74,15 +76,20 @@ struct HeatMap {
   std::string caption;
   std::string row_label;
   std::string column_label;
+  std::string value_label;        ///< beside the scale of colours
+  std::vector<std::string> rows;  ///< names of the rows; empty where they are numbers
+  std::vector<std::string> columns;
+  bool logarithmic = true;  ///< the colours; otherwise from 0 to 1
   std::vector<HeatCell> cells;
 };
 
-/// The records themselves, as a CSV file that the page offers for download.
+/// The records themselves, which the page offers for download as a CSV file; or, where they are too many for
+/// a page, their number.
 struct RecordsDownload {
   std::size_t count = 0;
   std::string name;
   int time_digits = 0;  ///< significant digits of its times
-  std::string gzip;     ///< the file, compressed, in base64
+  std::string gzip;     ///< its columns, one below the other, compressed, in base64; "" for too many
 };
 
 using Block = std::variant<Text, Verbatim, Table, Chart, HeatMap, RecordsDownload>;

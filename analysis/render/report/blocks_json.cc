@@ -40,10 +40,11 @@ Json facets_json(const Facets& facets) {
 Json point_json(const ChartPoint& point) {
   Json list = {short_number(point.x), short_number(point.y)};
   const bool interval = std::isfinite(point.low) && std::isfinite(point.high);
-  if (!interval && point.remark.empty()) return list;
+  if (!interval && point.remark.empty() && !point.flawed) return list;
   list.push_back(interval ? short_number(point.low) : Json(nullptr));
   list.push_back(interval ? short_number(point.high) : Json(nullptr));
-  if (!point.remark.empty()) list.push_back(point.remark);
+  if (!point.remark.empty() || point.flawed) list.push_back(point.remark);
+  if (point.flawed) list.push_back(1);
   return list;
 }
 
@@ -82,7 +83,9 @@ Json block_json(const Chart& chart) {
                       {"facets", facets_json(each.facets)},
                       {"points", points}});
   }
-  const auto axis = [](const Axis& a) { return Json{{"label", a.label}, {"log", a.logarithmic}}; };
+  const auto axis = [](const Axis& a) {
+    return Json{{"label", a.label}, {"log", a.logarithmic}, {"unit", a.unit}};
+  };
   return {{"type", "chart"},    {"caption", chart.caption}, {"x", axis(chart.x)},
           {"y", axis(chart.y)}, {"stepped", chart.stepped}, {"series", series}};
 }
@@ -98,11 +101,9 @@ Json block_json(const HeatMap& map) {
                      {"text", cell.text},
                      {"remark", cell.remark}});
   }
-  return {{"type", "heatmap"},
-          {"caption", map.caption},
-          {"row", map.row_label},
-          {"column", map.column_label},
-          {"cells", cells}};
+  return {{"type", "heatmap"},          {"caption", map.caption},   {"row", map.row_label},
+          {"column", map.column_label}, {"value", map.value_label}, {"rows", map.rows},
+          {"columns", map.columns},     {"log", map.logarithmic},   {"cells", cells}};
 }
 
 Json block_json(const RecordsDownload& records) {

@@ -3,11 +3,14 @@
 #include "analysis/render/report/report.h"
 
 #include <array>
+#include <future>
 #include <set>
+#include <utility>
 
 #include "analysis/render/method_look.h"
 #include "analysis/render/page_template.h"
 #include "analysis/render/report/blocks_json.h"
+#include "analysis/render/report/deflate.h"
 #include "analysis/render/report/page_assets.h"
 #include "analysis/render/words.h"
 #include "analysis/studies/table3/cell_ratio.h"
@@ -73,42 +76,68 @@ std::string page_title(const std::vector<MergedFile>& files) {
   return title;
 }
 
-Input input_of(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines) {
-  std::vector<Record> records = filtered(merged.records, filter);
-  if (records.empty()) {
-    throw EmptySetError(merged.records.empty() ? "the files hold no record yet"
-                                               : "no record passes the filter '" + filter.expression() + "'");
+/// A section as JSON; null where there is none.
+Json section_json(const SectionMaker& make, const Input& input) {
+  const std::optional<Section> section = make(input);
+  if (!section) return nullptr;
+  Json blocks = Json::array();
+  for (const Block& block : section->blocks) blocks.push_back(to_json(block));
+  return {{"id", section->id}, {"title", section->title}, {"blocks", blocks}};
+}
+
+/// All sections in their order. They are made at the same time: of many records each takes a while.
+Json sections_json(const Input& input) {
+  std::vector<std::future<Json>> made;
+  for (const SectionMaker& make : section_makers())
+    made.push_back(std::async(std::launch::async, [&make, &input] { return section_json(make, input); }));
+  Json sections = Json::array();
+  for (std::future<Json>& each : made) {
+    Json section = each.get();
+    if (!section.is_null()) sections.push_back(std::move(section));
   }
-  Input input{merged, filter, std::move(records), {}, Truth(merged.records), baselines, {}};
-  input.methods = methods_of(input.records);
-  if (input.baselines.empty()) input.baselines = default_baselines(merged.records);
-  if (!input.baselines.empty()) {
-    input.ratios = cell_ratios(input.records, baseline_records(merged.records, filter, input.baselines),
-                               input.baselines);
-  }
-  return input;
+  return sections;
+}
+
+/// The data of the page; where they are large, packed in base64.
+std::string data_script(const Json& data) {
+  constexpr std::size_t kMostPlain = 300'000;
+  const std::string plain = script_json(data);
+  if (plain.size() <= kMostPlain)
+    return R"(<script type="application/json" id="data">)" + plain + "</script>";
+  return R"(<script type="application/gzip" id="data">)" + base64(gzip(plain)) + "</script>";
 }
 
 }  // namespace
 
+Input::Input(const MergedResults& all, const Filter& which, const std::vector<std::string>& named)
+    : merged(all),
+      filter(which),
+      kept(which.expression().empty() ? std::vector<Record>() : filtered(all.records, which)),
+      records(which.expression().empty() ? all.records : kept),
+      truth(all.records),
+      baselines(named) {
+  if (records.empty()) {
+    throw EmptySetError(all.records.empty() ? "the files hold no record yet"
+                                            : "no record passes the filter '" + filter.expression() + "'");
+  }
+  methods = methods_of(records);
+  cells = cell_times(records);
+  if (baselines.empty()) baselines = default_baselines(all.records);
+  if (!baselines.empty())
+    ratios = cell_ratios(records, baseline_records(all.records, filter, baselines), baselines);
+}
+
 std::string make_page(const MergedResults& merged, const Filter& filter,
                       const std::vector<std::string>& baselines) {
-  const Input input = input_of(merged, filter, baselines);
-  Json data = {{"title", page_title(merged.files)},
-               {"subtitle", subtitle(merged.files)},
-               {"version", build_info().raygauge_version},
-               {"methods", methods_json(input.methods)},
-               {"sections", Json::array()}};
-  for (const SectionMaker& make : section_makers()) {
-    const std::optional<Section> section = make(input);
-    if (!section) continue;
-    Json blocks = Json::array();
-    for (const Block& block : section->blocks) blocks.push_back(to_json(block));
-    data["sections"].push_back({{"id", section->id}, {"title", section->title}, {"blocks", blocks}});
-  }
+  const Input input(merged, filter, baselines);
+  const Json data = {{"title", page_title(merged.files)},
+                     {"subtitle", subtitle(merged.files)},
+                     {"version", build_info().raygauge_version},
+                     {"methods", methods_json(input.methods)},
+                     {"sections", sections_json(input)}};
   return filled(page_template(), {{"<!--TITLE-->", language::markup(page_title(merged.files))},
                                   {"/*STYLE*/", page_style()},
-                                  {"/*DATA*/", script_json(data)},
+                                  {"<!--DATA-->", data_script(data)},
                                   {"/*CHARTJS*/", chart_library()},
                                   {"/*SCRIPT*/", page_script()}});
 }

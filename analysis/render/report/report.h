@@ -20,11 +20,18 @@ namespace raygauge::report {
 struct Input {
   const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
   Filter filter;
-  std::vector<Record> records;         ///< those that pass the filter
+  std::vector<Record> kept;            ///< those that pass the filter, where it leaves some out
+  const std::vector<Record>& records;  ///< those that pass the filter
   MethodList methods;                  ///< methods_of() them
   Truth truth;                         ///< of all records
   std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
   std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines
+  std::vector<CellTimes> cells;        ///< cell_times() of the records that pass
+
+  /// Throws EmptySetError where no record passes, and as baseline_records().
+  Input(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines);
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
 };
 
 /// A part of the page: blocks under a title.

@@ -25,8 +25,12 @@ ChartPoint work_point(const std::vector<const Record*>& records, const Truth& tr
   std::vector<double> seconds;
   for (const Record* record : records) seconds.push_back(record->seconds);
   const Interval interval = median_interval(seconds);
-  return {std::max(error, kExact), kInMilliseconds * point.median_seconds, kInMilliseconds * interval.lower,
-          kInMilliseconds * interval.upper, "ε = " + rounded_text(point.tolerance, 3)};
+  std::string remark = "ε = " + rounded_text(point.tolerance, 3) + ", times [" + time_words(interval.lower) +
+                       ", " + time_words(interval.upper) + "]";
+  if (point.failures > 0) remark += ", " + std::to_string(point.failures) + " failed";
+  if (point.wrong > 0) remark += ", " + std::to_string(point.wrong) + " wrong";
+  return {kInMilliseconds * point.median_seconds, std::max(error, kExact), kNaN, kNaN, remark,
+          point.failures + point.wrong > 0};
 }
 
 }  // namespace
@@ -34,12 +38,11 @@ ChartPoint work_point(const std::vector<const Record*>& records, const Truth& tr
 std::optional<Section> work_precision_section(const Input& input) {
   Chart chart;
   chart.caption =
-      "Work–precision: median time against the mean error, over all solves, one point for each tolerance. "
-      "The "
+      "Work–precision: mean error of the answers against the median time, one point for each tolerance. The "
       "error is |d - true d| / true d where the truth is known, else the certified (upper - lower) / upper; "
-      "0 is drawn at 1e-17. Bars: 95 % order-statistic intervals of the medians.";
-  chart.x.label = "mean relative error";
-  chart.y.label = "median time (ms)";
+      "0 is drawn at 1e-17. A crossed point: some solves failed or were wrong.";
+  chart.x = {"median time of a solve (ms)", true, "ms"};
+  chart.y.label = "mean relative error";
   for (const ToleranceCurve& curve : tolerance_curves(input.records)) {
     Series series{curve.method, "", curve.facets, {}};
     for (const auto& [tolerance, records] : curve.records) {

@@ -82,8 +82,11 @@ Table ratio_table(const Input& input, const RecordsByHost& groups) {
 }  // namespace
 
 std::optional<Section> machines_section(const Input& input) {
+  std::set<std::string> hosts;
+  for (const Record& record : input.records)
+    if (hosts.empty() || *hosts.rbegin() != record.host) hosts.insert(record.host);
+  if (hosts.size() < 2) return std::nullopt;
   const RecordsByHost groups = by_host(input.records);
-  if (groups.size() < 2) return std::nullopt;
   Section section{"machines", "Machines", {}};
   section.blocks.push_back(
       Text{{"The times come from " + std::to_string(groups.size()) +

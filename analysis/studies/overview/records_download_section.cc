@@ -5,12 +5,14 @@
 #include "results/journal/csv.h"
 
 namespace raygauge::report {
-
 std::optional<Section> records_section(const Input& input) {
-  constexpr int kTimeDigits = 7;  // more than any clock has, and half the size of all 17
+  constexpr int kTimeDigits = 7;               // more than any clock has, and half the size of all 17
+  constexpr std::size_t kMostRecords = 20000;  // about 2 MB
+  RecordsDownload download{input.records.size(), "records.csv", kTimeDigits, ""};
+  if (input.records.size() <= kMostRecords)
+    download.gzip = base64(gzip(csv_columns(input.records, kTimeDigits)));
   Section section{"records", "Records", {}};
-  section.blocks.push_back(RecordsDownload{input.records.size(), "records.csv", kTimeDigits,
-                                           base64(gzip(csv_text(input.records, kTimeDigits)))});
+  section.blocks.emplace_back(std::move(download));
   return section;
 }
 

@@ -11,6 +11,7 @@
 #include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/render/words.h"
+#include "analysis/studies/overview/fastest_picture.h"
 #include "analysis/studies/sections.h"
 #include "analysis/studies/stability/stability.h"
 #include "engine/numerics/number_text.h"
@@ -61,33 +62,49 @@ std::string machine_line(const Input& input) {
   return text.empty() ? "Nothing is known of machine and build." : text + ".";
 }
 
+/// "640 of nlopt_slsqp, 13 of nlopt_mma": whose they are.
+std::string by_method(const Input& input, const std::map<std::string, std::size_t>& counts) {
+  std::vector<std::string> words;
+  for (const std::string& method : input.methods) {
+    const auto found = counts.find(method);
+    if (found != counts.end()) words.push_back(std::to_string(found->second) + " of " + method);
+  }
+  return joined(words, ", ");
+}
+
 /// Second line of the verdict: are the answers to be believed?
 std::string answers_line(const Input& input) {
-  std::size_t unsolved = 0;
-  std::size_t disagreeing = 0;
+  std::map<std::string, std::size_t> unsolved;
+  std::map<std::string, std::size_t> disagreeing;
   for (const Record& record : input.records) {
-    unsolved += is_solved(record) ? 0 : 1;
-    disagreeing += record.agrees ? 0 : 1;
+    if (!is_solved(record)) ++unsolved[record.method];
+    if (!record.agrees) ++disagreeing[record.method];
   }
   std::string agreement;
-  if (disagreeing > 0) {
-    agreement = counted(disagreeing, "record") + (disagreeing == 1 ? " disagrees" : " disagree") +
-                " with other methods or the known distance; ";
+  if (!disagreeing.empty()) {
+    agreement =
+        "disagree with other methods\' proofs or the known distance: " + by_method(input, disagreeing) + "; ";
   } else if (input.methods.size() > 1) {
     agreement = "all methods agree on every instance; ";
   }
   return "Answers: " + agreement +
-         (unsolved == 0 ? std::string("everything was solved")
-                        : counted(unsolved, "solve") + " stopped at a limit") +
+         (unsolved.empty() ? std::string("everything was solved")
+                           : "stopped at a limit: " + by_method(input, unsolved)) +
          ".";
 }
 
-/// "160 times faster", "1.4 times slower": a ratio of times as one says it.
+/// "160 times faster", "1.4 times slower", "as fast": a ratio of times as one says it.
 std::string times_words(double ratio) {
-  const double times = ratio < 1 ? 1 / ratio : ratio;
+  const double times = std::stod(rounded_text(ratio < 1 ? 1 / ratio : ratio, 2));
+  if (times == 1) return "as fast";
   constexpr int kNoExponent = 12;
-  return rounded_text(std::stod(rounded_text(times, 2)), kNoExponent) +
-         (ratio < 1 ? " times faster" : " times slower");
+  return rounded_text(times, kNoExponent) + (ratio < 1 ? " times faster" : " times slower");
+}
+
+/// The same with what it is compared to: "as fast as the best baseline".
+std::string compared_words(double ratio, const std::string& other) {
+  const std::string words = times_words(ratio);
+  return words + (words == "as fast" ? " as " : " than ") + other;
 }
 
 /// How fast one method is against the baselines; "" where no cell tells.
@@ -106,8 +123,8 @@ std::string speed_words(const Input& input, const std::string& method) {
   }
   const std::string never = unsolved == 0 ? "" : ", unsolved in " + counted(unsolved, "cell");
   if (finite.empty()) return unsolved == 0 ? "" : method + " is" + never.substr(1);
-  return method + " is " + times_words(geometric_mean(finite)) +
-         " than the best baseline (geometric mean of " + counted(finite.size(), "cell") + "; at worst " +
+  return method + " is " + compared_words(geometric_mean(finite), "the best baseline") +
+         " (geometric mean of " + counted(finite.size(), "cell") + "; at worst " +
          times_words(quantile(finite, 1)) + "), significantly faster in " + std::to_string(faster) + never;
 }
 
@@ -152,13 +169,12 @@ Table methods_table(const Input& input) {
   Table table;
   table.title = "methods";
   table.header = {{"method", "what it is", "records", "unsolved", "disagreeing", "outlying times"}};
-  const std::vector<CellTimes> all = cell_times(input.records);
   for (const std::string& method : input.methods) {
     std::size_t records = 0;
     std::size_t unsolved = 0;
     std::size_t disagreeing = 0;
     std::size_t outliers = 0;
-    for (const CellTimes& times : all) {
+    for (const CellTimes& times : input.cells) {
       if (times.method != method) continue;
       records += times.seconds.size() + times.disagreeing;
       unsolved += times.unsolved;
@@ -185,6 +201,7 @@ Table methods_table(const Input& input) {
 
 std::optional<Section> summary_section(const Input& input) {
   Section section{"summary", "Summary", {}};
+  if (const std::optional<HeatMap> picture = fastest_picture(input)) section.blocks.push_back(*picture);
   section.blocks.push_back(Text{{speed_line(input), answers_line(input), precision_line(input)}, true});
   section.blocks.push_back(Text{{run_line(input), machine_line(input)}});
   if (!input.filter.expression().empty())

@@ -38,28 +38,39 @@ double profile_end(const std::vector<ProfileCurve>& curves) {
 
 std::vector<ProfileCurve> performance_profiles(const std::vector<Record>& records) {
   if (records.empty()) throw EmptySetError("performance profiles of no records");
+  const auto by_cell = instances_by_cell(records);
+  std::vector<const std::vector<MethodInstances>*> cells;
+  for (const auto& [cell, instances] : by_cell) cells.push_back(&instances);
+  return performance_profiles(cells, methods_of(records));
+}
+
+std::vector<ProfileCurve> performance_profiles(const std::vector<const std::vector<MethodInstances>*>& cells,
+                                               const std::vector<std::string>& methods) {
   std::map<std::string, std::vector<double>> ratios;
   std::size_t count = 0;
-  for (const auto& [cell, methods] : instances_by_cell(records)) {
+  for (const std::vector<MethodInstances>* cell : cells) {
     std::map<std::pair<std::uint64_t, int>, double> fastest;
-    for (const MethodInstances& method : methods) {
+    for (const MethodInstances& method : *cell) {
       for (const auto& [instance, record] : method.records) {
         double& least = fastest.try_emplace(instance, kInfinity).first->second;
         least = std::min(least, answer_seconds(*record));
       }
     }
     count += fastest.size();
-    for (const MethodInstances& method : methods) {
+    for (const MethodInstances& method : *cell) {
+      std::vector<double>& own = ratios[method.method];
       for (const auto& [instance, record] : method.records) {
         const double least = fastest.at(instance);
-        if (has_answer(*record)) ratios[method.method].push_back(least > 0 ? record->seconds / least : 1);
+        if (has_answer(*record)) own.push_back(least > 0 ? record->seconds / least : 1);
       }
     }
   }
   std::vector<ProfileCurve> curves;
-  for (const std::string& method : methods_of(records)) {
-    std::sort(ratios[method].begin(), ratios[method].end());
-    curves.push_back({method, std::move(ratios[method]), count});
+  for (const std::string& method : methods) {
+    const auto found = ratios.find(method);
+    if (found == ratios.end()) continue;
+    std::sort(found->second.begin(), found->second.end());
+    curves.push_back({method, std::move(found->second), count});
   }
   return curves;
 }

@@ -8,6 +8,8 @@
 
 #include "raygauge/sweep/record.h"
 
+#include "analysis/data/instances.h"
+
 namespace raygauge {
 
 struct ProfileStep {
@@ -35,5 +37,9 @@ double profile_end(const std::vector<ProfileCurve>& curves);
 /// disagrees with the others or that is missing counts as unsolved: its ratio is infinite. One curve a
 /// method, in order of first appearance. Throws EmptySetError without records.
 std::vector<ProfileCurve> performance_profiles(const std::vector<Record>& records);
+
+/// The same over cells of instances_by_cell(), methods in the order of `methods`.
+std::vector<ProfileCurve> performance_profiles(const std::vector<const std::vector<MethodInstances>*>& cells,
+                                               const std::vector<std::string>& methods);
 
 }  // namespace raygauge

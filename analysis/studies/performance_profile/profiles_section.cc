@@ -25,8 +25,9 @@ Series profile_series(const ProfileCurve& curve, double last, const Facets& face
 
 std::optional<Section> profiles_section(const Input& input) {
   if (input.methods.size() < 2) return std::nullopt;
-  std::map<Facets, std::vector<Record>> problems;
-  for (const Record& record : input.records) problems[problem_facets(cell_key(record))].push_back(record);
+  const auto by_cell = instances_by_cell(input.records);
+  std::map<Facets, std::vector<const std::vector<MethodInstances>*>> problems;
+  for (const auto& [cell, instances] : by_cell) problems[problem_facets(cell)].push_back(&instances);
   Chart chart;
   chart.caption =
       "Performance profiles of Dolan and Moré: the share of all instances that a method solves within τ "
@@ -34,10 +35,10 @@ std::optional<Section> profiles_section(const Input& input) {
       "the time of the fastest method on that instance. Limits, failures and disagreements count as "
       "unsolved.";
   chart.x.label = "τ, time over the fastest method's";
-  chart.y = {"share of instances", false};
+  chart.y = {"share of instances", false, ""};
   chart.stepped = true;
-  for (const auto& [facets, records] : problems) {
-    const std::vector<ProfileCurve> curves = performance_profiles(records);
+  for (const auto& [facets, cells] : problems) {
+    const std::vector<ProfileCurve> curves = performance_profiles(cells, input.methods);
     const double last = profile_end(curves);
     for (const ProfileCurve& curve : curves) chart.series.push_back(profile_series(curve, last, facets));
   }

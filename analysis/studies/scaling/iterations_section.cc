@@ -31,7 +31,7 @@ std::optional<Section> iterations_section(const Input& input) {
     Chart chart;
     chart.caption = std::string("Mean ") + name + " (" + column.description + ") against the tolerance ε.";
     chart.x.label = "ε";
-    chart.y = {std::string("mean ") + name, false};
+    chart.y = {std::string("mean ") + name, false, ""};
     for (const ToleranceCurve& curve : tolerance_curves(input.records)) {
       Series series = mean_series(curve, column);
       if (series.points.size() > 1) chart.series.push_back(std::move(series));

@@ -15,9 +15,14 @@ namespace raygauge {
 
 std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
                                          std::size_t fewest) {
-  const std::vector<std::string> methods = methods_of(records);
+  return scaling_curves(cell_times(records), methods_of(records), axis, fewest);
+}
+
+std::vector<ScalingCurve> scaling_curves(const std::vector<CellTimes>& cells,
+                                         const std::vector<std::string>& methods, SizeAxis axis,
+                                         std::size_t fewest) {
   std::map<std::tuple<CellKey, std::size_t, std::string>, ScalingCurve> curves;
-  for (const CellTimes& times : cell_times(records)) {
+  for (const CellTimes& times : cells) {
     if (times.seconds.empty()) continue;
     const double seconds = median(times.seconds);
     if (!std::isfinite(seconds) || seconds <= 0) continue;
@@ -35,6 +40,8 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, Siz
     curve.intervals.push_back(median_interval(times.seconds));
     curve.outliers.push_back(outlier_count(times.seconds));
     curve.counts.push_back(times.seconds.size());
+    curve.unsolved.push_back(times.unsolved);
+    curve.disagreeing.push_back(times.disagreeing);
   }
   std::vector<ScalingCurve> result;
   for (auto& [key, curve] : curves) {

@@ -19,15 +19,20 @@ struct ScalingCurve {
   CellKey cell;  ///< of the curve's first point: all but the size on the axis is common
   std::string method;
   std::string method_parameters;
-  std::vector<double> sizes;          ///< sorted
-  std::vector<double> medians;        ///< seconds
-  std::vector<Interval> intervals;    ///< median_interval() of each, seconds
-  std::vector<std::size_t> outliers;  ///< outlier_count() of each
-  std::vector<std::size_t> counts;    ///< times of each
+  std::vector<double> sizes;             ///< sorted
+  std::vector<double> medians;           ///< seconds
+  std::vector<Interval> intervals;       ///< median_interval() of each, seconds
+  std::vector<std::size_t> outliers;     ///< outlier_count() of each
+  std::vector<std::size_t> counts;       ///< times of each
+  std::vector<std::size_t> unsolved;     ///< of them, infinite
+  std::vector<std::size_t> disagreeing;  ///< records left out, since their answers are refuted
 };
 
 /// The curves of every method and problem with at least `fewest` sizes; cells whose median is infinite are
 /// left out.
+std::vector<ScalingCurve> scaling_curves(const std::vector<CellTimes>& cells,
+                                         const std::vector<std::string>& methods, SizeAxis axis,
+                                         std::size_t fewest = 2);
 std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, SizeAxis axis,
                                          std::size_t fewest = 2);
 

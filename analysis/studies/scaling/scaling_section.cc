@@ -33,9 +33,12 @@ Series series_of(const ScalingCurve& curve, SizeAxis axis, double per_second) {
   for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
     std::string remark = std::to_string(curve.counts[i]) + " times";
     if (curve.outliers[i] > 0) remark += ", " + std::to_string(curve.outliers[i]) + " outliers";
+    if (curve.unsolved[i] > 0) remark += ", " + std::to_string(curve.unsolved[i]) + " unsolved";
+    if (curve.disagreeing[i] > 0)
+      remark += ", " + std::to_string(curve.disagreeing[i]) + " more left out: wrong answers";
     series.points.push_back({curve.sizes[i], per_second * curve.medians[i],
                              per_second * curve.intervals[i].lower, per_second * curve.intervals[i].upper,
-                             remark});
+                             remark, curve.unsolved[i] + curve.disagreeing[i] > 0});
   }
   return series;
 }
@@ -66,14 +69,17 @@ Table exponents_table(const std::vector<ScalingCurve>& curves, SizeAxis axis) {
 }
 
 void add_axis(const Input& input, SizeAxis axis, Section& section) {
-  const std::vector<ScalingCurve> curves = scaling_curves(input.records, axis);
+  const std::vector<ScalingCurve> curves = scaling_curves(input.cells, input.methods, axis);
   if (curves.empty()) return;
   Chart chart;
-  chart.caption = std::string("Median time of a solve against ") + size_name(axis) +
-                  "; bars: 95 % order-statistic intervals of the medians.";
+  chart.caption =
+      std::string("Median time of a solve against ") + size_name(axis) +
+      "; bars: 95 % order-statistic intervals of the medians. A crossed point: some answers are wrong "
+      "or missing.";
   chart.x.label = axis == SizeAxis::n ? "n, dimension" : "N, points in each set";
   const TimeUnit unit = unit_of(curves);
   chart.y.label = std::string("median time of a solve (") + unit.name + ")";
+  chart.y.unit = unit.name;
   for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis, unit.per_second));
   section.blocks.push_back(chart);
   const Table exponents = exponents_table(curves, axis);

@@ -56,6 +56,7 @@ std::optional<Section> ratios_section(const Input& input) {
                 "cells with unsolved or disagreeing records.";
   map.row_label = "n";
   map.column_label = "N";
+  map.value_label = "time / best baseline's time";
   for (const CellRatio& ratio : input.ratios) {
     if (!std::isnan(ratio.ratio.ratio)) map.cells.push_back(ratio_cell(ratio));
   }

@@ -1,6 +1,21 @@
 "use strict";
 // Blocks of type "chart": series of points [x, y, low, high, remark] in a Chart.js line chart.
 
+/** Crosses a point behind which answers are wrong or missing. */
+raygauge.cross = (ctx, x, y) => {
+  const size = 7;
+  ctx.save();
+  ctx.strokeStyle = raygauge.css("--alarm");
+  ctx.lineWidth = 2;
+  ctx.beginPath();
+  ctx.moveTo(x - size, y - size);
+  ctx.lineTo(x + size, y + size);
+  ctx.moveTo(x - size, y + size);
+  ctx.lineTo(x + size, y - size);
+  ctx.stroke();
+  ctx.restore();
+};
+
 /** Bars from low to high through every point that has an interval. */
 raygauge.intervalBars = {
   id: "intervalBars",
@@ -12,6 +27,7 @@ raygauge.intervalBars = {
       ctx.strokeStyle = dataset.borderColor;
       ctx.lineWidth = 1.2;
       for (const point of dataset.data) {
+        if (point.flawed) raygauge.cross(ctx, chart.scales.x.getPixelForValue(point.x), chart.scales.y.getPixelForValue(point.y));
         if (point.low === undefined) continue;
         const x = chart.scales.x.getPixelForValue(point.x);
         ctx.beginPath();
@@ -26,8 +42,8 @@ raygauge.intervalBars = {
 
 raygauge.dataset = (series, stepped) => {
   const look = raygauge.look(series.method);
-  const data = series.points.map(([x, y, low, high, remark]) => ({
-    x, y, low: low === null ? undefined : low, high: high === null ? undefined : high, remark,
+  const data = series.points.map(([x, y, low, high, remark, flawed]) => ({
+    x, y, low: low === null ? undefined : low, high: high === null ? undefined : high, remark, flawed,
   }));
   return {
     label: series.name, data, stepped: stepped ? "before" : false, tension: 0,
@@ -67,12 +83,17 @@ raygauge.axis = (axis, logarithmic, limits) => ({
   },
 });
 
-raygauge.tooltip = (context) => {
-  const point = context.raw;
+/** A value with the name of its axis, or its unit alone. */
+raygauge.withUnit = (value, axis) => raygauge.short(value) + (axis.unit ? " " + axis.unit : "");
+
+raygauge.pointWords = (block, label, point) => {
   const ends = [point.low, point.high].filter((end) => end !== undefined).map(raygauge.short);
   const bars = ends.length ? " [" + ends.join(", ") + "]" : "";
-  return context.dataset.label + ": " + raygauge.short(point.y) + bars + (point.remark ? "; " + point.remark : "");
+  const unit = block.y.unit ? " " + block.y.unit : "";
+  return label + ": " + raygauge.short(point.y) + bars + unit + (point.remark ? "; " + point.remark : "");
 };
+
+raygauge.placeWords = (block, x) => block.x.label.replace(/ \(.*\)$/, "").replace(/, .*/, "") + " = " + raygauge.withUnit(x, block.x);
 
 raygauge.options = (block, logarithmic, series) => ({
   animation: false, maintainAspectRatio: false, responsive: true, normalized: true,
@@ -82,11 +103,11 @@ raygauge.options = (block, logarithmic, series) => ({
     y: raygauge.axis(block.y, logarithmic.y, raygauge.limits(series, 1, logarithmic.y)),
   },
   plugins: {
-    legend: { labels: { color: raygauge.css("--ink"), usePointStyle: !block.stepped } },
+    legend: { display: false },
     tooltip: {
       callbacks: {
-        label: raygauge.tooltip,
-        title: (items) => items.length ? raygauge.short(items[0].parsed.x) : "",
+        label: (context) => raygauge.pointWords(block, context.dataset.label, context.raw),
+        title: (items) => items.length ? raygauge.placeWords(block, items[0].parsed.x) : "",
       },
     },
   },
@@ -124,15 +145,77 @@ raygauge.saveButton = (canvas, block) => {
   return button;
 };
 
+/** The marker of a method as a small picture. */
+raygauge.sample = (look, stepped) => {
+  const ratio = window.devicePixelRatio || 1;
+  const canvas = raygauge.element("canvas", { width: 34 * ratio, height: 14 * ratio, class: "sample" });
+  const ctx = canvas.getContext("2d");
+  ctx.scale(ratio, ratio);
+  ctx.strokeStyle = look.color;
+  ctx.fillStyle = look.filled ? look.color : raygauge.css("--paper");
+  ctx.lineWidth = 1.8;
+  ctx.setLineDash(look.dash);
+  ctx.beginPath();
+  ctx.moveTo(1, 7);
+  ctx.lineTo(33, 7);
+  ctx.stroke();
+  ctx.setLineDash([]);
+  if (!stepped) Chart.helpers.drawPoint(ctx, { pointStyle: look.marker, rotation: look.rotation, radius: 4, borderWidth: 1.8 }, 17, 7);
+  return canvas;
+};
+
+/** A button for each curve, which hides and shows it. */
+raygauge.chartLegend = (chart, block, hidden) => {
+  const buttons = chart.data.datasets.map((set, i) => {
+    const button = raygauge.element("button", { type: "button", class: "entry", "aria-pressed": String(chart.isDatasetVisible(i)) },
+      raygauge.sample(raygauge.look(set.method), block.stepped), set.label);
+    button.addEventListener("click", () => {
+      const visible = !chart.isDatasetVisible(i);
+      chart.setDatasetVisibility(i, visible);
+      button.setAttribute("aria-pressed", String(visible));
+      if (visible) hidden.delete(set.method); else hidden.add(set.method);
+      chart.update();
+    });
+    return button;
+  });
+  raygauge.oneStop(buttons, buttons.length || 1);
+  return buttons;
+};
+
+/** Lets arrow keys go along a curve (left, right) and from one to the next (up, down); the words stand below. */
+raygauge.walkChart = (canvas, chartNow, block, remark) => {
+  let at = null;
+  canvas.tabIndex = 0;
+  const show = (chart) => {
+    const set = chart.data.datasets[at.set];
+    at.point = Math.max(0, Math.min(set.data.length - 1, at.point));
+    const element = chart.getDatasetMeta(at.set).data[at.point], active = [{ datasetIndex: at.set, index: at.point }];
+    chart.setActiveElements(active);
+    chart.tooltip.setActiveElements(active, { x: element.x, y: element.y });
+    chart.update();
+    remark.textContent = raygauge.placeWords(block, set.data[at.point].x) + ": " + raygauge.pointWords(block, set.label, set.data[at.point]);
+  };
+  canvas.addEventListener("keydown", (event) => {
+    const step = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowDown: [1, 0], ArrowUp: [-1, 0], Home: [0, -1e9], End: [0, 1e9] }[event.key];
+    const chart = chartNow(), count = chart.data.datasets.length;
+    if (!step || count === 0) return;
+    event.preventDefault();
+    if (at === null || at.set >= count) at = { set: 0, point: 0 };
+    else at = { set: (at.set + step[0] + count) % count, point: at.point + step[1] };
+    show(chart);
+  });
+};
+
 raygauge.blocks.chart = (block) => {
   const canvas = raygauge.element("canvas", { role: "img", "aria-label": block.caption });
+  const legend = raygauge.element("div", { class: "legend", role: "group", "aria-label": "curves" });
+  const remark = raygauge.element("div", { class: "remark", "aria-live": "polite" });
+  const hidden = new Set();
   const logarithmic = { x: block.x.log, y: block.y.log };
   let chosen = block.series;
   let chart = null;
   const draw = () => {
-    const hidden = new Set();
     if (chart) {
-      chart.data.datasets.forEach((set, i) => { if (!chart.isDatasetVisible(i)) hidden.add(set.method); });
       raygauge.charts.splice(raygauge.charts.indexOf(chart), 1);
       chart.destroy();
     }
@@ -141,12 +224,14 @@ raygauge.blocks.chart = (block) => {
     const options = raygauge.options(block, logarithmic, chosen);
     chart = new Chart(canvas, { type: "line", data: { datasets }, options, plugins: [raygauge.intervalBars] });
     raygauge.charts.push(chart);
+    legend.replaceChildren(...raygauge.chartLegend(chart, block, hidden));
   };
+  raygauge.walkChart(canvas, () => chart, block, remark);
   const menus = raygauge.facetMenus(block.series, (series) => { chosen = series; draw(); });
   menus.controls.append(raygauge.logSwitch("x", logarithmic, draw), raygauge.logSwitch("y", logarithmic, draw),
     raygauge.saveButton(canvas, block));
   const node = raygauge.element("div", { class: "block" }, raygauge.element("p", { class: "caption" }, block.caption),
-    menus.controls, raygauge.element("div", { class: "chart" }, canvas));
+    menus.controls, legend, raygauge.element("div", { class: "chart" }, canvas), remark);
   raygauge.redraw.push(draw);
   return { node, start: menus.update };
 };

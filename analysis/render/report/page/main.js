@@ -17,8 +17,6 @@ raygauge.start = () => {
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
   const [nav, main] = [document.querySelector("nav"), document.querySelector("main")];
   nav.append(...raygauge.sharedMenus(data.sections));
-  const headline = data.sections.filter((section) => section.id === "scaling")
-    .flatMap((section) => section.blocks).find((block) => block.type === "chart");
   for (const section of data.sections) {
     nav.append(element("a", { href: "#" + section.id }, section.title));
     const place = element("section", { id: section.id }, element("h2", {}, section.title));
@@ -27,11 +25,6 @@ raygauge.start = () => {
       const { node, start } = raygauge.blocks[block.type](block);
       place.append(node);
       if (start) start();
-      if (block.lead && headline) {
-        const chart = raygauge.blocks.chart(headline);
-        place.append(chart.node);
-        chart.start();
-      }
     }
   }
   raygauge.fitTables();
@@ -51,4 +44,10 @@ raygauge.start = () => {
   document.documentElement.dataset.ready = "true";
 };
 
-raygauge.start();
+/** The data of the page stand in it as they are, or packed where they are many. */
+raygauge.load = async () => {
+  const script = document.getElementById("data");
+  raygauge.data = JSON.parse(script.type === "application/json" ? script.textContent : await raygauge.unpack(script.textContent));
+};
+
+raygauge.load().then(raygauge.start);

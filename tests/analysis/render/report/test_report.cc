@@ -58,7 +58,7 @@ std::vector<std::string> section_ids(const std::string& page) {
 
 TEST(Report, HasTheSectionsThatTheRecordsHaveTheDataOf) {
   EXPECT_EQ(section_ids(report::make_page(results_of(small_grid()), {}, {})),
-            (std::vector<std::string>{"summary", "ratios", "scaling", "profiles", "crossover", "stability",
+            (std::vector<std::string>{"summary", "stability", "ratios", "scaling", "profiles", "crossover",
                                       "provenance", "records"}));
   std::vector<Record> one_method;
   add_records(one_method, "direct", 3, 200, {1, 2});
@@ -92,7 +92,8 @@ TEST(Report, ComparesMethodsOnEachOfSeveralMachines) {
 
 TEST(Report, SaysInThreeLinesWhatCameOut) {
   const Json data = data_of(report::make_page(results_of(small_grid()), {}, {}));
-  const Json verdict = data["sections"][0]["blocks"][0]["paragraphs"];
+  EXPECT_EQ(data["sections"][0]["blocks"][0]["type"], "heatmap") << "the picture comes first";
+  const Json verdict = data["sections"][0]["blocks"][1]["paragraphs"];
   ASSERT_EQ(verdict.size(), 3U);
   EXPECT_EQ(verdict[1], "Answers: all methods agree on every instance; everything was solved.");
   EXPECT_EQ(
@@ -104,8 +105,78 @@ TEST(Report, SaysInThreeLinesWhatCameOut) {
 
 /// The three lines of the summary.
 Json verdict_on(const std::vector<Record>& records, const Filter& filter = {}) {
-  return data_of(
-      report::make_page(results_of(records), filter, {}))["sections"][0]["blocks"][0]["paragraphs"];
+  const Json data = data_of(report::make_page(results_of(records), filter, {}));
+  for (const Json& block : data["sections"][0]["blocks"])
+    if (block["type"] == "text" && block["lead"]) return block["paragraphs"];
+  return nullptr;
+}
+
+/// The picture that the page begins with.
+Json picture_of(const std::vector<Record>& records) {
+  return data_of(report::make_page(results_of(records), {}, {}))["sections"][0]["blocks"][0];
+}
+
+TEST(Report, BeginsWithAPictureOfWhoIsFastestWhere) {
+  std::vector<Record> records = small_grid();
+  for (Record& record : records) {
+    if (record.n == 5 && record.method == "direct") record.seconds *= 8;
+    if (record.n == 3 && record.N == 200 && record.method == "glpk_dual" && record.repetition == 0)
+      record.agrees = false;
+  }
+  const Json picture = picture_of(records);
+  EXPECT_EQ(picture["row"], "n");
+  EXPECT_EQ(picture["column"], "N");
+  EXPECT_EQ(picture["columns"], (Json{"200", "400", "800"}));
+  ASSERT_EQ(picture["cells"].size(), 9U);
+  EXPECT_EQ(picture["cells"][0]["group"], "direct");
+  EXPECT_EQ(picture["cells"][0]["text"].get<std::string>().back(), '!');
+  EXPECT_NE(picture["cells"][0]["remark"].get<std::string>().find("1 answers of glpk_dual are refuted"),
+            std::string::npos);
+  EXPECT_EQ(picture["cells"][1]["text"], "4.0×");
+  EXPECT_EQ(picture["cells"][8]["group"], "glpk_dual");
+  EXPECT_EQ(picture["cells"][8]["text"], "2.0×");
+}
+
+TEST(Report, PutsWhatVariesMostOnTheAxesOfItsPicture) {
+  std::vector<Record> records;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    for (const char* method : {"direct", "glpk_dual"}) {
+      add_records(records, method, 3, 200, {1, 2});
+      for (auto record = records.end() - 2; record != records.end(); ++record) record->tolerance = tolerance;
+    }
+  }
+  EXPECT_EQ(picture_of(records)["column"], "tolerance");
+  EXPECT_EQ(picture_of(records)["cells"].size(), 3U);
+}
+
+TEST(Report, SaysWhoseAnswersDisagreeAndThatTimesAreEqual) {
+  std::vector<Record> records = small_grid();
+  records[3].agrees = records[4].agrees = false;
+  for (Record& record : records)
+    if (record.method == "direct") record.seconds *= 4.05;
+  records[0].status = DistanceStatus::time_limit;
+  const Json verdict = verdict_on(records);
+  EXPECT_EQ(
+      verdict[1],
+      "Answers: disagree with other methods' proofs or the known distance: 2 of glpk_dual; stopped at a "
+      "limit: 1 of direct.");
+  EXPECT_NE(verdict[0].get<std::string>().find("direct is as fast as the best baseline"), std::string::npos)
+      << verdict[0];
+}
+
+TEST(Report, LeavesRecordsOutThatAreTooManyForAPageAndPacksItsData) {
+  std::vector<Record> records;
+  for (int n = 3; n < 14; ++n)
+    for (int N = 10; N < 110; ++N)
+      for (const char* method : {"direct", "glpk_dual"})
+        add_records(records, method, n, N, std::vector<double>(10, 1.0 + 0.001 * N));
+  ASSERT_GT(records.size(), 20000U);
+  const std::string page = report::make_page(results_of(records), {}, {});
+  EXPECT_LT(page.size(), 1'000'000U);
+  EXPECT_NE(page.find(R"(<script type="application/gzip" id="data">H4sI)"), std::string::npos);
+  records.resize(20);
+  const Json data = data_of(report::make_page(results_of(records), {}, {}));
+  EXPECT_FALSE(data["sections"].back()["blocks"][0]["gzip"].get<std::string>().empty());
 }
 
 TEST(Report, SaysNothingOfAgreementWhereThereIsOneMethod) {
@@ -159,10 +230,10 @@ std::vector<Record> two_tolerances() {
 
 TEST(Report, DrawsWorkAgainstPrecision) {
   const Json points = section_of(two_tolerances(), "work_precision")["blocks"][0]["series"][0]["points"];
-  EXPECT_EQ(points[0][0], 0.03125) << "the mean relative error at the tighter tolerance";
-  EXPECT_EQ(points[0][1], 4);
-  EXPECT_EQ(points[1][0], 0.125);
-  EXPECT_EQ(points[1][1], 1);
+  EXPECT_EQ(points[0][0], 4) << "time, as in the figure, at the tighter tolerance";
+  EXPECT_EQ(points[0][1], 0.03125) << "the mean relative error";
+  EXPECT_EQ(points[1][0], 1);
+  EXPECT_EQ(points[1][1], 0.125);
 }
 
 TEST(Report, DrawsIterationsAgainstTheTolerance) {
@@ -178,6 +249,17 @@ TEST(Report, TabulatesAccuracy) {
   EXPECT_EQ(rows[0]["cells"][2], "0.12") << "mean relative error";
   EXPECT_EQ(rows[0]["cells"][4], "0.25") << "mean gap";
   EXPECT_EQ(rows[0]["cells"][6], "1000") << "µs";
+}
+
+TEST(Report, DrawsTheShareOfRightAnswersOfEachFamily) {
+  std::vector<Record> records = small_grid();
+  records[0].distance = 17;
+  const Json picture = section_of(records, "stability")["blocks"][0];
+  EXPECT_EQ(picture["rows"], (Json{"example2"}));
+  EXPECT_EQ(picture["columns"], (Json{"direct", "glpk_dual"}));
+  EXPECT_EQ(picture["cells"][0]["text"], "96 %!");
+  EXPECT_EQ(picture["cells"][1]["text"], "100 %");
+  EXPECT_EQ(picture["log"], false);
 }
 
 TEST(Report, DrawsProfilesAndCrossover) {
@@ -205,7 +287,7 @@ TEST(Report, ShowsTheTablesOfExample1BesideThePapers) {
 
 TEST(Report, DrawsTheNumbersOfTheStatistics) {
   const Json data = data_of(report::make_page(results_of(small_grid()), Filter("n==3"), {}));
-  const Json chart = data["sections"][2]["blocks"][0];
+  const Json chart = data["sections"][3]["blocks"][0];
   EXPECT_EQ(chart["series"].size(), 2U);
   EXPECT_EQ(chart["series"][0]["name"], "direct (exponent 1.0)");
   EXPECT_EQ(chart["series"][0]["points"][0][0], 200);
