@@ -24,8 +24,12 @@ struct MethodLook {
 /// raygauge's own, by role. What the label says does not matter, but for a label that is not in the list: it
 /// is taken for a name. The methods of this program have looks that differ in marker or dash, so that nothing
 /// is lost in grey. Of several with one name the first by parameters has the look of the name. The others,
-/// and methods that this program does not know, have one drawn from the letters of name and parameters.
+/// and methods that this program does not know, have one drawn from the letters of name and parameters, the
+/// next one that is not alike() any look of this program or of another method in the list.
 MethodLook look_of_method(const std::string& label, const MethodList& methods);
+
+/// Whether readers would take one look for the other: one marker in colours that are near each other.
+bool alike(const MethodLook& a, const MethodLook& b);
 
 /// One line on what a method is, by its registered name, for readers of a page; "" for one that this program
 /// does not know.

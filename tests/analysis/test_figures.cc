@@ -74,6 +74,27 @@ TEST(TimeVsN, IsFilteredAndLeavesUnsolvedAndDisagreeingOut) {
   EXPECT_EQ(markers(picture), 2 + 3 + 2 + 3);
 }
 
+TEST(TimeVsN, CrossesPointsBehindWhichAnswersAreWrongOrMissing) {
+  std::vector<Record> records = grid();
+  const auto of_one = [&](const std::string& method) {
+    return std::find_if(records.begin(), records.end(),
+                        [&](const Record& each) { return each.method == method; });
+  };
+  of_one("glpk_dual")->agrees = false;
+  of_one("direct")->status = DistanceStatus::time_limit;
+  const std::string picture = svg("time_vs_N", records);
+  EXPECT_EQ(labels(picture).count("some answers wrong or missing"), 1U);
+  EXPECT_EQ(markers(picture), 2 * 3 * 3 + 3 + 2 + 1);
+}
+
+TEST(TimeVsN, LabelsTheLastSizeAndDrawsNoPanelOfOneSize) {
+  std::vector<Record> records = grid();
+  add_records(records, "direct", 7, 200, {1, 2, 3});
+  const std::multiset<std::string> texts = labels(svg("time_vs_N", records));
+  EXPECT_EQ(texts.count("800"), 2U) << "below each panel";
+  EXPECT_EQ(texts.count("n = 7"), 0U);
+}
+
 TEST(TimeVsN, HasTheWidthOfThePagesColumns) {
   FigureOptions options;
   EXPECT_NE(svg("time_vs_N", grid(), options).find("width=\"687\""), std::string::npos);
@@ -101,6 +122,18 @@ TEST(CrossoverFigure, WritesTheLeadIntoEachCellAndNamesTheWinner) {
   EXPECT_EQ(texts.count("3.0"), 6U) << "direct leads zheng_yamane by the median of 2.2, 3 and 3.6 times";
   EXPECT_EQ(texts.count("direct"), 1U) << "in the key";
   EXPECT_EQ(texts.count("glpk_dual"), 0U) << "wins nowhere";
+}
+
+TEST(PerformanceProfileFigure, HasFewTicksHoweverLongItsAxisIs) {
+  std::vector<Record> records = grid();
+  for (Record& record : records)
+    if (record.method == "glpk_dual") record.seconds *= 1e6;
+  const std::multiset<std::string> texts = labels(svg("performance_profile", records));
+  std::ptrdiff_t powers = 0;
+  for (const std::string& text : texts)
+    powers += text.starts_with("1") && text.find("0") != std::string::npos ? 1 : 0;
+  EXPECT_LE(powers, 9);
+  EXPECT_EQ(texts.count("2"), 0U);
 }
 
 TEST(CrossoverFigure, TellsSeveralWinnersApartByLetters) {
@@ -180,6 +213,9 @@ TEST(Figures, SayWhatTheyNeed) {
   EXPECT_EQ(complaint("performance_profile", records),
             "figure performance_profile needs records of two or more methods");
   EXPECT_EQ(complaint("crossover", records), "figure crossover needs solved records of two or more methods");
+  add_records(records, "glpk_dual", 3, 200, {1, 2, 3});
+  for (const char* map : {"ratio_heatmap", "crossover"})
+    EXPECT_NE(complaint(map, records).find("there is one cell"), std::string::npos) << map;
   EXPECT_EQ(complaint("time_vs_N", {}), "figure time_vs_N: no records");
   FigureOptions options;
   options.filter = Filter("n==7");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "analysis/render/figures/figure.h"
 #include "analysis/render/figures/style.h"
 #include "engine/numerics/number_text.h"
 
@@ -29,6 +31,14 @@ std::string rank_ticks(const std::vector<int>& values) {
 }
 
 }  // namespace
+
+void require_two_cells(const std::string& figure, const std::vector<CellKey>& cells) {
+  std::set<std::pair<int, int>> places;
+  for (const CellKey& cell : cells) places.emplace(cell.n, cell.N);
+  if (places.size() < 2)
+    throw FigureNeedsError("figure " + figure + " is a map over n and N, and there is one cell: " +
+                           "raygauge table shows its numbers");
+}
 
 CellMap::CellMap(const std::vector<CellKey>& cells, double width, double right)
     : width_(width), right_(right) {

@@ -44,6 +44,9 @@ class CellMap {
   double right_;
 };
 
+/// Throws FigureNeedsError where the cells are fewer than two: one number is no map.
+void require_two_cells(const std::string& figure, const std::vector<CellKey>& cells);
+
 /// gnuplot's columns of the box of a cell at `place()`, for `with boxxyerror`.
 inline constexpr const char* kCellBox = "1:2:($1-0.48):($1+0.48):($2-0.47):($2+0.47)";
 

@@ -31,6 +31,10 @@ std::string curve_block(const std::string& name, const PanelCurve& curve) {
     for (const double value : {x, y, low, high}) text += rounded_text(value, 6) + " ";
     text += "\n";
   }
+  text += "EOD\n";
+  if (curve.flaws.empty()) return text;
+  text += name + "flaws << EOD\n";
+  for (const auto& [x, y] : curve.flaws) text += rounded_text(x, 6) + " " + rounded_text(y, 6) + "\n";
   return text + "EOD\n";
 }
 
@@ -47,6 +51,8 @@ std::string plot_of(const CurvePanel& panel, std::size_t index, const MethodList
                 figure_style::line_color(method, methods) + "'";
       }
       text += block + " using 1:2 with linespoints " + figure_style::line_style(method, methods);
+      if (!panel.curves[c].flaws.empty())
+        text += block + "flaws using 1:2 with points " + figure_style::kFlawStyle;
     }
   }
   return text + "\n";
@@ -85,6 +91,13 @@ Drawing page_of_panels(const PanelGrid& grid, const std::vector<CurvePanel>& pan
 }
 
 }  // namespace
+
+bool has_flaws(const std::vector<CurvePanel>& panels) {
+  return std::any_of(panels.begin(), panels.end(), [](const CurvePanel& panel) {
+    return std::any_of(panel.curves.begin(), panel.curves.end(),
+                       [](const PanelCurve& curve) { return !curve.flaws.empty(); });
+  });
+}
 
 Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,
                           const MethodList& methods, const std::string& x, const std::string& y) {

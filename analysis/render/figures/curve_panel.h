@@ -18,6 +18,8 @@ struct PanelCurve {
   std::string method;
   std::vector<std::pair<double, double>> points;
   std::vector<std::pair<double, double>> bars;  ///< the ends of each point's interval; none where empty
+  std::vector<std::pair<double, double>>
+      flaws;  ///< points that are crossed; what it means is PanelGrid::flaw
 };
 
 /// A panel of curves.
@@ -27,6 +29,9 @@ struct CurvePanel {
   std::string background;  ///< gnuplot: what is plotted below the curves, "" for nothing
   std::vector<PanelCurve> curves;
 };
+
+/// Whether a point of a curve is crossed.
+bool has_flaws(const std::vector<CurvePanel>& panels);
 
 /// The figure of the panels, `grid` being laid out for them, under a legend of `methods`.
 Drawing draw_curve_panels(const PanelGrid& grid, const std::vector<CurvePanel>& panels,

@@ -15,11 +15,11 @@ namespace {
 using figure_style::screen;
 
 /// As many as fit beside each other, but no more than four.
-std::size_t legend_columns_of(const MethodList& methods, double width) {
+std::size_t legend_columns_of(const MethodList& methods, const std::string& flaw, double width) {
   constexpr double kCharacter = 0.065;  // inches
   constexpr double kSample = 0.75;      // line, marker and gaps
   constexpr double kMost = 4;
-  std::size_t longest = 0;
+  std::size_t longest = flaw.size();
   for (const std::string& method : methods) longest = std::max(longest, method.size());
   const double column = kSample + kCharacter * static_cast<double>(longest);
   return static_cast<std::size_t>(std::clamp(std::floor(width / column), 1.0, kMost));
@@ -78,21 +78,26 @@ std::string PanelGrid::legend_plot(const MethodList& methods) const {
     text += "NaN with linespoints " + figure_style::line_style(method, methods) + " title " +
             language::gnuplot(method);
   }
+  if (!flaw.empty())
+    text += std::string(", \\\n  NaN with points ") + figure_style::kFlawStyle + " title " +
+            figure_style::quoted(flaw);
   return text +
          "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "
          "scale 0.5\n"
          "set grid ytics lc rgb '#CCCCCC' lw 0.5 dt 1\n";
 }
 
-PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size,
-                     std::size_t most_columns) {
+PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size, std::size_t most_columns,
+                     const std::string& flaw) {
   PanelGrid grid;
+  grid.flaw = flaw;
   grid.width = width_of(size);
-  grid.legend_columns = legend_columns_of(methods, grid.width);
+  grid.legend_columns = legend_columns_of(methods, flaw, grid.width);
   grid.columns = std::min(panels, most_columns);
   grid.rows = (panels + grid.columns - 1) / grid.columns;
   constexpr double kLegendLine = 0.17;
-  const std::size_t legend_lines = (methods.size() + grid.legend_columns - 1) / grid.legend_columns;
+  const std::size_t legend_lines =
+      (methods.size() + (flaw.empty() ? 0 : 1) + grid.legend_columns - 1) / grid.legend_columns;
   grid.legend = 0.05 + kLegendLine * static_cast<double>(legend_lines);
   return grid;
 }

@@ -21,7 +21,8 @@ struct PanelGrid {
   double legend = 0;    ///< height of the legend
   double x_labels = 0;  ///< height of what stands below each row but the last
   double gap = 0.12;    ///< between columns
-  static constexpr double kLeft = 0.52;
+  std::string flaw;     ///< what a crossed point means (PanelCurve::flaws); "" where none is
+  static constexpr double kLeft = 0.66;  // the label of the axis and "10^{-15}" beside it
   static constexpr double kRight = 0.17;  // half of "10^{-10}" below the end of an axis
   static constexpr double kBottom = 0.42;
   static constexpr double kTitle = 0.2;
@@ -48,8 +49,8 @@ struct PanelGrid {
   std::string legend_plot(const MethodList& methods) const;
 };
 
-/// The grid for so many panels and a legend of the methods, with at most `most_columns`.
-PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size,
-                     std::size_t most_columns);
+/// The grid for so many panels and a legend of the methods and the `flaw`, with at most `most_columns`.
+PanelGrid panel_grid(std::size_t panels, const MethodList& methods, FigureSize size, std::size_t most_columns,
+                     const std::string& flaw = "");
 
 }  // namespace raygauge

@@ -30,6 +30,19 @@ std::string dash_type(Dash dash) {
 constexpr const char* kPaperColor = "#8C8C8C";
 constexpr int kPaperPoint = 2;
 
+/// The numbers step · 10^k within [low, high], in order.
+std::vector<double> round_numbers(double low, double high, const std::vector<int>& steps) {
+  std::vector<double> numbers;
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high;
+       ++exponent) {
+    for (const int step : steps) {
+      const double number = step * std::pow(10, exponent);
+      if (number >= low && number <= high) numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+
 void require_one(const std::string& figure, const std::vector<Record>& records, const std::string& name) {
   const AnalysisColumn& column = analysis_column(name);
   std::set<Value> values;
@@ -62,19 +75,19 @@ std::string line_color(const std::string& method, const MethodList& methods) {
 std::string screen(double fraction) { return rounded_text(fraction, 6); }
 
 std::string one_two_five_ticks(double low, double high) {
-  std::string ticks;
-  int count = 0;
-  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high;
-       ++exponent) {
-    for (const int step : {1, 2, 5}) {
-      const double tick = step * std::pow(10, exponent);
-      if (tick < low || tick > high) continue;
-      ticks += (ticks.empty() ? "" : ", ") + rounded_text(tick, 12);
-      ++count;
-    }
+  constexpr std::size_t kMost = 9;  // more labels would run into each other
+  std::vector<double> ticks = round_numbers(low, high, {1, 2, 5});
+  if (ticks.size() > kMost) {
+    ticks = round_numbers(low, high, {1});
+    // Every second, third, … power of ten.
+    const std::size_t stride = (ticks.size() + kMost - 1) / kMost;
+    for (std::size_t i = 0; i * stride < ticks.size(); ++i) ticks[i] = ticks[i * stride];
+    ticks.resize((ticks.size() + stride - 1) / stride);
   }
-  if (count < 2) ticks = rounded_text(low, 2) + ", " + rounded_text(high, 2);
-  return "(" + ticks + ")";
+  if (ticks.size() < 2) ticks = {low, high};
+  std::string text;
+  for (const double tick : ticks) text += (text.empty() ? "" : ", ") + rounded_text(tick, 2);
+  return "(" + text + ")";
 }
 
 std::string decade_ticks(double low, double high) {

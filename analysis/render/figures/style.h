@@ -16,6 +16,9 @@ namespace raygauge::figure_style {
 /// In the place of a method: what the paper published. Grey, with crosses.
 inline constexpr const char* kPaperCurve = "paper";
 
+/// A cross over a point whose cell has wrong or missing answers.
+inline constexpr const char* kFlawStyle = "pt 2 ps 0.8 lw 1.2 lc rgb '#B3261E'";
+
 /// How the curve of a method looks (look_of_method()), for gnuplot; by its label among `methods`.
 std::string line_style(const std::string& method, const MethodList& methods);
 

@@ -23,6 +23,7 @@ class RunningMean {
     ++count_;
     largest_ = std::max(largest_, value);
   }
+  double count() const { return count_; }
   double mean() const { return sum_ / static_cast<double>(count_); }
   double largest() const { return count_ > 0 ? largest_ : mean(); }
 
@@ -50,8 +51,9 @@ class AccuracyTally {
   AccuracyPoint point(double tolerance) const {
     AccuracyPoint point = point_;
     point.tolerance = tolerance;
-    point.mean_error = error_.mean();
-    point.mean_relative_error = relative_error_.mean();
+    const bool answered = answers_.error.count() > 0;
+    point.mean_error = (answered ? answers_ : left_).error.mean();
+    point.mean_relative_error = (answered ? answers_ : left_).relative_error.mean();
     point.largest_relative_error = worst_error_.largest();
     point.mean_relative_gap = relative_gap_.mean();
     point.largest_relative_gap = relative_gap_.largest();
@@ -72,9 +74,10 @@ class AccuracyTally {
       return;
     }
     point_.beyond_gap += error > record.upper - record.lower + truth_rounding(record) * truth;
-    error_.add(error);
+    Errors& errors = is_solved(record) ? answers_ : left_;
+    errors.error.add(error);
     if (truth <= 0) return;
-    relative_error_.add(error / truth);
+    errors.relative_error.add(error / truth);
     worst_error_.add(error / truth);
   }
 
@@ -84,8 +87,14 @@ class AccuracyTally {
     relative_gap_.add(std::isnan(gap) ? kInfinity : gap);
   }
 
+  struct Errors {
+    RunningMean error, relative_error;
+  };
+
   AccuracyPoint point_;
-  RunningMean error_, relative_error_, worst_error_, relative_gap_, K_, N_rs_, supports_;
+  Errors answers_;  ///< of solves with an answer
+  Errors left_;     ///< of those that stopped at a limit
+  RunningMean worst_error_, relative_gap_, K_, N_rs_, supports_;
   std::vector<double> seconds_;
 };
 

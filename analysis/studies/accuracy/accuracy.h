@@ -12,9 +12,10 @@
 
 namespace raygauge {
 
-/// All solves of one method at one tolerance. Averages are over all of them, whatever their status; NaN where
-/// there is nothing to average. A solve's value is its `distance`, its error |distance - truth|, if both are
-/// finite.
+/// All solves of one method at one tolerance. A solve's value is its `distance`, its error |distance -
+/// truth|, if both are finite. Mean errors are of the solves with an answer (is_solved()): what the others
+/// left is no accuracy, and is averaged only where no solve has an answer. Other averages are over all
+/// solves. NaN where there is nothing to average.
 struct AccuracyPoint {
   double tolerance = 0;
   std::size_t solves = 0;

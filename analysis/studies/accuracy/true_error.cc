@@ -49,7 +49,7 @@ CurvePanel family_panel(const std::string& name, const Family& family, const Met
   for (const std::string& method : methods) {
     const auto found = family.worst.find(method);
     if (found == family.worst.end()) continue;
-    PanelCurve curve{method, {}, {}};
+    PanelCurve curve{method, {}, {}, {}};
     for (const auto& [x, error] : found->second) curve.points.emplace_back(x, drawn_error(error));
     panel.curves.push_back(std::move(curve));
   }

@@ -25,10 +25,11 @@ std::vector<PanelCurve> precision_curves(const AccuracyGroup& group, double Accu
                                          const TimeUnit& unit) {
   std::vector<PanelCurve> curves;
   for (const AccuracyCurve& curve : group.curves) {
-    PanelCurve drawn{curve.method, {}, {}};
+    PanelCurve drawn{curve.method, {}, {}, {}};
     for (const AccuracyPoint& point : curve.points) {
-      if (!std::isnan(point.*quantity))
-        drawn.points.emplace_back(unit.per_second * point.median_seconds, drawn_error(point.*quantity));
+      if (std::isnan(point.*quantity)) continue;
+      drawn.points.emplace_back(unit.per_second * point.median_seconds, drawn_error(point.*quantity));
+      if (point.failures + point.wrong > 0) drawn.flaws.push_back(drawn.points.back());
     }
     curves.push_back(std::move(drawn));
   }
@@ -99,8 +100,15 @@ Drawing work_precision(const std::vector<Record>& records, const FigureOptions& 
     }
   }
   if (panels.empty()) throw FigureNeedsError(kPrecisionNeeds);
+  constexpr std::size_t kMostGroups = 32;
+  if (panels.size() > 2 * kMostGroups)
+    throw FigureNeedsError(
+        "figure work_precision draws two panels for each generator, its parameters, n and N, and "
+        "there are " +
+        std::to_string(panels.size() / 2) + " of them; choose with --where");
   PanelGrid grid =
-      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 1 : 2);
+      panel_grid(panels.size(), methods, options.size, options.size == FigureSize::single ? 1 : 2,
+                 has_flaws(panels) ? "some solves failed or wrong" : "");
   grid.x_labels = 0.2;
   for (std::size_t p = 0; p < panels.size(); ++p) panels[p].settings += error_axis(grid.is_left(p));
   return draw_curve_panels(grid, panels, methods, std::string("median time of a solve, ") + unit.name,

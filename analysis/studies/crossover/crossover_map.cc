@@ -77,6 +77,7 @@ Drawing crossover_of(const Problem& problem, const FigureOptions& options) {
   }
   std::vector<CellKey> cells;
   for (const CellWinner& winner : winners) cells.push_back(winner.cell);
+  require_two_cells(kCrossoverName, cells);
   const CellMap map(cells, width_of(options.size), kCrossoverRight);
   const std::vector<std::string> winning = winning_methods(methods, winners);
   const std::size_t key_columns = options.size == FigureSize::single ? 2 : 4;

@@ -21,10 +21,12 @@ namespace {
 std::vector<PanelCurve> curves_of(const Example1Table& table, double AccuracyPoint::*quantity, double unit) {
   std::vector<PanelCurve> curves;
   for (const AccuracyCurve& curve : table.curves) {
-    PanelCurve drawn{curve.method, {}, {}};
+    PanelCurve drawn{curve.method, {}, {}, {}};
     for (const AccuracyPoint& point : curve.points) {
       const double value = unit * point.*quantity;
-      if (value > 0) drawn.points.emplace_back(point.tolerance, value);
+      if (!(value > 0)) continue;
+      drawn.points.emplace_back(point.tolerance, value);
+      if (point.failures + point.wrong > 0) drawn.flaws.emplace_back(point.tolerance, value);
     }
     curves.push_back(std::move(drawn));
   }
@@ -32,7 +34,7 @@ std::vector<PanelCurve> curves_of(const Example1Table& table, double AccuracyPoi
 }
 
 PanelCurve paper_curve(Example1Roles roles, double paper::AccuracyRow::*quantity) {
-  PanelCurve curve{figure_style::kPaperCurve, {}, {}};
+  PanelCurve curve{figure_style::kPaperCurve, {}, {}, {}};
   for (const paper::AccuracyRow& row :
        roles == Example1Roles::cone_ellipsoid ? paper::table1() : paper::table2())
     curve.points.emplace_back(row.tolerance, row.*quantity);
@@ -98,14 +100,15 @@ Drawing example1_figure(const std::string& name, const std::vector<Record>& reco
   const Example1Table table = table_for(name, records, roles, options);
   MethodList methods;
   for (const AccuracyCurve& curve : table.curves) methods.add(curve.facts);
-  methods.add({figure_style::kPaperCurve, "", "", Role::baseline});
+  methods.add({figure_style::kPaperCurve, figure_style::kPaperCurve, "", Role::baseline});
   constexpr std::size_t kPanels = 3;
+  const std::vector<CurvePanel> panels = {error_panel(table), time_panel(table), iteration_panel(table)};
   PanelGrid grid =
-      panel_grid(kPanels, methods, options.size, options.size == FigureSize::single ? 1 : kPanels);
+      panel_grid(kPanels, methods, options.size, options.size == FigureSize::single ? 1 : kPanels,
+                 has_flaws(panels) ? "some solves failed or wrong" : "");
   grid.gap = 0.45;
   grid.x_labels = 0.2;
-  return draw_curve_panels(grid, {error_panel(table), time_panel(table), iteration_panel(table)}, methods,
-                           "tolerance ε", "");
+  return draw_curve_panels(grid, panels, methods, "tolerance ε", "");
 }
 
 }  // namespace

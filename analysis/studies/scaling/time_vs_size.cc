@@ -58,11 +58,12 @@ std::vector<CurvePanel> size_panels(const std::vector<ScalingCurve>& curves, con
   for (const ScalingCurve& curve : curves) {
     const int other = figure.axis == SizeAxis::N ? curve.cell.n : curve.cell.N;
     CurvePanel& panel = panels[{problem_name(curve.cell), curve.cell.tolerance, other}];
-    PanelCurve drawn{curve.method, {}, {}};
+    PanelCurve drawn{curve.method, {}, {}, {}};
     for (std::size_t i = 0; i < curve.sizes.size(); ++i) {
       const double time = per_second * curve.medians[i];
       const double upper = per_second * curve.intervals[i].upper;
       drawn.points.emplace_back(curve.sizes[i], time);
+      if (curve.unsolved[i] + curve.disagreeing[i] > 0) drawn.flaws.emplace_back(curve.sizes[i], time);
       // A bar that has no end is drawn to the point.
       drawn.bars.emplace_back(per_second * curve.intervals[i].lower, std::isinf(upper) ? time : upper);
     }
@@ -70,8 +71,21 @@ std::vector<CurvePanel> size_panels(const std::vector<ScalingCurve>& curves, con
     panel.curves.push_back(std::move(drawn));
   }
   std::vector<CurvePanel> result;
-  for (auto& [key, panel] : panels) result.push_back(std::move(panel));
+  for (auto& [key, panel] : panels) {
+    const bool has_curve = std::any_of(panel.curves.begin(), panel.curves.end(),
+                                       [](const PanelCurve& curve) { return curve.points.size() > 1; });
+    if (has_curve) result.push_back(std::move(panel));
+  }
   return result;
+}
+
+/// More panels than anybody looks at are refused: `--where` chooses.
+void require_few(const std::vector<CurvePanel>& panels, const SizeFigure& figure) {
+  constexpr std::size_t kMostPanels = 64;
+  if (panels.size() <= kMostPanels) return;
+  throw FigureNeedsError(std::string("figure ") + figure.name +
+                         " draws a panel for each generator, its parameters, tolerance and " + figure.panel +
+                         ", and there are " + std::to_string(panels.size()) + "; choose with --where");
 }
 
 /// Every size is marked, and named where there is room; where that is for few, round numbers are instead.
@@ -82,7 +96,7 @@ std::string size_ticks(const std::set<double>& sizes, const std::pair<double, do
   const double inches = panel_width / std::log(range.second / range.first);
   std::string ticks;
   std::size_t named = 0;
-  double begin = panel_width;  // of the label to the right
+  double begin = panel_width + 2 * kDigit;  // of the label to the right; the last one may stick out
   for (const double size : std::vector<double>(sizes.rbegin(), sizes.rend())) {
     const std::string label = rounded_text(size, 12);
     const double half = kDigit * static_cast<double>(label.size()) / 2;
@@ -130,11 +144,12 @@ Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records
   const std::vector<ScalingCurve> curves = scaling_curves(kept, figure.axis, 1);
   const TimeUnit unit = unit_of(curves);
   std::vector<CurvePanel> panels = size_panels(curves, figure, unit.per_second);
+  require_few(panels, figure);
   // Titles with the name of a generator need room.
   const bool long_titles = !panels.empty() && panels.front().title.size() > 16;
   const std::size_t most_columns = (options.size == FigureSize::single ? 2 : 4) / (long_titles ? 2 : 1);
-  const PanelGrid grid =
-      panel_grid(std::max<std::size_t>(1, panels.size()), methods, options.size, most_columns);
+  const PanelGrid grid = panel_grid(std::max<std::size_t>(1, panels.size()), methods, options.size,
+                                    most_columns, has_flaws(panels) ? "some answers wrong or missing" : "");
   set_axes(panels, grid, figure);
   return draw_curve_panels(grid, panels, methods, figure.label,
                            std::string("median time of a solve (") + unit.name + ")");

@@ -126,6 +126,7 @@ Drawing heatmap_of(const Problem& problem, const std::vector<Record>& records, c
   const ColorRange range = color_range(ratios);
   std::vector<CellKey> cells;
   for (const CellRatio& ratio : ratios) cells.push_back(ratio.times.cell);
+  require_two_cells(kHeatmapName, cells);
   std::vector<std::string> methods;
   for (const std::string& method : methods_of(kept)) {
     const bool drawn = std::any_of(ratios.begin(), ratios.end(),

@@ -62,19 +62,26 @@ void count_records(Table3Method& method, const std::vector<Record>& records) {
   }
 }
 
+double mean_of(const std::vector<double>& ratios) { return ratios.empty() ? kNaN : geometric_mean(ratios); }
+
 void compare_with_paper(Table3Method& method) {
+  std::vector<double> all;
   std::vector<double> ratios;
   std::vector<double> papers;
   for (const CellRatio& cell : method.cells) {
+    if (std::isnan(cell.ratio.ratio)) continue;
+    all.push_back(cell.ratio.ratio);
     const auto paper = paper::table3_cell(cell.times.cell.n, cell.times.cell.N);
-    if (!paper || std::isnan(cell.ratio.ratio)) continue;
+    if (!paper) continue;
     ratios.push_back(cell.ratio.ratio);
     papers.push_back(paper->ratio);
     if (cell.ratio.ratio > paper->ratio / 2) method.above_half.push_back(cell);
   }
   method.compared = ratios.size();
-  method.geometric_mean = ratios.empty() ? kNaN : geometric_mean(ratios);
-  method.paper_geometric_mean = ratios.empty() ? kNaN : geometric_mean(papers);
+  method.measured = all.size();
+  method.geometric_mean = mean_of(all);
+  method.compared_geometric_mean = mean_of(ratios);
+  method.paper_geometric_mean = mean_of(papers);
 }
 
 }  // namespace

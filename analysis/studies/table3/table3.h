@@ -15,12 +15,14 @@ namespace raygauge {
 /// One method's part of Table III.
 struct Table3Method {
   std::string method;
-  std::vector<CellRatio> cells;       ///< by n, then N
-  std::vector<CellRatio> above_half;  ///< those whose ratio exceeds half of the paper's
-  std::size_t compared = 0;           ///< cells that the paper has too, with a ratio
-  double geometric_mean = 0;          ///< of the ratios of `compared` cells; NaN if there are none
-  double paper_geometric_mean = 0;    ///< of the paper's ratios of the same cells
-  double largest_relative_gap = 0;    ///< certified, over all records with bounds; NaN without any
+  std::vector<CellRatio> cells;        ///< by n, then N
+  std::vector<CellRatio> above_half;   ///< those whose ratio exceeds half of the paper's
+  std::size_t measured = 0;            ///< cells with a ratio
+  double geometric_mean = 0;           ///< of the ratios of `measured` cells; NaN if there are none
+  std::size_t compared = 0;            ///< those of them that the paper has too
+  double compared_geometric_mean = 0;  ///< of the ratios of `compared` cells; NaN if there are none
+  double paper_geometric_mean = 0;     ///< of the paper's ratios of the same cells
+  double largest_relative_gap = 0;     ///< certified, over all records with bounds; NaN without any
   std::size_t records = 0;
   std::size_t above_tolerance = 0;  ///< records whose certified gap exceeds the tolerance, or is unknown
   std::size_t unsolved = 0;

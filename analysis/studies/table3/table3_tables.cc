@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/studies/table3/table3_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -91,7 +92,7 @@ Table layout_table(const Table3& table3, const Table3Method& method) {
       paper.cells.push_back(paper_cell(n, N));
     }
     table.rows.push_back(std::move(ours));
-    table.rows.push_back(std::move(paper));
+    if (method.compared > 0) table.rows.push_back(std::move(paper));
   }
   table.notes = notes_of(method);
   return table;
@@ -123,6 +124,32 @@ TableCell count_cell(std::size_t count, std::size_t total) {
           count == 0 ? Emphasis::none : Emphasis::alarm};
 }
 
+bool has_cells_of_the_paper(const Table3& table3) {
+  return std::any_of(table3.methods.begin(), table3.methods.end(),
+                     [](const Table3Method& method) { return method.compared > 0; });
+}
+
+/// Where the grid is not the paper's, only the cells that both have are compared.
+void add_paper_rows(Table& table, const Table3& table3) {
+  const auto row = [&](const std::string& what, const auto& cell_of) {
+    add_summary_row(table, what, table3.methods, cell_of);
+  };
+  const bool own_grid = std::any_of(table3.methods.begin(), table3.methods.end(),
+                                    [](const Table3Method& m) { return m.compared < m.measured; });
+  if (own_grid) {
+    row("in the cells of the paper", [](const Table3Method& m) {
+      TableCell cell = ratio_cell(m.compared_geometric_mean);
+      cell.text += " (" + std::to_string(m.compared) + ")";
+      return cell;
+    });
+  }
+  row("the paper's, same cells", [](const Table3Method& m) {
+    TableCell cell = ratio_cell(m.paper_geometric_mean);
+    cell.emphasis = Emphasis::muted;
+    return cell;
+  });
+}
+
 Table summary_of(const Table3& table3) {
   Table table = summary_table("Table III, summary", table3.methods,
                               [](const Table3Method& method) { return method.method; });
@@ -131,18 +158,15 @@ Table summary_of(const Table3& table3) {
   };
   row("cells", [](const Table3Method& m) { return TableCell{std::to_string(m.cells.size())}; });
   row("geometric mean of the ratios", [](const Table3Method& m) { return ratio_cell(m.geometric_mean); });
-  row("the paper's, same cells", [](const Table3Method& m) {
-    TableCell cell = ratio_cell(m.paper_geometric_mean);
-    cell.emphasis = Emphasis::muted;
-    return cell;
-  });
+  if (has_cells_of_the_paper(table3)) add_paper_rows(table, table3);
   row("worst cell", [](const Table3Method& m) {
     const CellRatio* worst = worst_cell(m);
     if (worst == nullptr) return ratio_cell(kNaN);
     return TableCell{padded_significant(worst->ratio.ratio, 3) + " at " + place(*worst), Emphasis::none};
   });
-  row("cells above half the paper's ratio",
-      [](const Table3Method& m) { return count_cell(m.above_half.size(), m.compared); });
+  if (has_cells_of_the_paper(table3))
+    row("cells above half the paper's ratio",
+        [](const Table3Method& m) { return count_cell(m.above_half.size(), m.compared); });
   row("largest certified relative gap", [](const Table3Method& m) {
     if (std::isnan(m.largest_relative_gap)) return ratio_cell(kNaN);
     return TableCell{padded_significant(m.largest_relative_gap, 2), m.largest_relative_gap, Emphasis::none};

@@ -64,6 +64,24 @@ TEST(MethodLook, OfOneMethodWithSeveralParametersDiffersWhateverTheirOrder) {
   EXPECT_EQ(look_of_method("a", first).color, look_of_method("glpk_dual", {}).color);
 }
 
+TEST(MethodLook, IsAlikeNoOtherInTheList) {
+  MethodList methods;
+  for (const char* name : {"column_generation", "zheng_yamane", "newton"})
+    methods.add({name, name, "", Role::engine});
+  methods.add({"zheng_yamane_published", "zheng_yamane", "stop_rule=published_sigma", Role::engine});
+  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp", "nlopt_mma"})
+    methods.add({name, name, "", Role::baseline});
+  for (const char* label : {"a", "b", "c", "d", "e"})
+    methods.add({label, "command", std::string("program=") + label, Role::baseline});
+  for (const std::string& one : methods) {
+    for (const std::string& other : methods) {
+      if (one == other) continue;
+      EXPECT_FALSE(alike(look_of_method(one, methods), look_of_method(other, methods)))
+          << one << " " << other;
+    }
+  }
+}
+
 TEST(MethodLook, OfOneMethodUnderTwoLabelsDiffers) {
   MethodList methods;
   for (const char* label : {"mine", "yours"}) methods.add({label, "command", "program=x", Role::baseline});

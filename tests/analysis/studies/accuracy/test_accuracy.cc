@@ -82,6 +82,17 @@ TEST(Accuracy, KeepsWhatAFailedSolveLeft) {
   EXPECT_DOUBLE_EQ(point.mean_seconds, 2e-6) << "time spent is time spent";
 }
 
+TEST(Accuracy, IsThatOfTheAnswersWhereSomeSolvesFailed) {
+  std::vector<Record> records = {solve("nlopt_slsqp", 1e-2, 0.5, 0, 1),
+                                 solve("nlopt_slsqp", 1e-2, 0.25, 0, 3)};
+  records[0].status = DistanceStatus::iteration_limit;
+  const AccuracyPoint point = curves_of(records)[0].points[0];
+  EXPECT_EQ(point.failures, 1U);
+  EXPECT_EQ(point.mean_error, 0.25);
+  EXPECT_EQ(point.mean_relative_error, 0.125);
+  EXPECT_EQ(point.largest_relative_error, 0.25) << "of all solves";
+}
+
 TEST(Accuracy, TakesTheTruthFromTheExactMethodWhereTheGeneratorHasNone) {
   Record approximate = solve("direct", 1e-2, 0.5, 0.5, 1);
   Record exact = approximate;

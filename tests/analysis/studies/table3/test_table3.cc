@@ -126,6 +126,28 @@ TEST(Table3, HasCellsThatThePaperLacks) {
   EXPECT_EQ(table3.methods[0].compared, 2U);
 }
 
+TEST(Table3, SummarisesAGridOfOnesOwnByAllItsRatios) {
+  std::vector<Record> records;
+  for (const int N : {50, 100}) {
+    add_records(records, "direct", 3, N, {1, 1, 1});
+    add_records(records, "glpk_dual", 3, N, {4, 4, 4});
+  }
+  const Table3 own = make_table3(records);
+  EXPECT_EQ(own.methods[0].measured, 2U);
+  EXPECT_EQ(own.methods[0].compared, 0U);
+  EXPECT_DOUBLE_EQ(own.methods[0].geometric_mean, 0.25);
+  const std::string text = text_of(own);
+  EXPECT_EQ(text.find("none"), std::string::npos) << text;
+  EXPECT_EQ(text.find("paper"), std::string::npos) << text;
+
+  add_records(records, "direct", 3, 200, {1, 1, 1});
+  add_records(records, "glpk_dual", 3, 200, {2, 2, 2});
+  const Table3 mixed = make_table3(records);
+  EXPECT_DOUBLE_EQ(mixed.methods[0].geometric_mean, std::cbrt(0.25 * 0.25 * 0.5));
+  EXPECT_DOUBLE_EQ(mixed.methods[0].compared_geometric_mean, 0.5);
+  EXPECT_NE(text_of(mixed).find("in the cells of the paper"), std::string::npos) << text_of(mixed);
+}
+
 TEST(Table3, AsCsvHasARowForEachMethodAndCell) {
   RenderOptions options;
   options.format = TableFormat::csv;
