@@ -62,12 +62,18 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" </dev/null
 }
 
-# A build folder that another generator than the presets' made, as clones of before it had, is configured afresh.
+# configure [OPTION...]: options of cmake. A build folder that another generator than the presets' made is configured afresh;
+# where an earlier version kept what it had found, or not, as an option of the user's (type BOOL), it is looked up again.
 configure() {
-  local cache=$root/build/$preset/CMakeCache.txt fresh=()
-  if [[ -f $cache ]] && ! grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache"; then fresh=(--fresh); fi
+  local cache=$root/build/$preset/CMakeCache.txt options=() name
+  if [[ -f $cache ]]; then
+    grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache" || options+=(--fresh)
+    for name in RAYGAUGE_BUILD_PYTHON RAYGAUGE_WITH_MPI; do
+      if grep -q "^$name:BOOL=" "$cache"; then options+=(-U "$name"); fi
+    done
+  fi
   say "Configuring (preset $preset)"
-  (cd -- "$root" && cmake --preset "$preset" "${fresh[@]}")
+  (cd -- "$root" && cmake --preset "$preset" "${options[@]}" "$@")
 }
 
 # build [OPTION...]: options of `cmake --build`.
@@ -151,7 +157,7 @@ main() {
       ;;
     python)
       install_packages build python
-      configure
+      configure -DRAYGAUGE_BUILD_PYTHON=AUTO
       build --target raygauge_python
       # Sweeps with methods in Python need the program's libraries: of use where the program has been built.
       if [[ -x $root/build/$preset/raygauge ]]; then build --target raygauge_sweeps; fi
@@ -159,7 +165,7 @@ main() {
       ;;
     docs)
       install_packages build python docs
-      configure
+      configure -DRAYGAUGE_BUILD_PYTHON=AUTO
       build --target raygauge_python
       say "Building the documentation site"
       PYTHONPATH=$root/build/$preset/python /usr/bin/python3 "$root/docs/site/build_site.py" "$root/build/site"

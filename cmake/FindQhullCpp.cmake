@@ -1,0 +1,7 @@
+# Finds Qhull's C++ interface: QhullCpp_FOUND, QhullCpp_INCLUDE_DIR, QhullCpp_LIBRARY, QhullCpp_CORE_LIBRARY.
+find_path(QhullCpp_INCLUDE_DIR libqhullcpp/Qhull.h)
+find_library(QhullCpp_LIBRARY qhullcpp)
+find_library(QhullCpp_CORE_LIBRARY qhull_r)
+mark_as_advanced(QhullCpp_INCLUDE_DIR QhullCpp_LIBRARY QhullCpp_CORE_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(QhullCpp REQUIRED_VARS QhullCpp_LIBRARY QhullCpp_CORE_LIBRARY QhullCpp_INCLUDE_DIR)
