@@ -15,9 +15,10 @@ usage: ./run.sh [run] [OPTION...]     install, build, run experiments/example2.t
        ./run.sh build [OPTION...]     install, build the program: build/release/raygauge
        ./run.sh test [OPTION...]      install, build everything, run the whole test suite
        ./run.sh python               install, build the Python package, install it into build/python-env
+       ./run.sh notebooks            the same, then open python/notebooks in the browser
        ./run.sh docs                 install, build the documentation site: build/site/html/index.html
        ./run.sh install [check]       install what is missing; with other groups of cmake/debian-packages.txt
-                                     (check, cluster, python, docs, packages) theirs too
+                                     (check, cluster, python, notebooks, docs, packages) theirs too
        ./run.sh help                  this text
 
 Options are passed on: run's to `raygauge run` (--force measures anew, --threads K, --set sweep.n=3,4, -o FILE.h5, …),
@@ -125,8 +126,20 @@ install_python() {
   say "Installing the Python package into $environment"
   RAYGAUGE_BUILD_FOLDER=$root/build/$preset "$environment/bin/python" -m pip install --quiet \
     --no-build-isolation --no-deps --force-reinstall "$root"
+  # The notebooks name this kernel: they start in the interpreter that has the package.
+  "$environment/bin/python" -m ipykernel install --prefix "$environment" --name raygauge \
+    --display-name "Python (raygauge)" >/dev/null
   say "A first distance: $environment/bin/python python/examples/first_distance.py"
   (cd / && "$environment/bin/python" "$root/python/examples/first_distance.py")
+}
+
+# build_python: the package, and its first distance.
+build_python() {
+  configure -DRAYGAUGE_BUILD_PYTHON=AUTO
+  build --target raygauge_python
+  # Sweeps with methods in Python, and readers of files, need the program's libraries: of use where the program has been built.
+  if [[ -x $root/build/$preset/raygauge ]]; then build --target raygauge_sweeps; fi
+  install_python
 }
 
 main() {
@@ -157,11 +170,14 @@ main() {
       ;;
     python)
       install_packages build python
-      configure -DRAYGAUGE_BUILD_PYTHON=AUTO
-      build --target raygauge_python
-      # Sweeps with methods in Python need the program's libraries: of use where the program has been built.
-      if [[ -x $root/build/$preset/raygauge ]]; then build --target raygauge_sweeps; fi
-      install_python
+      build_python
+      ;;
+    notebooks)
+      install_packages build python notebooks
+      configure
+      build --target raygauge
+      build_python
+      exec "$root/build/python-env/bin/python" -m notebook --notebook-dir "$root/python/notebooks" "$@"
       ;;
     docs)
       install_packages build python docs

@@ -146,6 +146,14 @@ void append_points(std::string& text, const PointSet& points) {
   }
 }
 
+/// How a program says that it has stopped before its answer was good enough.
+constexpr std::array<std::string_view, 3> kLimits = {"time_limit", "iteration_limit", "precision_limit"};
+
+DistanceStatus status_of(double distance) {
+  if (!std::isfinite(distance)) return DistanceStatus::unreachable;
+  return distance == 0 ? DistanceStatus::contains_origin : DistanceStatus::optimal;
+}
+
 /// The words of an answer.
 class Answer {
  public:
@@ -153,12 +161,13 @@ class Answer {
 
   LpAnswer parse() {
     LpAnswer answer;
-    answer.objective = number(word());
+    std::string_view first = word();
+    const auto limit = std::find(kLimits.begin(), kLimits.end(), first);
+    if (limit != kLimits.end()) first = word();
+    answer.objective = number(first);
     if (std::isnan(answer.objective) || answer.objective < 0) fail();
-    const bool reached = std::isfinite(answer.objective);
-    answer.status = !reached                ? DistanceStatus::unreachable
-                    : answer.objective == 0 ? DistanceStatus::contains_origin
-                                            : DistanceStatus::optimal;
+    answer.status = limit != kLimits.end() ? distance_status_from_string(std::string(*limit))
+                                           : status_of(answer.objective);
     for (std::string_view mark = word(); !mark.empty();) {
       if (mark == "u") {
         answer.u.resize(lp_.rows() - 1);

@@ -3,6 +3,7 @@
 #include "cluster/share.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -156,8 +157,10 @@ std::string to_text(const Calibration& calibration) {
   std::ostringstream out;
   out << std::setprecision(std::numeric_limits<double>::max_digits10) << calibration.threads << '\n';
   for (const Calibration::Entry& entry : calibration.entries) {
-    out << entry.serial_seconds << ' ' << entry.parallel_seconds << ' ' << entry.slowdown << ' '
-        << entry.method << '\n';
+    for (const double value : {entry.serial_seconds, entry.parallel_seconds, entry.slowdown,
+                               entry.slowdown_lower, entry.slowdown_upper})
+      out << value << ' ';
+    out << entry.method << '\n';
   }
   return out.str();
 }
@@ -167,7 +170,15 @@ Calibration calibration_from_text(const std::string& text) {
   Calibration calibration;
   in >> calibration.threads;
   Calibration::Entry entry;
-  while (in >> entry.serial_seconds >> entry.parallel_seconds >> entry.slowdown &&
+  // operator>> reads no infinity.
+  const auto read = [&in](double& value) {
+    std::string word;
+    in >> word;
+    value = std::strtod(word.c_str(), nullptr);
+    return static_cast<bool>(in);
+  };
+  while (read(entry.serial_seconds) && read(entry.parallel_seconds) && read(entry.slowdown) &&
+         read(entry.slowdown_lower) && read(entry.slowdown_upper) &&
          std::getline(in >> std::ws, entry.method)) {
     calibration.entries.push_back(entry);
   }

@@ -91,7 +91,12 @@ Instance FilePair::generate(const InstanceKey& key) const {
                                 "' has n = " + std::to_string(A.n) + " and N = " + std::to_string(N));
   }
   const std::lock_guard lock(kept_->mutex);
-  return {kept("A", kept_->A), kept("Q", kept_->Q), std::nullopt};
+  Instance instance{kept("A", kept_->A), kept("Q", kept_->Q), std::nullopt};
+  if (parameters_.count(kExactDistance) != 0)
+    instance.exact_distance = real_parameter(parameters_, kExactDistance);
+  if (parameters_.count(kExactDistanceRounding) != 0)
+    instance.exact_distance_rounding = real_parameter(parameters_, kExactDistanceRounding);
+  return instance;
 }
 
 Component<Generator> files_generator(std::shared_ptr<FileAccess> files) {
@@ -101,6 +106,8 @@ Component<Generator> files_generator(std::shared_ptr<FileAccess> files) {
   for (const char* role : {"A", "Q"}) {
     for (ParameterInfo& info : parameters_of(role)) parameters.push_back(std::move(info));
   }
+  parameters.push_back(
+      {kAnyParameter, std::string(), {}, {}, "columns of the pairs' file, carried along", {}});
   return {kName, "pairs of the user's point sets, meshes and set files", std::move(parameters),
           [files = std::move(files)](const Parameters& given) {
             return std::make_unique<FilePair>(files, given);

@@ -33,11 +33,17 @@ class FileAccess {
   virtual Pose pose(const std::string& text, int n) = 0;
 };
 
+/// Parameters of `files` that not every pair has.
+inline constexpr const char* kExactDistance = "exact_distance";
+inline constexpr const char* kExactDistanceRounding = "exact_distance_rounding";
+
 /// `files`: two sets of the user's as the one instance of every repetition. Each is moved to
 ///
 ///     { R s (x - c) + t : x in S },      s the scale, (R, t) the pose, c the centre of S or 0.
 ///
-/// Point sets stay point sets. An instance has the n of its sets and as N the larger number of points.
+/// Point sets stay point sets. An instance has the n of its sets and as N the larger number of points. Of the
+/// parameters that are not declared, exact_distance (a number) is the distance that the user knows, and
+/// exact_distance_rounding its relative error; the others are carried along.
 class FilePair final : public Generator {
  public:
   FilePair(std::shared_ptr<FileAccess> files, Parameters parameters);

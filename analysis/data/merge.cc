@@ -18,8 +18,10 @@ namespace {
 
 std::string slowdown_text(const Calibration& calibration) {
   std::string text;
-  for (const Calibration::Entry& entry : calibration.entries)
+  for (const Calibration::Entry& entry : calibration.entries) {
+    if (entry.is_noise()) continue;
     text += (text.empty() ? "" : ", ") + entry.method + " " + padded_significant(entry.slowdown, 3);
+  }
   return text;
 }
 

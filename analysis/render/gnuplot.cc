@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "analysis/render/tikz.h"
 #include "engine/numerics/number_text.h"
 #include "results/run/atomic_file.h"
 
@@ -105,6 +106,7 @@ std::string terminal(ImageFormat format, double width, double height) {
   constexpr double kPointsPerInch = 72;
   constexpr double kCairoPoints = 96;  // of a font to the inch
   constexpr double kScreenPixels = 96;
+  const std::string inches = rounded_text(width, 6) + "in," + rounded_text(height, 6) + "in";
   switch (format) {
     case ImageFormat::svg: {
       const std::string scale = rounded_text(kScreenPixels / kPointsPerInch, 6);
@@ -117,22 +119,32 @@ std::string terminal(ImageFormat format, double width, double height) {
              " enhanced font 'Sans,8' fontscale " + scale + " linewidth " + scale + " pointscale " + scale +
              " background 'white'\n";
     }
+    case ImageFormat::tikz:
+      return "set terminal tikz size " + inches + " font '\\scriptsize'\n";
+    case ImageFormat::eps:
     case ImageFormat::pdf:
       break;
   }
-  return "set terminal pdfcairo size " + rounded_text(width, 6) + "in," + rounded_text(height, 6) +
-         "in enhanced font 'Sans,8' fontscale " + rounded_text(kPointsPerInch / kCairoPoints, 6) +
+  return std::string("set terminal ") + (format == ImageFormat::eps ? "epscairo" : "pdfcairo") + " size " +
+         inches + " enhanced font 'Sans,8' fontscale " + rounded_text(kPointsPerInch / kCairoPoints, 6) +
          " linewidth 1 background 'white'\n";
 }
 
 }  // namespace
+
+const std::vector<std::string>& image_extensions() {
+  static const std::vector<std::string> kExtensions = {".svg", ".png", ".pdf", ".eps", ".tikz", ".tex"};
+  return kExtensions;
+}
 
 ImageFormat image_format_of(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension();
   if (extension == ".svg") return ImageFormat::svg;
   if (extension == ".png") return ImageFormat::png;
   if (extension == ".pdf") return ImageFormat::pdf;
-  throw InvalidParameterError(path + ": a figure is a file ending in .svg, .png or .pdf");
+  if (extension == ".eps") return ImageFormat::eps;
+  if (extension == ".tikz" || extension == ".tex") return ImageFormat::tikz;
+  throw InvalidParameterError(path + ": a figure is a file ending in .svg, .png, .pdf, .eps, .tikz or .tex");
 }
 
 std::string draw_with_gnuplot(const std::string& script, ImageFormat format, double width, double height) {
@@ -147,7 +159,7 @@ std::string draw_with_gnuplot(const std::string& script, ImageFormat format, dou
   const std::string reason = complaint(content_of(messages.get()));
   if (status != 0) throw GnuplotError("gnuplot failed: " + (reason.empty() ? "it gave no reason" : reason));
   if (picture.empty()) throw GnuplotError("gnuplot drew nothing: " + reason);
-  return picture;
+  return format == ImageFormat::tikz ? with_tex_texts(picture) : picture;
 }
 
 }  // namespace raygauge

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "raygauge/exceptions.h"
 
@@ -19,9 +20,12 @@ class GnuplotError : public Error {
 /// Of a PNG.
 inline constexpr double kPrintPixelsAnInch = 300;
 
-enum class ImageFormat : std::uint8_t { svg, png, pdf };
+enum class ImageFormat : std::uint8_t { svg, png, pdf, eps, tikz };
 
-/// By the extension of a file name. Throws InvalidParameterError for any other than .svg, .png and .pdf.
+/// The extensions of file names: .svg, .png, .pdf, .eps, and .tikz or .tex for TikZ.
+const std::vector<std::string>& image_extensions();
+
+/// By the extension of a file name. Throws InvalidParameterError for any other.
 ImageFormat image_format_of(const std::string& path);
 
 /// The picture that a gnuplot script draws, as the bytes of a file. `script` is all but the terminal;

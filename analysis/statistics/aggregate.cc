@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string_view>
 
 #include "analysis/data/columns.h"
 #include "analysis/data/outliers.h"
@@ -24,6 +26,7 @@ const std::map<std::string, std::function<double(const Values&)>>& functions() {
   static const std::map<std::string, std::function<double(const Values&)>> kFunctions = {
       {"median", [](const Values& values) { return median(values); }},
       {"mean", [](const Values& values) { return mean(values); }},
+      {"share", [](const Values& values) { return mean(values); }},
       {"geomean", [](const Values& values) { return geometric_mean(values); }},
       {"min", [](const Values& values) { return quantile(values, 0); }},
       {"max", [](const Values& values) { return quantile(values, 1); }},
@@ -34,14 +37,28 @@ const std::map<std::string, std::function<double(const Values&)>>& functions() {
   return kFunctions;
 }
 
+/// The number behind a prefix: 10 for "sgm10".
+std::optional<double> number_behind(std::string_view prefix, const std::string& name) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  double number = 0;
+  const char* end = name.data() + name.size();
+  const auto [stop, failure] = std::from_chars(name.data() + prefix.size(), end, number);
+  if (failure != std::errc() || stop != end) return std::nullopt;
+  return number;
+}
+
 /// 0.9 for "p90".
 std::optional<double> percentile(const std::string& name) {
-  if (name.size() < 2 || name[0] != 'p') return std::nullopt;
-  double percent = 0;
-  const char* end = name.data() + name.size();
-  const auto [stop, failure] = std::from_chars(name.data() + 1, end, percent);
-  if (failure != std::errc() || stop != end || !(percent >= 0 && percent <= 100)) return std::nullopt;
-  return percent / 100;
+  const auto percent = number_behind("p", name);
+  if (!percent || !(*percent >= 0 && *percent <= 100)) return std::nullopt;
+  return *percent / 100;
+}
+
+/// 10 for "sgm10", the shift of a shifted geometric mean.
+std::optional<double> shift_of(const std::string& name) {
+  const auto shift = number_behind("sgm", name);
+  if (!shift || !(*shift > 0 && std::isfinite(*shift))) return std::nullopt;
+  return shift;
 }
 
 bool is_count(const std::string& name) {
@@ -49,7 +66,7 @@ bool is_count(const std::string& name) {
 }
 
 void require_known(const std::string& name) {
-  if (is_count(name) || functions().count(name) > 0 || percentile(name)) return;
+  if (is_count(name) || functions().count(name) > 0 || percentile(name) || shift_of(name)) return;
   throw UnknownNameError("aggregate", name, aggregate_names());
 }
 
@@ -57,8 +74,8 @@ void require_known(const std::string& name) {
 
 const std::vector<std::string>& aggregate_names() {
   static const std::vector<std::string> kNames = {
-      "median", "mean",  "geomean",  "min", "max",           "sum",     "q1",
-      "q3",     "count", "failures", "p90", "disagreements", "outliers"};
+      "median", "mean",  "geomean", "sgm10",    "min", "max",           "sum",     "q1",
+      "q3",     "share", "count",   "failures", "p90", "disagreements", "outliers"};
   return kNames;
 }
 
@@ -79,13 +96,16 @@ Aggregate parse_aggregate(const std::string& text) {
   if (aggregate.counts())
     throw InvalidParameterError("value '" + text + "' lacks a column, as in '" + aggregate.name +
                                 " milliseconds'");
-  if (aggregate.is_ratio()) return aggregate;
+  if (aggregate.is_ratio() && !aggregate.is_share()) return aggregate;
   const AnalysisColumn* column = find_analysis_column(aggregate.quantity);
   if (column == nullptr) {
     std::vector<std::string> known = {"ratio"};
     for (const AnalysisColumn& each : analysis_columns()) known.push_back(each.name);
     throw UnknownNameError("column", aggregate.quantity, known, "value '" + text + "'");
   }
+  if (aggregate.is_share() && column->type != ValueType::boolean)
+    throw InvalidParameterError("value '" + text + "': a share is of a column of true and false, as in " +
+                                "'share solved'");
   if (column->type == ValueType::text)
     throw InvalidParameterError("value '" + text + "': column '" + column->name +
                                 "' holds texts, not numbers");
@@ -97,6 +117,7 @@ double aggregate_of(const Aggregate& aggregate, const std::vector<double>& value
   if (const auto function = functions().find(aggregate.name); function != functions().end())
     return function->second(values);
   if (const auto order = percentile(aggregate.name)) return quantile(values, *order);
+  if (const auto shift = shift_of(aggregate.name)) return shifted_geometric_mean(values, *shift);
   throw UnknownNameError("aggregate of values", aggregate.name, aggregate_names());
 }
 

@@ -90,6 +90,14 @@ double geometric_mean(const std::vector<double>& values) {
   return zero ? 0 : std::exp(sum / static_cast<double>(values.size()));
 }
 
+double shifted_geometric_mean(std::vector<double> values, double shift) {
+  if (!(shift > 0)) throw InvalidParameterError("the shift of a geometric mean must be positive");
+  if (std::any_of(values.begin(), values.end(), [](double x) { return x < 0; }))
+    throw InvalidParameterError("a geometric mean of a negative value");
+  for (double& x : values) x += shift;
+  return geometric_mean(values) - shift;
+}
+
 Interval median_interval(std::vector<double> values, double confidence) {
   require_values(values, "interval of the median");
   require_confidence(confidence);

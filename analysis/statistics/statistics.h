@@ -22,6 +22,10 @@ double mean(const std::vector<double>& values);
 /// a negative value. A zero makes it zero.
 double geometric_mean(const std::vector<double>& values);
 
+/// exp(mean(log(x + shift))) - shift, shift > 0: small values count less than in the geometric mean. Throws
+/// as geometric_mean().
+double shifted_geometric_mean(std::vector<double> values, double shift);
+
 /// An interval that is meant to cover a true value in a fraction `confidence` of experiments.
 struct Interval {
   double lower = 0;

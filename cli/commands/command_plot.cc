@@ -43,7 +43,7 @@ ImageFormat format_of(const std::string& path) {
 Output picture_output(const PlotArguments& arguments, const std::string& path) {
   if (path == kStandardOutput)
     return output_of(path, OutputKind::text, {".svg"}, arguments.analysis, arguments.force);
-  return output_of(path, OutputKind::image, {".svg", ".png", ".pdf"}, arguments.analysis, arguments.force);
+  return output_of(path, OutputKind::image, image_extensions(), arguments.analysis, arguments.force);
 }
 
 FigureOptions figure_options(const PlotArguments& arguments) {
@@ -164,7 +164,8 @@ void add_plot_command(Command& app, int& status) {
   command.add_option("--figure", arguments->figure, figure_help()).type_name("NAME");
   command
       .add_option("-o,--output", arguments->output,
-                  "File to write, .svg, .png or .pdf; - for SVG on standard output; without --figure the "
+                  "File to write: .svg, .png, .pdf, .eps, or .tikz or .tex for TikZ; - for SVG on standard "
+                  "output; without --figure the "
                   "folder for all figures, as SVG and PNG")
       .required()
       .type_name("FILE");

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <malloc.h>
+
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -72,6 +74,16 @@ void print_dry_run(const RunArguments& arguments, const Experiment& experiment,
   std::fputs(text.c_str(), stdout);
 }
 
+/// Bytes that are allocated; 0 where the C library does not say.
+double bytes_in_use() {
+#ifdef __GLIBC__
+  const auto in_use = ::mallinfo2();
+  return static_cast<double>(in_use.uordblks) + static_cast<double>(in_use.hblkhd);
+#else
+  return 0;
+#endif
+}
+
 void refuse_idle_options(const RunArguments& arguments) {
   if (arguments.ranks && !arguments.dry_run) {
     throw InvalidParameterError("--ranks is for --dry-run; ranks are started by mpirun -n K raygauge run …");
@@ -88,7 +100,9 @@ int run(const RunArguments& arguments) {
       read_experiment(arguments.experiment_path, arguments.overrides, generators, methods);
   if (arguments.threads) experiment.threads = *arguments.threads;
   if (arguments.dry_run) {
-    print_dry_run(arguments, experiment, estimate_sweep(experiment, generators, methods));
+    constexpr double kProbing = 1.2;  // seconds
+    print_dry_run(arguments, experiment,
+                  estimate_sweep(experiment, generators, methods, kProbing, bytes_in_use));
     return kAnswered;
   }
   return run_experiment(arguments, experiment, generators, methods);

@@ -186,11 +186,11 @@ void add_pivot_options(Command& command, TableArguments& arguments) {
   command
       .add_option(
           "--value", arguments.value,
-          "What a cell shows: median, mean, geomean, min, max, sum, q1, q3, p90 or outliers of a column or "
-          "of "
-          "\"ratio\" "
-          "(time over the best baseline's), as in \"median ratio\"; or count, failures, disagreements; "
-          "default: median milliseconds")
+          "What a cell shows: median, mean, geomean, sgm10 (geometric mean shifted by 10), min, max, sum, "
+          "q1, "
+          "q3, p90 or outliers of a column or of \"ratio\" (time over the best baseline's), as in \"median "
+          "ratio\"; share of a column of true and false, as in \"share solved\"; or count, failures, "
+          "disagreements; default: median milliseconds")
       .type_name("AGGREGATE COLUMN");
   command.add_flag("--intervals", arguments.intervals, "Show 95 % intervals beside medians and ratios");
 }

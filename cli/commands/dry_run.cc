@@ -187,6 +187,24 @@ std::string two_digits(double value) {
   return text.data();
 }
 
+std::string bytes_text(double bytes) {
+  constexpr double kStep = 1024;
+  constexpr std::array<const char*, 4> kUnits = {"KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  for (bytes /= kStep; bytes >= kStep && unit + 1 < kUnits.size(); bytes /= kStep) ++unit;
+  return rounded_text(bytes, 2) + " " + kUnits.at(unit);
+}
+
+/// What the largest cell needs, and all threads with such cells at once.
+std::string memory_text(const SweepEstimate& estimate) {
+  std::string text = "about " + bytes_text(estimate.largest_bytes) +
+                     " for the largest cell (n = " + std::to_string(estimate.largest.n) +
+                     ", N = " + std::to_string(estimate.largest.N) + ")";
+  if (estimate.threads == 1) return text;
+  return text + ", " + bytes_text(estimate.threads * estimate.largest_bytes) + " for " +
+         std::to_string(estimate.threads) + " at once";
+}
+
 /// What keeps so many workers from being busy all the time.
 std::string limit_text(const Experiment& experiment, const Makespan& makespan, std::uint64_t workers) {
   constexpr double kGood = 0.9;
@@ -221,6 +239,7 @@ std::string dry_run_text(const Experiment& experiment, const SweepEstimate& esti
   text += grid_line("timing", std::string(serial ? "serial" : "parallel") + ", " +
                                   std::to_string(estimate.threads) +
                                   (estimate.threads == 1 ? " thread" : " threads"));
+  if (estimate.largest_bytes > 0) text += grid_line("memory", memory_text(estimate));
   text += grid_line("estimate", at_most + "about " + duration_text(estimate.seconds) + ", from probing " +
                                     std::to_string(estimate.probed_cells) + " of the cells for " +
                                     duration_text(estimate.probing_seconds));

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/file_names.h"
 
+#include <fnmatch.h>
 #include <glob.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "cli/input/input_file.h"
 #include "raygauge/exceptions.h"
@@ -57,6 +59,24 @@ class Matches {
   glob_t found_{};
 };
 
+bool is_pattern(const std::string& text) { return text.find_first_of(kSpecial) != std::string::npos; }
+
+/// The sources FILE:/DATASET of the datasets in the file that match; FILE:/DATASET itself if it is no
+/// pattern.
+std::vector<std::string> matching_datasets(const std::string& file, const std::string& dataset,
+                                           const std::string& prefix) {
+  const std::string pattern = dataset.empty() ? "" : dataset.substr(1);  // without the colon
+  if (!is_pattern(pattern)) return {file + dataset};
+  std::vector<std::string> sources;
+  for (const std::string& name : point_datasets(prefix + file)) {
+    if (name == pattern) return {file + dataset};
+    if (::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME) == 0) sources.push_back(file + ":" + name);
+  }
+  if (sources.empty())
+    throw InvalidParameterError(prefix + file + ": no dataset of points matches '" + pattern + "'");
+  return sources;
+}
+
 std::string short_name(const std::string& source) {
   const auto [file, dataset] = split(source);
   fs::path path = fs::path(file).filename();
@@ -72,14 +92,26 @@ std::vector<std::string> matching_sources(const std::string& pattern, const fs::
     throw InvalidParameterError("standard input cannot be a file of a sweep: it can be read once only");
   const auto [file, dataset] = split(pattern);
   std::error_code ignored;
-  if (file.find_first_of(kSpecial) == std::string::npos || fs::exists(folder / file, ignored))
-    return {pattern};
   const bool below = !folder.empty() && fs::path(file).is_relative();
   const std::string prefix = below ? (folder / "").string() : "";
-  std::vector<std::string> sources = Matches(escaped(prefix) + file).files();
-  if (sources.empty()) throw InvalidParameterError("no file matches '" + prefix + file + "'");
-  for (std::string& source : sources) source = source.substr(prefix.size()) + dataset;
+  if (!is_pattern(file) || fs::exists(folder / file, ignored))
+    return matching_datasets(file, dataset, prefix);
+  const std::vector<std::string> files = Matches(escaped(prefix) + file).files();
+  if (files.empty()) throw InvalidParameterError("no file matches '" + prefix + file + "'");
+  std::vector<std::string> sources;
+  for (const std::string& found : files) {
+    for (std::string& source : matching_datasets(found.substr(prefix.size()), dataset, prefix))
+      sources.push_back(std::move(source));
+  }
   return sources;
+}
+
+std::string matched_text(const std::string& pattern, const std::string& source) {
+  const std::size_t first = pattern.find_first_of(kSpecial);
+  if (first == std::string::npos || pattern == source) return "";
+  const std::size_t last = std::min(pattern.find_last_of("*?]\\") + 1, pattern.size());
+  const std::size_t behind = pattern.size() - last;
+  return source.substr(first, source.size() - first - behind);
 }
 
 std::map<std::string, std::string> short_names(const std::vector<std::string>& sources) {

@@ -3,8 +3,10 @@
 #include "cli/input/file_pairs.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -69,7 +71,74 @@ std::vector<Pair> every_pair(const std::vector<std::string>& As, const std::vect
   return pairs;
 }
 
+/// What matches the pattern of a key, by what its `*` stands for.
+std::map<std::string, std::string> by_matched_text(const toml::node& node, const std::string& key,
+                                                   const fs::path& folder) {
+  const std::string pattern = read_text(node, "generator." + key);
+  std::map<std::string, std::string> sources;
+  for (const std::string& source : placed(node, [&] { return matching_sources(pattern, folder); }))
+    sources[matched_text(pattern, source)] = source;
+  if (sources.count("") != 0) refuse(node, "generator." + key + " must be a pattern where paired = true");
+  return sources;
+}
+
+/// Each A with the Q for which the patterns' `*` stand for the same text, which is the pair's name.
+std::vector<Pair> paired_sources(const toml::node& A, const toml::node& Q, const fs::path& folder) {
+  const auto As = by_matched_text(A, "A", folder);
+  const auto Qs = by_matched_text(Q, "Q", folder);
+  check_number(As.size(), place_of(A));
+  std::vector<Pair> pairs;
+  for (const auto& [text, source] : As) {
+    const auto partner = Qs.find(text);
+    if (partner == Qs.end()) refuse(Q, "no Q for '" + source + "'");
+    pairs.push_back({{{"A", source}, {"Q", partner->second}, {"pair", text}}, place_of(A)});
+  }
+  for (const auto& [text, source] : Qs) {
+    if (As.count(text) == 0) refuse(A, "no A for '" + source + "'");
+  }
+  return pairs;
+}
+
+/// Columns that say something of a pair; any other is the user's own.
+std::vector<std::string> known_columns() {
+  std::vector<std::string> known = kMoves;
+  known.insert(known.end(), {"A", "Q", "pair", kExactDistance, kExactDistanceRounding});
+  return known;
+}
+
+bool is_own_column(const std::string& name) {
+  const std::vector<std::string> known = known_columns();
+  return std::find(known.begin(), known.end(), name) == known.end();
+}
+
+/// A column of the user's must not look like a slip in one that is known.
+void check_own_column(const std::string& name, const std::string& place) {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  const std::vector<std::string> known = known_columns();
+  const bool only_case = std::any_of(known.begin(), known.end(), [&](const std::string& other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(), same);
+  });
+  const bool reserved = name.starts_with("scale_") || name.starts_with("center_") ||
+                        name.starts_with("pose_") || name.starts_with("content_") ||
+                        name.starts_with("exact_") || name == "skip_header";
+  if (only_case || reserved) throw UnknownNameError("column", name, known, place);
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0 ||
+      name.find_first_not_of(kLetters) != std::string::npos)
+    throw InvalidParameterError(place + ": the column '" + name +
+                                "' needs a name of letters, digits, '_', '-' and '.', a letter first");
+}
+
+double known_distance(const std::string& name, double value, const std::string& place) {
+  if (value >= 0 && (name == kExactDistance || value < 1)) return value;
+  throw InvalidParameterError(place + ": " + name + " must be " +
+                              (name == kExactDistance ? "a distance" : "a relative error below 1"));
+}
+
 ParameterValue cell_value(const std::string& name, const std::string& text, const std::string& place) {
+  if (is_own_column(name)) return text;
   if (name.starts_with("pose_")) return pose_text(parse_pose(text, place + ": " + name));
   if (name.starts_with("center_")) {
     if (text == "true" || text == "false") return text == "true";
@@ -79,6 +148,7 @@ ParameterValue cell_value(const std::string& name, const std::string& text, cons
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size())
     throw InvalidParameterError(place + ": " + name + " must be a number, got '" + text + "'");
+  if (name == kExactDistance || name == kExactDistanceRounding) return known_distance(name, number, place);
   return number;
 }
 
@@ -102,12 +172,9 @@ Pair pair_of(const TextTable& table, const TextTable::Row& row, const fs::path& 
 /// `source` is relative to the experiment, and so are the names that come out.
 std::vector<Pair> listed_pairs(const std::string& source, const fs::path& folder) {
   const TextTable table = read_text_table((folder / source).string());
-  std::vector<std::string> known = kMoves;
-  known.insert(known.end(), {"A", "Q", "pair"});
   const std::string heading = (folder / source).string();
   for (const std::string& name : table.names) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UnknownNameError("column", name, known, heading);
+    if (is_own_column(name)) check_own_column(name, heading);
   }
   for (const char* needed : {"A", "Q"}) {
     if (std::find(table.names.begin(), table.names.end(), needed) == table.names.end())
@@ -170,6 +237,8 @@ std::vector<Pair> unmoved_pairs(const toml::table& entry, const fs::path& folder
       (A != nullptr || Q != nullptr ? 1 : 0) + (files != nullptr ? 1 : 0) + (pairs != nullptr ? 1 : 0);
   if (ways != 1 || (A == nullptr) != (Q == nullptr))
     refuse(entry, "generator 'files' needs A and Q, or files, or pairs");
+  const toml::node* paired = entry.get("paired");
+  if (paired != nullptr && A == nullptr) refuse(*paired, "generator.paired is for A and Q");
   if (pairs != nullptr) {
     const std::string source = read_text(*pairs, "generator.pairs");
     return placed(*pairs, [&] { return listed_pairs(source, folder); });
@@ -179,6 +248,7 @@ std::vector<Pair> unmoved_pairs(const toml::table& entry, const fs::path& folder
     if (sources.size() < 2) refuse(*files, "a pair needs two files, there is one");
     return every_pair(sources, sources, true, place_of(*files));
   }
+  if (paired != nullptr && read_boolean(*paired, "generator.paired")) return paired_sources(*A, *Q, folder);
   const std::vector<std::string> As = sources_of(*A, "A", folder);
   return every_pair(As, sources_of(*Q, "Q", folder), false, place_of(*A));
 }
@@ -209,7 +279,7 @@ std::vector<GeneratorSpec> read_file_pairs(const toml::table& entry, const fs::p
       refuse(*node, std::string("generator 'files' takes ") + axis + " from its files");
   }
   std::vector<std::string> known = kMoves;
-  known.insert(known.end(), {"name", "A", "Q", "files", "pairs", "skip_header"});
+  known.insert(known.end(), {"name", "A", "Q", "files", "pairs", "paired", "skip_header"});
   reject_unknown_keys(entry, "key of generator 'files'", known);
   std::vector<Pair> pairs = unmoved_pairs(entry, folder);
   if (const toml::node* skip = entry.get("skip_header")) {

@@ -113,7 +113,8 @@ Json calibration_json(const Calibration& calibration) {
     list.push_back({{"method", entry.method},
                     {"serial_seconds", entry.serial_seconds},
                     {"parallel_seconds", entry.parallel_seconds},
-                    {"slowdown", entry.slowdown}});
+                    {"slowdown", entry.slowdown},
+                    {"slowdown_is_noise", entry.is_noise()}});
   }
   return list;
 }
@@ -149,7 +150,7 @@ struct MachineUse {
   MachineInfo machine;
   int sessions = 0;
   std::size_t records = 0;
-  std::map<std::string, std::vector<double>> slowdown;  ///< by method
+  std::map<std::string, std::vector<double>> slowdown;  ///< by method; without what is noise
 };
 
 /// One entry for each host.
@@ -161,7 +162,7 @@ std::map<std::string, MachineUse> machines_of(const ResultsFile& results) {
     use.machine = session.machine;
     ++use.sessions;
     for (const Calibration::Entry& entry : session.calibration.entries) {
-      use.slowdown[entry.method].push_back(entry.slowdown);
+      if (!entry.is_noise()) use.slowdown[entry.method].push_back(entry.slowdown);
     }
   }
   for (const Record& record : results.records) {

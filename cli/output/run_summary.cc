@@ -58,12 +58,13 @@ std::string repeated_line(const RunSummary::Repetitions& repetitions) {
 std::string slowdown_text(const Calibration& calibration) {
   std::string text;
   for (const Calibration::Entry& entry : calibration.entries) {
+    if (entry.is_noise()) continue;
     constexpr int kLength = 32;
     char ratio[kLength];
     std::snprintf(ratio, kLength, " %.3f", entry.slowdown);
     text += (text.empty() ? "" : ", ") + language::printable(entry.method) + ratio;
   }
-  return text;
+  return text.empty() ? "none that differs from noise" : text;
 }
 
 }  // namespace

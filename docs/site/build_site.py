@@ -149,6 +149,24 @@ def navigation_text(pages):
     return "\n".join(lines) + "\n"
 
 
+# Of the README, what the first page shows before the list of pages.
+FIRST_PAGE = ["A first result", "In Python", "Three promises at a glance"]
+# Pictures have a white ground, which they keep in the dark.
+EXTRA_STYLE = """[data-md-color-scheme="slate"] img { background: #fff; border-radius: 2px; }
+.md-typeset h1 { font-weight: 600; }
+"""
+
+
+def first_page(readme, pages):
+    """What raygauge is, with its picture and a first result, from README.md; then the list of pages of docs/README.md."""
+    parts = re.split(r"(?m)^## (.*)\n", readme)
+    sections = dict(zip(parts[1::2], parts[2::2]))
+    text = parts[0] + "".join(f"## {name}\n{sections[name]}" for name in FIRST_PAGE)
+    text = re.sub(r"\]\((?:docs/)([^)]*)\)", r"](\1)", text)
+    listed = re.sub(r"(?m)^(#+) ", r"\1# ", pages)
+    return f"{text}\n{listed}\nThe C++ API: [classes and functions](cpp/index.html).\n"
+
+
 def write_sources(folder):
     import raygauge
 
@@ -156,7 +174,8 @@ def write_sources(folder):
     shutil.copytree(ROOT / "docs", folder, ignore=shutil.ignore_patterns("site"))
     pages = {path.name: path.read_text(encoding="utf-8") for path in folder.glob("*.md")}
     pages["python-api.md"] = python_api(raygauge)
-    pages["index.md"] = pages.pop("README.md") + "\nThe C++ API: [classes and functions](cpp/index.html).\n"
+    pages["index.md"] = first_page((ROOT / "README.md").read_text(encoding="utf-8"), pages.pop("README.md"))
+    (folder / "extra.css").write_text(EXTRA_STYLE, encoding="utf-8")
     (folder / "README.md").unlink()
     for name, text in pages.items():
         # The lists and tables of the pages follow their paragraphs at once, as GitHub reads them.
@@ -168,7 +187,8 @@ def run_doxygen(output):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8")
     first = HERE / "cpp.md"
     settings += f"\nINPUT = {ROOT / 'include'} {first}\nUSE_MDFILE_AS_MAINPAGE = {first}\n"
-    settings += f"FILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\n"
+    settings += f"FILE_PATTERNS = *.h\nSTRIP_FROM_PATH = {ROOT}\nSTRIP_FROM_INC_PATH = {ROOT / 'include'}\n"
+    settings += f"INPUT_FILTER = \"{sys.executable} {HERE / 'whole_sentences.py'}\"\n"
     settings += f"OUTPUT_DIRECTORY = {output / 'html'}\n"
     styles = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css"]
     if all(style.exists() for style in styles):

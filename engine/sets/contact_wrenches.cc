@@ -21,7 +21,7 @@ Eigen::Vector3d checked(const ConstVectorRef& v, const char* what) {
 }  // namespace
 
 ContactWrenches::ContactWrenches(const ConstVectorRef& p, const ConstVectorRef& n, double mu, double facets)
-    : ConvexSet(6), p_(checked(p, "p")), n_(checked(n, "n")), mu_(mu), facets_(0) {
+    : ConvexSet(6), p_(checked(p, "p")), n_(checked(n, "n")), given_(n_), mu_(mu), facets_(0) {
   if (!(n_.norm() > 0)) throw InvalidParameterError("contact wrenches: the normal is zero");
   if (!(mu >= 0) || !std::isfinite(mu))
     throw InvalidParameterError("contact wrenches: friction must not be negative");

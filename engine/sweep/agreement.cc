@@ -34,8 +34,10 @@ bool all_proofs_meet(const Record& record, std::span<const Record> records) {
   const Interval own = interval_of(record);
   const bool meets_all = std::all_of(records.begin(), records.end(),
                                      [&](const Record& other) { return meet(own, interval_of(other)); });
-  if (std::isnan(record.exact_distance)) return meets_all;
-  return meets_all && meet(own, {record.exact_distance, record.exact_distance});
+  const double truth = record.exact_distance;
+  if (std::isnan(truth)) return meets_all;
+  const double rounding = record.exact_distance_rounding;
+  return meets_all && meet(own, {truth * (1 - rounding), truth * (1 + rounding)});
 }
 
 /// Whether no other claim contradicts this one. A claim of NaN fails by itself and contradicts nobody.

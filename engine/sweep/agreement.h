@@ -35,7 +35,7 @@ bool proofs_meet(const Record& a, const Record& b);
 /// narrowest of them. A record with a final status claims a distance: its `distance` (optimal), 0
 /// (contains_origin) or +∞ (unreachable). Record i agrees when
 ///   1. I_i meets every I_j:            max(lower_i, lower_j) <= min(upper_i, upper_j),
-///   2. I_i contains exact_distance, where that is known,
+///   2. I_i meets exact_distance with its rounding, where that is known,
 ///   3. the distance it claims, if it claims one, lies within the relative tolerance ε of I*; and also of
 ///   every
 ///      other claim, unless I* settles the matter by being narrower than ε.

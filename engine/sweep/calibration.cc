@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,8 +19,8 @@
 namespace raygauge {
 namespace {
 
-/// Enough for a median, even if the sweep is short.
-constexpr int kFewestInstances = 3;
+/// Enough for an interval of the median, even if the sweep is short.
+constexpr int kFewestInstances = 6;
 /// More would not make the median better.
 constexpr int kMostInstances = 15;
 /// The share of a sweep's time that solving alone may take, within those limits.
@@ -42,7 +43,10 @@ Calibration::Entry entry_of(const std::string& method, const std::vector<double>
                             const std::vector<double>& together) {
   std::vector<double> ratios(alone.size());
   std::transform(together.begin(), together.end(), alone.begin(), ratios.begin(), std::divides<>());
-  return {method, sample_median(alone), sample_median(together), sample_median(ratios)};
+  const auto interval = order_statistic_interval(ratios).value_or(
+      OrderStatisticInterval{0, std::numeric_limits<double>::infinity()});
+  return {method,         sample_median(alone), sample_median(together), sample_median(ratios),
+          interval.lower, interval.upper};
 }
 
 }  // namespace

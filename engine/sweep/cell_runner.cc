@@ -25,11 +25,6 @@ std::uint64_t order_stream(const Cell& cell, int first_repetition) {
   return (static_cast<std::uint64_t>(first_repetition) << kBitsOfCell) + cell.index;
 }
 
-int batch_size(const Cell& cell, int repetitions) {
-  const double coordinates = 2.0 * cell.n * cell.N;
-  return static_cast<int>(std::clamp(kBatchCoordinates / coordinates, 1.0, static_cast<double>(repetitions)));
-}
-
 void copy_outcome(const DistanceResult& result, Record& record) {
   record.distance = result.distance;
   record.lower = result.lower;
@@ -39,6 +34,11 @@ void copy_outcome(const DistanceResult& result, Record& record) {
 }
 
 }  // namespace
+
+int batch_size(const Cell& cell, int repetitions) {
+  const double coordinates = 2.0 * cell.n * cell.N;
+  return static_cast<int>(std::clamp(kBatchCoordinates / coordinates, 1.0, static_cast<double>(repetitions)));
+}
 
 CellRunner::CellRunner(const SweepPlan& plan, const Circumstances& circumstances, SweepHooks hooks)
     : plan_(plan), circumstances_(circumstances), hooks_(std::move(hooks)), methods_(plan.make_methods()) {}
@@ -150,6 +150,7 @@ void CellRunner::measure(const Cell& cell, const Instance& instance, std::size_t
   record.inner_repetitions = timed.inner_repetitions;
   copy_outcome(solver.result(), record);
   record.exact_distance = instance.exact_distance.value_or(std::numeric_limits<double>::quiet_NaN());
+  record.exact_distance_rounding = std::max(record.exact_distance_rounding, instance.exact_distance_rounding);
 }
 
 }  // namespace raygauge

@@ -15,6 +15,9 @@
 
 namespace raygauge {
 
+/// How many of so many repetitions are held in memory at once: 256 MB of points, and at least one.
+int batch_size(const Cell& cell, int repetitions);
+
 /// Runs cells on one thread, with method objects of its own.
 ///
 /// Within a cell all methods meet all repetitions in a seeded random order, so that a slow drift of the

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "engine/sweep/cell_runner.h"
 #include "engine/sweep/limited_load.h"
+#include "engine/sweep/repetitions.h"
 #include "engine/sweep/schedule.h"
 #include "engine/sweep/sweep_plan.h"
 #include "raygauge/sweep/sweep.h"
@@ -28,19 +31,27 @@ constexpr double kCheap = 2000;
 struct Probe {
   double cost = 0;
   double seconds = 0;
+  double model_bytes_a_coordinate = 0;  ///< of what the methods made of the instance
 };
 
-double repetition_seconds(const SweepPlan& plan, const Cell& cell, double budget_seconds) {
+using HeapBytes = std::function<double()>;
+
+double coordinates(const Cell& cell) { return 2.0 * cell.n * cell.N; }
+
+Probe probe_of(const SweepPlan& plan, const Cell& cell, double budget_seconds, const HeapBytes& heap_bytes) {
   SolveRequest request = plan.request(cell);
   request.time_limit = std::min(request.time_limit, std::max(budget_seconds, 1e-3));
   const SteadyClock::time_point start = SteadyClock::now();
   const Instance instance = plan.instance(cell, 0);
-  for (const auto& method : plan.make_methods()) {
+  const std::vector<std::unique_ptr<SolveMethod>> methods = plan.make_methods();
+  const double before = heap_bytes ? heap_bytes() : 0;
+  for (const auto& method : methods) {
     limit_load(*method, request.time_limit);
     method->load(instance);
     time_solve(*method, request, plan.experiment().min_seconds);
   }
-  return seconds_since(start);
+  const double made = heap_bytes ? std::max(0.0, heap_bytes() - before) : 0;
+  return {expected_cost(cell), seconds_since(start), made / coordinates(cell)};
 }
 
 /// Smaller and smaller cells like `cell`, the smallest first, where `cell` itself may take long.
@@ -73,7 +84,8 @@ std::vector<Cell> candidates(const std::vector<Cell>& by_cost) {
 /// Probes cells of increasing cost while the next one is foreseen to end within the budget.
 class Prober {
  public:
-  Prober(const SweepPlan& plan, double budget_seconds) : plan_(plan), budget_seconds_(budget_seconds) {}
+  Prober(const SweepPlan& plan, double budget_seconds, const HeapBytes& heap_bytes)
+      : plan_(plan), budget_seconds_(budget_seconds), heap_bytes_(heap_bytes) {}
 
   std::vector<Probe> run(const std::vector<Cell>& by_cost) {
     const double smallest_of_grid = expected_cost(by_cost.front());
@@ -98,13 +110,11 @@ class Prober {
   double foreseen(double cost) const {
     return probes_.back().seconds * std::pow(cost / probes_.back().cost, kSteepest);
   }
-  void probe(const Cell& cell) {
-    const double seconds = repetition_seconds(plan_, cell, seconds_left());
-    probes_.push_back({expected_cost(cell), seconds});
-  }
+  void probe(const Cell& cell) { probes_.push_back(probe_of(plan_, cell, seconds_left(), heap_bytes_)); }
 
   const SweepPlan& plan_;
   double budget_seconds_;
+  const HeapBytes& heap_bytes_;
   SteadyClock::time_point start_ = SteadyClock::now();
   std::vector<Probe> probes_;
 };
@@ -127,12 +137,14 @@ double seconds_at(double cost, const std::vector<Probe>& probes) {
 }  // namespace
 
 SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
-                             const MethodRegistry& methods, double budget_seconds) {
+                             const MethodRegistry& methods, double budget_seconds,
+                             const std::function<double()>& heap_bytes) {
   const SteadyClock::time_point start = SteadyClock::now();
   const SweepPlan plan(experiment, generators, methods);
   std::vector<Cell> by_cost = longest_first(plan.cells(), false, experiment.seed);
   std::reverse(by_cost.begin(), by_cost.end());
-  const std::vector<Probe> probes = Prober(plan, budget_seconds - seconds_since(start)).run(by_cost);
+  const std::vector<Probe> probes =
+      Prober(plan, budget_seconds - seconds_since(start), heap_bytes).run(by_cost);
 
   SweepEstimate estimate;
   estimate.cells = by_cost.size();
@@ -148,6 +160,12 @@ SweepEstimate estimate_sweep(const Experiment& experiment, const GeneratorRegist
     estimate.seconds += seconds;
   }
   estimate.seconds /= estimate.threads;
+  estimate.largest = *std::max_element(by_cost.begin(), by_cost.end(), [](const Cell& a, const Cell& b) {
+    return coordinates(a) < coordinates(b);
+  });
+  const double instances = batch_size(estimate.largest, next_look(experiment, 0));
+  estimate.largest_bytes =
+      coordinates(estimate.largest) * (instances * sizeof(double) + probes.back().model_bytes_a_coordinate);
   estimate.probed_cells = probes.size();
   estimate.probing_seconds = seconds_since(start);
   return estimate;

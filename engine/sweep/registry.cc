@@ -65,13 +65,18 @@ Parameters complete(const std::string& owner, const std::vector<ParameterInfo>& 
                     const Parameters& given) {
   Parameters result;
   std::vector<std::string> names;
+  bool any = false;
   for (const ParameterInfo& info : declared) {
+    any = any || info.name == kAnyParameter;
+    if (info.name == kAnyParameter) continue;
     names.push_back(info.name);
     const auto found = given.find(info.name);
     result[info.name] = found == given.end() ? info.default_value : checked(owner, info, found->second);
   }
   for (const auto& entry : given) {
-    if (result.count(entry.first) == 0) throw UnknownNameError("parameter", entry.first, names, owner);
+    if (!any && result.count(entry.first) == 0)
+      throw UnknownNameError("parameter", entry.first, names, owner);
+    result.insert(entry);
   }
   return result;
 }

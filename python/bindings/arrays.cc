@@ -38,7 +38,23 @@ auto translated(py::handle object, const char* name, Convert convert) {
   }
 }
 
+/// Whether an entry is masked; those of lists are looked at one by one.
+bool has_masked_entries(py::handle object) {
+  if (PyList_Check(object.ptr()) || PyTuple_Check(object.ptr())) {
+    for (const py::handle member : object) {
+      if (has_masked_entries(member)) return true;
+    }
+    return false;
+  }
+  if (!py::isinstance<py::array>(object)) return false;
+  const py::module_ ma = py::module_::import("numpy.ma");
+  return ma.attr("is_masked")(object).cast<bool>();
+}
+
 Doubles converted(py::handle object, const char* name) {
+  if (has_masked_entries(object))
+    throw InvalidParameterError(std::string(name) + ": " + described(object) +
+                                ", has masked entries: leave these points out, or fill them (.filled)");
   const auto array = translated(object, name, [&] {
     return py::reinterpret_steal<py::array>(py::module_::import("numpy").attr("asarray")(object).release());
   });
@@ -66,7 +82,7 @@ std::string described(py::handle object) {
 }
 
 Doubles as_doubles(py::handle object, const char* name) {
-  if (Doubles::check_(object)) {
+  if (Doubles::check_(object) && Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_) {
     auto array = py::reinterpret_borrow<Doubles>(object);
     if ((array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0) return array;
   }

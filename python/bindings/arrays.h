@@ -17,9 +17,30 @@ namespace py = pybind11;
 
 using SetPointer = std::shared_ptr<const ConvexSet>;
 
+inline bool is_anything(PyObject* /*object*/) { return true; }
+
+// Arguments, as signatures name them; what they hold is checked by the functions below, in words of ours.
+// NOLINTBEGIN(readability-identifier-naming)
+struct ArrayLike : py::object {
+  PYBIND11_OBJECT_DEFAULT(ArrayLike, py::object, is_anything)
+};
+struct SetLike : py::object {
+  PYBIND11_OBJECT_DEFAULT(SetLike, py::object, is_anything)
+};
+struct SetsLike : py::object {
+  PYBIND11_OBJECT_DEFAULT(SetsLike, py::object, is_anything)
+};
+struct PoseLike : py::object {
+  PYBIND11_OBJECT_DEFAULT(PoseLike, py::object, is_anything)
+};
+struct WarmStartLike : py::object {
+  PYBIND11_OBJECT_DEFAULT(WarmStartLike, py::object, is_anything)
+};
+// NOLINTEND(readability-identifier-naming)
+
 /// A Python object as doubles in C order: the object itself where it is such an array already, so that
 /// nothing is copied, else a copy. `name` is the parameter's in messages. Throws InvalidParameterError for
-/// what is no array of real numbers.
+/// what is no array of real numbers, and for masked entries: as numbers they would lose their mask.
 py::array_t<double, py::array::c_style> as_doubles(py::handle object, const char* name);
 
 /// A vector of R^n from an array (n,).
@@ -45,3 +66,28 @@ py::array_t<double> readonly_array(const Vector& vector);
 std::string described(py::handle object);
 
 }  // namespace raygauge::python
+
+namespace pybind11::detail {
+
+template <>
+struct handle_type_name<raygauge::python::ArrayLike> {
+  static constexpr auto name = const_name("ArrayLike");
+};
+template <>
+struct handle_type_name<raygauge::python::SetLike> {
+  static constexpr auto name = const_name("ConvexSet | ArrayLike");
+};
+template <>
+struct handle_type_name<raygauge::python::SetsLike> {
+  static constexpr auto name = const_name("ConvexSet | ArrayLike | Sequence[ConvexSet | ArrayLike]");
+};
+template <>
+struct handle_type_name<raygauge::python::PoseLike> {
+  static constexpr auto name = const_name("ArrayLike | None");
+};
+template <>
+struct handle_type_name<raygauge::python::WarmStartLike> {
+  static constexpr auto name = const_name("WarmStart | None");
+};
+
+}  // namespace pybind11::detail

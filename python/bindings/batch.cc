@@ -14,9 +14,9 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/batch_docs.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/distance_batch.h"
 #include "python/bindings/interrupt.h"
 #include "python/bindings/poses.h"
-#include "python/bindings/results.h"
 #include "python/bindings/solving.h"
 #include "python/bindings/workers.h"
 #include "raygauge/exceptions.h"
@@ -92,30 +92,6 @@ class BatchOperand {
   std::ptrdiff_t count_ = 0;
   std::ptrdiff_t size_ = 0;
   int dimension_ = 0;
-};
-
-/// The answers of a batch, a NumPy array each.
-struct DistanceBatch {
-  py::array_t<double> distance, lower, upper;
-  py::array_t<std::int8_t> status_code;
-  py::array_t<double> normal;  // NaN where a problem has none
-  py::object contact_point;    // an array, or None
-  py::array_t<std::int64_t> pivots;
-  double* contact_data = nullptr;
-
-  DistanceBatch(std::ptrdiff_t count, int n, bool witness)
-      : distance(count),
-        lower(count),
-        upper(count),
-        status_code(count),
-        normal({count, static_cast<std::ptrdiff_t>(n)}),
-        contact_point(py::none()),
-        pivots(count) {
-    if (!witness) return;
-    py::array_t<double> points({count, static_cast<std::ptrdiff_t>(n)});
-    contact_data = points.mutable_data();
-    contact_point = std::move(points);
-  }
 };
 
 /// Where the threads of a batch write: the arrays' memory.
@@ -288,8 +264,8 @@ void work_on(const BatchTask& task, const std::function<std::ptrdiff_t()>& next)
   }
 }
 
-DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std::string& method,
-                        py::handle poses_A, py::handle poses_Q, bool witness, bool along_path,
+DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, const std::string& method,
+                        const PoseLike& poses_A, const PoseLike& poses_Q, bool witness, bool along_path,
                         double time_limit, int threads) {
   const BatchSide a(A, "A", poses_A, "poses_A");
   const BatchSide q(Q, "Q", poses_Q, "poses_Q");
@@ -312,30 +288,13 @@ DistanceBatch distances(py::handle A, py::handle Q, double tolerance, const std:
   return batch;
 }
 
-py::object status_texts(const DistanceBatch& batch) {
-  const py::object names = py::module_::import("numpy").attr("array")(py::cast(status_names()));
-  return names.attr("__getitem__")(batch.status_code);
-}
-
 }  // namespace
 
 void bind_batches(py::module_& module) {
-  py::class_<DistanceBatch>(module, "Distances", kDistanceBatchDoc)
-      .def_readonly("distance", &DistanceBatch::distance)
-      .def_readonly("lower", &DistanceBatch::lower)
-      .def_readonly("upper", &DistanceBatch::upper)
-      .def_readonly("status_code", &DistanceBatch::status_code)
-      .def_property_readonly("status", &status_texts)
-      .def_readonly("normal", &DistanceBatch::normal)
-      .def_readonly("contact_point", &DistanceBatch::contact_point)
-      .def_readonly("pivots", &DistanceBatch::pivots)
-      .def("__len__", [](const DistanceBatch& batch) { return batch.distance.size(); })
-      .def("__repr__", [](const DistanceBatch& batch) {
-        return "<raygauge.Distances of " + std::to_string(batch.distance.size()) + " problems>";
-      });
-  module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a, "tolerance"_a = 1e-9,
-             "method"_a = "automatic", py::kw_only(), "poses_A"_a = py::none(), "poses_Q"_a = py::none(),
-             "witness"_a = false, "along_path"_a = false,
+  bind_distance_batch(module);
+  module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a,
+             "tolerance"_a = DistanceOptions().tolerance, "method"_a = "automatic", py::kw_only(),
+             "poses_A"_a = py::none(), "poses_Q"_a = py::none(), "witness"_a = false, "along_path"_a = false,
              "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
 }
 

@@ -11,6 +11,19 @@ inline constexpr const char* kDistanceBatchDoc = R"(The answers of a batch: arra
 distance, lower, upper: shape (K,), as in Distance. status: texts, shape (K,); status_code: their numbers, int8.
 normal: shape (K, n), nan where a problem has none. contact_point: shape (K, n), or None unless witness=True.
 pivots: basis changes, shape (K,).
+
+A problem is r[k], a Distance; for result in r goes through all of them. r[1:3], a mask or an array of indices pick some.
+
+>>> r = rg.distances([rg.Ball([2, 0]), rg.Ball([0, 4]), rg.Ball([0, 0])], rg.Ball([0, 0]))
+>>> r[1].status, [round(result.distance, 6) for result in r], len(r[r.distance > 0])
+(<Status.optimal: 'optimal'>, [1.0, 3.0, 0.0], 2)
+)";
+
+inline constexpr const char* kToDataframeDoc =
+    R"(A pandas.DataFrame with a row for each problem; normals and points are columns normal_0, normal_1, ...
+
+>>> rg.distances([rg.Ball([2, 0]), rg.Ball([0, 4])], rg.Ball([0, 0])).to_dataframe()["status"].tolist()
+['optimal', 'optimal']
 )";
 
 inline constexpr const char* kDistancesDoc =

@@ -24,11 +24,11 @@ namespace {
 using py::literals::operator""_a;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kTolerance = 1e-9;
+const double kTolerance = DistanceOptions().tolerance;
 
-DistanceResult distance(py::handle A, py::handle Q, double tolerance, std::string_view method,
-                        py::handle pose_A, py::handle pose_Q, py::handle warm, bool witness,
-                        double time_limit, std::int64_t max_iterations, int threads) {
+DistanceResult distance(const SetLike& A, const SetLike& Q, double tolerance, std::string_view method,
+                        const PoseLike& pose_A, const PoseLike& pose_Q, const WarmStartLike& warm,
+                        bool witness, double time_limit, std::int64_t max_iterations, int threads) {
   const SetPointer a = as_set(A, "A");
   const SetPointer q = as_set(Q, "Q");
   const auto a_pose = as_pose(pose_A, a->dimension(), "pose_A");
@@ -46,9 +46,10 @@ DistanceResult distance(py::handle A, py::handle Q, double tolerance, std::strin
       [&] { return DistanceResult(solver->solve(posed(*a, a_pose), posed(*q, q_pose), effects, kept)); });
 }
 
-ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, double tolerance,
-                               std::string_view method, py::handle pose_1, py::handle pose_2, py::handle warm,
-                               bool closest_points, bool gradient, double time_limit) {
+ObjectDistance object_distance(const SetLike& A1, const SetLike& A2, const SetLike& Q, double tolerance,
+                               std::string_view method, const PoseLike& pose_1, const PoseLike& pose_2,
+                               const WarmStartLike& warm, bool closest_points, bool gradient,
+                               double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
   const SetPointer metric = as_set(Q, "Q");
@@ -67,8 +68,9 @@ ObjectDistance object_distance(py::handle A1, py::handle A2, py::handle Q, doubl
   });
 }
 
-DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, std::string_view method,
-                               py::handle pose_A, py::handle pose_Q, py::handle warm, double time_limit) {
+DistanceResult growth_distance(const SetLike& A, const SetLike& Q, double tolerance, std::string_view method,
+                               const PoseLike& pose_A, const PoseLike& pose_Q, const WarmStartLike& warm,
+                               double time_limit) {
   const SetPointer a = as_set(A, "A");
   const SetPointer q = as_set(Q, "Q");
   const auto a_pose = as_pose(pose_A, a->dimension(), "pose_A");
@@ -81,8 +83,9 @@ DistanceResult growth_distance(py::handle A, py::handle Q, double tolerance, std
       [&] { return DistanceResult(solver.solve(posed(*a, a_pose), posed(*q, q_pose), kept)); });
 }
 
-SeparationResult separation(py::handle A1, py::handle A2, double tolerance, std::string_view method,
-                            py::handle pose_1, py::handle pose_2, py::handle warm, double time_limit) {
+SeparationResult separation(const SetLike& A1, const SetLike& A2, double tolerance, std::string_view method,
+                            const PoseLike& pose_1, const PoseLike& pose_2, const WarmStartLike& warm,
+                            double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
   const auto first_pose = as_pose(pose_1, first->dimension(), "pose_1");
@@ -96,7 +99,7 @@ SeparationResult separation(py::handle A1, py::handle A2, double tolerance, std:
   });
 }
 
-py::object contains_origin_inside(py::handle Q, double time_limit) {
+py::object contains_origin_inside(const SetLike& Q, double time_limit) {
   const SetPointer q = as_set(Q, "Q");
   const PointSet* points = as_point_set(*q);
   if (points == nullptr) {
@@ -111,7 +114,7 @@ py::object contains_origin_inside(py::handle Q, double time_limit) {
   return py::bool_(answer == OriginInInterior::Answer::holds);
 }
 
-std::pair<double, double> gauge_bounds(py::handle S, py::handle x, double tolerance) {
+std::pair<double, double> gauge_bounds(const SetLike& S, const ArrayLike& x, double tolerance) {
   const SetPointer set = as_set(S, "S");
   const Vector point = as_vector(x, "x");
   const py::gil_scoped_release release;
@@ -119,7 +122,7 @@ std::pair<double, double> gauge_bounds(py::handle S, py::handle x, double tolera
   return {bounds.lower, bounds.upper};
 }
 
-py::object whether_contains(py::handle S, py::handle x, double tolerance) {
+py::object whether_contains(const SetLike& S, const ArrayLike& x, double tolerance) {
   const SetPointer set = as_set(S, "S");
   const Vector point = as_vector(x, "x");
   Membership membership{};

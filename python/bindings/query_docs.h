@@ -50,7 +50,7 @@ min{s >= 0 : c_A + s (A - c_A) and s Q have a common point}; above 1 for separat
 pose_A, pose_Q, warm: as in distance.
 Returns a Distance. Raises as distance does.
 
->>> round(rg.growth_distance(rg.Ball([3, 0]), rg.Ball([0, 0])).distance, 9)
+>>> round(rg.growth_distance(rg.Ball([3, 0]), rg.Ball([0, 0])).distance, 6)
 1.5
 )";
 

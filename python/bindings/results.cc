@@ -7,12 +7,15 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "engine/methods/counters.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/result_docs.h"
+#include "raygauge/exceptions.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 
@@ -69,32 +72,90 @@ std::string repr_of(const DistanceResult& result, const char* type) {
          ", upper=" + number(result.upper) + ", status='" + std::string(to_string(result.status)) + "')";
 }
 
-std::vector<std::pair<std::ptrdiff_t, double>> origin_weights(const DistanceResult& result) {
-  std::vector<std::pair<std::ptrdiff_t, double>> weights;
-  for (const PointWeight& point : result.origin_weights) weights.emplace_back(point.index, point.weight);
-  return weights;
+using Pairs = std::vector<std::pair<std::ptrdiff_t, double>>;
+
+Pairs pairs_of(const std::vector<PointWeight>& points) {
+  Pairs pairs;
+  for (const PointWeight& point : points) pairs.emplace_back(point.index, point.weight);
+  return pairs;
+}
+
+Pairs origin_weights(const DistanceResult& result) { return pairs_of(result.origin_weights); }
+
+/// A member of a result as Python pickles it, and back.
+template <class Member>
+py::object packed(const Member& member) {
+  if constexpr (std::is_same_v<Member, Vector>) {
+    return readonly_array(member);
+  } else if constexpr (std::is_enum_v<Member>) {
+    return py::int_(static_cast<int>(member));
+  } else if constexpr (std::is_same_v<Member, std::vector<PointWeight>>) {
+    return py::cast(pairs_of(member));
+  } else {
+    return py::cast(member);
+  }
+}
+template <class Member>
+Member unpacked(const py::object& value) {
+  if constexpr (std::is_same_v<Member, Vector>) {
+    return as_vector(value, "a pickle");
+  } else if constexpr (std::is_enum_v<Member>) {
+    return static_cast<Member>(value.cast<int>());
+  } else if constexpr (std::is_same_v<Member, std::vector<PointWeight>>) {
+    Member weights;
+    for (const auto& [index, weight] : value.cast<Pairs>()) weights.push_back({index, weight});
+    return weights;
+  } else {
+    return value.cast<Member>();
+  }
+}
+
+/// Pickling and copying: the values of these members, in their order.
+template <class Result, class... Member>
+void copied_by(py::class_<Result>& type, Member Result::*... members) {
+  type.def(
+      py::pickle([members...](const Result& result) { return py::make_tuple(packed(result.*members)...); },
+                 [members...](const py::tuple& state) {
+                   if (state.size() != sizeof...(members))
+                     throw InvalidParameterError("a pickle of another version of raygauge");
+                   Result result;
+                   std::size_t next = 0;
+                   ((result.*members = unpacked<Member>(state[next++])), ...);
+                   return result;
+                 }));
 }
 
 void bind_counters(py::module_& module) {
-  py::class_<DistanceCounters>(module, "Counters", "What a solve did.")
-      .def_readonly("outer_iterations", &DistanceCounters::outer_iterations)
-      .def_readonly("ray_iterations", &DistanceCounters::ray_iterations)
-      .def_readonly("pivots", &DistanceCounters::pivots)
-      .def_readonly("support_queries", &DistanceCounters::support_queries)
-      .def_readonly("points_priced", &DistanceCounters::points_priced)
-      .def_readonly("refactorisations", &DistanceCounters::refactorisations)
-      .def_readonly("exact_pivots", &DistanceCounters::exact_pivots)
-      .def_readonly("witness_evaluations", &DistanceCounters::witness_evaluations)
-      .def("__repr__", [](const DistanceCounters& counters) {
-        return "Counters(pivots=" + std::to_string(counters.pivots) +
-               ", support_queries=" + std::to_string(counters.support_queries) +
-               ", exact_pivots=" + std::to_string(counters.exact_pivots) + ")";
-      });
+  py::class_<DistanceCounters> type(module, "Counters", "What a solve did.");
+  for (const CounterInfo& counter : kCounters) {
+    type.def_property_readonly(
+        counter.name,
+        [member = counter.member](const DistanceCounters& counters) { return counters.*member; },
+        counter.description);
+  }
+  type.def("__repr__",
+           [](const DistanceCounters& counters) {
+             return "Counters(pivots=" + std::to_string(counters.pivots) +
+                    ", support_queries=" + std::to_string(counters.support_queries) +
+                    ", exact_pivots=" + std::to_string(counters.exact_pivots) + ")";
+           })
+      .def(py::pickle(
+          [](const DistanceCounters& counters) {
+            py::dict values;
+            for (const CounterInfo& counter : kCounters) values[counter.name] = counters.*counter.member;
+            return values;
+          },
+          [](const py::dict& values) {
+            DistanceCounters counters;
+            for (const CounterInfo& counter : kCounters)
+              counters.*counter.member = values[counter.name].cast<std::int64_t>();
+            return counters;
+          }));
 }
 
 void bind_distance(py::module_& module) {
-  py::class_<DistanceResult>(module, "Distance", kDistanceResultDoc)
-      .def_readonly("distance", &DistanceResult::distance)
+  py::class_<DistanceResult> type(module, "Distance", kDistanceResultDoc);
+  type.def_readonly("distance", &DistanceResult::distance)
       .def_readonly("lower", &DistanceResult::lower)
       .def_readonly("upper", &DistanceResult::upper)
       .def_property_readonly("gap", gap_of)
@@ -110,11 +171,14 @@ void bind_distance(py::module_& module) {
       .def_readonly("counters", &DistanceResult::counters)
       .def("__float__", [](const DistanceResult& result) { return result.distance; })
       .def("__repr__", [](const DistanceResult& result) { return repr_of(result, "Distance"); });
+  using R = DistanceResult;
+  copied_by(type, &R::distance, &R::lower, &R::upper, &R::status, &R::sigma, &R::seconds, &R::normal,
+            &R::contact_point, &R::origin_weights, &R::counters);
 }
 
 void bind_object_distance(py::module_& module) {
-  py::class_<ObjectDistance>(module, "ObjectDistance", kObjectDistanceResultDoc)
-      .def_property_readonly("distance", [](const ObjectDistance& r) { return r.distance.distance; })
+  py::class_<ObjectDistance> type(module, "ObjectDistance", kObjectDistanceResultDoc);
+  type.def_property_readonly("distance", [](const ObjectDistance& r) { return r.distance.distance; })
       .def_property_readonly("lower", [](const ObjectDistance& r) { return r.distance.lower; })
       .def_property_readonly("upper", [](const ObjectDistance& r) { return r.distance.upper; })
       .def_property_readonly("gap", [](const ObjectDistance& r) { return gap_of(r.distance); })
@@ -133,11 +197,14 @@ void bind_object_distance(py::module_& module) {
                              [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
       .def("__float__", [](const ObjectDistance& r) { return r.distance.distance; })
       .def("__repr__", [](const ObjectDistance& r) { return repr_of(r.distance, "ObjectDistance"); });
+  using R = ObjectDistance;
+  copied_by(type, &R::distance, &R::closest_point_1, &R::closest_point_2, &R::gradient_1, &R::gradient_2,
+            &R::closest_point_evaluations, &R::gradient_evaluations);
 }
 
 void bind_separation(py::module_& module) {
-  py::class_<SeparationResult>(module, "SeparationResult", kSeparationResultDoc)
-      .def_property_readonly("outcome",
+  py::class_<SeparationResult> type(module, "SeparationResult", kSeparationResultDoc);
+  type.def_property_readonly("outcome",
                              [](const SeparationResult& result) {
                                return py::reinterpret_borrow<py::object>(
                                    outcome_members()[static_cast<std::size_t>(result.outcome)]);
@@ -151,6 +218,8 @@ void bind_separation(py::module_& module) {
         return std::string("SeparationResult('") + kOutcomeNames[static_cast<std::size_t>(result.outcome)] +
                "', lower=" + number(result.lower) + ", upper=" + number(result.upper) + ")";
       });
+  using R = SeparationResult;
+  copied_by(type, &R::outcome, &R::normal, &R::lower, &R::upper, &R::counters);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 2.0
 """
 
+import copyreg
+from typing import Any
+
 from ._raygauge import (
     AffineImage,
     Ball,
@@ -56,8 +59,18 @@ from ._raygauge import (
 from . import plot
 from .components import Answer, generator, method
 from .files import ResultsError, open
+from .loading import Robot, SceneFile, load_robot, load_scene, load_set
 from .scenes import Scene, SceneAnswers
 from .sweeps import ProgramError, run
+
+
+
+def _by_name(function: Any) -> Any:
+    """A compiled function is pickled by its name, as other functions are: multiprocessing can call it."""
+    return function.__name__ if function.__module__ == f"{__name__}._raygauge" else function.__reduce_ex__(4)
+
+
+copyreg.pickle(type(distance), _by_name)
 
 __all__ = [
     "AffineImage",
@@ -86,8 +99,10 @@ __all__ = [
     "PreparedSet",
     "ProgramError",
     "ResultsError",
+    "Robot",
     "Scene",
     "SceneAnswers",
+    "SceneFile",
     "Separation",
     "SeparationResult",
     "Simplex",
@@ -107,6 +122,9 @@ __all__ = [
     "gradient_moving_A",
     "gradient_moving_Q",
     "growth_distance",
+    "load_robot",
+    "load_scene",
+    "load_set",
     "method",
     "object_distance",
     "open",

@@ -1,10 +1,11 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from enum import StrEnum
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, overload
 
 import numpy as np
+import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
@@ -221,11 +222,17 @@ class Distances:
     @property
     def pivots(self) -> NDArray[np.int64]: ...
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: int) -> Distance: ...
+    @overload
+    def __getitem__(self, index: slice | NDArray[Any] | Sequence[int]) -> Distances: ...
+    def __iter__(self) -> Iterator[Distance]: ...
+    def to_dataframe(self) -> pd.DataFrame: ...
 
 def distance(
     A: SetLike,
     Q: SetLike,
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-6,
     method: Method = "automatic",
     *,
     pose_A: ArrayLike | None = None,
@@ -239,7 +246,7 @@ def distance(
 def distances(
     A: SetLike | Sequence[SetLike],
     Q: SetLike | Sequence[SetLike],
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-6,
     method: Method = "automatic",
     *,
     poses_A: ArrayLike | None = None,
@@ -253,7 +260,7 @@ def object_distance(
     A1: SetLike,
     A2: SetLike,
     Q: SetLike,
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-6,
     method: Method = "automatic",
     *,
     pose_1: ArrayLike | None = None,
@@ -266,7 +273,7 @@ def object_distance(
 def growth_distance(
     A: SetLike,
     Q: SetLike,
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-6,
     method: Method = "newton",
     *,
     pose_A: ArrayLike | None = None,
@@ -277,7 +284,7 @@ def growth_distance(
 def separation(
     A1: SetLike,
     A2: SetLike,
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-6,
     method: Method = "newton",
     *,
     pose_1: ArrayLike | None = None,
@@ -296,7 +303,7 @@ def scene_answers(
 def scene_explanation(
     bodies: list[dict[str, Any]], instants: Array, ignored: list[tuple[int, int]], queries: list[dict[str, Any]]
 ) -> list[list[str]]: ...
-def gauge(S: SetLike, x: ArrayLike, tolerance: float = 1e-9) -> tuple[float, float]: ...
-def contains(S: SetLike, x: ArrayLike, tolerance: float = 1e-9) -> bool | None: ...
+def gauge(S: SetLike, x: ArrayLike, tolerance: float = 1e-6) -> tuple[float, float]: ...
+def contains(S: SetLike, x: ArrayLike, tolerance: float = 1e-6) -> bool | None: ...
 def gradient_moving_A(result: Distance) -> Array: ...
 def gradient_moving_Q(result: Distance) -> Array: ...

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._raygauge import InvalidParameterError
+
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
@@ -80,33 +82,71 @@ def _median_interval(values: np.ndarray[Any, Any]) -> tuple[float, float, float]
     return float(np.median(ordered)), float(ordered[low]), float(ordered[high])
 
 
+# What makes two records of a method different measurements, besides the axis of a figure.
+_CIRCUMSTANCES = ("n", "N", "tolerance", "generator", "generator_parameters")
+
+
+def _varying(results: Results, by: str) -> list[str]:
+    """The circumstances of which there are several, but for the axis."""
+    return [name for name in _CIRCUMSTANCES if name != by and len(np.unique(results[name].values.astype(str))) > 1]
+
+
+def _of_one_kind(results: Results, by: str, curves: tuple[str, ...]) -> None:
+    for name in _varying(results, by):
+        if name in curves:
+            continue
+        values = sorted(set(results[name].values.tolist()))
+        shown = ", ".join(str(value) for value in values[:4]) + (", …" if len(values) > 4 else "")
+        raise InvalidParameterError(
+            f"the results have several values of {name} ({shown}), which one curve would mix: choose one, as in "
+            f"results.isel(record=results.{name}.values == {values[0]!r})"
+        )
+
+
 def medians(results: Results, by: str = "N") -> pd.DataFrame:
-    """The median seconds of a solve with their 95 % interval, by method and `by` ("N", "n" or "tolerance").
+    """The median seconds of a solve with their 95 % interval, by method, `by` ("N", "n" or "tolerance") and what else varies.
 
     What counts is as in `raygauge table`: an unsolved record counts as infinitely slow; where methods disagree on an
-    instance, the record is left out. Columns: method, `by`, median, low, high.
+    instance, the record is left out. Columns: method, those of n, N, tolerance, generator and generator_parameters that have
+    several values, `by`, median, low, high.
     """
     import pandas as pd
 
-    frame = results[["method", by, "seconds", "status", "agrees"]].to_dataframe()
+    keys = ["method", *_varying(results, by), by]
+    frame = results[[*keys, "seconds", "status", "agrees"]].to_dataframe()
     frame = frame[frame["agrees"].astype(bool)]
     solved = frame["status"].isin(_SOLVED)
     frame["seconds"] = frame["seconds"].where(solved, np.inf)
     rows = []
-    for (method, value), group in frame.groupby(["method", by], observed=True, sort=True):
-        rows.append((str(method), value, *_median_interval(group["seconds"].to_numpy())))
-    return pd.DataFrame(rows, columns=["method", by, "median", "low", "high"])
+    for values, group in frame.groupby(keys, observed=True, sort=True):
+        rows.append((str(values[0]), *values[1:], *_median_interval(group["seconds"].to_numpy())))
+    return pd.DataFrame(rows, columns=[*keys, "median", "low", "high"])
 
 
 def time(results: Results, by: str = "N", axes: Axes | None = None) -> Axes:
-    """Median seconds of a solve against N, n or the tolerance, a curve for each method, with 95 % intervals."""
+    """Median seconds of a solve against N, n or the tolerance, with 95 % intervals.
+
+    A curve for each method and, where there are several, each n (each N against n), paler for smaller ones. Raises
+    InvalidParameterError where a curve would mix generators, their parameters, or tolerances: choose some of the records first.
+    """
     here = _current(axes)
+    size = "N" if by == "n" else "n"
+    _of_one_kind(results, by, (size,))
     table = medians(results, by)
+    sizes = sorted(table[size].unique()) if size in table else [None]
     for method, look in _looks(results).items():
-        curve = table[(table["method"] == method) & np.isfinite(table["median"])]
-        high = curve["high"].where(np.isfinite(curve["high"]), curve["median"])
-        bars = [curve["median"] - curve["low"], high - curve["median"]]
-        here.errorbar(curve[by], curve["median"], yerr=bars, label=method, linewidth=1, markersize=4, capsize=2, **look)
+        for rank, value in enumerate(sizes):
+            rows = table[(table["method"] == method) & np.isfinite(table["median"])]
+            curve = rows if value is None else rows[rows[size] == value]
+            if curve.empty:
+                continue
+            high = curve["high"].where(np.isfinite(curve["high"]), curve["median"])
+            bars = [curve["median"] - curve["low"], high - curve["median"]]
+            label = method if value is None else f"{method}, {size} = {value}"
+            paleness = 0.35 + 0.65 * (rank + 1) / len(sizes)
+            here.errorbar(
+                curve[by], curve["median"], yerr=bars, label=label, alpha=paleness, linewidth=1, markersize=4, capsize=2, **look
+            )
     here.set_xscale("log")
     here.set_yscale("log")
     here.set_xlabel(_AXIS_LABELS.get(by, by))

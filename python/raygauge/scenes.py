@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from ._raygauge import SetLike
+    from .loading import Robot
 
 Effect = Literal["separated", "distance", "closest_points", "gradient", "growth", "time_of_impact", "clearance"]
 
@@ -32,6 +33,13 @@ class SceneAnswers(Mapping[str, NDArray[Any]]):
 
     def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
         self._columns = dict(columns)
+
+    @classmethod
+    def of_numbers(cls, columns: Mapping[str, NDArray[Any]], bodies: Sequence[str], queries: Sequence[str]) -> SceneAnswers:
+        """Columns whose query, body_a and body_b are numbers."""
+        known = np.array(list(bodies))
+        names = {"query": np.array(list(queries) or [""]), "body_a": known, "body_b": known}
+        return cls({name: names[name][column] if name in names else column for name, column in columns.items()})
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         return self._columns[name]
@@ -130,6 +138,28 @@ class Scene:
              "velocity": velocity, "acceleration": acceleration, "spin": spin}
         )  # fmt: skip
 
+    def add_robot(
+        self,
+        robot: Robot,
+        values: Mapping[str, float] | ArrayLike = (),
+        *,
+        name: str | None = None,
+        pose: ArrayLike | None = None,
+    ) -> None:
+        """Adds the links of a robot that have shapes, as they are at these values of its joints, as bodies "NAME/LINK" in the group NAME.
+
+        pose: homogeneous matrix of its base, shape (4, 4). Pairs of links that a joint joins are left out. For a robot
+        that moves, write a scene file (docs/scenes.md) and load it with load_scene.
+        """
+        group = name or robot.name
+        base = np.eye(4) if pose is None else np.asarray(pose, dtype=float)
+        for link, place in robot.poses(values).items():
+            if shapes := robot.shapes(link):
+                self.add_body(f"{group}/{link}", shapes, pose=base @ place, groups=[group])
+        for first, second in robot.joined:
+            if robot.shapes(first) and robot.shapes(second):
+                self.ignore(f"{group}/{first}", f"{group}/{second}")
+
     def ignore(self, first: str, second: str) -> None:
         """Leaves out the pairs of two bodies or groups, as of links that a joint joins. Raises UnknownNameError."""
         self._ignored += [(a, b) for a in self._members(first) for b in self._members(second) if a != b]
@@ -179,10 +209,8 @@ class Scene:
         DimensionMismatchError, NonFiniteError, EmptySetError, UnknownNameError.
         """
         columns = _raygauge.scene_answers(self._bodies, self._instants, self._ignored, self._queries, threads)
-        bodies = np.array([body["name"] for body in self._bodies])
-        queries = np.array([query["name"] for query in self._queries] or [""])
-        names = {"query": queries, "body_a": bodies, "body_b": bodies}
-        return SceneAnswers({name: names[name][column] if name in names else column for name, column in columns.items()})
+        bodies = [body["name"] for body in self._bodies]
+        return SceneAnswers.of_numbers(columns, bodies, [query["name"] for query in self._queries])
 
     def _members(self, group: str) -> list[int]:
         if group not in self._groups:

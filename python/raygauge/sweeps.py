@@ -128,10 +128,10 @@ def _run_here(
     """Runs the sweep in this process, where its functions are."""
     try:
         from . import _sweeps
-    except ImportError as error:
+    except ImportError:
         raise ProgramError(
             "methods and generators in Python need the package built beside the program: ./run.sh build, then ./run.sh python"
-        ) from error
+        ) from None
     failures: list[BaseException] = []
     try:
         _sweeps.run(

@@ -17,6 +17,7 @@
 #include "generators/registry.h"
 #include "python/bindings/interrupt.h"
 #include "python/sweeps/components.h"
+#include "python/sweeps/loading.h"
 #include "raygauge/sweep/sweep.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
@@ -107,7 +108,10 @@ PYBIND11_MODULE(_sweeps, module) {
   namespace py = pybind11;
   using raygauge::python::RunRequest;
   py::module_::import("raygauge._raygauge");  // the sets' classes
-  module.doc() = "Sweeps with methods and generators in Python; use raygauge.run.";
+  module.doc() =
+      "What needs the program's libraries: sweeps with methods and generators in Python, and readers of "
+      "files.";
+  raygauge::python::bind_loading(module);
   module.def(
       "run",
       [](std::string source, std::string output, std::optional<int> threads, bool resume, bool force,

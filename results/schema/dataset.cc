@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/dataset.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,7 +71,29 @@ void require_finite(const Eigen::MatrixXd& points, const std::string& place) {
   }
 }
 
+bool holds_points(const H5::DataSet& dataset) {
+  const H5T_class_t type = dataset.getTypeClass();
+  return (type == H5T_FLOAT || type == H5T_INTEGER) && dataset.getSpace().getSimpleExtentNdims() == 2;
+}
+
+herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, void* names) {
+  if (info->type == H5O_TYPE_DATASET)
+    static_cast<std::vector<std::string>*>(names)->push_back("/" + std::string(name));
+  return 0;
+}
+
 }  // namespace
+
+std::vector<std::string> point_datasets(const std::string& file) {
+  std::vector<std::string> names;
+  hdf5::read_file(file, [&](H5::Group& root) {
+    if (H5Ovisit2(root.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names, H5O_INFO_BASIC) < 0)
+      throw ResultsError(file + ": its groups cannot be read");
+    std::erase_if(names, [&](const std::string& name) { return !holds_points(root.openDataSet(name)); });
+  });
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 std::optional<DatasetReference> parse_dataset_reference(const std::string& text) {
   const std::size_t colon = text.rfind(":/");

@@ -48,7 +48,8 @@ void write_provenance(H5::Group& root, const Provenance& provenance) {
     const Session& session = provenance.sessions[i];
     for (const Calibration::Entry& entry : session.calibration.entries) {
       calibrations.push_back({number, session.calibration.threads, entry.method, entry.serial_seconds,
-                              entry.parallel_seconds, entry.slowdown});
+                              entry.parallel_seconds, entry.slowdown, entry.slowdown_lower,
+                              entry.slowdown_upper});
     }
   }
   write_sessions(group, provenance.sessions);
@@ -77,7 +78,8 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
     Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
     calibration.threads = row.threads;
     const std::string label = version == 1 ? current_method_name(row.method) : row.method;
-    calibration.entries.push_back({label, row.serial_seconds, row.parallel_seconds, row.slowdown});
+    calibration.entries.push_back({label, row.serial_seconds, row.parallel_seconds, row.slowdown,
+                                   row.slowdown_lower, row.slowdown_upper});
   }
   return provenance;
 }

@@ -154,6 +154,8 @@ const std::vector<Column<CalibrationRow>>& calibration_columns() {
     column("serial_seconds", "s", "median time of a solve alone", &CalibrationRow::serial_seconds),
     column("parallel_seconds", "s", "median time of a solve with all threads busy", &CalibrationRow::parallel_seconds),
     formerly("inflation", column("slowdown", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::slowdown)),
+    later(column("slowdown_lower", "1", "lower end of the 95 % interval of slowdown; 0 where there are fewer than 6 instances", &CalibrationRow::slowdown_lower), std::numeric_limits<double>::quiet_NaN()),
+    later(column("slowdown_upper", "1", "its upper end; inf where there are fewer than 6 instances", &CalibrationRow::slowdown_upper), std::numeric_limits<double>::quiet_NaN()),
   };
   return kColumns;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct CalibrationRow {
   double serial_seconds = 0;
   double parallel_seconds = 0;
   double slowdown = 1;
+  double slowdown_lower = std::numeric_limits<double>::quiet_NaN();
+  double slowdown_upper = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The tables of a results file. Writer, reader, CSV export and the documentation's test all go by these: a

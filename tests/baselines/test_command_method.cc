@@ -71,6 +71,17 @@ TEST(CommandMethod, CertifiesTheUpperBoundFromThePointsThatMeet) {
   EXPECT_GE(result.upper, 3.5);
 }
 
+TEST(CommandMethod, AProgramMayStopWithTheBoundsThatItProves) {
+  const DistanceResult result = answer_of(answering("echo time_limit 4 u -1 0 a 0 1 q 0"), triangle());
+  EXPECT_EQ(result.status, DistanceStatus::time_limit);
+  EXPECT_EQ(result.distance, 4);
+  EXPECT_NEAR(result.lower, 3, 1e-12);  // the triangle lies right of x = 3
+  EXPECT_NEAR(result.upper, 3.5, 1e-12);
+  const DistanceResult nothing = answer_of(answering("echo iteration_limit inf"), triangle());
+  EXPECT_EQ(nothing.status, DistanceStatus::iteration_limit);
+  EXPECT_TRUE(std::isnan(nothing.lower));
+}
+
 TEST(CommandMethod, BelievesNoBoundThatIsNotProven) {
   const DistanceResult result = answer_of(answering("echo 9 u -0.5 0"), triangle());
   EXPECT_EQ(result.distance, 9);
@@ -154,8 +165,8 @@ TEST(CommandMethod, SaysWhatIsWrongWithAProgram) {
   EXPECT_THROW(method(""), InvalidParameterError);
   EXPECT_THROW(method("/nowhere/solver 2>/dev/null")->load(triangle()), Error);
   EXPECT_THROW(method("sleep 30", 0.1)->load(triangle()), Error);
-  for (const char* answer :
-       {"echo soon", "echo -1", "echo 3.5 u 1", "echo 3.5 a 3", "echo 3.5 q 0.5", "echo nan"})
+  for (const char* answer : {"echo soon", "echo -1", "echo 3.5 u 1", "echo 3.5 a 3", "echo 3.5 q 0.5",
+                             "echo nan", "echo time_limit", "echo optimal 3.5", "echo precision_limit nan"})
     EXPECT_THROW(answer_of(answering(answer), triangle()), Error) << answer;
 }
 

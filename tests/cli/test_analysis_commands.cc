@@ -199,7 +199,7 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
                    "performance_profile "
                    "crossover true_error fig5 fig7 work_precision)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
-                   "raygauge: x.jpg: a figure is a file ending in .svg, .png or .pdf");
+                   "raygauge: x.jpg: a figure is a file ending in .svg, .png, .pdf, .eps, .tikz or .tex");
   expect_complaint(
       run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.svg", "--where", "N==200"}),
       "raygauge: figure time_vs_N needs solved records at two or more values of N");

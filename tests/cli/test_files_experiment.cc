@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "engine/sweep/parameter_text.h"
@@ -49,6 +50,13 @@ class FilesExperiment : public testing::ProgramTest {
     const ProgramResult result = run();
     EXPECT_EQ(result.status, 0) << result.err;
     return read_results(folder_.file("own.h5")).records;
+  }
+
+  /// Runs a statement of Python on `f`, the HDF5 file inst.h5 opened by h5py.
+  void python(const std::string& statement) const {
+    const std::string program =
+        "import h5py; f = h5py.File('" + folder_.file("inst.h5") + "', 'a'); " + statement;
+    ASSERT_EQ(std::system((RAYGAUGE_PYTHON " -c \"" + program + "\"").c_str()), 0);
   }
 
   /// The one line of a run that must be refused, and leaves nothing.
@@ -156,6 +164,49 @@ TEST_F(FilesExperiment, ParametersAreColumnsOfTablesFiltersAndTidyCsv) {
   EXPECT_NE(tidy.out.find(",far-square,"), std::string::npos);
 }
 
+TEST_F(FilesExperiment, CarriesColumnsOfItsOwnAndTheKnownDistance) {
+  write("data/pairs.csv",
+        "pair,A,Q,family,difficulty,exact_distance,exact_distance_rounding\n"
+        "near,far.csv,ball.toml,round,1.50,2.236,1e-4\n"
+        "far,far.csv,square.csv,\"flat, old\",2,2,\n"
+        "wrong,far.csv,diamond.csv,flat,3,2.9,\n");
+  write_experiment("pairs = \"data/pairs.csv\"");
+  const std::vector<Record> all = records();
+  ASSERT_EQ(all.size(), 6U);
+  EXPECT_EQ(parameter(all[0], "difficulty"), "1.50");
+  EXPECT_EQ(parameter(all[2], "family"), "flat, old");
+  EXPECT_EQ(all[0].exact_distance, 2.236);
+  EXPECT_EQ(all[0].exact_distance_rounding, 1e-4);
+  EXPECT_TRUE(all[0].agrees);
+  EXPECT_TRUE(all[2].agrees);
+  EXPECT_FALSE(all[4].agrees) << "the distance is 3";
+  const ProgramResult table =
+      run_raygauge({"table", "own.h5", "--rows", "difficulty", "--value", "count", "--format", "csv"});
+  EXPECT_EQ(table.out, "difficulty,count\n1.5,2\n2,2\n3,2\n") << table.err;
+}
+
+TEST_F(FilesExperiment, MatchesTheDatasetsOfAFile) {
+  python(
+      "f['0001/A'] = [[2., 1], [3, 1]]; f['0002/A'] = [[4., 1], [5, 1]]; f['0001/Q'] = f['0002/Q'] = "
+      "[[1., 1], [1, -1], [-1, 1], [-1, -1]]; f['0001/name'] = 'first'; f['0002/weights'] = [1., 2]");
+  write_experiment("A = \"inst.h5:/*/A\"\nQ = \"data/square.csv\"");
+  std::vector<Record> all = records();
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(parameter(all[2], "A"), "inst.h5:/0002/A");
+  EXPECT_NEAR(all[2].distance, 4, 1e-6);
+  std::filesystem::remove(folder_.file("own.h5"));
+  write_experiment("A = \"inst.h5:/*/A\"\nQ = \"inst.h5:/*/Q\"\npaired = true");
+  all = records();
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(parameter(all[0], "pair"), "0001");
+  EXPECT_EQ(parameter(all[2], "Q"), "inst.h5:/0002/Q");
+  std::filesystem::remove(folder_.file("own.h5"));
+  python("f['0003/A'] = [[4., 1], [5, 1]]");
+  EXPECT_NE(refusal().find("own.toml:7: no Q for 'inst.h5:/0003/A'"), std::string::npos);
+  write_experiment("A = \"inst.h5:/*/B\"\nQ = \"data/square.csv\"");
+  EXPECT_NE(refusal().find("own.toml:6: inst.h5: no dataset of points matches '/*/B'"), std::string::npos);
+}
+
 TEST_F(FilesExperiment, RefusesToResumeWithOtherContents) {
   write_experiment("files = \"data/*.csv\"\npose_A = { translation = [9, 0] }");
   ASSERT_EQ(run().status, 0);
@@ -181,6 +232,9 @@ TEST_F(FilesExperiment, TellsPlaceAndCauseOfWhatItCannotTake) {
   write("data/open.csv", "A,Q\n\"far.csv,square.csv\n");
   write("data/wrong.csv", "A,R\nfar.csv,square.csv\n");
   write("data/scale.csv", "A,Q,scale_A\nfar.csv,square.csv,big\n");
+  write("data/slip.csv", "A,Q,scale_B\nfar.csv,square.csv,1\n");
+  write("data/case.csv", "A,Q,Pair\nfar.csv,square.csv,1\n");
+  write("data/truth.csv", "A,Q,exact_distance\nfar.csv,square.csv,nan\n");
   const std::vector<Mistake> mistakes = {
       {"A = \"data/far.csv\"", "own.toml:4: generator 'files' needs A and Q, or files, or pairs"},
       {"A = \"gone.csv\"\nQ = \"data/far.csv\"", "own.toml:6: gone.csv: No such file or directory"},
@@ -203,9 +257,15 @@ TEST_F(FilesExperiment, TellsPlaceAndCauseOfWhatItCannotTake) {
       {"pairs = \"data/empty.csv\"", "data/empty.csv: no lines below one that names the columns"},
       {"pairs = \"data/short.csv\"", "data/short.csv:2: 1 cell where the first line names 2 columns"},
       {"pairs = \"data/open.csv\"", "data/open.csv:2: a quote that opens here is never closed"},
-      {"pairs = \"data/wrong.csv\"", "data/wrong.csv: unknown column 'R'"},
+      {"pairs = \"data/wrong.csv\"", "data/wrong.csv: there is no column 'Q'"},
+      {"pairs = \"data/slip.csv\"", "data/slip.csv: unknown column 'scale_B'; did you mean 'scale_A'?"},
+      {"pairs = \"data/case.csv\"", "data/case.csv: unknown column 'Pair'; did you mean 'pair'?"},
+      {"pairs = \"data/truth.csv\"", "data/truth.csv:2: exact_distance must be a distance"},
+      {"files = \"data/*.csv\"\npaired = true", "own.toml:7: generator.paired is for A and Q"},
+      {"A = \"data/far.csv\"\nQ = \"data/*.csv\"\npaired = true",
+       "own.toml:6: generator.A must be a pattern where paired = true"},
       {"pairs = \"data/scale.csv\"", "data/scale.csv:2: scale_A must be a number, got 'big'"},
-      {"pairs = \"data/far.csv\"", "data/far.csv: unknown column '2 1'"},
+      {"pairs = \"data/far.csv\"", "data/far.csv: the column '2 1' needs a name of letters"},
       {"A = \"data/far.csv\"\nQ = [\"data/square.csv\", \"data/square.csv\"]",
        "the pair 'far-square' appears twice"},
       {"A = \"data/far.csv\"\nQ = \"data\"", "data: Is a directory"},

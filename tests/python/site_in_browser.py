@@ -8,8 +8,10 @@ Fails on an error on the console, a request that leaves the disk, a search witho
 nowhere, or content wider than a phone.
 """
 import argparse
+import html
 import json
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -94,6 +96,48 @@ def check_width(browser, site, failures, screenshots):
                 failures.append(f"{page} is wider than a window of {width} px")
 
 
+def check_first_page(browser, site, failures):
+    """It says what raygauge is before it lists pages, with a picture and a first result."""
+    browser.get((site / "index.html").as_uri())
+    text = browser.find_element(By.CSS_SELECTOR, "article").text
+    places = [text.find(words) for words in ("By how much must a convex set Q be scaled", "distance   3.5", "experiments.md")]
+    if -1 in places or places != sorted(places):
+        failures.append(f"the first page does not say what raygauge is and show a result before it lists pages: {places}")
+    width = browser.execute_script("const i = document.querySelector('article img'); return i ? i.naturalWidth : 0")
+    if width < 100:
+        failures.append("the first page has no picture")
+
+
+def check_dark(browser, site, failures):
+    """The grounds of both parts of the site are dark where the reader's system asks for it, and light where not."""
+    ground = """const c = getComputedStyle(document.body).backgroundColor.match(/[\\d.]+/g).map(Number);
+                return (c[0] + c[1] + c[2]) / 3"""
+    for scheme, fits in (("dark", lambda light: light < 100), ("light", lambda light: light > 200)):
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia",
+                                {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        for page in ("index.html", "cpp/index.html"):
+            browser.get((site / page).as_uri())
+            light = browser.execute_script(ground)
+            if not fits(light):
+                failures.append(f"{page}: a ground of brightness {light} where the system is {scheme}")
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def check_cpp_includes(site, failures):
+    """The page of a class says what to include, and descriptions are whole sentences."""
+    page = next(page for page in (site / "cpp").glob("classraygauge_1_1*all.html") if "Ball" in page.name or "ball" in page.name)
+    text = html.unescape(re.sub(r"<[^>]+>", "", page.read_text(encoding="utf-8")))
+    if "#include <raygauge/sets/ball.h>" not in text:
+        failures.append(f"{page.name} does not say #include <raygauge/sets/ball.h>")
+    classes = (site / "cpp" / "annotated.html").read_text(encoding="utf-8")
+    briefs = [html.unescape(re.sub(r"<[^>]+>", "", brief)).strip()
+              for brief in re.findall(r'(?s)<td class="desc">(.*?)</td>', classes)]
+    if len(briefs) < 50:
+        failures.append(f"the list of classes has {len(briefs)} descriptions")
+    failures += [f"the list of classes breaks off: '…{brief[-60:]}'" for brief in briefs
+                 if re.search(r"([:,=]|\b(gives|is|of|and|that|where|for))$", brief)]
+
+
 def check_silence(browser, failures):
     failures += [f"console: {entry['message']}" for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
     for entry in browser.get_log("performance"):
@@ -117,6 +161,9 @@ def main():
             check_search(browser, site, "index.html", failures)
             check_search(browser, site, "sets.html", failures)
             check_cpp_search(browser, site, failures)
+            check_first_page(browser, site, failures)
+            check_dark(browser, site, failures)
+            check_cpp_includes(site, failures)
             check_width(browser, site, failures, arguments.screenshots)
             check_silence(browser, failures)
         finally:

@@ -119,6 +119,29 @@ class Fuzz(unittest.TestCase):
         self.assertGreater(answered, 50)
         self.assertGreater(refused, 1000)
 
+    def test_masked_entries_are_refused_and_masks_without_any_are_not(self):
+        masked = np.ma.array([[2.0, 0], [3, 1], [9, 9]], mask=[[0, 0], [0, 0], [1, 1]])
+        whole = np.ma.array([[2.0, 0], [3, 1]], mask=False)
+        Q = rg.Ball([0, 0])
+        for call in (lambda: rg.distance(masked, Q), lambda: rg.PointSet(masked), lambda: rg.PointSet([masked[0], masked[2]]),
+                     lambda: rg.Ball(masked[2]), lambda: rg.distances([masked, whole], Q),
+                     lambda: rg.distances(np.ma.array([masked, masked]), Q), lambda: rg.gauge(Q, masked[2])):
+            with self.assertRaisesRegex(rg.InvalidParameterError, "masked entries"):
+                call()
+        self.assertEqual(rg.distance(whole, Q).distance, rg.distance(np.asarray(whole), Q).distance)
+
+    def test_signatures_say_types(self):
+        for function in (rg.distance, rg.distances, rg.object_distance, rg.growth_distance, rg.separation, rg.contains):
+            first = function.__doc__.splitlines()[0]
+            self.assertNotIn("handle", first)
+            self.assertIn("ConvexSet | ArrayLike", first)
+        self.assertIn("pose_A: ArrayLike | None = None", rg.distance.__doc__)
+        self.assertIn("tolerance: float = 1e-06", rg.distance.__doc__)
+        for name in rg.__all__:
+            kind = getattr(rg, name)
+            if isinstance(kind, type) and issubclass(kind, rg.ConvexSet) and kind is not rg.ConvexSet:
+                self.assertNotIn("handle", kind.__init__.__doc__, msg=name)
+
     def test_random_arguments_of_sets_are_answered_or_refused(self):
         generator = np.random.default_rng(21)
         kinds = [rg.Ball, rg.Box, rg.Ellipsoid, rg.PNormBall, rg.Simplex, rg.UnionHull, rg.MinkowskiSum, rg.PointSet]

@@ -38,6 +38,33 @@ class Batches(unittest.TestCase):
                 np.testing.assert_array_equal(found, np.full(3, np.nan) if expected is None else expected)
         self.assertEqual(list(batch.pivots), [single.counters.pivots for single in singles])
 
+    def test_a_problem_is_indexed_and_problems_are_gone_through(self):
+        batch = rg.distances(self.A, self.Q, witness=True)
+        for k in (0, 7, -1):
+            single = rg.distance(self.A[k], self.Q[k], witness=True)
+            self.assertEqual(repr(batch[k]), repr(single))
+            for name in ("normal", "contact_point"):
+                np.testing.assert_array_equal(getattr(batch[k], name), getattr(single, name))
+            self.assertEqual(batch[k].counters.pivots, single.counters.pivots)
+        self.assertEqual([result.distance for result in batch], list(batch.distance))
+        self.assertEqual(len(batch[10:20:2]), 5)
+        np.testing.assert_array_equal(batch[10:20:2].normal, batch.normal[10:20:2])
+        far = batch[batch.distance > 3]
+        self.assertTrue(0 < len(far) < len(batch) and (far.distance > 3).all())
+        self.assertEqual(list(batch[[3, 1]].distance), [batch.distance[3], batch.distance[1]])
+        for wrong in (120, -121):
+            with self.assertRaises(IndexError):
+                batch[wrong]
+
+    def test_a_data_frame_has_a_row_for_each_problem(self):
+        batch = rg.distances(self.A, self.Q, witness=True)
+        frame = batch.to_dataframe()
+        self.assertEqual(len(frame), 120)
+        np.testing.assert_array_equal(frame["distance"], batch.distance)
+        np.testing.assert_array_equal(frame["contact_point_2"], batch.contact_point[:, 2])
+        self.assertEqual(list(frame["status"].astype(str)), list(batch.status))
+        self.assertNotIn("contact_point_0", rg.distances(self.A, self.Q).to_dataframe())
+
     def test_a_shared_operand_is_that_of_every_problem(self):
         self.assert_same(rg.distances(self.A, self.Q[0]), [rg.distance(a, self.Q[0]) for a in self.A])
         ball = rg.Ball([0, 0, 0])

@@ -3,6 +3,8 @@
 """Every example in a docstring is run, and everything public has a docstring."""
 import doctest
 import os
+import pathlib
+import shutil
 import tempfile
 import unittest
 
@@ -10,7 +12,9 @@ import numpy as np
 import raygauge as rg
 from raygauge import files, plot, sweeps
 
-RUNS_THE_PROGRAM = ("open", "run")
+RUNS_THE_PROGRAM = ("open", "run", "Robot", "load_scene", "load_set")
+SOURCE = pathlib.Path(os.environ["RAYGAUGE_SOURCE"])
+CUBE = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)) + "f 1 2 4 3\nf 5 6 8 7\n"
 
 
 class Docstrings(unittest.TestCase):
@@ -31,6 +35,9 @@ class Docstrings(unittest.TestCase):
             os.chdir(scratch)
             try:
                 if "RAYGAUGE_PROGRAM" in os.environ:
+                    for name in ("arm.urdf", "falling_box.toml"):
+                        shutil.copy(SOURCE / "scenes" / name, scratch)
+                    pathlib.Path("cube.obj").write_text(CUBE, encoding="ascii")
                     methods = [{"name": "column_generation"}, {"name": "clp_dual"}, {"name": "clp_primal"}]
                     rg.run({"sweep": {"n": [3], "N": [200], "repetitions": 3}, "method": methods,
                             "generator": [{"name": "example2"}]}, "example2.h5")

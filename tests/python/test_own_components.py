@@ -101,6 +101,33 @@ class OwnComponents(unittest.TestCase):
         self.assertIn("shifted_cloud", set(results.generator.values))
         self.assertIn("shift=4", set(results.generator_parameters.values))
 
+    def test_without_the_programs_libraries_the_error_is_one_line(self):
+        @rg.method
+        def nothing(A, Q):
+            return 1.0
+
+        experiment = {"sweep": {"n": [2], "N": [5], "repetitions": 1}, "generator": [{"name": "example2"}],
+                      "method": [{"name": "nothing"}]}
+        present = sys.modules.get("raygauge._sweeps")
+        sys.modules["raygauge._sweeps"] = None  # as after ./run.sh python alone
+        before = getattr(rg, "_sweeps", None)
+        if before is not None:
+            del rg._sweeps
+        try:
+            with self.assertRaises(rg.ProgramError) as raised:
+                rg.run(experiment, os.path.join(tempfile.gettempdir(), "never.h5"))
+        finally:
+            if present is None:
+                del sys.modules["raygauge._sweeps"]
+            else:
+                sys.modules["raygauge._sweeps"] = present
+            if before is not None:
+                rg._sweeps = before
+        self.assertTrue(raised.exception.__suppress_context__)
+        self.assertIsNone(raised.exception.__cause__)
+        self.assertEqual(str(raised.exception), "methods and generators in Python need the package built beside the "
+                         "program: ./run.sh build, then ./run.sh python")
+
     def test_a_known_distance_is_compared_and_bare_numbers_have_no_bounds(self):
         results = self.run_with([{"name": "one_norm"}, {"name": "one_norm", "scale": 1.5, "label": "wrong"}, "newton"],
                                 ["points_before_crosses"])

@@ -43,6 +43,24 @@ class Plots(unittest.TestCase):
                 chosen = (self.results.method == method) & (self.results.N == N)
                 self.assertEqual(seconds, np.median(self.results.seconds[chosen]))
 
+    def test_each_size_has_a_curve_of_its_own(self):
+        two = {**EXPERIMENT, "sweep": {"n": [3, 5], "N": [20, 40], "repetitions": 6}}
+        results = rg.run(two, pathlib.Path(self.scratch.name, "two.h5"))
+        axes = plot.time(results, axes=plt.figure().gca())
+        curves = {container.get_label(): container.lines[0] for container in axes.containers}
+        self.assertIn("column_generation, n = 5", curves)
+        self.assertEqual(len(curves), 6)
+        for N, seconds in zip(*curves["column_generation, n = 5"].get_data()):
+            chosen = (results.method == "column_generation") & (results.N == N) & (results.n == 5)
+            self.assertEqual(seconds, np.median(results.seconds[chosen]))
+
+    def test_tolerances_are_not_mixed(self):
+        loose = {**EXPERIMENT, "sweep": {"n": [3], "N": [20, 40], "tolerance": [1e-3, 1e-6], "repetitions": 2}}
+        results = rg.run(loose, pathlib.Path(self.scratch.name, "loose.h5"))
+        with self.assertRaisesRegex(rg.InvalidParameterError, "several values of tolerance .*, choose one|choose one, as in"):
+            plot.time(results, axes=plt.figure().gca())
+        plot.time(results.isel(record=results.tolerance.values == 1e-6), axes=plt.figure().gca())
+
     def test_unsolved_records_count_as_infinitely_slow(self):
         results = self.results.copy(deep=True)
         results["status"][:] = "time_limit"

@@ -151,7 +151,7 @@ class Objects(unittest.TestCase):
 
     def test_growth_distance_and_separation_of_two_balls(self):
         near, far = rg.Ball([0, 0]), rg.Ball([3, 0])
-        self.assertAlmostEqual(rg.growth_distance(far, near).distance, 1.5, places=9)
+        self.assertAlmostEqual(rg.growth_distance(far, near, 1e-9).distance, 1.5, places=9)
         self.assertEqual(rg.separation(near, far).outcome, "separated")
         self.assertEqual(rg.separation(near, rg.Ball([1, 0])).outcome, rg.Separation.intersecting)
 

@@ -112,9 +112,10 @@ std::string data_script(const Json& data) {
 Input::Input(const MergedResults& all, const Filter& which, const std::vector<std::string>& named)
     : merged(all),
       filter(which),
-      kept(which.expression().empty() ? std::vector<Record>() : filtered(all.records, which)),
-      records(which.expression().empty() ? all.records : kept),
-      truth(all.records),
+      pool(all.records),
+      kept(all_as_they_are() ? std::vector<Record>() : pool(filtered(all.records, which))),
+      records(all_as_they_are() ? all.records : kept),
+      truth(pool(all.records)),
       baselines(named) {
   if (records.empty()) {
     throw EmptySetError(all.records.empty() ? "the files hold no record yet"
@@ -124,7 +125,7 @@ Input::Input(const MergedResults& all, const Filter& which, const std::vector<st
   cells = cell_times(records);
   if (baselines.empty()) baselines = default_baselines(all.records);
   if (!baselines.empty())
-    ratios = cell_ratios(records, baseline_records(all.records, filter, baselines), baselines);
+    ratios = cell_ratios(records, pool(baseline_records(all.records, filter, baselines)), baselines);
 }
 
 std::string make_page(const MergedResults& merged, const Filter& filter,

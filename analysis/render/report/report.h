@@ -9,6 +9,7 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
+#include "analysis/data/pool.h"
 #include "analysis/data/truth.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/studies/table3/cell_ratio.h"
@@ -20,8 +21,9 @@ namespace raygauge::report {
 struct Input {
   const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
   Filter filter;
-  std::vector<Record> kept;            ///< those that pass the filter, where it leaves some out
-  const std::vector<Record>& records;  ///< those that pass the filter
+  Pool pool;                           ///< the user's own pairs
+  std::vector<Record> kept;            ///< those that pass the filter, pairs pooled, where these differ from all
+  const std::vector<Record>& records;  ///< those that pass the filter; pairs of the user's own as a Pool
   MethodList methods;                  ///< methods_of() them
   Truth truth;                         ///< of all records
   std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
@@ -32,6 +34,9 @@ struct Input {
   Input(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines);
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
+
+ private:
+  bool all_as_they_are() const { return filter.expression().empty() && pool.size() == 0; }
 };
 
 /// A part of the page: blocks under a title.

@@ -67,7 +67,7 @@ Table calibration_table(const MergedFile& file) {
                              {entry.method},
                              {time_words(entry.serial_seconds)},
                              {time_words(entry.parallel_seconds)},
-                             {padded_significant(entry.slowdown, 3)}}});
+                             {entry.is_noise() ? "noise" : padded_significant(entry.slowdown, 3)}}});
     }
   }
   return table;

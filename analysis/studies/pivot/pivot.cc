@@ -11,6 +11,7 @@
 
 #include "analysis/data/columns.h"
 #include "analysis/data/parameter_columns.h"
+#include "analysis/data/pool.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
@@ -53,6 +54,19 @@ bool varies_within(const std::vector<Record>& records, const Columns& grouping,
   });
 }
 
+/// Whether the generator's parameters in `instances`, which are those records with their pools, differ in a
+/// group of the records.
+bool parameters_vary(const std::vector<Record>& records, const std::vector<Record>& instances,
+                     const Columns& grouping) {
+  std::map<Key, std::string> seen;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const std::string& parameters = instances[i].generator_parameters;
+    const auto [place, first] = seen.emplace(key_of(grouping, records[i]), parameters);
+    if (!first && place->second != parameters) return true;
+  }
+  return false;
+}
+
 /// The column with what differs between the records alone: other parameters tell nothing apart.
 AnalysisColumn short_column(const AnalysisColumn& column, const std::vector<Record>& records) {
   AnalysisColumn result = column;
@@ -64,12 +78,16 @@ AnalysisColumn short_column(const AnalysisColumn& column, const std::vector<Reco
   return result;
 }
 
-/// The identity columns that the table must be split by.
-Columns implied_rows(const std::vector<Record>& records, const Columns& rows, const Columns& columns) {
+/// The identity columns that the table must be split by. Pairs of a pool are instances: they may mix.
+Columns implied_rows(const std::vector<Record>& records, const Columns& rows, const Columns& columns,
+                     const Pool& pool) {
+  const std::vector<Record> instances = pool(records);
   Columns implied;
   for (const std::string& name : kIdentity) {
     const AnalysisColumn& column = analysis_column(name);
-    if (varies_within(records, concatenated(concatenated(implied, rows), columns), column))
+    const Columns grouping = concatenated(concatenated(implied, rows), columns);
+    if (name == "generator_parameters" ? parameters_vary(records, instances, grouping)
+                                       : varies_within(records, grouping, column))
       implied.push_back(short_column(column, records));
   }
   return implied;
@@ -137,7 +155,7 @@ class Filler {
   void fill_values(const std::vector<Record>& records) {
     const AnalysisColumn& column = analysis_column(pivot_.value.quantity);
     for (const Record& record : records) {
-      if (record.agrees) add(place_of(record), number_of(column, record));
+      if (record.agrees || pivot_.value.is_share()) add(place_of(record), number_of(column, record));
     }
     aggregate();
     if (pivot_.value.name != "median") return;
@@ -244,9 +262,12 @@ Pivot make_pivot(const std::vector<Record>& records, const PivotOptions& options
     require_records(kept, "the baselines are all there is, and their own ratio says nothing");
   }
   if (!pivot.value.counts()) {
-    const Columns implied = implied_rows(kept, rows, columns);
+    const Pool pool(kept);
+    const Columns implied = implied_rows(kept, rows, columns, pool);
     pivot.split_by = names_of(implied);
     rows = concatenated(implied, rows);
+    if (varies_within(kept, concatenated(rows, columns), analysis_column("generator_parameters")))
+      pivot.pooled = pool.size();
   }
   pivot.row_names = names_of(rows);
   pivot.column_names = names_of(columns);

@@ -38,7 +38,8 @@ struct PivotCell {
 
 /// A pivot of records. Records go to the cell of their row and column key; a cell aggregates the values of
 /// its records that agree. Where the aggregate would mix different generators, methods or tolerances, the
-/// table is split by them: they become the first rows (`split_by`). Counts may mix.
+/// table is split by them: they become the first rows (`split_by`). Counts may mix, and so may the pairs of a
+/// Pool.
 ///
 /// The quantity "ratio" is defined for a method in a cell of the grid (generator and its parameters, n, N,
 /// tolerance), as median time over the best baseline's (CellRatio): several of those in one pivot cell are
@@ -52,6 +53,7 @@ struct Pivot {
   std::vector<std::vector<Value>> column_keys;  ///< likewise; one empty key without column_names
   std::vector<PivotCell> cells;                 ///< row by row
   std::vector<std::string> baselines;           ///< where value is a ratio
+  std::size_t pooled = 0;                       ///< pairs of the user's own that cells mix; see Pool
 
   const PivotCell& cell(std::size_t row, std::size_t column) const {
     return cells[row * column_keys.size() + column];

@@ -16,6 +16,7 @@ namespace {
 constexpr int kDigits = 3;
 
 std::string number_text(const Pivot& pivot, double value) {
+  if (pivot.value.is_share()) return padded_significant(100 * value, kDigits) + " %";
   if (std::isinf(value))
     return pivot.value.is_ratio() || value > 0 ? "unsolved" : rounded_text(value, kDigits);
   if (pivot.value.counts() || value == std::round(value)) return rounded_text(value, 15);
@@ -38,8 +39,8 @@ TableCell table_cell(const Pivot& pivot, const PivotCell& cell, bool intervals) 
     text += " [" + number_text(pivot, cell.interval->lower) + ", " +
             (std::isinf(cell.interval->upper) ? "inf" : number_text(pivot, cell.interval->upper)) + "]";
   }
-  const bool marked =
-      !pivot.value.counts() && (cell.unsolved > 0 || cell.disagreeing > 0 || cell.without_value > 0);
+  const bool marked = !pivot.value.counts() && !pivot.value.is_share() &&
+                      (cell.unsolved > 0 || cell.disagreeing > 0 || cell.without_value > 0);
   if (marked) text += "*";
   return {text, cell.value, marked ? Emphasis::alarm : Emphasis::none};
 }
@@ -108,7 +109,7 @@ std::string places_note(const Pivot& pivot, std::size_t PivotCell::*count, const
 }
 
 std::vector<std::string> notes(const Pivot& pivot) {
-  if (pivot.value.counts()) return {};
+  if (pivot.value.counts() || pivot.value.is_share()) return {};
   std::vector<std::string> notes = {
       places_note(pivot, &PivotCell::unsolved,
                   is_time(pivot) ? "unsolved (stopped at a limit), counted as infinitely slow"
@@ -152,6 +153,9 @@ Table pivot_table(const Pivot& pivot, bool intervals, bool separate) {
     table.rows.push_back(std::move(row));
   }
   table.notes = notes(pivot);
+  if (pivot.pooled > 0)
+    table.notes.push_back("over all " + std::to_string(pivot.pooled) +
+                          " pairs of the generator files; --rows pair shows each");
   if (!pivot.split_by.empty())
     table.notes.push_back("split by " + joined(pivot.split_by, ", ") + ", which the value must not mix");
   if (intervals)

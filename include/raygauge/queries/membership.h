@@ -18,7 +18,7 @@ struct GaugeBounds {
 /// The gauge of S at x, for every set: by the set's own formula where it has one, otherwise as the distance
 /// of {x} in the gauge of S, to the relative gap `tolerance` where the proof reaches it. Throws
 /// DimensionMismatchError, NonFiniteError, or InvalidParameterError unless 0 < tolerance < 1.
-GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-9);
+GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-6);
 
 /// Whether x lies in S, as far as it is proven.
 enum class Membership : std::uint8_t {
@@ -30,6 +30,6 @@ enum class Membership : std::uint8_t {
 
 /// Computes the gauge about the centre c: x in S if and only if gauge_{S - c}(x - c) <= 1. Throws as
 /// gauge().
-Membership contains(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-9);
+Membership contains(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-6);
 
 }  // namespace raygauge

@@ -25,6 +25,10 @@ class AffineImage final : public LinearImage {
                                                   const Eigen::Ref<const Eigen::MatrixXd>& R,
                                                   const ConstVectorRef& t);
 
+  const std::shared_ptr<const ConvexSet>& S() const noexcept { return S_; }
+  const DenseMatrix& M() const noexcept { return M_; }
+  const Vector& t() const noexcept { return t_; }
+
  private:
   std::shared_ptr<const ConvexSet> S_;
   DenseMatrix M_;

@@ -25,6 +25,11 @@ class ContactWrenches final : public ConvexSet {
   /// NonFiniteError.
   ContactWrenches(const ConstVectorRef& p, const ConstVectorRef& n, double mu, double facets);
 
+  const Eigen::Vector3d& point() const noexcept { return p_; }
+  const Eigen::Vector3d& normal() const noexcept { return given_; }  ///< as it was given
+  double friction() const noexcept { return mu_; }
+  int facets() const noexcept { return facets_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
@@ -33,6 +38,7 @@ class ContactWrenches final : public ConvexSet {
   }
 
   Eigen::Vector3d p_, n_, first_, second_;  // n, first, second: orthonormal
+  Eigen::Vector3d given_;
   double mu_;
   int facets_;
 };

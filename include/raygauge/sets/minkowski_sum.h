@@ -16,6 +16,9 @@ class MinkowskiSum final : public MinkowskiView {
   /// Throws InvalidParameterError (null pointer) or DimensionMismatchError.
   MinkowskiSum(std::shared_ptr<const ConvexSet> A, std::shared_ptr<const ConvexSet> B);
 
+  const std::shared_ptr<const ConvexSet>& A() const noexcept { return A_; }
+  const std::shared_ptr<const ConvexSet>& B() const noexcept { return B_; }
+
  private:
   std::shared_ptr<const ConvexSet> A_;
   std::shared_ptr<const ConvexSet> B_;

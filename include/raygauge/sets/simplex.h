@@ -18,6 +18,9 @@ class Simplex final : public ConvexSet {
   /// Throws InvalidParameterError (n < 1), DimensionMismatchError or NonFiniteError.
   Simplex(const ConstVectorRef& corner, const ConstVectorRef& legs);
 
+  const Vector& corner() const noexcept { return corner_; }
+  const Vector& legs() const noexcept { return legs_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

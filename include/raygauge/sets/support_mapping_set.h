@@ -22,6 +22,8 @@ class SupportMappingSet final : public ConvexSet {
   /// support plane) or NonFiniteError.
   SupportMappingSet(const ConstVectorRef& center, Mapping mapping);
 
+  const Mapping& mapping() const noexcept { return mapping_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

@@ -22,6 +22,8 @@ class UnionHull final : public ConvexSet,
   /// Throws EmptySetError (m = 0), InvalidParameterError (null pointer) or DimensionMismatchError.
   explicit UnionHull(std::vector<std::shared_ptr<const ConvexSet>> sets);
 
+  const std::vector<std::shared_ptr<const ConvexSet>>& sets() const noexcept { return sets_; }
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;

@@ -24,6 +24,7 @@ struct Instance {
   std::shared_ptr<const ConvexSet> A;
   std::shared_ptr<const ConvexSet> Q;
   std::optional<double> exact_distance;
+  double exact_distance_rounding = 0;  ///< its relative error, where it is more than the generator promises
 };
 
 /// A family of instances. Implementations are immutable and shared between threads.

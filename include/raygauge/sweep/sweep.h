@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "raygauge/sweep/experiment.h"
@@ -23,6 +24,13 @@ struct Calibration {
     double serial_seconds = 0;    ///< median
     double parallel_seconds = 0;  ///< median
     double slowdown = 1;          ///< median ratio
+    /// 95 % interval of that median: [0, inf] where there are fewer than 6 instances, NaN where it is not
+    /// known.
+    double slowdown_lower = std::numeric_limits<double>::quiet_NaN();
+    double slowdown_upper = std::numeric_limits<double>::quiet_NaN();
+
+    /// Whether the slowdown cannot be told from none: 1 lies within its interval.
+    bool is_noise() const { return slowdown_lower <= 1 && slowdown_upper >= 1; }
   };
   int threads = 1;
   std::vector<Entry> entries;

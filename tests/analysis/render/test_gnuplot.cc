@@ -35,6 +35,11 @@ TEST(Gnuplot, DrawsEachFormat) {
   EXPECT_TRUE(svg.ends_with("</svg>\n\n")) << svg.substr(svg.size() - 20);
   EXPECT_TRUE(draw_with_gnuplot(kLine, ImageFormat::png, 3, 2).starts_with("\x89PNG\r\n"));
   EXPECT_TRUE(draw_with_gnuplot(kLine, ImageFormat::pdf, 3, 2).starts_with("%PDF-"));
+  EXPECT_TRUE(draw_with_gnuplot(kLine, ImageFormat::eps, 3, 2).starts_with("%!PS-Adobe-3.0 EPSF"));
+  const std::string tikz =
+      draw_with_gnuplot("set xlabel 'ε = 10^{-6} at 95 %'\n" + std::string(kLine), ImageFormat::tikz, 3, 2);
+  EXPECT_TRUE(tikz.starts_with("\\begin{tikzpicture}"));
+  EXPECT_NE(tikz.find("{$\\varepsilon$ = 10$^{-6}$ at 95 \\%}"), std::string::npos) << tikz;
 }
 
 TEST(Gnuplot, DrawsTheSamePictureAgain) {
@@ -60,8 +65,10 @@ TEST(ImageFormat, FollowsTheExtension) {
   EXPECT_EQ(image_format_of("a/b.svg"), ImageFormat::svg);
   EXPECT_EQ(image_format_of("b.png"), ImageFormat::png);
   EXPECT_EQ(image_format_of("b.x.pdf"), ImageFormat::pdf);
+  EXPECT_EQ(image_format_of("b.eps"), ImageFormat::eps);
+  EXPECT_EQ(image_format_of("b.tikz"), ImageFormat::tikz);
   EXPECT_EQ(message_of<InvalidParameterError>([] { image_format_of("b.jpg"); }),
-            "b.jpg: a figure is a file ending in .svg, .png or .pdf");
+            "b.jpg: a figure is a file ending in .svg, .png, .pdf, .eps, .tikz or .tex");
 }
 
 }  // namespace

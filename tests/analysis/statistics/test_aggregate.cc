@@ -21,6 +21,7 @@ TEST(Aggregate, ComputesEachKind) {
   EXPECT_EQ(aggregate("median gap", values), 4);
   EXPECT_DOUBLE_EQ(aggregate("mean gap", values), 6.2);
   EXPECT_DOUBLE_EQ(aggregate("geomean gap", values), 4);
+  EXPECT_NEAR(aggregate("sgm1 gap", {0, 8}), 2, 1e-14);
   EXPECT_EQ(aggregate("min gap", values), 1);
   EXPECT_EQ(aggregate("max gap", values), 16);
   EXPECT_EQ(aggregate("sum gap", values), 31);
@@ -50,7 +51,10 @@ TEST(Aggregate, SaysWhatIsWrong) {
   EXPECT_NE(
       message_of<UnknownNameError>([] { parse_aggregate("median rato"); }).find("did you mean 'ratio'?"),
       std::string::npos);
+  EXPECT_EQ(message_of<InvalidParameterError>([] { parse_aggregate("share gap"); }),
+            "value 'share gap': a share is of a column of true and false, as in 'share solved'");
   EXPECT_THROW(parse_aggregate("p101 n"), UnknownNameError);
+  EXPECT_THROW(parse_aggregate("sgm0 n"), UnknownNameError);
   EXPECT_THROW(parse_aggregate(""), UnknownNameError);
 }
 

@@ -69,6 +69,13 @@ TEST(GeometricMean, IsTheRootOfTheProduct) {
   EXPECT_THROW(geometric_mean({}), EmptySetError);
 }
 
+TEST(ShiftedGeometricMean, IsTheGeometricMeanOfTheShiftedValuesLessTheShift) {
+  EXPECT_NEAR(shifted_geometric_mean({0, 8}, 1), 2, 10 * kRounding);  // √(1 · 9) - 1
+  EXPECT_EQ(shifted_geometric_mean({kInfinity, 5}, 10), kInfinity);
+  EXPECT_THROW(shifted_geometric_mean({-1, 5}, 10), InvalidParameterError);
+  EXPECT_THROW(shifted_geometric_mean({1, 5}, 0), InvalidParameterError);
+}
+
 TEST(Mean, IsTheSumOverTheCount) { EXPECT_EQ(mean({1, 2, 6}), 3); }
 
 TEST(MedianInterval, InterpolatesAsHettmanspergerAndSheatherDo) {

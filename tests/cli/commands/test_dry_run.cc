@@ -57,6 +57,22 @@ TEST(DryRun, WritesRanges) {
   EXPECT_NE(text.find("  N            200 … 1000 (step 200)\n"), std::string::npos) << text;
 }
 
+TEST(DryRun, SaysWhatMemoryTheLargestCellNeeds) {
+  Experiment experiment;
+  experiment.generators = {spec("example2", {})};
+  experiment.methods = {{"direct", "", {}}};
+  SweepEstimate estimate;
+  estimate.threads = 4;
+  estimate.largest = {0, 0, 100, 30000, 1e-6};
+  estimate.largest_bytes = 3.0 * (1 << 29);
+  EXPECT_NE(dry_run_text(experiment, estimate)
+                .find("  memory       about 1.5 GiB for the largest cell (n = 100, N = 30000), 6 GiB for 4 "
+                      "at once\n"),
+            std::string::npos);
+  estimate.largest_bytes = 0;
+  EXPECT_EQ(dry_run_text(experiment, estimate).find("memory"), std::string::npos);
+}
+
 TEST(DryRun, ShortensListsWithoutAPattern) {
   Experiment experiment;
   experiment.generators = {spec("example2", {})};

@@ -50,6 +50,8 @@ const std::vector<Writer> kWriters = {
     {"plot_svg", {"plot", "m.h5", "--figure", "time_vs_N", "-o"}, ".svg", "<?xml", false, true, true},
     {"plot_png", {"plot", "m.h5", "--figure", "time_vs_N", "-o"}, ".png", "\x89PNG", false, true, true},
     {"plot_pdf", {"plot", "m.h5", "--figure", "time_vs_N", "-o"}, ".pdf", "%PDF", false, true, true},
+    {"plot_eps", {"plot", "m.h5", "--figure", "time_vs_N", "-o"}, ".eps", "%!PS", false, true, true},
+    {"plot_tikz", {"plot", "m.h5", "--figure", "time_vs_N", "-o"}, ".tikz", "\\begin", false, true, true},
     {"run", {"run", "e.toml", "-q", "-o"}, ".h5", "\x89HDF", false, false, false, "e.toml"},
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace raygauge::cli::test_run_summary {
 namespace {
 
@@ -48,6 +50,18 @@ TEST(RunSummary, ProvenAnswersAreNoFailures) {
             "  agreement  all methods agree on every instance\n"
             "  unsolved   none\n"
             "  slowdown   of single solves on 2 threads: direct 1.500, presolved 1.001\n");
+}
+
+TEST(RunSummary, ASlowdownThatIsNoiseIsNotPrinted) {
+  const RunSummary summary = summarise(two_methods(), {record("direct", 0, DistanceStatus::optimal, true)});
+  const std::string line = "  slowdown   of single solves on 2 threads: ";
+  const auto ends_with = [&](const Calibration& calibration, const std::string& end) {
+    return summary_text(summary, calibration).ends_with(line + end + "\n");
+  };
+  EXPECT_TRUE(ends_with({2, {{"direct", 1, 1.5, 1.5, 1.2, 1.7}, {"presolved", 1, 1, 1.01, 0.9, 1.1}}},
+                        "direct 1.500"));
+  EXPECT_TRUE(ends_with({2, {{"direct", 1, 1.5, 1.5, 0, std::numeric_limits<double>::infinity()}}},
+                        "none that differs from noise"));
 }
 
 TEST(RunSummary, AnAdaptiveRunTellsHowOftenItRepeated) {

@@ -52,6 +52,14 @@ TEST(Agreement, RoundingOfTheBoundsIsForgiven) {
   EXPECT_EQ(agreement({record(1, 1, 1), record(1 + 1e-11, 1 + 1e-11, 1 + 1e-11)}), Flags({0, 0}));
 }
 
+TEST(Agreement, AKnownDistanceCountsWithItsRounding) {
+  Record rounded = record(2.2360679, 2.2360680, 2.2360681);
+  rounded.exact_distance = 2.236;
+  EXPECT_EQ(agreement({rounded}), Flags({0}));
+  rounded.exact_distance_rounding = 1e-4;
+  EXPECT_EQ(agreement({rounded}), Flags({1}));
+}
+
 TEST(Agreement, ADistanceWithoutProofIsHeldAgainstTheBestProof) {
   EXPECT_EQ(agreement({record(2, 2, 2.000001), record(kNaN, 2.0000025, kNaN)}), Flags({1, 1}));
   EXPECT_EQ(agreement({record(2, 2, 2.000001), record(kNaN, 2.00001, kNaN)}), Flags({1, 0}));

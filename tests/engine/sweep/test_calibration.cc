@@ -54,8 +54,8 @@ TEST_F(Calibrations, TheFirstInstancesOfACellOfMedianCostAreSolvedAlone) {
   for (const Cell& cell : plan.cells()) costs.push_back(expected_cost(cell));
   std::sort(costs.begin(), costs.end());
   EXPECT_EQ(expected_cost(solves.cell), costs[(costs.size() - 1) / 2]);
-  ASSERT_EQ(solves.records.size(), 3U * 2);
-  for (std::size_t i = 0; i < 6; ++i) {
+  ASSERT_EQ(solves.records.size(), 4U * 2) << "a cell has 4 instances, fewer than an interval takes";
+  for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_EQ(solves.records[i].cell, solves.cell.index);
     EXPECT_EQ(solves.records[i].repetition, static_cast<int>(i / 2));
     EXPECT_EQ(solves.records[i].method, i % 2 == 0 ? "first" : "second");
@@ -65,8 +65,8 @@ TEST_F(Calibrations, TheFirstInstancesOfACellOfMedianCostAreSolvedAlone) {
 
 TEST_F(Calibrations, MoreInstancesWhereTheSweepIsLongButNoMoreThanAMedianNeeds) {
   Experiment experiment = testing::small_experiment();
-  experiment.repetitions = 170;  // 12 cells · 170 / 2 threads · 0.005 = 5.1
-  EXPECT_EQ(run(experiment).records.size(), 5U * 2);
+  experiment.repetitions = 270;  // 12 cells · 270 / 2 threads · 0.005 = 8.1
+  EXPECT_EQ(run(experiment).records.size(), 8U * 2);
   experiment.repetitions = 10000;
   EXPECT_EQ(run(experiment).records.size(), 15U * 2);
 }
@@ -118,6 +118,20 @@ TEST(CalibrationOf, InflationIsTheMedianOfTheRatiosNotTheRatioOfTheMedians) {
   EXPECT_EQ(calibration.entries[0].slowdown, 3);
   EXPECT_EQ(calibration.entries[1].method, "theirs");
   EXPECT_EQ(calibration.entries[1].slowdown, 1);
+}
+
+TEST(CalibrationOf, WhatCannotBeToldFromNoSlowdownIsNoise) {
+  const auto slowdown_of = [](const std::vector<double>& together) {
+    const std::vector<double> ones(together.size(), 1.0);
+    return calibration_of(alone(ones, ones), records_of(together, ones, 2)).entries.front();
+  };
+  EXPECT_TRUE(slowdown_of({1.5, 1.5, 1.5}).is_noise()) << "three values have no interval";
+  EXPECT_TRUE(slowdown_of({0.9, 1.1, 1.2, 1.3, 1.1, 1.2}).is_noise());
+  const Calibration::Entry slower = slowdown_of({1.2, 1.1, 1.2, 1.3, 1.1, 1.4});
+  EXPECT_FALSE(slower.is_noise());
+  EXPECT_EQ(slower.slowdown_lower, 1.1);
+  EXPECT_EQ(slower.slowdown_upper, 1.4);
+  EXPECT_FALSE(Calibration::Entry().is_noise()) << "of an older file nothing is known";
 }
 
 TEST(CalibrationOf, IsEmptyWhereTheRuntimeGrantedOneThread) {

@@ -80,6 +80,20 @@ TEST_F(Estimate, ProbesSmallerCellsWhereAllAreLarge) {
   EXPECT_GT(result.probed_cells, 0u);
 }
 
+TEST_F(Estimate, TheLargestCellHoldsItsInstancesAndWhatTheMethodsMakeOfOne) {
+  Experiment experiment = testing::small_experiment();
+  const double points = estimate(experiment).largest_bytes;
+  const Cell largest = estimate(experiment).largest;
+  EXPECT_EQ(points, 8.0 * 2 * largest.n * largest.N * experiment.repetitions);
+  for (const Cell& cell : grid_of(experiment)) EXPECT_LE(cell.n * cell.N, largest.n * largest.N);
+  double heap = 0;
+  const auto growing = [&heap] {
+    return heap += 1000;
+  };  // between two questions: what methods make of a probe
+  const SweepEstimate with_models = estimate_sweep(experiment, generators_, methods_, 2, growing);
+  EXPECT_GT(with_models.largest_bytes, points);
+}
+
 TEST_F(Estimate, RejectsWhatTheSweepWouldReject) {
   Experiment experiment = testing::small_experiment();
   experiment.methods[0].name = "rya";

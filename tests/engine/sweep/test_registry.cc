@@ -31,6 +31,13 @@ TEST(Parameters, AnUnknownNameSuggestsTheNearest) {
   }
 }
 
+TEST(Parameters, AnyOtherIsCarriedAlongWhereThatIsDeclared) {
+  std::vector<ParameterInfo> declared = kDeclared;
+  declared.push_back({kAnyParameter, std::string(), {}, {}, "columns", {}});
+  EXPECT_EQ(to_string(complete("g", declared, {{"family", std::string("thin")}})),
+            "family=thin kind=plain separation=1.5");
+}
+
 TEST(Parameters, WrongTypeAndRangeAreNamed) {
   EXPECT_THROW(complete("g", kDeclared, {{"separation", std::string("far")}}), InvalidParameterError);
   EXPECT_THROW(complete("g", kDeclared, {{"separation", 0.5}}), InvalidParameterError);

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "python/sweeps/loading.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/input/scene_source.h"
+#include "cli/input/set_source.h"
+#include "cli/input/urdf_file.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/scene_answers.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/scene/joint_motion.h"
+
+namespace raygauge::python {
+namespace {
+
+using cli::Robot;
+using cli::SceneSource;
+using Folders = std::map<std::string, std::string>;
+using MutableSet = std::shared_ptr<ConvexSet>;
+
+MutableSet for_python(const SetPointer& set) { return std::const_pointer_cast<ConvexSet>(set); }
+
+MutableSet load_set(const std::string& source, bool skip_header) {
+  cli::PointFormat format;
+  format.skip_header = skip_header;
+  return for_python(cli::read_set_source(source, format));
+}
+
+std::vector<std::string> link_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const cli::RobotLink& link : robot.links) names.push_back(link.name);
+  return names;
+}
+
+std::vector<std::vector<MutableSet>> shapes(const Robot& robot) {
+  std::vector<std::vector<MutableSet>> all;
+  for (const cli::RobotLink& link : robot.links) {
+    all.emplace_back();
+    for (const SetPointer& shape : link.shapes) all.back().push_back(for_python(shape));
+  }
+  return all;
+}
+
+/// Pairs of links that a joint joins.
+std::vector<std::pair<int, int>> joined(const Robot& robot) {
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < robot.tree.links.size(); ++i) {
+    if (robot.tree.links[i].parent >= 0) pairs.emplace_back(robot.tree.links[i].parent, static_cast<int>(i));
+  }
+  return pairs;
+}
+
+/// Where the links are: homogeneous matrices, shape (links, 4, 4).
+py::array_t<double> poses(const Robot& robot, const std::vector<double>& values) {
+  if (values.size() != robot.joints.size())
+    throw DimensionMismatchError("values: " + std::to_string(robot.joints.size()) +
+                                 " joints need a value each, got " + std::to_string(values.size()));
+  const auto tree = std::make_shared<const KinematicTree>(robot.tree);
+  const auto still = std::make_shared<JointTrajectory>();
+  still->times = {0, 1};
+  still->values =
+      Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())).replicate(1, 2);
+  const auto count = static_cast<py::ssize_t>(robot.links.size());
+  constexpr py::ssize_t kSize = 4;
+  py::array_t<double> matrices({count, kSize, kSize});
+  for (py::ssize_t k = 0; k < count; ++k) {
+    const Placement place = LinkMotion(tree, still, Placement::identity(3), static_cast<int>(k)).at(0);
+    for (py::ssize_t i = 0; i < kSize; ++i) {
+      for (py::ssize_t j = 0; j < kSize; ++j) {
+        const double last = i == 3 ? (j == 3 ? 1.0 : 0.0) : 0.0;
+        *matrices.mutable_data(k, i, j) = i == 3 ? last : (j == 3 ? place.t[i] : place.R(i, j));
+      }
+    }
+  }
+  return matrices;
+}
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+void bind_robots(py::module_& module) {
+  py::class_<Robot>(module, "RobotFile", "A robot as its URDF file has it; see raygauge.load_robot.")
+      .def_readonly("name", &Robot::name)
+      .def_readonly("joints", &Robot::joints)
+      .def_property_readonly("links", &link_names)
+      .def_property_readonly("joined", &joined)
+      .def("shapes", &shapes)
+      .def("poses", &poses, py::arg("values"));
+  module.def(
+      "load_robot",
+      [](const std::string& path, const Folders& packages) { return cli::read_urdf(path, {packages}); },
+      py::arg("path"), py::arg("packages"));
+}
+
+void bind_scene_files(py::module_& module) {
+  py::class_<SceneSource>(module, "SceneFile", "A scene as its file has it; see raygauge.load_scene.")
+      .def_property_readonly("name", [](const SceneSource& source) { return source.scene.name; })
+      .def_property_readonly("instants", [](const SceneSource& source) { return source.scene.instants; })
+      .def_property_readonly("bodies",
+                             [](const SceneSource& source) { return names_of(source.scene.bodies); })
+      .def_property_readonly("queries",
+                             [](const SceneSource& source) { return names_of(source.scene.queries); })
+      .def("explain", [](const SceneSource& source) { return scene_lines(source.scene); })
+      .def(
+          "columns",
+          [](const SceneSource& source, int threads) { return scene_columns(source.scene, threads); },
+          py::arg("threads"));
+  module.def(
+      "load_scene",
+      [](const std::string& path, const std::vector<std::string>& overrides, const Folders& packages) {
+        return cli::read_scene(path, overrides, {packages});
+      },
+      py::arg("path"), py::arg("overrides"), py::arg("packages"));
+}
+
+}  // namespace
+
+void bind_loading(py::module_& module) {
+  module.def("load_set", &load_set, py::arg("source"), py::arg("skip_header"));
+  bind_robots(module);
+  bind_scene_files(module);
+}
+
+}  // namespace raygauge::python
