@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "analysis/render/formats/latex_table.h"
+#include "results/text/language.h"
 
 namespace raygauge {
 namespace {
@@ -31,7 +31,7 @@ std::string tex_of_enhanced(const std::string& text) {
   std::string tex;
   std::string plain;
   const auto flush = [&] {
-    tex += latex_escaped(plain);
+    tex += language::latex(plain);
     plain.clear();
   };
   for (std::size_t i = 0; i < text.size();) {

@@ -14,8 +14,8 @@ namespace raygauge {
 namespace {
 
 constexpr double kIndependent = 1e-11;  // the least pivot, relative to the first: where ranks end
-constexpr double kLeastScale = 1e-4;   // of columns by their weights
-constexpr int kSteps = 3;              // of refinement
+constexpr double kLeastScale = 1e-4;    // of columns by their weights
+constexpr int kSteps = 3;               // of refinement
 constexpr double kRoundedUp = 1.02;
 
 }  // namespace

@@ -35,8 +35,8 @@ class OptimalFace {
   /// After upper(): whether the weights of the pivots are proven to be those of the solution as they round.
   bool is_rounded() const noexcept { return rounded_; }
 
-  /// After upper(): duals y (m doubles) become y + y_low, at which the reduced costs of all columns are zero to some 30
-  /// digits where they were nearly.
+  /// After upper(): duals y (m doubles) become y + y_low, at which the reduced costs of all columns are zero
+  /// to some 30 digits where they were nearly.
   void refine_duals(double* y, double* y_low);
 
   /// For Farkas directions u (m doubles, nearly orthogonal to all columns): changes u in the pivot rows by so

@@ -30,8 +30,8 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-/// While it lives, HDF5 reports its errors here instead of printing them. Nor does it print afterwards: at the
-/// end of the process it may complain of what a damaged file has left open.
+/// While it lives, HDF5 reports its errors here instead of printing them. Nor does it print afterwards: at
+/// the end of the process it may complain of what a damaged file has left open.
 class ErrorCapture {
  public:
   ErrorCapture() { H5Eset_auto2(H5E_DEFAULT, &ErrorCapture::on_error, this); }

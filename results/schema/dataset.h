@@ -20,8 +20,8 @@ struct DatasetReference {
 /// Splits "points.h5:/group/A"; nothing if `text` is not of that form.
 std::optional<DatasetReference> parse_dataset_reference(const std::string& text);
 
-/// The datasets of numbers with two dimensions in an HDF5 file, as "/group/A", in alphabetical order; links to
-/// other places are not followed. Throws ResultsError.
+/// The datasets of numbers with two dimensions in an HDF5 file, as "/group/A", in alphabetical order; links
+/// to other places are not followed. Throws ResultsError.
 std::vector<std::string> point_datasets(const std::string& file);
 
 /// The points that are the rows of a two-dimensional dataset of numbers, N × n in the file, as the columns of

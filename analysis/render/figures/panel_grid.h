@@ -18,10 +18,10 @@ struct PanelGrid {
   std::size_t rows = 1;
   std::size_t legend_columns = 1;
   double width = 0;
-  double legend = 0;    ///< height of the legend
-  double x_labels = 0;  ///< height of what stands below each row but the last
-  double gap = 0.12;    ///< between columns
-  std::string flaw;     ///< what a crossed point means (PanelCurve::flaws); "" where none is
+  double legend = 0;                     ///< height of the legend
+  double x_labels = 0;                   ///< height of what stands below each row but the last
+  double gap = 0.12;                     ///< between columns
+  std::string flaw;                      ///< what a crossed point means (PanelCurve::flaws); "" where none is
   static constexpr double kLeft = 0.66;  // the label of the axis and "10^{-15}" beside it
   static constexpr double kRight = 0.17;  // half of "10^{-10}" below the end of an axis
   static constexpr double kBottom = 0.42;

@@ -21,8 +21,8 @@ namespace raygauge::report {
 struct Input {
   const MergedResults& merged;  ///< all records of the files: truths and baselines may lie outside the filter
   Filter filter;
-  Pool pool;                           ///< the user's own pairs
-  std::vector<Record> kept;            ///< those that pass the filter, pairs pooled, where these differ from all
+  Pool pool;                 ///< the user's own pairs
+  std::vector<Record> kept;  ///< those that pass the filter, pairs pooled, where these differ from all
   const std::vector<Record>& records;  ///< those that pass the filter; pairs of the user's own as a Pool
   MethodList methods;                  ///< methods_of() them
   Truth truth;                         ///< of all records

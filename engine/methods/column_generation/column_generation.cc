@@ -42,7 +42,8 @@ void ColumnGeneration::solve_by_support(const Problem& problem, DistanceResult& 
   result.lower = scaled_down(by_support_.lower(), -shift);
   result.upper = scaled_up(by_support_.upper(), -shift);
   // In this order an objective that is not a number gives way to the lower bound.
-  result.distance = std::max(result.lower, std::min(std::ldexp(by_support_.objective(), -shift), result.upper));
+  result.distance =
+      std::max(result.lower, std::min(std::ldexp(by_support_.objective(), -shift), result.upper));
   result.normal = scaling_.factor_Q()[0] * Vector::Map(by_support_.normal(), n);
   counters_ = by_support_.counters();
 }

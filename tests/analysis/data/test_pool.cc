@@ -62,7 +62,8 @@ TEST(Pool, FewPairsAndOtherGeneratorsStayAsTheyAre) {
 }
 
 TEST(Pool, ATableOfManyPairsHasOneLineAMethod) {
-  EXPECT_EQ(table_of(pairs(2000), "method", "max ms"), "method,max milliseconds\nnewton,2000\nglpk_dual,4000\n");
+  EXPECT_EQ(table_of(pairs(2000), "method", "max ms"),
+            "method,max milliseconds\nnewton,2000\nglpk_dual,4000\n");
   EXPECT_EQ(table_of(pairs(20), "family", "count"), "family,count\neven,40\nodd,40\n");
 }
 
