@@ -109,7 +109,7 @@ std::string gnuplot(std::string_view text) {
     const bool plain =
         static_cast<unsigned char>(c) >= 0x80 || c == ' ' || std::isalnum(static_cast<unsigned char>(c)) != 0;
     // A backslash for the enhanced mode is itself written by its number.
-    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) result += number('\\');
+    if (std::string_view("_^{}@&~$\\").find(c) != std::string_view::npos) result += number('\\');
     if (c == '%') {
       result += number('\\') +
                 "045";  // the enhanced mode's number: a tic's label is a format, where % has a meaning
