@@ -18,7 +18,7 @@ constexpr double kMaybeZero = 1e-4;
 constexpr double kCarries = 1e-9;
 
 // That exact arithmetic may take for weights that other arithmetic has as good.
-constexpr double kSecondsForWeights = 0.05;
+constexpr double kSecondsForWeights = 1e-3;
 
 // Points of Q so close to the plane of a direction, relative to the farthest, may lie in it.
 constexpr double kMaybeInPlane[] = {1e-6, 1e-9};
