@@ -18,6 +18,7 @@ import tempfile
 import urllib.parse
 
 from selenium import webdriver
+from selenium.common.exceptions import TimeoutException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
@@ -117,8 +118,12 @@ def check_dark(browser, site, failures):
                                 {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
         for page in ("index.html", "cpp/index.html"):
             browser.get((site / page).as_uri())
-            light = browser.execute_script(ground)
-            if not fits(light):
+            browser.execute_script("localStorage.clear()")  # a new reader: the theme remembers what it has shown
+            browser.refresh()
+            try:
+                WebDriverWait(browser, 20).until(lambda b: fits(b.execute_script(ground)))
+            except TimeoutException:
+                light = browser.execute_script(ground)
                 failures.append(f"{page}: a ground of brightness {light} where the system is {scheme}")
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
