@@ -80,7 +80,7 @@ std::string PanelGrid::legend_plot(const MethodList& methods) const {
   }
   if (!flaw.empty())
     text += std::string(", \\\n  NaN with points ") + figure_style::kFlawStyle + " title " +
-            figure_style::quoted(flaw);
+            language::gnuplot(flaw);
   return text +
          "\nunset key\nunset label\nset border 3 lw 0.6\nset xtics nomirror scale 0.5\nset ytics nomirror "
          "scale 0.5\n"
