@@ -119,12 +119,14 @@ class Advance {
   }
 
   /// Where no step is proven any more, or steps have run out: the next moment of a proven contact, in steps
-  /// that double. False: it is the end.
+  /// that grow by a fifth. False: it is the end.
   bool look_ahead() {
-    constexpr int kDoublings = 60;
-    for (int k = kDoublings; k >= 0 && t_ < options_.to; --k) {
+    constexpr int kDoublings = 60, kLooksPerDoubling = 4;
+    for (int k = kLooksPerDoubling * kDoublings; k >= 0 && t_ < options_.to; --k) {
       ++result_.steps;
-      const double then = k == 0 ? options_.to : t_ + std::ldexp(options_.to - t_, -k);
+      const double then =
+          k == 0 ? options_.to
+                 : t_ + (options_.to - t_) * std::exp2(-static_cast<double>(k) / kLooksPerDoubling);
       const PartLook look = watch_.at(then, true);
       if (is_contact(look)) return end_contact(look);
     }
