@@ -287,16 +287,21 @@ TEST_F(FigurePages, AreAllDecidedBeforeTheFirstIsWritten) {
   ResultsFile results;
   for (const double tolerance : {1e-6, 1e-9}) {
     const std::size_t first = results.records.size();
-    testing::add_records(results.records, "direct", 3, 200, {1, 2, 3});
-    testing::add_records(results.records, "glpk_dual", 3, 200, {10, 20, 30});
+    for (const int N : {200, 400}) {
+      testing::add_records(results.records, "direct", 3, N, {1, 2, 3});
+      testing::add_records(results.records, "glpk_dual", 3, N, {10, 20, 30});
+    }
     for (std::size_t i = first; i < results.records.size(); ++i) results.records[i].tolerance = tolerance;
   }
-  results.provenance.cell_count = 1;
+  for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 6;
+  results.provenance.cell_count = 4;
   results.provenance.sessions = {testing::sample_session()};
   write_results(folder_.file("m.h5"), results);
   write_results(folder_.file("fig-2.svg"), results);
   const std::vector<std::string> command = {"plot", "m.h5", "--figure", "ratio_heatmap", "-o", "fig.svg"};
-  expect_complaint(run_raygauge(command), "fig-2.svg");
+  expect_complaint(
+      run_raygauge(command),
+      "raygauge: fig-2.svg: holds HDF5 data, which nothing derived replaces; nothing was written");
   EXPECT_FALSE(fs::exists(folder_.file("fig.svg")));
   fs::remove(folder_.file("fig-2.svg"));
   EXPECT_EQ(run_raygauge(command).out, "fig.svg\nfig-2.svg\n");
