@@ -160,6 +160,17 @@ bool FclQuery::collide() {
                       state.at_2, state.collision, result) > 0;
 }
 
+double FclQuery::penetration() {
+  const State& state = *state_;
+  fcl::CollisionRequestd request = state.collision;
+  request.enable_contact = true;
+  request.num_max_contacts = 1;
+  fcl::CollisionResultd result;
+  fcl::collide(state.first.shape_->geometry.get(), state.at_1, state.second.shape_->geometry.get(),
+               state.at_2, request, result);
+  return result.numContacts() == 0 ? 0 : result.getContact(0).penetration_depth;
+}
+
 std::string fcl_library_version() { return FCL_VERSION; }
 
 }  // namespace raygauge

@@ -48,6 +48,9 @@ class FclQuery {
 
   bool collide();
 
+  /// The depth of the one contact that FCL answers with; 0 where it finds the bodies apart.
+  double penetration();
+
  private:
   struct State;
   std::unique_ptr<State> state_;

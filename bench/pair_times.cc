@@ -111,20 +111,71 @@ bool judge_fcl(FclPair& fcl, const DistanceResult& ours, double size, PairTally&
   }
   return answers;
 }
+
+// False where the bodies do not overlap, or FCL throws.
+bool judge_fcl_depth(FclPair& fcl, const ObjectDepth& ours, double size, PairTally& tally) {
+  if (ours.evaluations == 0) return false;
+  ++tally.fcl_deep;
+  try {
+    const double depth = fcl.solver[0].penetration();
+    if (!(std::max(depth - ours.upper, ours.lower - depth) <= kWrong * size)) ++tally.fcl_deep_wrong;
+    return true;
+  } catch (const std::exception&) {
+    ++tally.fcl_deep_wrong;
+    return false;
+  }
+}
+
+void add_fcl_queries(FclPair& fcl, const DistanceResult& distance, const ObjectDepth& depth, double size,
+                     PairTally& tally, std::vector<Query>& queries) {
+  if (!judge_fcl(fcl, distance, size, tally)) return;
+  queries.emplace_back(PairQuery::fcl_libccd, [&fcl] { fcl.solver[0].distance(true); });
+  queries.emplace_back(PairQuery::fcl_indep, [&fcl] { fcl.solver[1].distance(true); });
+  queries.emplace_back(PairQuery::fcl_collide, [&fcl] { fcl.solver[0].collide(); });
+  if (judge_fcl_depth(fcl, depth, size, tally))
+    queries.emplace_back(PairQuery::fcl_depth, [&fcl] { fcl.solver[0].penetration(); });
+}
 #endif
 
 }  // namespace
 
 const char* name_of(PairQuery query) {
-  constexpr std::array<const char*, kPairQueries> kNames = {"distance", "points", "warm",      "general",
-                                                            "growth",   "g warm", "g general", "apart",
-                                                            "libccd",   "indep",  "collide"};
+  constexpr std::array<const char*, kPairQueries> kNames = {
+      "distance", "points", "warm",   "general", "growth", "g warm",  "g general",
+      "apart",    "depth",  "d warm", "libccd",  "indep",  "collide", "fcl depth"};
   return kNames[static_cast<std::size_t>(query)];
 }
 
 double PairTally::median(PairQuery query) const {
   return median_of(microseconds[static_cast<std::size_t>(query)]);
 }
+
+namespace {
+
+struct Places {
+  Posed one, two, moved;
+};
+
+// Memory: of the warm start, and what it is before each call.
+ObjectDepth add_depth_queries(ObjectDistanceSolver& solver, const Places& at, WarmStart* memory,
+                              PairTally& tally, std::vector<Query>& queries) {
+  static const Ball kMetric(Eigen::Vector3d::Zero(), 1);
+  constexpr auto kDeep = ObjectEffects::closest_points | ObjectEffects::depth;
+  ObjectDepth depth = solver.solve(at.one, at.two, kMetric, kDeep, &memory[0]).depth;
+  memory[1] = memory[0];
+  if (depth.evaluations > 0) {
+    ++tally.deep;
+    if (depth.status == DistanceStatus::optimal) ++tally.deep_certified;
+  }
+  queries.emplace_back(PairQuery::depth, [&solver, at] { solver.solve(at.one, at.two, kMetric, kDeep); });
+  queries.emplace_back(PairQuery::depth_warm, [&solver, at, memory] {
+    memory[0] = memory[1];
+    solver.solve(at.one, at.moved, kMetric, kDeep, &memory[0]);
+  });
+  return depth;
+}
+
+}  // namespace
 
 void measure_pair(const PosedPair& pair, double tolerance, PairTally& tally) {
   const Ball metric(Eigen::Vector3d::Zero(), 1);
@@ -155,13 +206,11 @@ void measure_pair(const PosedPair& pair, double tolerance, PairTally& tally) {
        }},
       {PairQuery::growth_general, [&] { general.growth.solve_about_centers(one, two); }},
       {PairQuery::apart, [&] { ours.growth.separation(one, two); }}};
+  WarmStart memory[2];
+  const ObjectDepth depth = add_depth_queries(ours.distance, {one, two, moved}, memory, tally, queries);
 #ifdef RAYGAUGE_HAS_FCL
   const auto fcl = fcl_pair(pair);
-  if (fcl != nullptr && judge_fcl(*fcl, first, pair.size, tally)) {
-    queries.emplace_back(PairQuery::fcl_libccd, [&] { fcl->solver[0].distance(true); });
-    queries.emplace_back(PairQuery::fcl_indep, [&] { fcl->solver[1].distance(true); });
-    queries.emplace_back(PairQuery::fcl_collide, [&] { fcl->solver[0].collide(); });
-  }
+  if (fcl != nullptr) add_fcl_queries(*fcl, first, depth, pair.size, tally, queries);
 #endif
   time_in_turn(queries, tally);
 }

@@ -20,12 +20,15 @@ enum class PairQuery : std::size_t {
   growth_warm,
   growth_general,
   apart,
+  depth,       ///< with closest points, or the depth and the points in contact
+  depth_warm,  ///< the same after the motion
   fcl_libccd,  ///< with closest points, as `points`
   fcl_indep,
   fcl_collide,  ///< libccd
+  fcl_depth,    ///< of libccd, with the point in contact
 };
 
-inline constexpr std::size_t kPairQueries = 11;
+inline constexpr std::size_t kPairQueries = 14;
 
 const char* name_of(PairQuery query);
 
@@ -38,6 +41,10 @@ struct PairTally {
   int wrong[2] = {0, 0};  ///< answers of libccd and of FCL's own solver that are off by more than 1e-5 of the
                           ///< bodies' size, or exceptions
   double worst[2] = {0, 0};  ///< how far they are off, in units of that size
+  int deep = 0;              ///< pairs that overlap ...
+  int deep_certified = 0;    ///< ... with a certified depth
+  int fcl_deep = 0;          ///< ... of which FCL has both bodies
+  int fcl_deep_wrong = 0;    ///< ... and gives a depth that is off by more than 1e-5 of the bodies' size
 
   double median(PairQuery query) const;  ///< NaN where it was not asked
 };

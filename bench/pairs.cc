@@ -26,6 +26,7 @@ constexpr Ratio kRatios[] = {{"points/ccd", PairQuery::points, PairQuery::fcl_li
                              {"growth/ccd", PairQuery::growth, PairQuery::fcl_libccd},
                              {"g warm/ccd", PairQuery::growth_warm, PairQuery::fcl_libccd},
                              {"apart/col", PairQuery::apart, PairQuery::fcl_collide},
+                             {"deep/ccd", PairQuery::depth, PairQuery::fcl_depth},
                              {"dist/gen", PairQuery::distance, PairQuery::general},
                              {"grow/gen", PairQuery::growth, PairQuery::growth_general}};
 
@@ -33,8 +34,8 @@ void print_head() {
   std::printf("%-10s %-10s %-10s", "A1", "A2", "place");
   for (std::size_t q = 0; q < kPairQueries; ++q) std::printf(" %9s", name_of(static_cast<PairQuery>(q)));
   for (const Ratio& ratio : kRatios) std::printf(" %10s", ratio.name);
-  std::printf(" %8s %8s %11s %18s %18s\n", "d/friend", "g/friend", "certified", "libccd wrong",
-              "indep wrong");
+  std::printf(" %8s %8s %11s %11s %18s %18s %11s\n", "d/friend", "g/friend", "certified", "deep cert.",
+              "libccd wrong", "indep wrong", "deep wrong");
 }
 
 void print_row(const Row& kinds, const std::string& place, const PairTally& tally,
@@ -47,11 +48,11 @@ void print_row(const Row& kinds, const std::string& place, const PairTally& tall
   for (const PairQuery query : {PairQuery::points, PairQuery::growth}) {
     std::printf(" %8.2f", friendly == nullptr ? std::nan("") : tally.median(query) / friendly->median(query));
   }
-  std::printf(" %5d/%-5d", tally.certified, tally.pairs);
+  std::printf(" %5d/%-5d %5d/%-5d", tally.certified, tally.pairs, tally.deep_certified, tally.deep);
   for (int i = 0; i < 2; ++i) {
     std::printf(" %4d/%-4d %8.1e", tally.wrong[i], tally.fcl_pairs, tally.worst[i]);
   }
-  std::printf("\n");
+  std::printf(" %5d/%-5d\n", tally.fcl_deep_wrong, tally.fcl_deep);
   std::fflush(stdout);
 }
 

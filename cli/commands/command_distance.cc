@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <future>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/commands/between_query.h"
 #include "cli/commands/commands.h"
 #include "cli/commands/distance_query.h"
 #include "cli/commands/input_options.h"
@@ -47,6 +49,7 @@ constexpr const char* kExamples =
     "  raygauge distance A.csv Q.csv --tolerance 1e-9\n"
     "  raygauge distance points.h5:/A Q.obj --witness --json\n"
     "  raygauge distance capsule.toml ellipsoid.toml --method newton --tolerance 1e-12\n"
+    "  raygauge distance capsule.toml ellipsoid.toml --between --signed\n"
     "  printf '3 1 0\\n4 -1 2\\n' | raygauge distance - Q.csv --method zheng_yamane\n"
     "\n"
     "Exit status: 0 answered, 2 bad usage or input, 3 a limit was reached (bounds are printed).";
@@ -97,6 +100,9 @@ struct DistanceArguments {
   std::string instruction_set = "automatic";
   PointFormat format{.header_option = "--skip-header"};
   bool json = false;
+  bool between = false;
+  bool is_signed = false;
+  std::string metric;
 };
 
 void check_method(const std::string& name, const MethodRegistry& methods) {
@@ -145,6 +151,32 @@ int exit_status(DistanceStatus status) {
   }
 }
 
+// A and Q are two objects, in a metric of their own.
+int run_between(const DistanceArguments& arguments, const MethodRegistry& methods) {
+  const SetPointer A1 = read_set_source(arguments.A, arguments.format),
+                   A2 = read_set_source(arguments.Q, arguments.format);
+  SetPointer metric;
+  if (!arguments.metric.empty()) metric = read_set_source(arguments.metric, arguments.format);
+  const BetweenReport report = answer_between(arguments.query, arguments.is_signed, A1, A2, metric, methods);
+  const std::string text = arguments.json ? json_text(between_json(report)) + "\n" : between_text(report);
+  std::fputs(text.c_str(), stdout);
+  return exit_status(report.status());
+}
+
+void check_sources(const DistanceArguments& arguments) {
+  const std::string* sources[] = {&arguments.A, &arguments.Q, &arguments.metric};
+  if (std::count_if(std::begin(sources), std::end(sources),
+                    [](const std::string* source) { return *source == kStandardInput; }) > 1) {
+    throw InvalidParameterError(std::string("only one of A") +
+                                (arguments.metric.empty() ? "" : ", the metric") +
+                                " and Q can come from standard input");
+  }
+  if (!arguments.between && (arguments.is_signed || !arguments.metric.empty())) {
+    throw InvalidParameterError(std::string(arguments.is_signed ? "--signed" : "--metric") +
+                                " is for the distance of two objects: add --between");
+  }
+}
+
 int run(DistanceArguments arguments) {
   const MethodRegistry methods = all_methods();
   DistanceQuery& query = arguments.query;
@@ -152,9 +184,8 @@ int run(DistanceArguments arguments) {
   query.options.instruction_set = chosen(kInstructionSets, "instruction set", arguments.instruction_set);
   check_method(query.method, methods);
   check_options(query.options);
-  if (arguments.A == kStandardInput && arguments.Q == kStandardInput) {
-    throw InvalidParameterError("only one of A and Q can come from standard input");
-  }
+  check_sources(arguments);
+  if (arguments.between) return run_between(arguments, methods);
   const DistanceReport report = answer(query, read_instance(arguments), methods);
   const std::string text = arguments.json ? json_text(distance_json(report)) + "\n" : distance_text(report);
   std::fputs(text.c_str(), stdout);
@@ -181,7 +212,16 @@ void add_sets_and_output(Command& command, DistanceArguments& arguments) {
       .type_name("NAME");
   command.add_flag("--skip-header", arguments.format.skip_header,
                    "The first line of a text file of points is a heading, unless it begins with a number");
-  command.add_flag("--witness", arguments.query.witness, "Compute the contact point too");
+  command.add_flag("--witness", arguments.query.witness,
+                   "Compute the contact point too; with --between the closest points, or those in contact");
+  command.add_flag("--between", arguments.between,
+                   "A and Q are two objects A1 and A2: the distance from one to the other");
+  command
+      .add_option("--metric", arguments.metric,
+                  "With --between: the unit ball of the metric, a set like A; without it the Euclidean one")
+      .type_name("FILE");
+  command.add_flag("--signed", arguments.is_signed,
+                   "With --between: objects that meet have minus their depth, the least way out");
   command.add_flag("--json", arguments.json, "Print one JSON object, numbers with 17 significant digits");
 }
 

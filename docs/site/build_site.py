@@ -24,7 +24,7 @@ ROOT = HERE.parent.parent
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
     "Tutorials": ["tutorials", "tutorial-scenes", "python", "pandas"],
-    "How-to": ["user-guide", "experiments", "analysis", "scenes", "scaling", "contributing"],
+    "How-to": ["user-guide", "experiments", "analysis", "scenes", "depth", "scaling", "contributing"],
     "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
     "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],

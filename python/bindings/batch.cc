@@ -13,6 +13,7 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/batch_docs.h"
+#include "python/bindings/batch_operands.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/distance_batch.h"
 #include "python/bindings/interrupt.h"
@@ -26,73 +27,6 @@ namespace raygauge::python {
 namespace {
 
 using py::literals::operator""_a;
-
-/// One operand of a batch: a set that all problems share, or one for each problem.
-class BatchOperand {
- public:
-  BatchOperand(py::handle object, const char* name) : name_(name) {
-    if (is_list_of_sets(object)) {
-      read_list(object);
-    } else if (py::isinstance<ConvexSet>(object)) {
-      shared_ = as_set(object, name);
-      dimension_ = shared_->dimension();
-    } else {
-      read_array(object);
-    }
-  }
-
-  /// The number of problems it is of; 0 where all share it.
-  std::ptrdiff_t count() const noexcept { return count_; }
-  bool is_shared() const noexcept { return shared_ != nullptr; }
-  int dimension() const noexcept { return dimension_; }
-
-  /// The set of problem k; without the interpreter's lock.
-  SetPointer set(std::ptrdiff_t k) const {
-    if (shared_) return shared_;
-    if (!sets_.empty()) return sets_[static_cast<std::size_t>(k)];
-    return point_set_of_rows(points_ + k * size_ * dimension_, size_, dimension_);
-  }
-
- private:
-  static bool is_list_of_sets(py::handle object) {
-    if (!PyList_Check(object.ptr()) && !PyTuple_Check(object.ptr())) return false;
-    for (const py::handle member : object) {
-      if (py::isinstance<ConvexSet>(member) || py::isinstance<py::array>(member)) return true;
-    }
-    return false;
-  }
-
-  void read_list(py::handle object) {
-    for (const py::handle member : object) {
-      const std::string name = std::string(name_) + "[" + std::to_string(sets_.size()) + "]";
-      sets_.push_back(as_set(member, name.c_str()));
-    }
-    count_ = static_cast<std::ptrdiff_t>(sets_.size());
-    dimension_ = sets_.front()->dimension();
-  }
-
-  void read_array(py::handle object) {
-    array_ = as_doubles(object, name_);
-    if (array_->ndim() != 3) {
-      shared_ = as_set(*array_, name_);
-      dimension_ = shared_->dimension();
-      return;
-    }
-    count_ = array_->shape(0);
-    size_ = array_->shape(1);
-    dimension_ = as_dimension(array_->shape(2), name_);
-    points_ = array_->data();
-  }
-
-  const char* name_;
-  SetPointer shared_;
-  std::vector<SetPointer> sets_;
-  std::optional<py::array_t<double, py::array::c_style>> array_;
-  const double* points_ = nullptr;
-  std::ptrdiff_t count_ = 0;
-  std::ptrdiff_t size_ = 0;
-  int dimension_ = 0;
-};
 
 /// Where the threads of a batch write: the arrays' memory.
 struct BatchOutput {
@@ -135,93 +69,6 @@ struct BatchOutput {
     }
   }
 };
-
-/// Throws the same kind of error, which says in which problem it arose.
-template <class Function>
-void naming_problem(std::ptrdiff_t k, const Function& function) {
-  const auto text = [k](const Error& error) { return "problem " + std::to_string(k) + ": " + error.what(); };
-  try {
-    function();
-  } catch (const DimensionMismatchError& error) {
-    throw DimensionMismatchError(text(error));
-  } catch (const NonFiniteError& error) {
-    throw NonFiniteError(text(error));
-  } catch (const EmptySetError& error) {
-    throw EmptySetError(text(error));
-  } catch (const InvalidParameterError& error) {
-    throw InvalidParameterError(text(error));
-  }
-}
-
-/// Poses of a batch, one for each problem, or none at all.
-class BatchPoses {
- public:
-  BatchPoses(py::handle object, int n, const char* name) : name_(name), n_(n) {
-    if (object.is_none()) return;
-    matrices_ = as_doubles(object, name);
-    const bool fits = matrices_->ndim() == 3 && matrices_->shape(1) == n + 1 && matrices_->shape(2) == n + 1;
-    if (!fits) {
-      const std::string size = std::to_string(n + 1);
-      throw DimensionMismatchError(std::string(name) + ": homogeneous matrices of shape (K, " + size + ", " +
-                                   size + ") are needed, got " + described(object));
-    }
-    data_ = matrices_->data();
-  }
-
-  bool given() const noexcept { return matrices_.has_value(); }
-  std::ptrdiff_t count() const noexcept { return given() ? matrices_->shape(0) : 0; }
-
-  /// The pose of problem k; without the interpreter's lock.
-  std::optional<Pose> pose(std::ptrdiff_t k) const {
-    if (!given()) return std::nullopt;
-    return pose_of_rows(data_ + k * (n_ + 1) * (n_ + 1), n_, name_);
-  }
-
- private:
-  const char* name_;
-  int n_;
-  std::optional<py::array_t<double, py::array::c_style>> matrices_;
-  const double* data_ = nullptr;
-};
-
-/// One side of a batch: sets and their poses.
-struct BatchSide {
-  BatchSide(py::handle sets, const char* sets_name, py::handle matrices, const char* poses_name)
-      : operand(sets, sets_name),
-        poses(matrices, operand.dimension(), poses_name),
-        name(sets_name),
-        pose_name(poses_name) {}
-
-  BatchOperand operand;
-  BatchPoses poses;
-  const char* name;
-  const char* pose_name;
-};
-
-/// K, on which everything that has an axis of problems must agree.
-std::ptrdiff_t problem_count(const BatchSide& A, const BatchSide& Q) {
-  std::optional<std::ptrdiff_t> count;
-  std::string first;
-  const auto agree = [&](bool has_axis, std::ptrdiff_t problems, const char* name) {
-    if (!has_axis) return;
-    if (count && *count != problems) {
-      throw DimensionMismatchError(first + " holds " + std::to_string(*count) + " problems, " + name + " " +
-                                   std::to_string(problems));
-    }
-    count = problems;
-    first = name;
-  };
-  for (const BatchSide* side : {&A, &Q}) {
-    agree(!side->operand.is_shared(), side->operand.count(), side->name);
-    agree(side->poses.given(), side->poses.count(), side->pose_name);
-  }
-  if (!count) {
-    throw InvalidParameterError(
-        "A, Q: one of them is to have an axis of problems, as an array of shape (K, N, n), a list of sets or "
-        "poses; distance() answers a single problem");
-  }
-  return *count;
-}
 
 /// What all threads of a batch read.
 struct BatchTask {
@@ -270,7 +117,7 @@ DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, 
   const BatchSide a(A, "A", poses_A, "poses_A");
   const BatchSide q(Q, "Q", poses_Q, "poses_Q");
   const DistanceOptions options = options_of(method, tolerance, time_limit);
-  const std::ptrdiff_t count = problem_count(a, q);
+  const std::ptrdiff_t count = problem_count(a, q, "distance()");
   const int team = batch_threads(threads, count);
   const int n = a.operand.dimension();
   if (n != q.operand.dimension()) {

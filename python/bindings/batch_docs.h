@@ -52,4 +52,28 @@ array(['optimal', 'optimal', 'contains_origin'], dtype='<U15')
 array([1., 2., 3.])
 )";
 
+inline constexpr const char* kObjectDistanceBatchDoc =
+    R"(The answers of object_distances: arrays with one row a problem.
+
+distance, lower, upper: shape (K,), with signed=True negative where objects overlap: minus the depth and its bounds.
+status, status_code: as in Distances, of the depth where that is given. normal: shape (K, n), the way for A1 to get
+farther away, or out. point_1, point_2: shape (K, n), the closest points or those in contact, nan where there are none;
+None unless closest_points=True.
+)";
+
+inline constexpr const char* kObjectDistancesDoc =
+    R"(The distances of K pairs of objects in the metric of Q in one call, on threads.
+
+A1, A2: as A and Q in distances: an array of shape (K, N, n), a list, or one for all. poses_1, poses_2: as poses_A there.
+Q: one set or array of points. closest_points, signed, tolerance, method, time_limit: as in object_distance.
+Returns ObjectDistances. Raises as distances does.
+
+>>> import numpy as np
+>>> poses = np.tile(np.eye(4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0.5, 1.5, 3]  # one unit ball in three places, against another
+>>> unit = rg.Ball([0, 0, 0])
+>>> rg.object_distances(unit, unit, unit, poses_2=poses, signed=True).distance.round(6)
+array([-1.5, -0.5,  1. ])
+)";
+
 }  // namespace raygauge::python

@@ -14,5 +14,6 @@ void bind_results(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);
+void bind_object_batches(pybind11::module_& module);
 
 }  // namespace raygauge::python

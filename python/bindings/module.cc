@@ -11,5 +11,6 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_results(module);
   raygauge::python::bind_queries(module);
   raygauge::python::bind_batches(module);
+  raygauge::python::bind_object_batches(module);
   raygauge::python::bind_scenes(module);
 }

@@ -48,7 +48,7 @@ DistanceResult distance(const SetLike& A, const SetLike& Q, double tolerance, st
 
 ObjectDistance object_distance(const SetLike& A1, const SetLike& A2, const SetLike& Q, double tolerance,
                                std::string_view method, const PoseLike& pose_1, const PoseLike& pose_2,
-                               const WarmStartLike& warm, bool closest_points, bool gradient,
+                               const WarmStartLike& warm, bool closest_points, bool gradient, bool is_signed,
                                double time_limit) {
   const SetPointer first = as_set(A1, "A1");
   const SetPointer second = as_set(A2, "A2");
@@ -59,6 +59,7 @@ ObjectDistance object_distance(const SetLike& A1, const SetLike& A2, const SetLi
   ObjectEffects effects = ObjectEffects::none;
   if (closest_points) effects = effects | ObjectEffects::closest_points;
   if (gradient) effects = effects | ObjectEffects::gradient;
+  if (is_signed) effects = effects | ObjectEffects::depth;
   SignalWatch signals;
   ObjectDistanceSolver solver(options_of(method, tolerance, time_limit));
   solver.set_stop(signals.function());
@@ -144,7 +145,7 @@ void bind_queries(py::module_& module) {
   module.def("object_distance", &object_distance, kObjectDistanceDoc, "A1"_a, "A2"_a, "Q"_a,
              "tolerance"_a = kTolerance, "method"_a = "automatic", py::kw_only(), "pose_1"_a = py::none(),
              "pose_2"_a = py::none(), "warm"_a = py::none(), "closest_points"_a = false, "gradient"_a = false,
-             "time_limit"_a = kNoLimit);
+             "signed"_a = false, "time_limit"_a = kNoLimit);
   module.def("growth_distance", &growth_distance, kGrowthDistanceDoc, "A"_a, "Q"_a,
              "tolerance"_a = kTolerance, "method"_a = "newton", py::kw_only(), "pose_A"_a = py::none(),
              "pose_Q"_a = py::none(), "warm"_a = py::none(), "time_limit"_a = kNoLimit);

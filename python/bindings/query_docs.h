@@ -34,6 +34,7 @@ inline constexpr const char* kObjectDistanceDoc =
 
 min{gauge_Q(a2 - a1) : a1 in A1, a2 in A2}; Euclidean with Q = Ball(zeros(n)).
 A1, A2, Q: sets, or arrays of points of shape (N, n). pose_1, pose_2, warm: as in distance. closest_points, gradient: what to compute besides.
+signed: compute the depth of objects that meet.
 Returns an ObjectDistance; 0 with status contains_origin where the objects meet. Raises as distance does.
 
 >>> r = rg.object_distance(rg.Ball([0, 0]), rg.Ball([5, 0]), rg.Ball([0, 0]), method="newton", closest_points=True)
@@ -41,6 +42,8 @@ Returns an ObjectDistance; 0 with status contains_origin where the objects meet.
 3.0
 >>> r.closest_point_1.round(6), r.closest_point_2.round(6)
 (array([1., 0.]), array([4., 0.]))
+>>> round(rg.object_distance(rg.Ball([0, 0]), rg.Ball([1.5, 0]), rg.Ball([0, 0]), signed=True).signed_distance, 9)
+-0.5
 )";
 
 inline constexpr const char* kGrowthDistanceDoc =

@@ -35,10 +35,24 @@ counters: what the solve did.
 -1.0
 )";
 
+inline constexpr const char* kDepthDoc =
+    R"(How deep two objects that meet are in each other, see object_distance.
+
+depth: the least translation of A1, measured by Q, after which the interiors are disjoint; at most upper, and at least lower
+where that is above 0: proven for all directions at once. status: optimal where upper - lower <= tolerance * upper.
+normal: shape (n,), the way out for A1, scaled to h_Q(normal) = 1. point_1, point_2: shape (n,), in contact, in A1 and in A2.
+
+>>> depth = rg.object_distance(rg.Box([0, 0], [2, 2]), rg.Ball([1, 1.5]), rg.Ball([0, 0]), signed=True).depth
+>>> round(depth.depth, 9), round(float(depth.normal[1]), 9)
+(1.5, -1.0)
+)";
+
 inline constexpr const char* kObjectDistanceResultDoc = R"(The distance of two objects, see object_distance.
 
 closest_point_1, closest_point_2: shape (n,), in A1 and in A2, where asked for and where there are any; else None.
-gradient_1, gradient_2: shape (n,), of the distance when A1 or A2 is moved.
+gradient_1, gradient_2: shape (n,), of signed_distance when A1 or A2 is moved.
+depth: a Depth, with signed=True and where the objects are not proven to be apart; else None.
+signed_distance: the distance, or minus the depth. float() of the answer is that, too.
 )";
 
 inline constexpr const char* kSeparationResultDoc = R"(The answer of separation().

@@ -176,6 +176,23 @@ void bind_distance(py::module_& module) {
             &R::contact_point, &R::origin_weights, &R::counters);
 }
 
+void bind_depth(py::module_& module) {
+  py::class_<ObjectDepth>(module, "Depth", kDepthDoc)
+      .def_readonly("depth", &ObjectDepth::depth)
+      .def_readonly("lower", &ObjectDepth::lower)
+      .def_readonly("upper", &ObjectDepth::upper)
+      .def_property_readonly("status", [](const ObjectDepth& depth) { return status_object(depth.status); })
+      .def_property_readonly("normal", [](const ObjectDepth& depth) { return array_or_none(depth.normal); })
+      .def_property_readonly("point_1", [](const ObjectDepth& depth) { return array_or_none(depth.point_1); })
+      .def_property_readonly("point_2", [](const ObjectDepth& depth) { return array_or_none(depth.point_2); })
+      .def_readonly("support_queries", &ObjectDepth::support_queries)
+      .def("__float__", [](const ObjectDepth& depth) { return depth.depth; })
+      .def("__repr__", [](const ObjectDepth& depth) {
+        return "Depth(" + number(depth.depth) + ", lower=" + number(depth.lower) +
+               ", upper=" + number(depth.upper) + ", status='" + std::string(to_string(depth.status)) + "')";
+      });
+}
+
 void bind_object_distance(py::module_& module) {
   py::class_<ObjectDistance> type(module, "ObjectDistance", kObjectDistanceResultDoc);
   type.def_property_readonly("distance", [](const ObjectDistance& r) { return r.distance.distance; })
@@ -195,7 +212,13 @@ void bind_object_distance(py::module_& module) {
                              [](const ObjectDistance& r) { return array_or_none(r.gradient_1); })
       .def_property_readonly("gradient_2",
                              [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
-      .def("__float__", [](const ObjectDistance& r) { return r.distance.distance; })
+      .def_property_readonly("depth",
+                             [](const ObjectDistance& r) {
+                               return r.depth.evaluations > 0 ? py::cast(ObjectDepth(r.depth))
+                                                              : py::object(py::none());
+                             })
+      .def_property_readonly("signed_distance", &ObjectDistance::signed_distance)
+      .def("__float__", [](const ObjectDistance& r) { return r.signed_distance(); })
       .def("__repr__", [](const ObjectDistance& r) { return repr_of(r.distance, "ObjectDistance"); });
   using R = ObjectDistance;
   copied_by(type, &R::distance, &R::closest_point_1, &R::closest_point_2, &R::gradient_1, &R::gradient_2,
@@ -241,6 +264,7 @@ void bind_results(py::module_& module) {
   keep_members(text_enum(module, "Separation", outcomes, kSeparationDoc), outcomes, outcome_members());
   bind_counters(module);
   bind_distance(module);
+  bind_depth(module);
   bind_object_distance(module);
   bind_separation(module);
 }
