@@ -149,5 +149,35 @@ class Refusals(unittest.TestCase):
             rg.distances(np.random.default_rng(0).normal(size=(200, 5, 3)) + 4, own, threads=2)
 
 
+class ObjectBatches(unittest.TestCase):
+    def test_pairs_in_poses_have_the_bits_of_single_calls_also_of_depths(self):
+        generator = np.random.default_rng(3)
+        poses = np.tile(np.eye(4), (40, 1, 1))
+        poses[:, :3, :3] = rotations(generator, 40)
+        poses[:, :3, 3] = generator.normal(size=(40, 3))
+        body, cloud, metric = rg.Capsule([0, 0, -1], [0, 0, 1], 0.5), generator.normal(size=(12, 3)), rg.Ball([0, 0, 0])
+        for threads in (1, 3):
+            batch = rg.object_distances(
+                body, cloud, metric, poses_1=poses, signed=True, closest_points=True, threads=threads
+            )
+            self.assertEqual(len(batch), 40)
+            self.assertTrue((batch.distance < 0).any() and (batch.distance > 0).any())
+            for k, pose in enumerate(poses):
+                single = rg.object_distance(body, cloud, metric, pose_1=pose, signed=True, closest_points=True)
+                deep = single.depth
+                self.assertEqual(batch.distance[k], single.signed_distance)
+                self.assertEqual(batch.lower[k], single.lower if deep is None else -deep.upper)
+                self.assertEqual(batch.upper[k], single.upper if deep is None else -deep.lower)
+                self.assertEqual(batch.status[k], (deep or single).status)
+                point = single.closest_point_2 if deep is None else deep.point_2
+                np.testing.assert_array_equal(batch.point_2[k], point)
+
+    def test_operands_that_do_not_fit_are_named(self):
+        with self.assertRaisesRegex(rg.DimensionMismatchError, "A1 has n = 2, Q has n = 3"):
+            rg.object_distances([rg.Ball([0, 0])], rg.Ball([0, 0]), rg.Ball([0, 0, 0]))
+        with self.assertRaisesRegex(rg.InvalidParameterError, r"object_distance\(\) answers a single problem"):
+            rg.object_distances(rg.Ball([0, 0]), rg.Ball([0, 0]), rg.Ball([0, 0]))
+
+
 if __name__ == "__main__":
     unittest.main()
