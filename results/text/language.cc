@@ -18,8 +18,6 @@ constexpr char kDelete = '\x7F';
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == kDelete; }
 
-bool is_ascii(std::string_view character) { return static_cast<unsigned char>(character.front()) < 0x80; }
-
 /// U+2400 and what follows: ␀, ␁, … for the control characters, ␡ for DEL.
 std::string picture(char control) {
   const int offset = control == kDelete ? 0x21 : static_cast<unsigned char>(control);

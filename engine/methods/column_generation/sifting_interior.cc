@@ -84,7 +84,7 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
     if (from_Q && distance == 0) continue;
     (from_Q ? working_Q_ : working_A_).copy_point(id / 2, column.data());
     for (int k = 0; from_Q && k < n_; ++k) column[static_cast<std::size_t>(k)] *= -1;
-    column.back() = from_Q ? 0.0 : 1.0;
+    column[static_cast<std::size_t>(n_)] = from_Q ? 0.0 : 1.0;
     face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
   }
   if (!face_.choose(*stopwatch_)) return false;
