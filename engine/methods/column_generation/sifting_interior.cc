@@ -78,7 +78,8 @@ bool Sifting::certify_inside(Effects effects, DistanceResult& result) {
 bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult& result) {
   interior_.carriers(distance > 0 ? distance : 1.0, carriers_);
   face_.begin(n_ + 1, *kernels_);
-  std::vector<double> column(static_cast<std::size_t>(n_) + 1);
+  const std::size_t rows = static_cast<std::size_t>(n_) + 1;
+  std::vector<double> column(rows);
   for (const auto& [id, weight] : carriers_) {
     const bool from_Q = is_from_Q(id);
     if (from_Q && distance == 0) continue;
@@ -90,7 +91,7 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
   if (!face_.choose(*stopwatch_)) return false;
   const double upper = face_.upper(*stopwatch_);
   if (!(upper < kInfinity)) return false;
-  std::vector<double> y(interior_.duals(), interior_.duals() + n_ + 1), y_low(y.size(), 0.0);
+  std::vector<double> y(interior_.duals(), interior_.duals() + rows), y_low(rows);
   face_.refine_duals(y.data(), y_low.data());
   std::int64_t best_A = 0;
   std::int64_t best_Q = 0;
