@@ -35,9 +35,8 @@ class MethodList {
   const MethodFacts* find(const std::string& label) const;
 
   const std::vector<std::string>& labels() const noexcept { return labels_; }
-  operator const std::vector<std::string>&() const noexcept {
-    return labels_;
-  }  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): a list is its labels
+  operator const std::vector<std::string>&() const noexcept { return labels_; }
 
   auto begin() const noexcept { return labels_.begin(); }
   auto end() const noexcept { return labels_.end(); }
