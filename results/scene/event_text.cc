@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/scene/event_text.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace raygauge {
@@ -14,8 +15,11 @@ std::string number(double x) {
 }
 
 std::string clearance_text(const SceneRecord& record) {
-  if (record.status == SceneStatus::intersecting)
+  if (record.status == SceneStatus::intersecting) {
+    if (std::isnan(record.time_lower))
+      return "they meet at " + number(record.time) + " s";  // files before 0.2
     return "they meet, first in [" + number(record.time_lower) + ", " + number(record.time) + "] s";
+  }
   const std::string least = number(record.upper) + " at " + number(record.time) + " s";
   if (!(record.lower > 0)) return "meet, or nearly: undecided; " + least;
   return "never closer than " + number(record.lower) + "; " + least;

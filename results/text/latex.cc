@@ -12,7 +12,7 @@ namespace {
 
 using Replacement = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Replacement, 36> kReplacements = {{
+constexpr std::array<Replacement, 40> kReplacements = {{
     {"\\", "\\textbackslash{}"},
     {"&", "\\&"},
     {"%", "\\%"},
@@ -33,6 +33,10 @@ constexpr std::array<Replacement, 36> kReplacements = {{
     {"σ", "$\\sigma$"},
     {"η", "$\\eta$"},
     {"λ", "$\\lambda$"},
+    {"α", "$\\alpha$"},
+    {"β", "$\\beta$"},
+    {"δ", "$\\delta$"},
+    {"τ", "$\\tau$"},
     {"≤", "$\\le$"},
     {"≥", "$\\ge$"},
     {"×", "$\\times$"},

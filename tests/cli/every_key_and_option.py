@@ -7,6 +7,7 @@ test does not know fails it.
     every_key_and_option.py --raygauge PROGRAM
 """
 import argparse
+import gzip
 import json
 import pathlib
 import re
@@ -160,6 +161,7 @@ OPTIONS = {
         "--ranks": (RUN + ["--ranks", "2"], NO_EFFECT, says("--dry-run")),
         "--times": (RUN + ["--dry-run", "--times", "e.h5"], NO_EFFECT, says("--ranks")),
         "--quiet": (RUN + ["--quiet"], 0, silent),
+        "--max-input": (["run", "packed.toml", "-o", "x.h5", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
     "scene run": {
         "--set": (SCENE_RUN + ["--set", 'name="set"'], 0, says("set: ")),
@@ -172,12 +174,14 @@ OPTIONS = {
         "--resume": (["scene", "run", "scene.toml", "-o", "s.h5", "--resume"], 0, says("0 cells")),
         "--force": (["scene", "run", "scene.toml", "-o", "scene_copy.h5", "--force"], 0, says("records")),
         "--quiet": (SCENE_RUN + ["--quiet"], 0, silent),
+        "--max-input": (["scene", "run", "large.toml", "-o", "x.h5", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
     "scene explain": {
         "--set": (["scene", "explain", "scene.toml", "--set", 'name="set"'], 0, says("^set: ")),
         "--package": (["scene", "explain", "mesh.toml", "--package", "p=."], 0, says("mesh: ")),
         "--skip-missing-meshes": (["scene", "explain", "mesh.toml", "--skip-missing-meshes"], 0, says("note: ")),
         "--json": (["scene", "explain", "scene.toml", "--json"], 0, says('^{"scene"|^{')),
+        "--max-input": (["scene", "explain", "large.toml", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
     "distance": {
         "--tolerance": (DISTANCE + ["--tolerance", "1e-3"], 0, says("tolerance 0.001|tolerance 1e-3")),
@@ -191,6 +195,10 @@ OPTIONS = {
         "--instruction-set": (DISTANCE + ["--instruction-set", "none"], NO_EFFECT, says("instruction set")),
         "--threads": (DISTANCE + ["--threads", "2", "--method", "glpk_dual"], NO_EFFECT, says("--threads")),
         "--prepared": (DISTANCE + ["--prepared", "--method", "glpk_dual"], NO_EFFECT, says("--prepared")),
+        "--between": (DISTANCE + ["--between"], 0, says("distance")),
+        "--metric": (DISTANCE + ["--metric", "Q.csv"], NO_EFFECT, says("--between")),
+        "--signed": (DISTANCE + ["--signed"], NO_EFFECT, says("--between")),
+        "--max-input": (["distance", "large.csv.gz", "Q.csv", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
     "table": {
         "--where": (["table", "e.h5", "--rows", "n", "--where", "n==3"], 0, says(r"glpk_dual +3 +\S+\n\n")),
@@ -305,6 +313,12 @@ class NothingIsIgnored(unittest.TestCase):
                         ["scene", "run", "scene.toml", "-o", "s.h5"], ["scene", "run", "scene.toml", "-o", "scene_copy.h5"]):
             subprocess.run([cls.raygauge, *command], cwd=cls.base, check=True, capture_output=True)
         (cls.base / "taken.svg").write_text("of somebody else")
+        with gzip.open(cls.base / "large.csv.gz", "wt") as file:
+            file.write("2 1 1\n" * 200000)
+        (cls.base / "large.toml").write_text('[[body]]\nfile = "large.csv.gz"\n[[body]]\nfile = "points.csv"\n'
+                                             '[[query]]\neffects = ["distance"]\n')
+        (cls.base / "packed.toml").write_text('[sweep]\nn = 3\nN = 4\n[[generator]]\nname = "files"\n'
+                                              'A = "large.csv.gz"\nQ = "Q.csv"\n[[method]]\nname = "column_generation"\n')
 
     @classmethod
     def tearDownClass(cls):

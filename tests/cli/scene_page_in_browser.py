@@ -57,7 +57,6 @@ motion = { velocity = [0.1, 0, 0] }
 [[query]]
 name = "numbers"
 effects = ["distance"]
-every_instant = true
 """
 NUMBERS = [12200, 1e-10, 1e-300, 0, math.inf]
 

@@ -38,12 +38,14 @@ std::set<std::string> families_in(const std::string& file) {
 class HardExperiments : public testing::ProgramTest {};
 
 TEST_F(HardExperiments, HaveEveryHardFamilyPointSetsAndOthersApart) {
-  const std::set<std::string> points = families_in("hard.toml"), smooth = families_in("hard_smooth.toml");
+  const std::set<std::string> points = families_in("hard.toml"), smooth = families_in("hard_smooth.toml"),
+                              degenerate = families_in("hard_degenerate.toml");
   EXPECT_EQ(families_in("hard_smoke.toml"), points);
   std::set<std::string> all = points;
   all.insert(smooth.begin(), smooth.end());
+  all.insert(degenerate.begin(), degenerate.end());
   EXPECT_EQ(all, hard_families());
-  EXPECT_EQ(points.size() + smooth.size(), all.size());
+  EXPECT_EQ(points.size() + smooth.size() + degenerate.size(), all.size());
 }
 
 /// The fields of one line of CSV without quotes.

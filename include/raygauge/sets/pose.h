@@ -12,8 +12,8 @@
 
 namespace raygauge {
 
-/// A rotation, and how far the matrix that it was made of is from it: the largest difference of an entry; 0
-/// where that matrix is taken as it is.
+/// A rotation, and how far the matrix that it was made of is from it: the largest difference of an entry, and
+/// 0 where the matrix itself is the rotation.
 struct NearestRotation {
   DenseMatrix R;
   double off = 0;

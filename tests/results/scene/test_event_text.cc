@@ -21,6 +21,9 @@ TEST(EventText, PromisesNoDistanceWhereNoneIsProven) {
   EXPECT_EQ(event_text(clearance(SceneStatus::separated, 0.2)), "never closer than 0.2; 0.25 at 2 s");
   EXPECT_EQ(event_text(clearance(SceneStatus::undecided, 0)), "meet, or nearly: undecided; 0.25 at 2 s");
   EXPECT_EQ(event_text(clearance(SceneStatus::intersecting, 0)), "they meet at 2 s");
+  SceneRecord meet = clearance(SceneStatus::intersecting, 0);
+  meet.time_lower = 1.5;
+  EXPECT_EQ(event_text(meet), "they meet, first in [1.5, 2] s");
 }
 
 }  // namespace

@@ -116,9 +116,9 @@ TEST(SpatialGauge, NormalsAndContactPointsProveTheBoundsAfterwards) {
     const DistanceResult& r = solve.result;
     EXPECT_NEAR(-A->support_function(r.normal) / Q->support_function(-r.normal), r.lower, 1e-11 * r.lower);
     EXPECT_NEAR(Q->support_function(-r.normal), 1, 1e-12);
-    EXPECT_NEAR(gauge(*Q, r.contact_point).upper, r.upper, 1e-7 * r.upper);
+    EXPECT_NEAR(gauge(*Q, r.contact_point, 1e-9).upper, r.upper, 1e-7 * r.upper);
     const Eigen::Vector3d inwards = A->center() - Eigen::Vector3d(r.contact_point);
-    EXPECT_EQ(contains(*A, r.contact_point + 1e-9 * inwards), Membership::inside);
+    EXPECT_EQ(contains(*A, r.contact_point + 1e-9 * inwards, 1e-12), Membership::inside);
   }
 }
 
