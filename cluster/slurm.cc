@@ -36,8 +36,8 @@ std::string array_script(const SlurmJob& job) {
                        log_line(job, ".slurm-%A_%a.log");
   for (const std::string& option : job.sbatch_options) script += option_line(option);
   std::string run = language::shell(job.program) + " run " + language::shell(job.experiment) + " -o " +
-                    language::shell(job.output) + " --shard \"$SLURM_ARRAY_TASK_ID/" + count +
-                    "\" --resume --threads \"${SLURM_CPUS_PER_TASK:-1}\"";
+                    language::shell(job.output) + R"( --shard "$SLURM_ARRAY_TASK_ID/)" + count +
+                    R"(" --resume --threads "${SLURM_CPUS_PER_TASK:-1}")";
   for (const std::string& option : job.run_options) run += " " + language::shell(option);
   return script + "time_is_up=\n" + run +
          " &\nrun=$!\n"

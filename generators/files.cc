@@ -62,7 +62,7 @@ void FilePair::check() const {
 }
 
 std::shared_ptr<const ConvexSet> FilePair::placed(const std::string& role) const {
-  const auto S =
+  std::shared_ptr<const ConvexSet> S =
       files_->read(string_parameter(parameters_, role), boolean_parameter(parameters_, "skip_header"));
   const int n = S->dimension();
   const double scale = real_parameter(parameters_, "scale_" + role);

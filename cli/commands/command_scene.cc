@@ -234,8 +234,8 @@ class SceneJob {
       for (const RankDuty& duty : duties_) summary.threads += duty.threads;
     }
     if (summary.stopped) {
-      std::fprintf(stderr, "interrupted: %llu of %zu cells are safe; continue with\n  %s\n",
-                   static_cast<unsigned long long>(done_.size() + summary.cells_done), plan_.cells.size(),
+      std::fprintf(stderr, "interrupted: %zu of %zu cells are safe; continue with\n  %s\n",
+                   done_.size() + static_cast<std::size_t>(summary.cells_done), plan_.cells.size(),
                    resume_command(arguments_, target_).c_str());
       return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
     }

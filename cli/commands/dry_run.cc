@@ -191,7 +191,11 @@ std::string bytes_text(double bytes) {
   constexpr double kStep = 1024;
   constexpr std::array<const char*, 4> kUnits = {"KiB", "MiB", "GiB", "TiB"};
   std::size_t unit = 0;
-  for (bytes /= kStep; bytes >= kStep && unit + 1 < kUnits.size(); bytes /= kStep) ++unit;
+  bytes /= kStep;
+  while (bytes >= kStep && unit + 1 < kUnits.size()) {
+    bytes /= kStep;
+    ++unit;
+  }
   return rounded_text(bytes, 2) + " " + kUnits.at(unit);
 }
 

@@ -50,7 +50,7 @@ InputFile::InputFile(const std::string& path) : name_(input_name(path)) {
   const int descriptor = path == kStandardInput ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                                 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw_reason(name_, errno);
-  const gzFile file = gzdopen(descriptor, "rb");
+  gzFile file = gzdopen(descriptor, "rb");
   if (file == nullptr) {
     ::close(descriptor);
     throw InvalidParameterError(name_ + ": does not fit into memory");

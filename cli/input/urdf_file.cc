@@ -142,8 +142,8 @@ class UrdfReader {
       add_link(here.link, here.parent, here.joint);
       const std::vector<int>& below = joints_below_[here.link];
       const int number = static_cast<int>(robot_.links.size()) - 1;
-      for (auto joint = below.rbegin(); joint != below.rend(); ++joint)
-        next.push_back({joints_[static_cast<std::size_t>(*joint)].child, number, *joint});
+      for (std::size_t k = below.size(); k-- > 0;)
+        next.push_back({joints_[static_cast<std::size_t>(below[k])].child, number, below[k]});
     }
     if (robot_.links.size() == links_.size()) return;
     file_.refuse(file_.root(), std::to_string(links_.size() - robot_.links.size()) +

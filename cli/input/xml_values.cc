@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "cli/input/byte_reader.h"
 #include "cli/input/number_word.h"
@@ -41,7 +42,7 @@ std::string reason_of(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-XmlFile::XmlFile(std::string text, const std::string& path) : path_(path) {
+XmlFile::XmlFile(std::string text, std::string path) : path_(std::move(path)) {
   blank_declaration(text);
   const auto fail = [&](int line, const std::string& reason) {
     throw InvalidParameterError(line_text(path_, line) + ": not XML that can be read: " + reason);

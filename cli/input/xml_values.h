@@ -17,7 +17,7 @@ using XmlElement = tinyxml2::XMLElement;
 class XmlFile {
  public:
   /// `text` came from `path`.
-  XmlFile(std::string text, const std::string& path);
+  XmlFile(std::string text, std::string path);
 
   const XmlElement& root() const { return *document_.RootElement(); }
 

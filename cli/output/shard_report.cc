@@ -87,8 +87,7 @@ std::string completion_of(const fs::path& target, const std::vector<ShardProgres
     return fmt::format("sbatch -d afterany:$(sbatch --parsable --array={} {}) {}", fmt::join(left, ","),
                        language::shell(array.string()), language::shell(merge.string()));
   }
-  const std::string merging =
-      fmt::format("{} merge -o {} {}", program, language::shell(target.string()), parts);
+  std::string merging = fmt::format("{} merge -o {} {}", program, language::shell(target.string()), parts);
   if (left.empty()) return merging;
   return fmt::format("for i in {}; do {} run EXPERIMENT.toml -o {} --shard $i/{} --resume; done; {}",
                      fmt::join(left, " "), program, language::shell(target.string()), count, merging);

@@ -105,7 +105,7 @@ void DepthQuery::bound_from_axes(const ConvexSet& A1, const ConvexSet& A2, const
     }
     u[k] = 0;
   }
-  result.support_queries = 4 * n;
+  result.support_queries = std::int64_t{4} * n;
 }
 
 void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,

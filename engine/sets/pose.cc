@@ -32,7 +32,7 @@ int checked_dimension(int n) {
 }
 
 bool exchanges_axes(const double* R, int n) {
-  return std::all_of(R, R + n * n, [](double r) { return r == 0 || std::fabs(r) == 1; });
+  return std::all_of(R, R + std::ptrdiff_t{n} * n, [](double r) { return r == 0 || std::fabs(r) == 1; });
 }
 
 // The largest entry of RᵀR - 1, which times n bounds the spectral norm; a product of columns loses n + 2

@@ -30,7 +30,7 @@ struct Shard {
 class DoneCells {
  public:
   DoneCells() = default;
-  explicit DoneCells(const std::set<std::uint64_t>& whole) : whole_(whole) {}
+  explicit DoneCells(std::set<std::uint64_t> whole) : whole_(std::move(whole)) {}
 
   void add_whole(std::uint64_t cell);
 

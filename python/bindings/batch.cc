@@ -26,6 +26,7 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 /// Where the threads of a batch write: the arrays' memory.
@@ -111,6 +112,7 @@ void work_on(const BatchTask& task, const std::function<std::ptrdiff_t()>& next)
   }
 }
 
+// NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, const std::string& method,
                         const PoseLike& poses_A, const PoseLike& poses_Q, bool witness, bool along_path,
                         double time_limit, int threads) {

@@ -14,6 +14,7 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 py::object status_texts(const DistanceBatch& batch) {

@@ -20,6 +20,7 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 using Rows = py::array_t<double>;
@@ -108,6 +109,7 @@ void work_on(const ObjectBatchTask& task, const std::function<std::ptrdiff_t()>&
   }
 }
 
+// NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, const SetLike& Q,
                                      double tolerance, const std::string& method, const PoseLike& poses_1,
                                      const PoseLike& poses_2, bool closest_points, bool is_signed,

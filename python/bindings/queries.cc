@@ -21,11 +21,13 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 const double kTolerance = DistanceOptions().tolerance;
 
+// NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 DistanceResult distance(const SetLike& A, const SetLike& Q, double tolerance, std::string_view method,
                         const PoseLike& pose_A, const PoseLike& pose_Q, const WarmStartLike& warm,
                         bool witness, double time_limit, std::int64_t max_iterations, int threads) {
@@ -46,6 +48,7 @@ DistanceResult distance(const SetLike& A, const SetLike& Q, double tolerance, st
       [&] { return DistanceResult(solver->solve(posed(*a, a_pose), posed(*q, q_pose), effects, kept)); });
 }
 
+// NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 ObjectDistance object_distance(const SetLike& A1, const SetLike& A2, const SetLike& Q, double tolerance,
                                std::string_view method, const PoseLike& pose_1, const PoseLike& pose_2,
                                const WarmStartLike& warm, bool closest_points, bool gradient, bool is_signed,

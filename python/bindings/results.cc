@@ -32,7 +32,7 @@ py::object text_enum(py::module_& module, const char* name, const std::vector<st
                      const char* doc) {
   py::dict members;
   for (const std::string& member : names) members[py::str(member)] = member;
-  const py::object type =
+  py::object type =
       py::module_::import("enum").attr("StrEnum")(name, members, py::arg("module") = "raygauge");
   type.attr("__doc__") = doc;
   module.attr(name) = type;

@@ -18,6 +18,7 @@ namespace raygauge::python {
 namespace {
 
 namespace py = pybind11;
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 /// The cells of a scene as they are done; in their order at the end.

@@ -20,6 +20,7 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 /// The placement that a homogeneous matrix of R^n describes.

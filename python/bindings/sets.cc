@@ -30,6 +30,7 @@
 namespace raygauge::python {
 namespace {
 
+// NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
 
 /// A class of sets, which Python holds by the same pointer as the engine does.

@@ -69,8 +69,11 @@ struct RowRange {
 /// The rows of a cell in a table in order of cells.
 template <class Row>
 std::span<const Row> rows_of(const std::vector<Row>& rows, std::uint64_t cell) {
-  const auto range = std::ranges::equal_range(rows, cell, {}, &Row::cell);
-  return {range.begin(), range.end()};
+  const auto first =
+      std::partition_point(rows.begin(), rows.end(), [cell](const Row& row) { return row.cell < cell; });
+  const auto last =
+      std::partition_point(first, rows.end(), [cell](const Row& row) { return row.cell == cell; });
+  return {first, last};
 }
 
 /// Joins scenes: of a cell in several parts the first is kept, and the others must have the same answers.

@@ -109,14 +109,14 @@ std::string data_script(const Json& data) {
 
 }  // namespace
 
-Input::Input(const MergedResults& all, const Filter& which, const std::vector<std::string>& named)
+Input::Input(const MergedResults& all, const Filter& which, std::vector<std::string> named)
     : merged(all),
       filter(which),
       pool(all.records),
       kept(all_as_they_are() ? std::vector<Record>() : pool(filtered(all.records, which))),
       records(all_as_they_are() ? all.records : kept),
       truth(pool(all.records)),
-      baselines(named) {
+      baselines(std::move(named)) {
   if (records.empty()) {
     throw EmptySetError(all.records.empty() ? "the files hold no record yet"
                                             : "no record passes the filter '" + filter.expression() + "'");

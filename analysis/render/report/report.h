@@ -31,7 +31,7 @@ struct Input {
   std::vector<CellTimes> cells;        ///< cell_times() of the records that pass
 
   /// Throws EmptySetError where no record passes, and as baseline_records().
-  Input(const MergedResults& merged, const Filter& filter, const std::vector<std::string>& baselines);
+  Input(const MergedResults& merged, const Filter& filter, std::vector<std::string> baselines);
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 

@@ -28,7 +28,7 @@ std::optional<Section> accuracy_section(const Input& input) {
   constexpr std::size_t kMostGroups = 6;
   if (groups.size() > kMostGroups) tables.erase(tables.begin(), std::prev(tables.end()));
   Section section{"accuracy", "Accuracy", {}};
-  for (const Table& table : tables) section.blocks.push_back(table);
+  for (const Table& table : tables) section.blocks.emplace_back(table);
   return section;
 }
 

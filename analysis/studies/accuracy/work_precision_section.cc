@@ -53,7 +53,7 @@ std::optional<Section> work_precision_section(const Input& input) {
   }
   if (chart.series.empty()) return std::nullopt;
   Section section{"work_precision", "Work and precision", {}};
-  section.blocks.push_back(chart);
+  section.blocks.emplace_back(chart);
   return section;
 }
 

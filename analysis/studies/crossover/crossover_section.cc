@@ -38,7 +38,7 @@ std::optional<Section> crossover_section(const Input& input) {
   }
   if (map.cells.empty()) return std::nullopt;
   Section section{"crossover", "Who wins where", {}};
-  section.blocks.push_back(map);
+  section.blocks.emplace_back(map);
   return section;
 }
 

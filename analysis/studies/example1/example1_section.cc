@@ -11,7 +11,7 @@ std::optional<Section> example1_section(const Input& input) {
   for (const Example1Roles roles : {Example1Roles::cone_ellipsoid, Example1Roles::ellipsoid_cone}) {
     const Example1Table table = example1_table_of(input.records, roles, input.truth);
     if (table.curves.empty()) continue;
-    for (const Table& each : example1_tables(table)) section.blocks.push_back(each);
+    for (const Table& each : example1_tables(table)) section.blocks.emplace_back(each);
   }
   if (section.blocks.empty()) return std::nullopt;
   return section;

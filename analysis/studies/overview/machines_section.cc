@@ -88,11 +88,11 @@ std::optional<Section> machines_section(const Input& input) {
   if (hosts.size() < 2) return std::nullopt;
   const RecordsByHost groups = by_host(input.records);
   Section section{"machines", "Machines", {}};
-  section.blocks.push_back(
+  section.blocks.emplace_back(
       Text{{"The times come from " + std::to_string(groups.size()) +
             " machines. A filter such as host==" + groups.begin()->first + " takes those of one."}});
-  section.blocks.push_back(work_table(input, groups));
-  if (!input.baselines.empty()) section.blocks.push_back(ratio_table(input, groups));
+  section.blocks.emplace_back(work_table(input, groups));
+  if (!input.baselines.empty()) section.blocks.emplace_back(ratio_table(input, groups));
   return section;
 }
 

@@ -78,11 +78,11 @@ Table calibration_table(const MergedFile& file) {
 std::optional<Section> provenance_section(const Input& input) {
   Section section{"provenance", "Provenance", {}};
   for (const MergedFile& file : input.merged.files) {
-    section.blocks.push_back(sessions_table(file));
-    section.blocks.push_back(machines_table(file));
+    section.blocks.emplace_back(sessions_table(file));
+    section.blocks.emplace_back(machines_table(file));
     const Table calibration = calibration_table(file);
-    if (!calibration.rows.empty()) section.blocks.push_back(calibration);
-    section.blocks.push_back(Verbatim{"experiment of " + file.path, file.provenance.experiment_text});
+    if (!calibration.rows.empty()) section.blocks.emplace_back(calibration);
+    section.blocks.emplace_back(Verbatim{"experiment of " + file.path, file.provenance.experiment_text});
   }
   return section;
 }

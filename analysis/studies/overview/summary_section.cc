@@ -201,13 +201,13 @@ Table methods_table(const Input& input) {
 
 std::optional<Section> summary_section(const Input& input) {
   Section section{"summary", "Summary", {}};
-  if (const std::optional<HeatMap> picture = fastest_picture(input)) section.blocks.push_back(*picture);
-  section.blocks.push_back(Text{{speed_line(input), answers_line(input), precision_line(input)}, true});
-  section.blocks.push_back(Text{{run_line(input), machine_line(input)}});
+  if (const std::optional<HeatMap> picture = fastest_picture(input)) section.blocks.emplace_back(*picture);
+  section.blocks.emplace_back(Text{{speed_line(input), answers_line(input), precision_line(input)}, true});
+  section.blocks.emplace_back(Text{{run_line(input), machine_line(input)}});
   if (!input.filter.expression().empty())
-    section.blocks.push_back(Text{{"Only records for which " + input.filter.expression() + "."}});
-  if (!input.merged.notes.empty()) section.blocks.push_back(Text{input.merged.notes});
-  section.blocks.push_back(methods_table(input));
+    section.blocks.emplace_back(Text{{"Only records for which " + input.filter.expression() + "."}});
+  if (!input.merged.notes.empty()) section.blocks.emplace_back(Text{input.merged.notes});
+  section.blocks.emplace_back(methods_table(input));
   return section;
 }
 

@@ -43,7 +43,7 @@ std::optional<Section> profiles_section(const Input& input) {
     for (const ProfileCurve& curve : curves) chart.series.push_back(profile_series(curve, last, facets));
   }
   Section section{"profiles", "Performance profiles", {}};
-  section.blocks.push_back(chart);
+  section.blocks.emplace_back(chart);
   return section;
 }
 

@@ -36,7 +36,7 @@ std::optional<Section> iterations_section(const Input& input) {
       Series series = mean_series(curve, column);
       if (series.points.size() > 1) chart.series.push_back(std::move(series));
     }
-    if (!chart.series.empty()) section.blocks.push_back(chart);
+    if (!chart.series.empty()) section.blocks.emplace_back(chart);
   }
   if (section.blocks.empty()) return std::nullopt;
   return section;

@@ -81,9 +81,9 @@ void add_axis(const Input& input, SizeAxis axis, Section& section) {
   chart.y.label = std::string("median time of a solve (") + unit.name + ")";
   chart.y.unit = unit.name;
   for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis, unit.per_second));
-  section.blocks.push_back(chart);
+  section.blocks.emplace_back(chart);
   const Table exponents = exponents_table(curves, axis);
-  if (!exponents.rows.empty()) section.blocks.push_back(exponents);
+  if (!exponents.rows.empty()) section.blocks.emplace_back(exponents);
 }
 
 }  // namespace

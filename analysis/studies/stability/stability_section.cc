@@ -92,12 +92,12 @@ std::optional<Section> stability_section(const Input& input) {
   if (!known) return std::nullopt;
   const Stability stability = make_stability(input.records, input.truth);
   Section section{"stability", "Stability", {}};
-  section.blocks.push_back(picture_of(stability));
+  section.blocks.emplace_back(picture_of(stability));
   constexpr std::size_t kMostTables = 2;
   if (stability.size() > kMostTables) {
-    section.blocks.push_back(one_table(stability));
+    section.blocks.emplace_back(one_table(stability));
   } else {
-    for (const Table& table : stability_tables(stability)) section.blocks.push_back(table);
+    for (const Table& table : stability_tables(stability)) section.blocks.emplace_back(table);
   }
   return section;
 }

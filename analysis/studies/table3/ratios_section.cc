@@ -37,7 +37,7 @@ void add_table3(const Input& input, Section& section) {
       if (record.generator != "example2") continue;
       for (const Table& table :
            table3_tables(make_table3(input.merged.records, input.filter, input.baselines)))
-        section.blocks.push_back(table);
+        section.blocks.emplace_back(table);
       return;
     }
   } catch (const Error&) {
@@ -62,7 +62,7 @@ std::optional<Section> ratios_section(const Input& input) {
   }
   if (map.cells.empty()) return std::nullopt;
   Section section{"ratios", "Ratio to the best baseline", {}};
-  section.blocks.push_back(map);
+  section.blocks.emplace_back(map);
   add_table3(input, section);
   return section;
 }

@@ -18,9 +18,6 @@ class EuclideanOracle : public DepthOracle<Real> {
   double metric_upper(const Vector& u) override { return length(double_of(u)) * (1 + 0x1p-50); }
   double metric_lower(const Vector& u) override { return length(double_of(u)) * (1 - 0x1p-50); }
 
- protected:
-  ~EuclideanOracle() = default;
-
  private:
   static const Vector3& double_of(const Vector3& v) { return v; }
   static Vector3 double_of(const PreciseVector3& v) { return rounded(v); }

@@ -17,6 +17,8 @@ class DepthOracle {
  public:
   using Vector = BasicVector3<Real>;
 
+  virtual ~DepthOracle() = default;
+
   /// h_D(u), to |u| error(), and s_D(u), within error() of a point of D.
   virtual double support(const Vector& u, DepthPoint<Real>& point) = 0;
 
@@ -31,7 +33,6 @@ class DepthOracle {
   double size() const noexcept { return size_; }
 
  protected:
-  ~DepthOracle() = default;
   double error_ = 0, size_ = 0;
 };
 

@@ -182,7 +182,7 @@ bool Sifting::certify_by_plane(double near, Effects effects, DistanceResult& res
   }
   for (int k = 0; k < n_; ++k) {
     const double component = u[static_cast<std::size_t>(k)];
-    direction_[static_cast<std::size_t>(n_ + k)] =
+    direction_[static_cast<std::size_t>(n_) + static_cast<std::size_t>(k)] =
         -Scaling::direction_component(scaling_.factor_Q()[k], component);
   }
   h_Q_ = {};
