@@ -286,7 +286,8 @@ struct PlacedBodies::Turn {
 
 PlacedBodies::PlacedBodies(std::uint64_t seed) : seed_(seed), distance_(options()), growth_(options()) {}
 
-// Bodies that meet when they are scaled by less than 1 have interior points in common, if they have any.
+// Bodies that meet when they are scaled by less than 1 have interior points in common, if they have any. What
+// a busy machine's clock has ended is undecided honestly.
 std::string PlacedBodies::check(Turn& turn) {
   const auto ask_growth = [&]() -> const DistanceResult& {
     return growth_.solve_about_centers(turn.first, turn.second, turn.cold ? nullptr : &warm_growth_);
@@ -305,8 +306,11 @@ std::string PlacedBodies::check(Turn& turn) {
   constexpr Real kClear = 1 - 1e-9;
   if (!what.empty() || !turn.grows || !(turn.known.upper < kClear)) return what;
   ++tally_.overlaps;
-  if (turn.cold)
-    return ask_distance().status == DistanceStatus::contains_origin ? "" : "an overlap is undecided";
+  if (turn.cold) {
+    const DistanceStatus status = ask_distance().status;
+    const bool known = status == DistanceStatus::contains_origin || status == DistanceStatus::time_limit;
+    return known ? "" : "an overlap is undecided";
+  }
   const Separation outcome = growth_.separation(turn.first, turn.second, &warm_growth_).outcome;
   return outcome == Separation::intersecting ? "" : "an overlap is no intersection";
 }
