@@ -4,12 +4,12 @@ include(GNUInstallDirs)
 
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/raygauge)
 
-# The library is one shared object, engine and sweeps, behind a list of what it shows: the names of namespace raygauge. Its
+# The library is one shared object, engine, scenes and sweeps, behind a list of what it shows: the names of namespace raygauge. Its
 # copies of Eigen's functions stay inside, so that a caller's own, compiled with other flags, never take their place. Its
 # binary interface is promised within a minor version (docs/promises.md), which is why its SONAME carries one.
 file(WRITE ${PROJECT_BINARY_DIR}/shared_library.cc "")
 add_library(raygauge_shared SHARED ${PROJECT_BINARY_DIR}/shared_library.cc)
-target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_sweep>
+target_link_libraries(raygauge_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_sweep,raygauge_scene>
                                       INTERFACE Eigen3::Eigen)
 target_link_options(raygauge_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/packaging/visible.map
                                             -Wl,--no-undefined)

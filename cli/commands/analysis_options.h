@@ -8,9 +8,9 @@
 
 #include "analysis/data/filter.h"
 #include "analysis/data/merge.h"
-#include "cli/commands/command_line.h"
+#include "cli/console/command_line.h"
 #include "cli/output/output_file.h"
-#include "results/scene/scene_file.h"
+#include "scene/file/scene_file.h"
 
 namespace raygauge::cli {
 

@@ -18,7 +18,7 @@
 #include "cli/commands/between_query.h"
 #include "cli/commands/commands.h"
 #include "cli/commands/distance_query.h"
-#include "cli/commands/input_options.h"
+#include "cli/console/input_options.h"
 #include "cli/input/input_file.h"
 #include "cli/input/registries.h"
 #include "cli/input/set_file.h"

@@ -8,7 +8,7 @@
 #include "cli/output/output_file.h"
 #include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
-#include "results/scene/scene_file.h"
+#include "scene/file/scene_file.h"
 
 namespace raygauge::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/output/counted.h"
 #include "results/merge/merge_parts.h"
 #include "results/run/output_place.h"
-#include "results/scene/scene_writer.h"
+#include "scene/file/scene_writer.h"
 
 namespace raygauge::cli {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "analysis/render/figures/description.h"
 #include "analysis/render/figures/figure.h"
-#include "analysis/render/scene/scene_figure.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
 #include "raygauge/exceptions.h"
 #include "results/text/language.h"
+#include "scene/page/scene_figure.h"
 
 namespace raygauge::cli {
 namespace {

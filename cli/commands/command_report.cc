@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "analysis/render/report/report.h"
-#include "analysis/render/scene/scene_page.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
+#include "scene/page/scene_page.h"
 
 namespace raygauge::cli {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/dry_run.h"
-#include "cli/commands/input_options.h"
 #include "cli/commands/run_setup.h"
+#include "cli/console/input_options.h"
+#include "cli/console/interrupt.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
-#include "cli/interrupt.h"
 #include "cli/output/counted.h"
 #include "cli/output/progress.h"
 #include "cluster/ranks.h"

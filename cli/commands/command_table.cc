@@ -18,10 +18,10 @@
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
-#include "cli/output/scene_text.h"
 #include "cli/output/terminal.h"
 #include "raygauge/exceptions.h"
 #include "results/text/language.h"
+#include "scene/commands/scene_text.h"
 
 namespace raygauge::cli {
 namespace {

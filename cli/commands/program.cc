@@ -9,10 +9,11 @@
 #include <new>
 #include <string>
 
-#include "cli/commands/command_line.h"
 #include "cli/commands/commands.h"
+#include "cli/console/command_line.h"
 #include "results/provenance/provenance.h"
 #include "results/text/language.h"
+#include "scene/commands/command_scene.h"
 
 namespace raygauge::cli {
 namespace {

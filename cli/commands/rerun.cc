@@ -15,9 +15,9 @@
 #include <random>
 #include <utility>
 
+#include "cli/console/interrupt.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
-#include "cli/interrupt.h"
 #include "raygauge/exceptions.h"
 #include "results/run/atomic_file.h"
 #include "results/run/results_file.h"

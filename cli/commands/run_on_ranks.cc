@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "cli/commands/commands.h"
-#include "cli/commands/rank_job.h"
 #include "cli/commands/run_setup.h"
+#include "cli/console/interrupt.h"
+#include "cli/console/rank_job.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
-#include "cli/interrupt.h"
 #include "cli/output/progress.h"
 #include "cluster/share.h"
 #include "engine/threads/thread_pin.h"

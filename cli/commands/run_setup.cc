@@ -9,7 +9,7 @@
 
 #include "baselines/registry.h"
 #include "cli/commands/commands.h"
-#include "cli/interrupt.h"
+#include "cli/console/interrupt.h"
 #include "cli/output/counted.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
@@ -106,16 +106,6 @@ bool is_shard_without_cells(const RunArguments& arguments, const Experiment& exp
 }
 
 }  // namespace
-
-Shard shard_from(const std::string& text) {
-  Shard shard{0, 0};
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 || shard.index < 1 ||
-      shard.index > shard.count) {
-    throw InvalidParameterError("--shard takes I/K with 1 <= I <= K, as in 3/7; got '" + text + "'");
-  }
-  return shard;
-}
 
 std::string output_path(const RunArguments& arguments, const Experiment& experiment) {
   const std::string target = target_path(arguments, experiment);

@@ -38,9 +38,6 @@ inline constexpr const char* kInterruptNotice =
 /// Where the results go: for a shard its own file, else what shards are merged into.
 std::string output_path(const RunArguments& arguments, const Experiment& experiment);
 
-/// "3/7". Throws InvalidParameterError.
-Shard shard_from(const std::string& text);
-
 /// This process's session, on `threads` threads.
 Session session_of(const Experiment& experiment, int threads);
 

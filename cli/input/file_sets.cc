@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cli/input/point_source.h"
-#include "cli/input/scene_motion.h"
+#include "cli/input/pose_table.h"
 #include "cli/input/set_source.h"
 #include "cli/input/toml_keys.h"
 #include "cli/input/toml_values.h"

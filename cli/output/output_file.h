@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/command_line.h"
+#include "cli/console/command_line.h"
 #include "results/run/output_place.h"
 
 namespace raygauge::cli {

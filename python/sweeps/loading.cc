@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "cli/input/scene_source.h"
 #include "cli/input/set_source.h"
-#include "cli/input/urdf_file.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/scene_answers.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/joint_motion.h"
+#include "scene/input/scene_source.h"
+#include "scene/input/urdf_file.h"
 
 namespace raygauge::python {
 namespace {

@@ -128,9 +128,8 @@ class Folder:
         self.environment = dict(os.environ, PATH=f"{raygauge.parent}{os.pathsep}{os.environ['PATH']}", NO_COLOR="1")
         shutil.copytree(source / "tests/cli/documented", path, dirs_exist_ok=True)
         shutil.copytree(source / "docs/examples", path, dirs_exist_ok=True)
-        shutil.copytree(source / "scenes", path / "scenes")
+        shutil.copytree(source / "experiments/scenes", path / "experiments/scenes")
         (path / "out").mkdir()
-        (path / "experiments").mkdir()
         for experiment in (source / "experiments").glob("*.toml"):
             (path / "experiments" / experiment.name).write_text(shortened(experiment.read_text()))
         self.write_datasets()

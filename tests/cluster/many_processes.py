@@ -15,7 +15,7 @@ from support import Killer, Tool, answers, write_experiment
 
 PROGRAM = None
 KILLS = 4
-SCENES = Path(__file__).resolve().parents[2] / "scenes"
+SCENES = Path(__file__).resolve().parents[2] / "experiments/scenes"
 
 
 class ManyProcesses(unittest.TestCase):

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A file of poses, in space and in the plane: what is accepted is a motion whose poses are rotations and
 // finite.
-#include "cli/input/motion_file.h"
+#include "scene/input/motion_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A robot in URDF: what is accepted has a link for each of its tree.
-#include "cli/input/urdf_file.h"
+#include "scene/input/urdf_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

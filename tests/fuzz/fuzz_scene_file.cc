@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // A scene in TOML: what is accepted has bodies and instants.
-#include "cli/input/scene_source.h"
+#include "scene/input/scene_source.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 

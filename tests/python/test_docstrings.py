@@ -36,7 +36,7 @@ class Docstrings(unittest.TestCase):
             try:
                 if "RAYGAUGE_PROGRAM" in os.environ:
                     for name in ("arm.urdf", "falling_box.toml"):
-                        shutil.copy(SOURCE / "scenes" / name, scratch)
+                        shutil.copy(SOURCE / "experiments/scenes" / name, scratch)
                     pathlib.Path("cube.obj").write_text(CUBE, encoding="ascii")
                     methods = [{"name": "column_generation"}, {"name": "clp_dual"}, {"name": "clp_primal"}]
                     rg.run({"sweep": {"n": [3], "N": [200], "repetitions": 3}, "method": methods,

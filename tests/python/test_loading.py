@@ -14,7 +14,7 @@ import numpy as np
 import raygauge as rg
 
 SOURCE = pathlib.Path(os.environ["RAYGAUGE_SOURCE"])
-SCENES = SOURCE / "scenes"
+SCENES = SOURCE / "experiments/scenes"
 DOCUMENTED = SOURCE / "tests" / "cli" / "documented"
 
 

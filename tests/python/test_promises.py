@@ -88,7 +88,7 @@ class Promises(unittest.TestCase):
     def test_columns_of_a_scene_are_these_with_their_units(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "scene.h5")
-            output_of("scene", "run", SOURCE / "scenes" / "two_vehicles.toml", "-o", path)
+            output_of("scene", "run", SOURCE / "experiments/scenes" / "two_vehicles.toml", "-o", path)
             with h5py.File(path) as file:
                 self.assert_columns("The file of a scene", file["records"])
 

@@ -160,7 +160,7 @@ class Results(unittest.TestCase):
                 rg.open(damaged)
 
     def test_answers_of_a_scene_are_those_of_the_export_with_names(self):
-        source = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "scenes", "two_vehicles.toml")
+        source = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "experiments/scenes/two_vehicles.toml")
         path = pathlib.Path(self.scratch.name, "two_vehicles.h5")
         subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "scene", "run", source, "-q", "-o", path], check=True)
         answers = rg.open(path)

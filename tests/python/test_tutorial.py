@@ -20,7 +20,7 @@ class Tutorial(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
             self.addCleanup(os.chdir, before)
-            os.symlink(SOURCE / "scenes", "scenes")
+            os.symlink(SOURCE / "experiments", "experiments")
             for block in blocks:
                 exec(compile(block, "docs/python.md", "exec"), names)
             self.assertGreater(os.path.getsize("time.svg"), 1000)

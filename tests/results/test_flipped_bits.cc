@@ -11,7 +11,7 @@
 
 #include "results/hdf5/checksum.h"
 #include "results/run/results_file.h"
-#include "results/scene/scene_file.h"
+#include "scene/file/scene_file.h"
 #include "tests/results/support.h"
 
 namespace raygauge::test_flipped_bits {

@@ -9,7 +9,7 @@
 #include "raygauge/scene/joint_motion.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
-#include "tests/engine/scene/exact_motion.h"
+#include "tests/scene/exact_motion.h"
 
 namespace raygauge::soak {
 namespace {

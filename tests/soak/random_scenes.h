@@ -7,7 +7,7 @@
 #include <string>
 
 #include "raygauge/scene/scene_run.h"
-#include "tests/engine/scene/random_scenes.h"
+#include "tests/scene/random_scenes.h"
 
 namespace raygauge::soak {
 

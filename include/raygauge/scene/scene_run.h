@@ -26,7 +26,7 @@ struct SceneProgress {
   std::uint64_t cells_done = 0;  ///< of this run
   std::uint64_t cells_total = 0;
   double seconds = 0;
-  double seconds_left = 0;  ///< expected, see engine/scene/cell_clock.h; 0 while nothing is known
+  double seconds_left = 0;  ///< expected, see scene/queries/cell_clock.h; 0 while nothing is known
 };
 
 struct SceneHooks {

@@ -13,9 +13,9 @@
 
 #include "results/merge/merge_parts.h"
 #include "results/run/results_file.h"
-#include "results/scene/scene_file.h"
 #include "results/schema/encoding.h"
 #include "results/schema/schema.h"
+#include "scene/file/scene_file.h"
 #include "tests/results/support.h"
 
 namespace raygauge::test_older_files {

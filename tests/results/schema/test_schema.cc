@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "results/scene/scene_file.h"
+#include "scene/file/scene_file.h"
 #include "tests/results/support.h"
 
 namespace raygauge::test_schema {

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/commands/scene_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "cli/output/counted.h"
+#include "results/text/language.h"
+#include "scene/file/event_text.h"
+
+namespace raygauge::cli {
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string body_name(const SceneFile& file, int body) {
+  return language::printable(file.bodies[static_cast<std::size_t>(body)].name);
+}
+
+std::string pair_name(const SceneFile& file, const SceneRecord& row) {
+  return body_name(file, row.body_a) + " – " + body_name(file, row.body_b);
+}
+
+std::string query_name(const SceneFile& file, int query) {
+  return language::printable(file.queries[static_cast<std::size_t>(query)].name);
+}
+
+std::vector<SceneTally> tallies_of(const SceneFile& file) {
+  std::vector<SceneTally> tallies(file.queries.size());
+  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
+  return tallies;
+}
+
+SceneCounters counters_of(const SceneFile& file) {
+  SceneCounters sum;
+  for (const SceneCellRow& row : file.cells) sum += row.counters;
+  return sum;
+}
+
+std::string continuous_text(const SceneFile& file, const SceneRecord& row) {
+  return "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": " + event_text(row) + "\n";
+}
+
+std::string status_word(SceneStatus status) {
+  if (status == SceneStatus::intersecting) return "contact";
+  return status == SceneStatus::separated ? "release" : "meet, or nearly: undecided";
+}
+
+}  // namespace
+
+std::string tally_text(const SceneFile& file) {
+  const std::vector<SceneTally> tallies = tallies_of(file);
+  std::string text;
+  for (std::size_t q = 0; q < tallies.size(); ++q) {
+    const SceneTally& tally = tallies[q];
+    text += "  " + query_name(file, static_cast<int>(q)) + " (" +
+            language::printable(file.queries[q].effects) + "): " + counted(tally.asked, "answer") + ": " +
+            std::to_string(tally.solved) + " solved";
+    if (tally.shared > 0) text += " (" + std::to_string(tally.shared) + " by another query)";
+    text += ", " + std::to_string(tally.broad_phase) + " broad phase, " + std::to_string(tally.coherence) +
+            " coherence, " + std::to_string(tally.standing) + " static\n";
+  }
+  const SceneCounters counters = counters_of(file);
+  text += "  solves of convex parts: " + std::to_string(counters.distance_solves) + " distance, " +
+          std::to_string(counters.separation_solves) + " separation, " +
+          std::to_string(counters.growth_solves) + " growth; " + counted(counters.closest_points, "pair") +
+          " of closest points, " + counted(counters.gradients, "gradient") + "\n";
+  return text;
+}
+
+std::string event_text(const SceneFile& file) {
+  std::string text;
+  std::map<std::tuple<int, int, int>, SceneStatus> before;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (record.kind != SceneRowKind::instant) {
+      text += continuous_text(file, record);
+      continue;
+    }
+    const auto key = std::make_tuple(record.query, record.body_a, record.body_b);
+    const auto known = before.find(key);
+    const bool first_contact = known == before.end() && record.status == SceneStatus::intersecting;
+    const bool changed = known != before.end() && known->second != record.status;
+    if (first_contact || changed) {
+      text += "  " + query_name(file, record.query) + ": " + pair_name(file, record) + ": " +
+              status_word(record.status) + " at instant " + std::to_string(record.instant) + ", " +
+              number(record.time) + " s\n";
+    }
+    before[key] = record.status;
+  }
+  return text;
+}
+
+std::string scene_info_text(const std::string& path, const SceneFile& file) {
+  std::string text = path + ": results of the scene '" + language::printable(file.name) + "'\n";
+  text += "  " + std::to_string(file.cells.size()) + " of " + counted(file.cell_count, "cell") + ", " +
+          counted(file.records.size(), "record") + ", " + counted(file.bodies.size(), "body", "bodies") +
+          ", " + counted(file.queries.size(), "query", "queries") + "\n";
+  for (const Session& session : file.sessions) {
+    text += "  session started " + language::printable(session.started_at) + ", " +
+            counted(session.threads, "thread") + ", commit " + language::printable(session.build.git_commit) +
+            ", " + language::printable(session.machine.cpu_model) + "\n";
+  }
+  if (!file.has_checksum) text += std::string("  ") + kNoChecksum + "\n";
+  return text + tally_text(file);
+}
+
+Json scene_info_json(const std::string& path, const SceneFile& file) {
+  Json json;
+  json["file"] = path;
+  json["scene"] = file.name;
+  json["finished"] = file.finished();
+  json["checksum"] = file.has_checksum;
+  json["cells"] = file.cells.size();
+  json["cell_count"] = file.cell_count;
+  json["records"] = file.records.size();
+  json["bodies"] = Json::array();
+  for (const SceneBodyRow& body : file.bodies) json["bodies"].push_back(body.name);
+  const std::vector<SceneTally> tallies = tallies_of(file);
+  for (std::size_t q = 0; q < tallies.size(); ++q) {
+    Json query;
+    query["name"] = file.queries[q].name;
+    query["effects"] = file.queries[q].effects;
+    for (const Column<SceneTallyRow>& column : scene_tally_columns()) {
+      if (column.name == "cell" || column.name == "query") continue;
+      query[column.name] = std::get<std::int64_t>(column.get({0, 0, tallies[q]}));
+    }
+    json["queries"].push_back(query);
+  }
+  const SceneCounters counters = counters_of(file);
+  for (const Column<SceneCellRow>& column : scene_cell_columns()) {
+    if (column.type == ValueType::int64)
+      json["counters"][column.name] = std::get<std::int64_t>(column.get({0, counters, 0}));
+  }
+  return json;
+}
+
+namespace {
+
+/// What the table says of one pair under one query.
+struct PairLine {
+  std::int64_t rows = 0, contacts = 0;
+  double least = std::numeric_limits<double>::infinity();  ///< distance, or growth where there is none
+  double lower = 0, time = 0, seconds = 0, widest_gap = 0;
+
+  void add(const SceneRecord& record) {
+    ++rows;
+    seconds += record.seconds;
+    if (record.status == SceneStatus::intersecting) ++contacts;
+    const bool distance = !std::isnan(record.distance);
+    const double value = distance ? record.distance : record.growth;
+    if (distance && record.upper > 0)
+      widest_gap = std::max(widest_gap, (record.upper - record.lower) / record.upper);
+    if (!(value < least)) return;
+    least = value;
+    lower = distance ? record.lower : record.growth_lower;
+    time = record.time;
+  }
+
+  std::string text() const {
+    const bool valued = std::isfinite(least);
+    return std::to_string(rows) + ", " + std::to_string(contacts) +
+           (valued ? ", " + number(least) + ", " + number(lower) + ", " + number(time) : ", , , ") + ", " +
+           number(widest_gap) + ", " + number(seconds);
+  }
+};
+
+}  // namespace
+
+std::string scene_table_text(const SceneFile& file) {
+  std::map<std::tuple<int, int, int>, PairLine> lines;
+  std::string events;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& record = row.record;
+    if (record.kind == SceneRowKind::instant)
+      lines[{record.query, record.body_a, record.body_b}].add(record);
+    else
+      events += continuous_text(file, record);
+  }
+  std::string text;
+  if (!lines.empty()) {
+    text +=
+        "query, pair, rows, in contact, least value, its lower bound, at time [s], widest relative gap, "
+        "seconds\n";
+  }
+  for (const auto& [key, line] : lines) {
+    const auto& [query, a, b] = key;
+    text += language::csv(query_name(file, query)) + ", " +
+            language::csv(body_name(file, a) + " – " + body_name(file, b)) + ", " + line.text() + "\n";
+  }
+  return text + events;
+}
+
+}  // namespace raygauge::cli

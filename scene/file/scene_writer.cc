@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/file/scene_writer.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "results/exceptions.h"
+#include "results/run/atomic_file.h"
+#include "results/run/identity.h"
+#include "results/run/output_place.h"
+
+namespace raygauge {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kPart = "scene-";
+constexpr const char* kHeadName = "scene-head.h5";  ///< read after the cells: it adds sessions alone
+
+std::string part_name(std::uint64_t cell) {
+  std::string number = std::to_string(cell);
+  number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
+  return std::string(kPart) + number + ".h5";
+}
+
+// `cells` with what describes the scene.
+SceneFile part_of(const SceneFile& head, SceneFile cells, bool drawing) {
+  cells.name = head.name;
+  cells.text = head.text;
+  cells.identity = head.identity;
+  if (drawing) cells.drawing = head.drawing;
+  cells.cell_count = head.cell_count;
+  cells.sessions = head.sessions;
+  cells.bodies = head.bodies;
+  cells.queries = head.queries;
+  return cells;
+}
+
+}  // namespace
+
+std::vector<fs::path> list_scene_parts(const fs::path& target) {
+  std::vector<fs::path> parts;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kPart) && name.ends_with(".h5")) parts.push_back(entry.path());
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+SceneWriter::SceneWriter(const std::string& path, SceneFile head, RunMode mode)
+    : path_(behind_links(path)),
+      mode_(mode),
+      head_(std::move(head)),
+      directory_(path_),
+      batch_([this](SceneFile cells) { store_part(std::move(cells)); }) {
+  if (mode == RunMode::create) refuse_existing();
+  if (mode == RunMode::resume) resume_existing();
+  if (mode == RunMode::force && fs::exists(path_) && !is_scene_file(path_)) {
+    throw ResultsExistError(path_.string() + ": not the results of a scene; not replaced even by --force");
+  }
+  if (all_.sessions.empty()) all_ = head_;
+}
+
+void SceneWriter::refuse_existing() const {
+  if (fs::exists(path_)) {
+    throw ResultsExistError(path_.string() + ": exists already; --resume completes it, --force replaces it");
+  }
+  if (!list_scene_parts(path_).empty() || !directory_.parts().empty()) {
+    throw ResultsExistError(directory_.folder().string() +
+                            ": holds an unfinished run; --resume continues it, --force discards it");
+  }
+}
+
+void SceneWriter::resume_existing() {
+  if (!fs::exists(path_) && list_scene_parts(path_).empty()) return;
+  SceneFile before = read_scene_file(path_);
+  const std::string difference = identity_difference(before.identity, head_.identity);
+  if (!difference.empty()) {
+    throw OtherExperimentError(path_.string() + ": holds another scene: " + difference);
+  }
+  for (const SceneCellRow& row : before.cells) done_.insert(row.cell);
+  session_ = static_cast<std::int32_t>(before.sessions.size());
+  before.sessions.insert(before.sessions.end(), head_.sessions.begin(), head_.sessions.end());
+  head_.sessions = before.sessions;
+  all_ = std::move(before);
+  all_.drawing = head_.drawing;
+}
+
+/// Under force the earlier run goes only once the disk has taken what is to stand in its place.
+void SceneWriter::discard_earlier(const std::string& bytes) {
+  directory_.require_room(bytes);
+  for (const fs::path& old : list_scene_parts(path_)) fs::remove(old);
+  fs::remove(path_);
+}
+
+void SceneWriter::begin() {
+  const std::scoped_lock lock(mutex_);
+  const std::string bytes = encode_scene(head_);
+  if (mode_ == RunMode::force) discard_earlier(bytes);
+  stored_any_ = true;
+  begun_ = true;
+  const fs::path path = directory_.folder() / kHeadName;
+  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
+
+void SceneWriter::store(const SceneCellResult& cell) {
+  {
+    const std::scoped_lock lock(mutex_);
+    append_cell(all_, cell, session_);
+  }
+  batch_.add(cell, session_);
+}
+
+// The first part of a session has the drawing for all.
+void SceneWriter::store_part(SceneFile cells) {
+  const std::scoped_lock lock(mutex_);  // HDF5 is not for several threads at once
+  const fs::path path = directory_.folder() / part_name(cells.cells.front().cell);
+  const std::string bytes = encode_scene(part_of(head_, std::move(cells), !stored_any_));
+  if (mode_ == RunMode::force && !stored_any_) discard_earlier(bytes);
+  stored_any_ = true;
+  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
+
+void SceneWriter::finish() {
+  batch_.flush();
+  const std::scoped_lock lock(mutex_);
+  const std::vector<fs::path> parts = list_scene_parts(path_);
+  // A scene, or a shard, without work has stored nothing: under force what is there is not of this run.
+  const bool replaces = mode_ == RunMode::force && !stored_any_;
+  if (!replaces && parts.empty() && fs::exists(path_)) return;
+  if (begun_) all_ = read_scene_file(path_);
+  if (all_.drawing.empty()) all_.drawing = head_.drawing;
+  for (auto i = static_cast<std::size_t>(session_); i < all_.sessions.size(); ++i) {
+    all_.sessions[i].finished_at = utc_now();
+  }
+  sort_scene(all_);
+  directory_.store_target(encode_scene(all_));
+  for (const fs::path& part : parts) fs::remove(part);
+}
+
+SceneRankSink::SceneRankSink(const fs::path& path, SceneFile head, std::int32_t session)
+    : folder_(parts_folder(behind_links(path))),
+      head_(std::move(head)),
+      session_(session),
+      batch_([this](SceneFile cells) { store_part(std::move(cells)); }) {
+  head_.sessions.clear();  // the process that began the run has stored them
+  head_.drawing.clear();
+}
+
+void SceneRankSink::store_part(SceneFile cells) {
+  const fs::path path = folder_ / part_name(cells.cells.front().cell);
+  write_atomically(path, encode_scene(part_of(head_, std::move(cells), false)),
+                   path.string() + std::string(kTemporarySuffix));
+}
+
+}  // namespace raygauge

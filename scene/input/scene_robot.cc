@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/input/scene_robot.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "cli/input/toml_refusal.h"
+#include "cli/input/toml_values.h"
+#include "cli/output/counted.h"
+#include "raygauge/scene/scene_run.h"
+#include "scene/input/motion_file.h"
+#include "scene/input/scene_motion.h"
+
+namespace raygauge::cli {
+namespace {
+
+using Trajectory = std::shared_ptr<const JointTrajectory>;
+
+/// More entries of a note than this are counted.
+constexpr std::size_t kMostNamed = 12;
+
+Trajectory all_zero(const Robot& robot, double from, double to) {
+  auto still = std::make_shared<JointTrajectory>();
+  still->times = {from, to > from ? to : from + 1};
+  still->values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(robot.joints.size()), 2);
+  return still;
+}
+
+/// Links that a joint joins touch by design, also over links without a shape.
+std::vector<std::pair<int, int>> joined_bodies(const Robot& robot, const std::map<int, int>& body_of_link) {
+  std::vector<std::pair<int, int>> joined;
+  for (const auto& [link, body] : body_of_link) {
+    int parent = robot.tree.links[static_cast<std::size_t>(link)].parent;
+    while (parent >= 0 && body_of_link.count(parent) == 0)
+      parent = robot.tree.links[static_cast<std::size_t>(parent)].parent;
+    if (parent >= 0) joined.emplace_back(body_of_link.at(parent), body);
+  }
+  return joined;
+}
+
+std::string listed(const std::vector<std::string>& entries, const std::string& separator) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(entries.size(), kMostNamed); ++i)
+    text += (text.empty() ? "" : separator) + entries[i];
+  if (entries.size() > kMostNamed) text += separator + std::to_string(entries.size() - kMostNamed) + " more";
+  return text;
+}
+
+/// What the value of a joint is at its farthest beyond the limits; empty: within them.
+std::string beyond_limits(const RobotLink& link, const TreeLink& step, const JointTrajectory& trajectory) {
+  double farthest = 0, value = 0, time = 0;
+  for (std::size_t k = 0; k < trajectory.times.size(); ++k) {
+    const double q = step.scale * trajectory.values(step.joint, static_cast<Eigen::Index>(k)) + step.offset;
+    const double beyond = std::max(link.lower - q, q - link.upper);
+    if (!(beyond > farthest)) continue;
+    farthest = beyond;
+    value = q;
+    time = trajectory.times[k];
+  }
+  if (!(farthest > 0)) return "";
+  std::ostringstream text;
+  text << link.joint << " is " << value << " at time " << time << ", its limits are " << link.lower << " and "
+       << link.upper;
+  return text.str();
+}
+
+std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
+                                  const JointTrajectory& trajectory, bool has_trajectory) {
+  std::vector<std::string> notes, beyond;
+  if (!robot.skipped.empty())
+    notes.push_back("robot '" + name + "': left out, for they are missing: " + listed(robot.skipped, ", "));
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.tree.links[i].kind == JointKind::fixed) continue;
+    const std::string joint = beyond_limits(robot.links[i], robot.tree.links[i], trajectory);
+    if (!joint.empty()) beyond.push_back(joint);
+  }
+  if (!beyond.empty())
+    notes.push_back("robot '" + name + "': joint values beyond their limits" +
+                    (has_trajectory ? "" : " (without a trajectory every joint is at 0)") + ": " +
+                    listed(beyond, "; "));
+  return notes;
+}
+
+class Records final : public SceneSink {
+ public:
+  void store(const SceneCellResult& cell) override {
+    all.insert(all.end(), cell.records.begin(), cell.records.end());
+  }
+  std::vector<SceneRecord> all;
+};
+
+}  // namespace
+
+const std::vector<std::string>& robot_keys() {
+  static const std::vector<std::string> kKeys = {"name", "urdf", "base", "trajectory", "group"};
+  return kKeys;
+}
+
+RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::path& folder, double from,
+                              double to, const RobotMeshes& meshes) {
+  reject_unknown_keys(table, "[[robot]] key", robot_keys());
+  if (!table.contains("urdf")) refuse(table, "a robot needs the key urdf");
+  const toml::node& urdf = *table.get("urdf");
+  const std::string path = (folder / read_text(urdf, "robot.urdf")).string();
+  const Robot robot = placed(urdf, [&] { return read_urdf(path, meshes); });
+  RobotBodies result;
+  result.name = table.contains("name") ? read_text(*table.get("name"), "robot.name") : robot.name;
+  Placement base = Placement::identity(3);
+  if (const toml::node* node = table.get("base")) {
+    if (!node->is_table()) refuse(*node, "robot.base must be a table");
+    base = read_pose(*node->as_table(), 3, "robot.base");
+  }
+  Trajectory trajectory = all_zero(robot, from, to);
+  const toml::node* given = table.get("trajectory");
+  if (given != nullptr) {
+    const std::string file = (folder / read_text(*given, "robot.trajectory")).string();
+    trajectory = placed(*given, [&] { return read_joint_file(file, robot.joints, robot.without_value); });
+  }
+  const auto tree = std::make_shared<const KinematicTree>(robot.tree);
+  std::map<int, int> body_of_link;
+  for (int i = 0; i < static_cast<int>(robot.links.size()); ++i) {
+    const RobotLink& link = robot.links[static_cast<std::size_t>(i)];
+    if (link.shapes.empty()) continue;
+    body_of_link[i] = static_cast<int>(result.bodies.size());
+    const MotionPointer motion =
+        placed(given == nullptr ? urdf : *given, [&] { return LinkMotion::make(tree, trajectory, base, i); });
+    result.bodies.push_back(
+        placed(table, [&] { return make_body(result.name + "/" + link.name, link.shapes, motion); }));
+  }
+  if (body_of_link.empty()) refuse(urdf, "no link of the robot has a collision shape");
+  result.joined = joined_bodies(robot, body_of_link);
+  result.notes = notes_of(robot, result.name, *trajectory, given != nullptr);
+  return result;
+}
+
+std::string note_of_contacts(const Scene& scene, const std::string& robot, int first, int count) {
+  Scene start{scene.name, scene.bodies, {scene.instants.front()}, scene.ignored, {}};
+  SceneQuery query;
+  query.effects = SceneEffects::separated;
+  for (int i = first; i < first + count; ++i) query.group_1.push_back(i);
+  query.group_2 = query.group_1;
+  start.queries = {query};
+  std::vector<BodyPair> asked;
+  for (const SceneQuery& other : scene.queries) {
+    for (const BodyPair& pair : pairs_of(scene, other)) asked.push_back(pair);
+  }
+  std::sort(asked.begin(), asked.end());
+  Records records;
+  if (!pairs_of(start, query).empty() && !asked.empty()) run_scene(start, plan_scene(start), 1, {}, records);
+  std::vector<std::string> pairs;
+  for (const SceneRecord& record : records.all) {
+    const BodyPair pair{record.body_a, record.body_b};
+    if (record.status == SceneStatus::separated || !std::binary_search(asked.begin(), asked.end(), pair))
+      continue;
+    const auto name = [&](int body) {
+      return "\"" + scene.bodies[static_cast<std::size_t>(body)].name + "\"";
+    };
+    pairs.push_back("[" + name(pair.a) + ", " + name(pair.b) + "]");
+  }
+  if (pairs.empty()) return "";
+  std::string ignore;
+  for (const std::string& pair : pairs) ignore += (ignore.empty() ? "" : ", ") + pair;
+  return "robot '" + robot + "': " + counted(pairs.size(), "pair") +
+         " of links in contact at the start; this leaves them out: ignore = [" + ignore + "]";
+}
+
+}  // namespace raygauge::cli

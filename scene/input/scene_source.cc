@@ -1,0 +1,413 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/input/scene_source.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include "cli/input/set_file.h"
+#include "cli/input/set_source.h"
+#include "cli/input/toml_refusal.h"
+#include "cli/input/toml_source.h"
+#include "cli/input/toml_values.h"
+#include "engine/numerics/floating_point.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/scene/timeline.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/point_set.h"
+#include "scene/input/scene_motion.h"
+#include "scene/input/scene_robot.h"
+
+namespace raygauge::cli {
+namespace {
+
+const std::vector<std::pair<std::string, SceneEffects>>& effect_names() {
+  static const std::vector<std::pair<std::string, SceneEffects>> kNames = {
+      {"separated", SceneEffects::separated},
+      {"distance", SceneEffects::distance},
+      {"closest_points", SceneEffects::closest_points},
+      {"gradient", SceneEffects::gradient},
+      {"growth", SceneEffects::growth},
+      {"time_of_impact", SceneEffects::time_of_impact},
+      {"clearance", SceneEffects::clearance}};
+  return kNames;
+}
+
+const toml::table& table_of(const toml::node& node, const std::string& what) {
+  if (const toml::table* table = node.as_table()) return *table;
+  refuse(node, what + " must be a table");
+}
+
+/// The entries of [[name]]; none where there are none.
+std::vector<const toml::table*> tables_of(const toml::table& root, const std::string& name) {
+  std::vector<const toml::table*> tables;
+  const toml::node* node = root.get(name);
+  if (node == nullptr) return tables;
+  if (!node->is_array()) refuse(*node, name + " must be a list of tables, [[" + name + "]]");
+  for (const toml::node& element : *node->as_array()) tables.push_back(&table_of(element, name));
+  return tables;
+}
+
+/// One text or a list of them.
+std::vector<std::string> texts_of(const toml::node& node, const std::string& key) {
+  if (!node.is_array()) return {read_text(node, key)};
+  std::vector<std::string> texts;
+  for (const toml::node& element : *node.as_array()) texts.push_back(read_text(element, key));
+  return texts;
+}
+
+constexpr double kLargestScale = 1e300;
+
+SetPointer scaled(const SetPointer& set, double scale) {
+  if (const PointSet* points = as_point_set(*set))
+    return std::make_shared<PointSet>(scale * points->points());
+  const int n = set->dimension();
+  return std::make_shared<AffineImage>(set, scale * Eigen::MatrixXd::Identity(n, n),
+                                       Eigen::VectorXd::Zero(n));
+}
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& path, const std::vector<std::string>& overrides, const RobotMeshes& meshes)
+      : toml_(read_toml(path, overrides)),
+        folder_(std::filesystem::path(path).parent_path()),
+        meshes_(meshes) {
+    source_.text = toml_.text;
+    scene().name = std::filesystem::path(path).stem().string();
+  }
+
+  SceneSource read() {
+    const toml::table& root = toml_.root;
+    reject_unknown_keys(root, "key", scene_keys().at(""));
+    if (const toml::node* node = root.get("name")) scene().name = read_text(*node, "name");
+    if (const toml::node* node = root.get("dimension")) {
+      dimension_ = static_cast<int>(read_integer(*node, "dimension", {1, kMostSceneDimensions}));
+    }
+    read_time();
+    for (const toml::table* table : tables_of(root, "body")) read_body(*table);
+    for (const toml::table* table : tables_of(root, "robot")) read_robot(*table);
+    if (scene().bodies.empty()) throw EmptySetError(toml_.path + ": a scene needs a [[body]] or a [[robot]]");
+    read_ignored();
+    for (const toml::table* table : tables_of(root, "query")) read_query(*table);
+    if (scene().queries.empty()) throw InvalidParameterError(toml_.path + ": a scene needs a [[query]]");
+    placed(root, [&] {
+      check_scene(scene());
+      return 0;
+    });
+    for (const auto& [name, first, count] : robots_) {
+      const std::string note = note_of_contacts(scene(), name, first, count);
+      if (!note.empty()) source_.notes.push_back(note);
+    }
+    return std::move(source_);
+  }
+
+ private:
+  Scene& scene() { return source_.scene; }
+
+  void read_time() {
+    const toml::node* node = toml_.root.get("time");
+    if (node == nullptr) {
+      scene().instants = {0};
+      return;
+    }
+    const toml::table& table = table_of(*node, "time");
+    reject_unknown_keys(table, "[time] key", scene_keys().at("time"));
+    const toml::node* instants = table.get("instants");
+    if (instants != nullptr && instants->is_array()) {
+      const Eigen::VectorXd list = read_vector(*instants, "time.instants");
+      scene().instants.assign(list.data(), list.data() + list.size());
+      if (table.size() > 1) refuse(table, "time.instants lists all: give no from or to");
+      return;
+    }
+    const double from = table.contains("from") ? read_number(*table.get("from"), "time.from") : 0.0;
+    const double to = table.contains("to") ? read_number(*table.get("to"), "time.to") : from;
+    if (!(from <= to)) refuse(table, "time.to must not be before time.from");
+    const std::int64_t usual = from < to ? 2 : 1;
+    const std::int64_t count =
+        instants == nullptr ? usual : read_integer(*instants, "time.instants", {1, 1e7});
+    if (count > 1 && from == to) refuse(table, "[time] needs to, after from, for more than one instant");
+    if (count == 1 && from < to) refuse(table, "[time] has one instant, from: give no to");
+    for (std::int64_t k = 0; k < count; ++k) {
+      const double s = static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
+      scene().instants.push_back(k == count - 1 ? to : from + s * (to - from));
+    }
+  }
+
+  SetPointer set_of(const toml::node& node, const std::string& what) {
+    if (node.is_string())
+      return placed(node, [&] { return read_set_source((folder_ / read_text(node, what)).string()); });
+    return read_set_table(table_of(node, what), folder_,
+                          [](const std::string& name) { return read_set_source(name); });
+  }
+
+  std::vector<SetPointer> parts_of(const toml::table& table) {
+    const int given = static_cast<int>(table.contains("shape")) + static_cast<int>(table.contains("parts")) +
+                      static_cast<int>(table.contains("file"));
+    if (given != 1) refuse(table, "a body needs one of shape, parts and file");
+    std::vector<SetPointer> parts;
+    if (const toml::node* node = table.get("shape")) parts.push_back(set_of(*node, "body.shape"));
+    if (const toml::node* node = table.get("parts")) {
+      if (!node->is_array()) refuse(*node, "body.parts must be a list of shapes");
+      for (const toml::node& element : *node->as_array()) parts.push_back(set_of(element, "body.parts"));
+    }
+    if (const toml::node* node = table.get("file")) {
+      const std::string name = (folder_ / read_text(*node, "body.file")).string();
+      parts.push_back(placed(*node, [&] { return read_set_source(name); }));
+    }
+    if (const toml::node* node = table.get("scale")) {
+      const double scale = read_real(*node, "body.scale", {-kLargestScale, kLargestScale});
+      if (scale == 0) refuse(*node, "body.scale must not be 0");
+      for (SetPointer& part : parts) part = placed(*node, [&] { return scaled(part, scale); });
+    }
+    return parts;
+  }
+
+  void read_body(const toml::table& table) {
+    reject_unknown_keys(table, "[[body]] key", scene_keys().at("body"));
+    const std::vector<SetPointer> parts = parts_of(table);
+    if (dimension_ == 0) dimension_ = parts.front()->dimension();
+    const std::string name = table.contains("name") ? read_text(*table.get("name"), "body.name")
+                                                    : "body" + std::to_string(scene().bodies.size() + 1);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i]->dimension() != dimension_)
+        refuse(table, "part " + std::to_string(i + 1) + " of body '" + name + "' lives in R^" +
+                          std::to_string(parts[i]->dimension()) + ", the scene in R^" +
+                          std::to_string(dimension_));
+    }
+    const MotionPointer motion = read_motion(table, dimension_, folder_, scene().instants.front());
+    const Body body = placed(table, [&] { return make_body(name, parts, motion); });
+    add(table, body,
+        table.contains("group") ? texts_of(*table.get("group"), "body.group") : std::vector<std::string>());
+  }
+
+  void add(const toml::table& table, const Body& body, const std::vector<std::string>& group_names) {
+    const int number = static_cast<int>(scene().bodies.size());
+    if (groups_.count(body.name) != 0)
+      refuse(table, "there is a body or a group '" + body.name + "' already");
+    groups_[body.name] = {number};
+    single_[body.name] = true;
+    for (const std::string& name : group_names) {
+      if (single_[name]) refuse(table, "the group '" + name + "' has the name of a body");
+      groups_[name].push_back(number);
+    }
+    scene().bodies.push_back(body);
+  }
+
+  void read_robot(const toml::table& table) {
+    if (dimension_ == 0) dimension_ = 3;
+    if (dimension_ != 3) refuse(table, "a robot needs a scene of 3 dimensions");
+    const int first = static_cast<int>(scene().bodies.size());
+    const RobotBodies robot =
+        read_robot_bodies(table, folder_, scene().instants.front(), scene().instants.back(), meshes_);
+    std::vector<std::string> groups = {robot.name};
+    if (const toml::node* node = table.get("group")) {
+      for (const std::string& group : texts_of(*node, "robot.group")) groups.push_back(group);
+    }
+    for (const Body& body : robot.bodies) add(table, body, groups);
+    for (const auto& [a, b] : robot.joined) scene().ignored.emplace_back(first + a, first + b);
+    robots_.emplace_back(robot.name, first, static_cast<int>(robot.bodies.size()));
+    source_.notes.insert(source_.notes.end(), robot.notes.begin(), robot.notes.end());
+  }
+
+  const std::vector<int>& bodies_named(const std::string& name, const toml::node& node) {
+    const auto found = groups_.find(name);
+    if (found != groups_.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [group, members] : groups_) known.push_back(group);
+    throw UnknownNameError("body or group", name, known, place_of(node));
+  }
+
+  void read_ignored() {
+    const toml::node* node = toml_.root.get("ignore");
+    if (node == nullptr) return;
+    if (!node->is_array()) refuse(*node, "ignore must be a list of pairs of names");
+    for (const toml::node& element : *node->as_array()) {
+      const std::vector<std::string> pair = texts_of(element, "ignore");
+      if (pair.size() != 2) refuse(element, "ignore must be a list of pairs of names");
+      for (const int a : bodies_named(pair[0], element)) {
+        for (const int b : bodies_named(pair[1], element)) scene().ignored.emplace_back(a, b);
+      }
+    }
+  }
+
+  void read_query(const toml::table& table) {
+    reject_unknown_keys(table, "[[query]] key", scene_keys().at("query"));
+    SceneQuery query;
+    query.name = "query" + std::to_string(scene().queries.size() + 1);
+    if (const toml::node* node = table.get("name")) query.name = read_text(*node, "query.name");
+    read_groups(table, query);
+    const std::string effects = read_effects(table, query);
+    const std::string metric = read_metric(table, query);
+    const Range positive{0, kInfinity, true};
+    if (const toml::node* node = table.get("within"))
+      query.within = read_real(*node, "query.within", positive);
+    if (const toml::node* node = table.get("contact"))
+      query.contact = read_real(*node, "query.contact", positive);
+    if (const toml::node* node = table.get("nearest")) {
+      query.nearest = static_cast<int>(read_integer(*node, "query.nearest", {1, 1e6}));
+    }
+    if (const toml::node* node = table.get("clearance_tolerance")) {
+      query.clearance_tolerance = read_real(*node, "query.clearance_tolerance", {0, 1, true});
+    }
+    if (const toml::node* node = table.get("every_instant")) {
+      query.every_instant = read_boolean(*node, "query.every_instant");
+    }
+    require_use(table, query.effects);
+    std::vector<double> tolerances = {query.tolerance};
+    if (const toml::node* node = table.get("tolerance"))
+      tolerances = read_reals(*node, "query.tolerance", {0, 1, true});
+    for (const double tolerance : tolerances) {
+      query.tolerance = tolerance;
+      scene().queries.push_back(query);
+      source_.effects.push_back(effects);
+      source_.metrics.push_back(metric);
+    }
+  }
+
+  /// A key that no effect of the query looks at is refused.
+  static void require_use(const toml::table& table, SceneEffects effects) {
+    const std::vector<std::tuple<const char*, SceneEffects, const char*>> uses = {
+        {"contact", kContinuousEffects, "time_of_impact or clearance"},
+        {"clearance_tolerance", SceneEffects::clearance, "clearance"},
+        {"every_instant", SceneEffects::separated, "separated"}};
+    for (const auto& [key, users, names] : uses) {
+      if (table.contains(key) && !has_effect(effects, users))
+        refuse(*table.get(key), std::string("query.") + key + " has no effect without " + names);
+    }
+  }
+
+  void read_groups(const toml::table& table, SceneQuery& query) {
+    const toml::node* node = table.get("between");
+    if (node == nullptr) {
+      for (int i = 0; i < static_cast<int>(scene().bodies.size()); ++i) query.group_1.push_back(i);
+      query.group_2 = query.group_1;
+      return;
+    }
+    const std::vector<std::string> names = texts_of(*node, "query.between");
+    if (names.empty() || names.size() > 2) refuse(*node, "query.between names one group or two");
+    query.group_1 = bodies_named(names.front(), *node);
+    query.group_2 = bodies_named(names.back(), *node);
+    if (pairs_of(scene(), query).empty()) refuse(*node, "query.between leaves no pair of bodies");
+  }
+
+  std::string read_effects(const toml::table& table, SceneQuery& query) {
+    const toml::node* node = table.get("effects");
+    if (node == nullptr) refuse(table, "a query needs effects");
+    query.effects = SceneEffects::none;
+    std::string text;
+    std::vector<std::string> known;
+    for (const auto& [name, effect] : effect_names()) known.push_back(name);
+    for (const std::string& asked : texts_of(*node, "query.effects")) {
+      const auto found = std::find(known.begin(), known.end(), asked);
+      if (found == known.end()) throw UnknownNameError("effect", asked, known, place_of(*node));
+      query.effects = query.effects | effect_names()[static_cast<std::size_t>(found - known.begin())].second;
+    }
+    for (const auto& [name, effect] : effect_names()) {
+      if (has_effect(query.effects, effect)) text += (text.empty() ? "" : " ") + name;
+    }
+    return text;
+  }
+
+  std::string read_metric(const toml::table& table, SceneQuery& query) {
+    std::string word = "euclidean";
+    const toml::node* node = table.get("metric");
+    if (node != nullptr && !(node->is_string() && read_text(*node, "query.metric") == word)) {
+      word = node->is_string() ? read_text(*node, "query.metric") : "set";
+      if (node->is_table() && node->as_table()->get("shape") != nullptr) {
+        word = read_text(*node->as_table()->get("shape"), "shape");
+      }
+      query.metric.Q = placed(*node, [&] { return set_of(*node, "query.metric"); });
+    }
+    if (const toml::node* body = table.get("metric_body")) {
+      if (query.metric.euclidean()) refuse(*body, "query.metric_body needs a metric of its own");
+      const std::vector<int>& named = bodies_named(read_text(*body, "query.metric_body"), *body);
+      if (named.size() != 1) refuse(*body, "query.metric_body must be one body");
+      query.metric.body = named.front();
+    }
+    return word;
+  }
+
+  TomlSource toml_;
+  std::filesystem::path folder_;
+  const RobotMeshes& meshes_;
+  SceneSource source_;
+  int dimension_ = 0;
+  std::map<std::string, std::vector<int>> groups_;
+  std::map<std::string, bool> single_;
+  std::vector<std::tuple<std::string, int, int>> robots_;  ///< name, first body, number of bodies
+};
+
+/// FNV-1a over the bytes of numbers: two scenes whose bodies are anywhere else differ.
+class Checksum {
+ public:
+  void add(double value) {
+    unsigned char bytes[sizeof value];
+    std::copy_n(reinterpret_cast<const unsigned char*>(&value), sizeof value, bytes);
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211ULL;
+  }
+  void add(const SmallVector& v) {
+    for (Eigen::Index k = 0; k < v.size(); ++k) add(v[k]);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+}  // namespace
+
+const std::map<std::string, std::vector<std::string>>& scene_keys() {
+  static const std::map<std::string, std::vector<std::string>> kKeys = {
+      {"", {"name", "description", "dimension", "time", "body", "robot", "ignore", "query"}},
+      {"time", {"from", "to", "instants"}},
+      {"body", {"name", "group", "shape", "parts", "file", "scale", "pose", "motion"}},
+      {"robot", robot_keys()},
+      {"query",
+       {"name", "between", "effects", "metric", "metric_body", "within", "nearest", "tolerance", "contact",
+        "clearance_tolerance", "every_instant"}}};
+  return kKeys;
+}
+
+SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,
+                       const RobotMeshes& meshes) {
+  return SceneReader(path, overrides, meshes).read();
+}
+
+std::string scene_identity(const SceneSource& source) {
+  const Scene& scene = source.scene;
+  const Timeline timeline(scene);
+  std::ostringstream text;
+  text.precision(17);
+  Checksum instants, shapes, places;
+  for (const double t : scene.instants) instants.add(t);
+  std::string names;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
+    const Body& body = scene.bodies[static_cast<std::size_t>(b)];
+    names += (names.empty() ? "" : ", ") + body.name;
+    for (const BodyPart& part : body.parts) {
+      shapes.add(part.ball.center);
+      shapes.add(part.ball.radius);
+      shapes.add(part.magnitude);
+    }
+    for (std::size_t k = 0; k < timeline.size(); ++k) {
+      places.add(timeline.placement(b, k).t);
+      places.add(SmallVector(timeline.placement(b, k).R.col(0)));
+    }
+  }
+  text << "instants = " << scene.instants.size() << " (" << instants.value() << ")\n"
+       << "bodies = " << names << "\nshapes = " << shapes.value() << "\nplaces = " << places.value() << '\n';
+  for (std::size_t q = 0; q < scene.queries.size(); ++q) {
+    const SceneQuery& query = scene.queries[q];
+    text << "query " << q + 1 << " = " << source.effects[q] << "; " << source.metrics[q] << "; "
+         << pairs_of(scene, query).size() << " pairs; within " << query.within << "; nearest "
+         << query.nearest << "; tolerance " << query.tolerance << "; contact " << query.contact
+         << "; clearance_tolerance " << query.clearance_tolerance << "; every_instant " << query.every_instant
+         << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace raygauge::cli

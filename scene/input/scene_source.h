@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "raygauge/scene/scene.h"
+#include "scene/input/urdf_file.h"
+
+namespace raygauge::cli {
+
+/// A scene as its file has it.
+struct SceneSource {
+  Scene scene;
+  std::string text;                  ///< the TOML source
+  std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
+  std::vector<std::string> effects;  ///< by query: their names, separated by blanks
+  std::vector<std::string> notes;    ///< what is worth knowing of robots, one line each
+};
+
+/// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, query.
+const std::map<std::string, std::vector<std::string>>& scene_keys();
+
+/// Reads a scene file (TOML; see docs/scenes.md) and all that it names; `meshes` says where those of robots
+/// are. Throws Error, with file and line.
+SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,
+                       const RobotMeshes& meshes);
+
+/// What makes two scenes the same for a resume: "key = value" lines of instants, bodies and where they are,
+/// and queries.
+std::string scene_identity(const SceneSource& source);
+
+}  // namespace raygauge::cli

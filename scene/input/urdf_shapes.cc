@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/input/urdf_shapes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "cli/input/mesh_file.h"
+#include "cli/input/pose_table.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/point_set.h"
+
+namespace raygauge::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads the shapes of one link.
+class ShapeReader {
+ public:
+  ShapeReader(const XmlFile& file, std::string link, const std::string& path, const RobotMeshes& meshes,
+              std::vector<std::string>& skipped)
+      : file_(file), link_(std::move(link)), path_(path), meshes_(meshes), skipped_(skipped) {}
+
+  /// Null: a mesh that is missing and may be.
+  SetPointer read(const XmlElement& collision) const {
+    const XmlElement* geometry = collision.FirstChildElement("geometry");
+    const XmlElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+    if (shape == nullptr) refuse(collision, "a collision without a shape");
+    if (shape->NextSiblingElement() != nullptr) refuse(*geometry, "a collision of more than one shape");
+    const Placement where = urdf_origin(file_, collision);
+    try {
+      const SetPointer set = shape_of(*shape);
+      return set == nullptr ? nullptr : AffineImage::rigid(set, where.R, where.t);
+    } catch (const EngineError& error) {
+      refuse(*shape, error.message);
+    }
+  }
+
+ private:
+  /// What the engine says of a shape; it has no place yet.
+  struct EngineError {
+    std::string message;
+  };
+
+  [[noreturn]] void refuse(const XmlElement& element, const std::string& what) const {
+    file_.refuse(element, "link '" + link_ + "': " + what);
+  }
+
+  template <class Set, class... Values>
+  static SetPointer made(const Values&... values) {
+    try {
+      return std::make_shared<const Set>(values...);
+    } catch (const Error& error) {
+      throw EngineError{error.what()};
+    }
+  }
+
+  SetPointer shape_of(const XmlElement& shape) const {
+    const std::string_view kind = shape.Name();
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    if (kind == "sphere") return made<Ball>(zero, file_.number(shape, "radius"));
+    if (kind == "box") {
+      file_.text(shape, "size");
+      const Eigen::Vector3d half = file_.vector(shape, "size", zero) / 2;
+      return made<Box>(-half, half);
+    }
+    if (kind == "cylinder" || kind == "capsule") {
+      // Of a capsule too the length is that of the part between the round ends.
+      const Eigen::Vector3d half(0, 0, file_.number(shape, "length") / 2);
+      const double radius = file_.number(shape, "radius");
+      return kind == "cylinder" ? made<Cylinder>(-half, half, radius) : made<Capsule>(-half, half, radius);
+    }
+    if (kind == "mesh") return mesh_of(shape);
+    refuse(shape, "the collision shape <" + std::string(kind) + "> is not understood");
+  }
+
+  SetPointer mesh_of(const XmlElement& mesh) const {
+    const std::string name = file_.text(mesh, "filename");
+    const Eigen::Vector3d scale = file_.vector(mesh, "scale", Eigen::Vector3d::Ones());
+    if ((scale.array() == 0).any()) refuse(mesh, "scale = 0 leaves nothing of a mesh");
+    const std::string found = mesh_path(mesh, name);
+    std::error_code ignored;
+    if (!fs::exists(found, ignored)) {
+      if (skip(name)) return nullptr;
+      refuse(mesh, "there is no mesh " + found + " (--skip-missing-meshes leaves it out)");
+    }
+    Eigen::MatrixXd vertices;
+    try {
+      vertices = read_mesh_vertices(found);
+    } catch (const Error& error) {
+      refuse(mesh, error.what());
+    }
+    return made<PointSet>(Eigen::MatrixXd(scale.asDiagonal() * vertices));
+  }
+
+  bool skip(const std::string& name) const {
+    if (meshes_.skip_missing) skipped_.push_back(name + " of link '" + link_ + "'");
+    return meshes_.skip_missing;
+  }
+
+  /// "" for one in a package that is not known, if such meshes may be missing.
+  std::string mesh_path(const XmlElement& mesh, const std::string& name) const {
+    constexpr std::string_view kPackage = "package://";
+    constexpr std::string_view kFile = "file://";
+    if (name.starts_with(kFile)) return name.substr(kFile.size());
+    if (!name.starts_with(kPackage)) return (fs::path(path_).parent_path() / name).string();
+    const std::string rest = name.substr(kPackage.size());
+    const std::string package = rest.substr(0, rest.find('/'));
+    const auto folder = meshes_.packages.find(package);
+    if (folder != meshes_.packages.end())
+      return (fs::path(folder->second) / rest.substr(std::min(rest.size(), package.size() + 1))).string();
+    if (meshes_.skip_missing) return "";
+    refuse(mesh,
+           "the folder of package '" + package + "' is not known; say --package " + package + "=FOLDER");
+  }
+
+  const XmlFile& file_;
+  std::string link_;
+  const std::string& path_;
+  const RobotMeshes& meshes_;
+  std::vector<std::string>& skipped_;
+};
+
+/// Elements that nobody reads are of other programs, unless one is this word but for a slip.
+void refuse_slip(const XmlFile& file, const XmlElement& link) {
+  const std::string wanted = "collision";
+  for (const XmlElement* child = link.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string name = child->Name();
+    const bool alike = std::abs(static_cast<int>(name.size()) - static_cast<int>(wanted.size())) <= 2;
+    if (name != wanted && alike && !nearest_name(name, {wanted}).empty())
+      file.refuse(*child,
+                  "link '" + file.text(link, "name") + "': <" + name + ">; did you mean <collision>?");
+  }
+}
+
+}  // namespace
+
+Placement urdf_origin(const XmlFile& file, const XmlElement& element) {
+  const XmlElement* origin = element.FirstChildElement("origin");
+  if (origin == nullptr) return Placement::identity(3);
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d xyz = file.vector(*origin, "xyz", zero);
+  const Eigen::Vector3d rpy = file.vector(*origin, "rpy", zero);
+  return make_placement(rotation_of_rpy(rpy), xyz);
+}
+
+std::vector<SetPointer> urdf_shapes(const XmlFile& file, const XmlElement& link, const std::string& path,
+                                    const RobotMeshes& meshes, std::vector<std::string>& skipped) {
+  refuse_slip(file, link);
+  const ShapeReader reader(file, file.text(link, "name"), path, meshes, skipped);
+  std::vector<SetPointer> shapes;
+  for (const XmlElement* collision = link.FirstChildElement("collision"); collision != nullptr;
+       collision = collision->NextSiblingElement("collision")) {
+    if (SetPointer shape = reader.read(*collision)) shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+}  // namespace raygauge::cli

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/queries/part_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/floating_point.h"
+#include "raygauge/queries/solver.h"
+#include "raygauge/sets/point_set.h"
+
+namespace raygauge {
+namespace {
+
+/// The body of one part of `body`.
+Body part_of(const Body& body, const BodyPart& part) {
+  Body single;
+  single.parts = {part};
+  single.motion = body.motion;
+  single.ball = part.ball;
+  single.reach = part.reach;
+  single.core_reach = part.core_reach;
+  return single;
+}
+
+}  // namespace
+
+PartWatch::PartWatch(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
+                     const Body* metric_body)
+    : solver_(solver),
+      a_(a),
+      b_(b),
+      metric_(metric),
+      metric_body_(metric_body),
+      placed_at_(std::numeric_limits<double>::quiet_NaN()) {
+  solver_.bind(a, b, metric);
+}
+
+// A metric that turns by e more moves the planes of a point x by e |x|.
+void PartWatch::place(double t) {
+  if (t == placed_at_) return;
+  const Placement at_a = a_.motion->at(t);
+  const Placement at_b = b_.motion->at(t);
+  error_a_ = a_.motion->error_at(t);
+  error_b_ = b_.motion->error_at(t);
+  slack_ = error_a_.of_points(a_.reach) + error_b_.of_points(b_.reach);
+  if (metric_body_ == nullptr) {
+    solver_.place(at_a, at_b);
+  } else {
+    const Placement at_metric = metric_body_->motion->at(t);
+    solver_.place(at_a, at_b, &at_metric);
+    slack_ += metric_body_->motion->error_at(t).turn * ((at_a.t - at_b.t).norm() + a_.reach + b_.reach);
+  }
+  placed_at_ = t;
+}
+
+PartLook PartWatch::at(double t, bool closest_points) {
+  place(t);
+  PartLook look;
+  look.time = t;
+  look.answer = solver_.distance(memory_, kInfinity, closest_points, false);
+  look.normal = look.answer.normal;
+  look.upper = look.answer.upper + slack_in_metric();
+  if (!(look.upper >= 0)) look.upper = kInfinity;
+  const double lower = look.answer.lower - slack_ * look.answer.rate;
+  if (look.normal.size() > 0 && lower > 0 && lower <= look.upper) look.lower = lower;
+  look.meets = look.answer.intersecting() && meets_wherever_shifted();
+  return look;
+}
+
+// A set of vectors by which a body can be shifted so that it still meets the other is convex: if it holds the
+// corners of a cross-polytope it holds the ball inside, and then the bodies meet for all support functions
+// that differ by no more than its radius.
+bool PartWatch::meets_wherever_shifted() {
+  if (slack_ == 0) return true;
+  if (!(slack_ < kInfinity)) return false;
+  const int n = a_.dimension();
+  const Placement at_a = solver_.placement_a(), at_b = solver_.placement_b();
+  bool meets = true;
+  for (int k = 0; k < 2 * n && meets; ++k) {
+    Placement shifted = at_b;
+    shifted.t[k / 2] += (k % 2 == 0 ? 4 : -4) * slack_;
+    Placement at_metric;
+    if (metric_body_ != nullptr) at_metric = metric_body_->motion->at(placed_at_);
+    solver_.place(at_a, shifted, metric_body_ == nullptr ? nullptr : &at_metric);
+    meets = solver_.distance(memory_, kInfinity, false, false).intersecting();
+  }
+  placed_at_ = std::numeric_limits<double>::quiet_NaN();
+  return meets;
+}
+
+// |x| in the metric is at most Σ |x_k| max(|e_k|, |-e_k|).
+double PartWatch::slack_in_metric() {
+  if (metric_.euclidean() || slack_ == 0) return slack_;
+  if (longest_unit_ == 0) {
+    DistanceSolver solver;
+    const int n = a_.dimension();
+    for (int k = 0; k < 2 * n; ++k) {
+      Vector unit = Vector::Zero(n);
+      unit[k / 2] = k % 2 == 0 ? 1 : -1;
+      longest_unit_ = std::max(longest_unit_, solver.solve(PointSet(unit), *metric_.Q).upper);
+    }
+    longest_unit_ *= std::sqrt(n) * (1 + 1e-9);
+  }
+  return slack_ * longest_unit_;
+}
+
+double PartWatch::apart_along(double t, const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
+  place(t);
+  const double apart = solver_.apart_along(u, arm_a, arm_b) - slack_;
+  return apart < kInfinity ? apart : -kInfinity;
+}
+
+double PartWatch::end_of_piece(double t, double to) const {
+  double end = std::min({to, a_.motion->next_break(t), b_.motion->next_break(t)});
+  if (metric_body_ != nullptr) end = std::min(end, metric_body_->motion->next_break(t));
+  return end;
+}
+
+double PartWatch::closing_speed(const SmallVector& u, double from, double to) const {
+  const SmallVector minus = -u;
+  return b_.motion->bound(from, to).speed_along(u, b_.core_reach) +
+         a_.motion->bound(from, to).speed_along(minus, a_.core_reach);
+}
+
+std::vector<std::pair<Body, Body>> part_pairs(const Body& a, const Body& b, double t) {
+  struct Entry {
+    double apart;
+    Body a, b;
+  };
+  const Placement at_a = a.motion->at(t);
+  const Placement at_b = b.motion->at(t);
+  std::vector<Entry> entries;
+  for (const BodyPart& part_a : a.parts) {
+    for (const BodyPart& part_b : b.parts) {
+      const SmallVector way = at_a.R * part_a.ball.center + at_a.t - at_b.R * part_b.ball.center - at_b.t;
+      entries.push_back(
+          {way.norm() - part_a.ball.radius - part_b.ball.radius, part_of(a, part_a), part_of(b, part_b)});
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& x, const Entry& y) { return x.apart < y.apart; });
+  std::vector<std::pair<Body, Body>> pairs;
+  for (Entry& entry : entries) pairs.emplace_back(std::move(entry.a), std::move(entry.b));
+  return pairs;
+}
+
+}  // namespace raygauge
