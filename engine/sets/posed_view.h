@@ -10,7 +10,7 @@
 namespace raygauge {
 
 /// {R x + t : x in S}, a set in a pose, for the time of a query: neither is copied and nothing is allocated.
-/// LinearImage says what it keeps of S.
+/// See LinearImage for what it keeps of S.
 class PosedView final : public LinearImage {
  public:
   /// Throws DimensionMismatchError.

@@ -43,13 +43,12 @@ class InvalidParameterError : public Error {
 /// known names and suggests the nearest one.
 class UnknownNameError : public Error {
  public:
-  /// `kind` is what was looked up ("method"), `place` where the name stood ("" if that adds nothing).
+  /// `kind` is the kind of name ("method"), `place` says where the name stood (may be "").
   UnknownNameError(const std::string& kind, const std::string& name, const std::vector<std::string>& known,
                    const std::string& place = "");
 };
 
-/// The known name with the smallest edit distance to `name`; empty when none is close enough to be a typing
-/// slip.
+/// The known name with the smallest edit distance to `name`; empty if none is close enough.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace raygauge

@@ -33,7 +33,7 @@ DistanceStatus distance_status_from_string(std::string_view name);
 /// Work done in a solve, summed over all methods that took part. Counters of effects that were not requested
 /// are 0.
 struct DistanceCounters {
-  std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1 but for `zheng_yamane`)
+  std::int64_t outer_iterations = 0;  ///< K of the paper: scalings of Q (1, except for `zheng_yamane`)
   std::int64_t ray_iterations =
       0;                    ///< N_rs of the paper: iterations of the ray shooter, all outer ones together
   std::int64_t pivots = 0;  ///< basis changes
@@ -60,8 +60,9 @@ struct DistanceResult {
   double seconds = kUnset;  ///< wall time of the solve, where a time limit was set; otherwise unset
 
   /// Normal n_k of the hyperplane that separates A from d·Q, pointing to the side of d·Q, scaled so that
-  /// h_Q(-normal) = 1 (for `unreachable`: the Farkas direction, h_A(normal) < 0 and h_Q(-normal) <= 0; or
-  /// h_A(normal) <= 0 and -normal·q < 0 for every point q of Q but the origin, which is not in A).
+  /// h_Q(-normal) = 1. For `unreachable` it is the Farkas direction: h_A(normal) < 0 and h_Q(-normal) <= 0.
+  /// Where Q touches the origin it may instead have h_A(normal) <= 0 and -normal·q < 0 for every point q of Q
+  /// except the origin, which is then not in A.
   Vector normal;
   Vector contact_point;  ///< v of (15): a point of A ∩ dQ; only with Effects::witness
 

@@ -54,8 +54,8 @@ class Dense : public Eigen::Map<Plain> {
     return *this;
   }
 
-  /// An expression of the same size is written in place, by Eigen's rules for aliasing; any other may refer
-  /// to the old values.
+  /// An expression of the same size is written in place, by Eigen's rules for aliasing. An expression of
+  /// another size may refer to the old values.
   template <class Expression>
   Dense& operator=(const Eigen::EigenBase<Expression>& values) {
     if (rows_of(values) == this->rows() && cols_of(values) == this->cols()) {
@@ -108,7 +108,7 @@ class Dense : public Eigen::Map<Plain> {
     return kVector ? 1 : values.cols();
   }
 
-  // Eigen's documented way to let a Map look elsewhere.
+  // Eigen's documented way to make a Map refer to other memory.
   void point_at(Index rows, Index cols) noexcept {
     ::new (static_cast<View*>(this)) View(storage_.data(), rows, cols);
   }

@@ -62,8 +62,8 @@ class GrowthDistanceSolver {
 
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
   /// bound that is on one side of 1, and the Euclidean distance where that leaves it open. Objects with
-  /// interior points in common are never `undecided` in R^2 and R^3, but for rounding errors of twice the
-  /// precision of doubles. Throws DimensionMismatchError.
+  /// interior points in common are never `undecided` in R^2 and R^3, up to rounding errors of double-double
+  /// arithmetic. Throws DimensionMismatchError.
   const SeparationResult& separation(const ConvexSet& A1, const ConvexSet& A2);
 
   /// The same for objects in poses, with the state that the last test of this pair stored.

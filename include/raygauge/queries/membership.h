@@ -9,14 +9,14 @@
 namespace raygauge {
 
 /// lower <= gauge_S(x) <= upper, both proven. The gauge is min{t >= 0 : x in tS}: +infinity where no multiple
-/// of S has x.
+/// of S contains x.
 struct GaugeBounds {
   double lower = 0;
   double upper = 0;
 };
 
-/// The gauge of S at x, for every set: by the set's own formula where it has one, otherwise as the distance
-/// of {x} in the gauge of S, to the relative gap `tolerance` where the proof reaches it. Throws
+/// The gauge of S at x, for every set. It comes from the set's own formula where it has one, and is otherwise
+/// the distance of {x} in the gauge of S. Its relative gap is `tolerance` where the proof reaches it. Throws
 /// DimensionMismatchError, NonFiniteError, or InvalidParameterError unless 0 < tolerance < 1.
 GaugeBounds gauge(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-6);
 

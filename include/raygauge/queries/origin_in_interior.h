@@ -15,7 +15,7 @@ struct OriginInInterior {
   enum class Answer : std::uint8_t {
     holds,     ///< proven: every point has a finite distance
     violated,  ///< proven: all of Q lies to one side of the origin, u·q >= 0 for u = direction
-    unknown,   ///< the time limit came first
+    unknown,   ///< the time limit was reached first
   };
   Answer answer = Answer::unknown;
   Vector direction;  ///< of `violated`, n doubles (rounded); otherwise empty

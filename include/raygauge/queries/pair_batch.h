@@ -44,9 +44,9 @@ class PairBatch {
   PairBatch(PairBatch&&) noexcept;
   PairBatch& operator=(PairBatch&&) noexcept;
 
-  /// The distance of each pair in the metric of Q. `warm` is empty, or has one entry a pair that is brought
-  /// up to date. Throws DimensionMismatchError where a body does not live in Q's space, and
-  /// InvalidParameterError for an array of another size; nothing is solved then.
+  /// The distance of each pair in the metric of Q. `warm` is empty, or has one entry a pair that is updated.
+  /// Throws DimensionMismatchError where a body does not live in Q's space, and InvalidParameterError for an
+  /// array of another size; nothing is solved then.
   void distances(std::span<const PosedPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
                  std::span<WarmStart> warm = {});
 

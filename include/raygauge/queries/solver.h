@@ -23,8 +23,8 @@ DistanceMethod method_for(const ConvexSet& Q) noexcept;
 ///     d_Q(A) = min{λ >= 0 : A ∩ λQ ≠ ∅},
 ///
 /// with certified bounds lower <= d <= upper. One solver per thread: it owns the workspace, so that a
-/// repeated solve of the same size allocates nothing. Every solve is independent of the ones before it but
-/// for the WarmStart that the caller hands over.
+/// repeated solve of the same size allocates nothing. Every solve is independent of the ones before it,
+/// except for the WarmStart that the caller passes.
 class DistanceSolver {
  public:
   /// Throws InvalidParameterError for an option outside its range.

@@ -11,7 +11,7 @@
 
 namespace raygauge {
 
-/// {x : |x - center| <= radius}, known to hold something.
+/// {x : |x - center| <= radius}, proven to contain a part or a body.
 struct BoundingBall {
   SmallVector center;
   double radius = 0;
@@ -25,13 +25,13 @@ BoundingBall bounding_ball(const ConvexSet& S);
 struct BodyPart {
   std::shared_ptr<const ConvexSet> set;
   BoundingBall ball;
-  double reach = 0;       ///< no point of the part is farther from the body's origin
-  double core_reach = 0;  ///< and none of its core, all within a radius of which it is: what a turn moves
-  SmallVector magnitude;  ///< ConvexSet::magnitude_unchecked
-  double turned_magnitude = 0;  ///< of that, however the part is turned
+  double reach = 0;             ///< no point of the part is farther from the body's origin
+  double core_reach = 0;        ///< the same for its core, without the radius that surrounds it
+  SmallVector magnitude;        ///< ConvexSet::magnitude_unchecked
+  double turned_magnitude = 0;  ///< bounds it in every rotation of the part
 };
 
-/// 2 √n |m|: no coordinate of a set of magnitude m, turned in any way, is computed from more than that.
+/// 2 √n |m|: an upper bound on the magnitude of a set of magnitude m in any rotation.
 double turned_magnitude(const SmallVector& magnitude);
 
 /// A rigid body: the union of convex parts, under a motion.

@@ -45,18 +45,18 @@ struct ContinuousOptions {
   std::function<bool()> stop;  ///< asked at every step; true: answer with what is proven by now
 };
 
-/// Conservative advancement: from a certified distance L with normal u there is no contact for L over the
-/// speed at which the pair can close along u, bounded over the time ahead and rounded up; and none for a time
-/// T where planes across u that touch the bodies are apart at both ends of it by more than T²/8 Σ reach |ω||ω
-/// × u|, which steps as those of Newton's method make use of. Contact is a matter of Euclidean distance,
+/// Conservative advancement. From a certified distance L with normal u there is no contact for the time L /
+/// v, where v bounds the closing speed along u over the time ahead, rounded up. There is no contact for a
+/// time T either, if planes across u that touch the bodies are apart at both ends of it by more than T²/8 Σ
+/// reach |ω||ω × u|. Steps as those of Newton's method use this. Contact is a matter of Euclidean distance,
 /// whatever the metric. `solver` is bound anew.
 ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
                             const ContinuousOptions& options);
 
-/// Branch and bound on intervals of time: between two moments the distance is at least what it is at either,
-/// less the speed times the time from there; the Euclidean one also what planes as those of time_of_impact()
-/// prove. Two links of one robot are seen from the link that carries both. `metric_body` is the body that the
-/// metric follows, or nullptr.
+/// Branch and bound on intervals of time. Between two moments the distance is at least the distance at either
+/// of them, less the speed times the time from there. For the Euclidean distance, planes as those of
+/// time_of_impact() are used as well. Two links of one robot are seen from the link that carries both.
+/// `metric_body` is the body that the metric follows, or nullptr.
 ClearanceResult clearance(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
                           const Body* metric_body, const ContinuousOptions& options);
 

@@ -40,10 +40,10 @@ struct JointTrajectory {
 /// The motion of one link of a robot whose joints follow a trajectory (forward kinematics).
 class LinkMotion final : public Motion {
  public:
-  /// Throws InvalidParameterError (no such link, a parent after its child, an axis not of unit length, fewer
-  /// than two times or times that do not rise, a joint without values), NonFiniteError or what
-  /// make_placement throws of an origin. `above`: a link that this one hangs on, in whose frame it is then
-  /// seen, moved by `base`; -1: in that of the scene.
+  /// Throws InvalidParameterError for a link that does not exist, a parent after its child, an axis not of
+  /// unit length, fewer than two times, times that do not rise, or a joint without values. Also throws
+  /// NonFiniteError, or what make_placement throws of an origin. `above`: a link that this one hangs on, in
+  /// whose frame it is then seen, moved by `base`; -1: in that of the scene.
   LinkMotion(std::shared_ptr<const KinematicTree> tree, std::shared_ptr<const JointTrajectory> trajectory,
              Placement base, int link, int above = -1);
 

@@ -31,13 +31,13 @@ struct MotionBound {
   /// of them move against u.
   double speed_along(const SmallVector& u, double reach) const;
 
-  /// velocity + spin × arm: of the point at `arm` from the body's origin, but for the errors.
+  /// velocity + spin × arm: of the point at `arm` from the body's origin, up to the errors.
   SmallVector velocity_of(const SmallVector& arm) const;
 
-  /// |spin × u|: how fast u turns as the body sees it, but for the error.
+  /// |spin × u|: how fast u turns in the frame of the body, up to the error.
   double turning(const SmallVector& u) const;
 
-  /// How fast, at most, such points move at all. Rounded up.
+  /// An upper bound on the speed of such points in any direction, rounded up.
   double speed(double reach) const;
 };
 
@@ -74,7 +74,7 @@ class Motion {
   /// Bounds that hold over [from, to], which must lie within one piece: no break in its interior.
   MotionBound bound(double from, double to) const;
 
-  /// What at(t) may be off by.
+  /// A bound on the error of at(t).
   PlacementError error_at(double t) const;
 
   /// The end of the piece that begins at, or holds, t: where velocities may jump. +infinity after the last.

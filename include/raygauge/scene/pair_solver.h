@@ -88,9 +88,10 @@ class PairSolver {
   /// in PairAnswer. Useless under a metric that follows a body.
   double plane_bound(const PairMemory& memory, double& rate);
 
-  /// The Euclidean distance between two planes across the unit vector u that touch the bodies, body b on the
-  /// side away from u: a lower bound on their distance, not above 0 where they may overlap. `arm_a` and
-  /// `arm_b`: where the planes touch, from the origins of the bodies. For bodies of one part each.
+  /// The Euclidean distance between two planes across the unit vector u that touch the bodies, with body b on
+  /// the side away from u. It is a lower bound on their distance, and at most 0 where they may overlap.
+  /// `arm_a` and `arm_b`: where the planes touch, from the origins of the bodies. For bodies of one part
+  /// each.
   double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
 
   /// The distance. A lower bound above `enough` ends it early; upper is then +infinity where it was not

@@ -36,7 +36,7 @@ struct Placement {
   Placement operator*(const Placement& inner) const;
 };
 
-/// The placement with these, R being that of nearest_rotation(); what RᵀR is off by is removed. Throws
+/// The placement with these, with R replaced by nearest_rotation() and made orthonormal. Throws
 /// DimensionMismatchError, NonFiniteError, or InvalidParameterError where nearest_rotation() does.
 Placement make_placement(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
 
@@ -46,8 +46,8 @@ SmallMatrix rotation_about(const Eigen::Vector3d& r);
 /// The rotation of the plane by `angle` radians.
 SmallMatrix plane_rotation(double angle);
 
-/// R S + t, a set under a placement. A view: the set must outlive it; place() moves it without a copy.
-/// LinearImage says what it keeps of S.
+/// R S + t, a set under a placement. A view: the set must outlive it; place() moves it without a copy. See
+/// LinearImage for what it keeps of S.
 class PlacedSet final : public LinearImage {
  public:
   explicit PlacedSet(int dimension) : LinearImage(dimension), where_(Placement::identity(dimension)) {}

@@ -52,7 +52,7 @@ struct SceneMetric {
 /// whole of its time.
 struct SceneQuery {
   std::string name;
-  std::vector<int> group_1, group_2;  ///< bodies; every pair of one of each, but for pairs ignored
+  std::vector<int> group_1, group_2;  ///< bodies; every pair of one of each, except ignored pairs
   SceneMetric metric;
   SceneEffects effects = SceneEffects::distance;
 
@@ -75,7 +75,7 @@ struct SceneQuery {
   bool every_instant = false;
 };
 
-/// Bodies, the instants at which they are looked at, and what is asked of them.
+/// Bodies, the instants at which queries are answered, and the queries.
 struct Scene {
   std::string name;
   std::vector<Body> bodies;
@@ -97,8 +97,8 @@ struct BodyPair {
 std::vector<BodyPair> pairs_of(const Scene& scene, const SceneQuery& query);
 
 /// Throws InvalidParameterError, DimensionMismatchError or NonFiniteError for what cannot be answered: no
-/// body, dimensions that differ, instants that do not rise or at which a motion is not known, bodies that do
-/// not exist, options outside their range, effects that do not go together.
+/// body, dimensions that differ, instants that do not rise or at which a motion is not known. Also for bodies
+/// that do not exist, options outside their range, and effects that do not go together.
 void check_scene(const Scene& scene);
 
 }  // namespace raygauge

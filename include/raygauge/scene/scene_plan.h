@@ -11,8 +11,8 @@
 
 namespace raygauge {
 
-/// One pair of bodies under one metric and tolerance, with every query that looks at it at instants: what one
-/// of them computes is there for the others.
+/// One pair of bodies under one metric and tolerance, with every query about it at instants: what is computed
+/// for one of them is used by the others.
 struct InstantTask {
   BodyPair pair;
   std::vector<int> queries;
@@ -35,7 +35,7 @@ struct SceneCell {
   std::size_t first_instant = 0, last_instant = 0;  ///< [first, last)
 };
 
-/// What has to be looked at to answer the queries of a scene.
+/// What has to be computed to answer the queries of a scene.
 struct ScenePlan {
   std::vector<InstantTask> instant_tasks;
   std::vector<int> nearest_queries;

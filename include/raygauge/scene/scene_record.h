@@ -15,9 +15,10 @@ namespace raygauge {
 /// How an answer was obtained.
 enum class SceneDecision : std::uint8_t {
   solved,       ///< by a solve at this instant
-  broad_phase,  ///< by bounding balls, of this instant or of one before and how far the balls have come since
-  coherence,    ///< by a plane or a distance of an instant before and how far the bodies have come since
-  standing,     ///< neither body has moved since the answer that is given again
+  broad_phase,  ///< by bounding balls, of this instant or an earlier one, and how far the balls have moved
+                ///< since
+  coherence,    ///< by a plane or a distance of an earlier instant, and how far the bodies have moved since
+  standing,     ///< neither body has moved since an earlier answer, which is repeated
 };
 
 std::string_view to_string(SceneDecision decision) noexcept;

@@ -46,7 +46,7 @@ struct SceneSummary {
   int threads = 1;
 };
 
-/// Answers the queries of a scene, cell by cell on `threads` threads (0: one a core), but for the cells in
+/// Answers the queries of a scene, cell by cell on `threads` threads (0: one a core), except for the cells in
 /// `done`. A cell's result depends on the scene alone. Rethrows the first exception, when all have ended.
 SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
                        const std::set<std::uint64_t>& done, SceneSink& sink, const SceneHooks& hooks = {});

@@ -8,8 +8,8 @@
 
 namespace raygauge {
 
-/// {M x + t : x in S}, the image of S under an invertible affine map of R^n. LinearImage says what it keeps
-/// of S.
+/// {M x + t : x in S}, the image of S under an invertible affine map of R^n. See LinearImage for what it
+/// keeps of S.
 ///
 ///     h(u) = h_S(Mᵀu) + u·t,      s(u) = M s_S(Mᵀu) + t,      centre M c_S + t.
 class AffineImage final : public LinearImage {

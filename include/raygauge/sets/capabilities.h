@@ -74,8 +74,8 @@ class SmoothSupport {
 /// Flat faces of a `smooth` set, at whose normals its pieces have a kink.
 class FlatFaces {
  public:
-  /// If the way from u to v passes near the normal of a flat face, writes it and returns true. In quadruple
-  /// precision false by default.
+  /// If the way from u to v passes near the normal of a flat face, writes this normal and returns true. In
+  /// quadruple precision false by default.
   bool normal(const double* u, const double* v, double* normal) const {
     return do_facet_normal(u, v, normal);
   }
@@ -114,9 +114,8 @@ class GaugeFormula {
   /// one.
   bool normal(const Quad* x, Quad* normal) const { return do_quad_gauge_normal(x, normal); }
 
-  /// True where it is proven, without a rounding error, that the origin is a point of S and its only one with
-  /// u·x >= 0: the multiples of S fill no closed cone, and what has u·x >= 0 but not x = 0 is out of their
-  /// reach. Writes u.
+  /// True where it is proven, without a rounding error, that the origin is the only point of S with u·x >= 0.
+  /// Then no multiple of S contains a point x != 0 with u·x >= 0. Writes u.
   bool touches_origin(double* u) const { return do_touches_origin(u); }
 
  protected:
@@ -139,9 +138,9 @@ class CoordinateSymmetry {
   /// c_k + e_k], up to a rounding error of Quad. False if the set is not known to be unconditional.
   bool extents(double* extent) const { return do_is_unconditional(extent); }
 
-  /// Of the summands that are unconditional, at u: reach_k = Σ |s_k - c_k|, s a support point and c the
-  /// centre of each, and change_k = Σ |u_k H_kk|. Their support points answer to u_k as the power change_k /
-  /// reach_k of it does. False, as by default, where the set knows of none.
+  /// Of the unconditional summands at u: reach_k = Σ |s_k - c_k|, with s a support point and c the centre of
+  /// each, and change_k = Σ |u_k H_kk|. Their support points vary with u_k as its power change_k / reach_k.
+  /// False, the default, where the set knows of none.
   bool summands(const double* u, double* reach, double* change) const {
     return do_summands(u, reach, change);
   }

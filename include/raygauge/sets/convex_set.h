@@ -35,8 +35,8 @@ constexpr SupportStructure structure_of_sum(SupportStructure a, SupportStructure
 ///
 ///     h_S(u) = max_{x in S} u·x,      s_S(u) = a maximiser of u·x over S.
 ///
-/// Assumptions stated here once, for every set: S is closed, bounded and nonempty; u need not be a unit
-/// vector and may be zero (then h = 0 and any point of S is a maximiser); where several points maximise, any
+/// Assumptions stated here once, for every set: S is closed, bounded and nonempty. u need not be a unit
+/// vector and may be zero; then h = 0 and any point of S is a maximiser. Where several points maximise, any
 /// one of them may be returned, but always the same one for the same u. Sets are immutable after construction
 /// and may be shared between threads.
 ///
@@ -67,23 +67,22 @@ class ConvexSet {
   /// center() written to `point`, dimension() doubles; nothing is allocated.
   void center_unchecked(double* point) const { do_center(point); }
 
-  /// Writes the sizes m_k of the numbers that coordinate k of a support point is computed from, dimension()
-  /// doubles: for c + r u/|u| that is |c_k| + r, however small the sum of the two may be. It is the scale of
+  /// Writes the sizes m_k of the numbers from which coordinate k of a support point is computed, dimension()
+  /// doubles. For c + r u/|u| that is |c_k| + r, however small the sum of the two may be. It is the scale of
   /// rounding errors,
   ///
   ///     |computed h(u) - h(u)| <= rounding_error(n) Σ_k |u_k| m_k,
   ///     each coordinate of the computed s(u) within rounding_error(n) m_k of that of a point of S.
   void magnitude_unchecked(double* magnitude) const { do_magnitude(magnitude); }
 
-  /// R with {x : |x - c| <= R} inside S, proven, rounding errors of its computation included; 0 where nothing
-  /// is known, as by default. It need not be the largest; it turns a residual into a bound: gauge_S(r) <=
-  /// |r|/R for c = 0.
+  /// A radius R with {x : |x - c| <= R} inside S, proven, rounding errors of its computation included; 0, the
+  /// default, where none is known. It need not be the largest. It turns a residual into a bound: gauge_S(r)
+  /// <= |r|/R for c = 0.
   double inner_radius_unchecked(const double* c) const { return do_inner_radius(c); }
 
   SupportStructure structure() const noexcept { return do_structure(); }
 
-  /// What fixed-size code needs of a set of R^2 or R^3; false for all others, and where there is none, as by
-  /// default.
+  /// What fixed-size code needs of a set of R^2 or R^3. False, the default, for all other sets.
   bool spatial_shape_unchecked(SpatialShape& shape) const { return do_spatial_shape(shape); }
 
   /// The optional capabilities, each nullptr where S does not have it, as by default. They live as long as S.
@@ -106,8 +105,8 @@ class ConvexSet {
   virtual double do_support(const double* u, double* point) const = 0;
   virtual void do_center(double* point) const = 0;
 
-  /// By default max |x_k| over S, from 2n support queries, and that of the centre: right where nothing larger
-  /// than the set itself cancels.
+  /// By default max |x_k| over S, from 2n support queries, and that of the centre. This is right if no number
+  /// larger than the set itself cancels.
   virtual void do_magnitude(double* magnitude) const;
 
   virtual double do_inner_radius(const double* c) const;

@@ -16,8 +16,8 @@
 namespace raygauge {
 
 /// Which points of a set of R^3 can be highest, for each cell of a cube of directions: each of its six faces
-/// is cut into cells × cells squares. A point p is left out of a cell only where another one q is higher at
-/// all four corners, by more than rounding errors: v·(q - p) is linear in v, so that q is higher along every
+/// is cut into cells × cells squares. A point p is left out of a cell only where another point q is higher at
+/// all four corners, by more than rounding errors. As v·(q - p) is linear in v, q is then higher along every
 /// v of the cell. The highest point of a list is therefore the highest of all points.
 ///
 /// The cells of a long or flat set are those of v' = Fᵀv, F its isotropic map, in which it is round: v·p =

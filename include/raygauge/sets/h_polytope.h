@@ -14,12 +14,12 @@ namespace raygauge {
 ///     h(u) = max{u·x : G x <= g},   s(u) a vertex: one linear program, by InequalitySimplex from a stored
 ///     vertex; gauge(x) = max(0, max_i (G_i·x) / g_i)   where g > 0, that is where the origin is inside.
 ///
-/// h(u) is proven from above whatever rounding does to the program: with multipliers λ >= 0 and a bound R on
-/// the coordinates of points of S,  h(u) <= g·λ + |u - Gᵀλ|_1 R;  s(u) is drawn towards the centre until it
+/// h(u) is a proven upper bound, whatever rounding does to the program. With multipliers λ >= 0 and a bound R
+/// on the coordinates of points of S it is g·λ + |u - Gᵀλ|_1 R. s(u) is moved towards the centre until it
 /// satisfies all inequalities.
 ///
-/// Its centre is that of a largest ball inside (Chebyshev). A support query takes O(m n) a basis change and,
-/// other than those of the closed forms, allocates room for an n × n matrix.
+/// Its centre is that of a largest ball inside (Chebyshev). A support query takes O(m n) a basis change.
+/// Unlike those of the closed forms, it allocates room for an n × n matrix.
 class HPolytope final : public ConvexSet, private GaugeFormula {
  public:
   /// `G` is m × n. Throws InvalidParameterError (no row, a zero row, not bounded or not provably so, no

@@ -7,14 +7,14 @@
 
 namespace raygauge {
 
-/// {M x + t : x in S}, what AffineImage, sets in poses and placed bodies have in common; it only looks at S,
-/// M and t, which are its subclass's to keep.
+/// {M x + t : x in S}, what AffineImage, sets in poses and placed bodies have in common; it refers to S, M
+/// and t, which its subclass keeps.
 ///
 ///     h(u) = h_S(Mᵀu) + u·t,      s(u) = M s_S(Mᵀu) + t,      centre M c_S + t.
 ///
-/// What S offers beyond its support function is kept: pieces and flat faces always; its gauge where t = 0; a
-/// proof that it touches the origin and symmetry about the axes where M only exchanges, reverses and scales
-/// the axes.
+/// What S offers beyond its support function is kept: pieces and flat faces always, its gauge where t = 0. A
+/// proof that it touches the origin, and symmetry about the axes, are kept where M only exchanges, reverses
+/// and scales the axes.
 class LinearImage : public ConvexSet,
                     private SmoothSupport,
                     private FlatFaces,

@@ -7,8 +7,7 @@
 namespace raygauge {
 
 /// S + T or S - T, moved by a - b for two points a and b: what sums, differences, pairs of objects and the
-/// body of the growth distance have in common. It only looks at its operands, which are its subclass's to
-/// keep.
+/// body of the growth distance have in common. It refers to its operands, which its subclass keeps.
 ///
 ///     h(u) = h_S(u) + h_T(±u) + u·(a - b),      s(u) = s_S(u) ± s_T(±u) + a - b.
 ///

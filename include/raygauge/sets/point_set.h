@@ -19,7 +19,7 @@ class ClusterTree;
 ///
 /// Any N >= 1 and any rank are valid: one point, a segment, N < n+1, duplicated and interior points.
 ///
-/// Storage: the points stand in blocks of kLanes = 8; within a block coordinate k of the 8 points is
+/// Storage: the points are stored in blocks of kLanes = 8; within a block coordinate k of the 8 points is
 /// contiguous,
 ///
 ///     data()[(block * n + k) * 8 + lane]   is coordinate k of point 8 * block + lane,
@@ -35,11 +35,11 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   explicit PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points);
   ~PointSet() override;
 
-  /// The same points with a tree of clusters, which spares support queries most of them, and in its order. As
-  /// they are, without a tree, where none pays: few points, many dimensions.
+  /// The same points with a tree of clusters, in the order of the tree; a support query then reads few of
+  /// them. Where a tree does not pay (few points, many dimensions), the points as they are.
   static std::unique_ptr<const PointSet> clustered(const Eigen::Ref<const Eigen::MatrixXd>& points);
 
-  /// nullptr but in a set of clustered().
+  /// nullptr, except in a set made by clustered().
   const ClusterTree* tree() const noexcept { return tree_.get(); }
 
   /// N, the number of points.
@@ -56,8 +56,8 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   const double* data() const noexcept { return data_.get(); }
 
   /// The points rounded to single precision in blocks of kSingleLanes = 16, otherwise as data(); only for
-  /// sets of up to single_numbers(n) coordinates, nullptr for larger ones. For choosing points, never for
-  /// concluding from them.
+  /// sets of up to single_numbers(n) coordinates, nullptr for larger ones. They serve to choose points, never
+  /// to prove anything.
   static constexpr int kSingleLanes = 16;
   static constexpr std::ptrdiff_t single_numbers(int n) noexcept { return n <= 10 ? 65536 : 16384; }
   const float* single_data() const noexcept { return single_data_.get(); }
@@ -69,9 +69,9 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   /// Smallest |coordinate k of p_i| that is not zero, dimension() doubles; +infinity where all are zero.
   const double* smallest_magnitude() const noexcept { return smallest_magnitude_.data(); }
 
-  /// N^(-1/(n-1)): the distance between neighbours, to a factor, if the N points stood evenly on the unit
-  /// sphere. It says how far the normal of a facet may turn from that of the smooth body which the points
-  /// sample.
+  /// N^(-1/(n-1)): the distance between neighbours, to a factor, if the N points were spread evenly on the
+  /// unit sphere. It says how far the normal of a facet may turn from that of the smooth body which the
+  /// points sample.
   double spacing() const noexcept { return spacing_; }
 
   /// The isotropic map of the points; nullptr where they need none.

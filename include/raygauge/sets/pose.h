@@ -26,7 +26,7 @@ NearestRotation nearest_rotation(const std::string& name, const Eigen::Ref<const
 
 /// A rigid motion x -> R x + t of R^n, the pose of a body in the world. The constructor checks it; queries do
 /// not check it again. R is used as given where RᵀR = 1 to 1e-12: a set in this pose is {R x + t : x in S}
-/// for the stored R and t. So it is no error of a query that RᵀR differs from the identity by rounding. A
+/// for the stored R and t. So a query makes no error where RᵀR differs from the identity by rounding. A
 /// rotation with fewer digits is replaced by the nearest one, see nearest_rotation().
 ///
 /// Poses of R^2 and R^3 hold their numbers inside; a pose of a larger space allocates when it is made.
@@ -50,8 +50,8 @@ class Pose {
   /// replaced. Throws as the constructors do, and is then not to be used.
   void assign(const double* R, const double* t);
 
-  /// The same for numbers that a pose was made of before, when its defect() was `defect`: they are not looked
-  /// at again.
+  /// The same for numbers that a pose was made of before, when its defect() was `defect`: they are not
+  /// checked again.
   void assign_checked(const double* R, const double* t, double defect) noexcept;
 
   int dimension() const noexcept { return dimension_; }
@@ -71,7 +71,7 @@ class Pose {
   /// The pose x -> (*this)(inner(x)). Throws DimensionMismatchError.
   Pose after(const Pose& inner) const;
 
-  /// x -> Rᵀ(x - t), the inverse but for the defect.
+  /// x -> Rᵀ(x - t), the inverse, up to the defect.
   Pose inverse() const;
 
   /// An upper bound on ‖RᵀR - 1‖ in the spectral norm, rounding errors included.
@@ -106,7 +106,7 @@ class Pose {
 };
 
 /// A set in a pose, for the time of a query: solve({A, pose_A}, {Q, pose_Q}). Nothing is copied; both must
-/// outlive the call. A set alone stands where it is.
+/// outlive the call. A set without a pose is taken as it is.
 struct Posed {
   Posed(const ConvexSet& S) : set(S) {}  // NOLINT(google-explicit-constructor): a set is a posed set
   Posed(const ConvexSet& S, const Pose& where) : set(S), pose(&where) {}

@@ -19,8 +19,8 @@ namespace raygauge {
 /// library is built with Qhull and the points are not flat, points deep inside the hull are dropped, and a
 /// ball inside it is known.
 ///
-/// In R^n a tree of clusters with proven bounds leaves out most points of a support query, of tens of
-/// thousands in few dimensions; where it would not pay, this is a PointSet of the same points.
+/// In R^n a tree of clusters with proven bounds lets a support query read few of the points. It pays for tens
+/// of thousands of points in few dimensions; elsewhere this is a PointSet of the same points.
 ///
 /// The answer is that of a PointSet of the same points: the maximum over all of them, to rounding.
 class PreparedSet final : public ConvexSet {

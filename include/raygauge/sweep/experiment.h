@@ -43,7 +43,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   int repetitions = 20;  ///< instances a cell; the most, with stop_when_within > 0
   int min_repetitions =
-      10;          ///< the fewest, with stop_when_within > 0; at least 6, or a 95 % interval is none
+      10;          ///< the fewest, with stop_when_within > 0; at least 6, which a 95 % interval needs
   int warmup = 1;  ///< untimed solves of each method before a cell's first timed one
   double min_seconds = 2e-5;  ///< a timed sample lasts at least this long (several solves if need be)
 
@@ -77,7 +77,7 @@ struct Cell {
 };
 
 /// Throws InvalidParameterError for a value outside its documented range, an experiment without generators or
-/// methods, or two methods of one label. Names are looked up by the registries, not here.
+/// methods, or two methods of one label. Names are checked by the registries, not here.
 void validate(const Experiment& experiment);
 
 /// The grid in its natural order: generator slowest, then n, N, tolerance. Throws InvalidParameterError for

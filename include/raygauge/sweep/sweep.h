@@ -29,7 +29,7 @@ struct Calibration {
     double slowdown_lower = std::numeric_limits<double>::quiet_NaN();
     double slowdown_upper = std::numeric_limits<double>::quiet_NaN();
 
-    /// Whether the slowdown cannot be told from none: 1 lies within its interval.
+    /// Whether the slowdown may be noise: 1 lies within its interval.
     bool is_noise() const { return slowdown_lower <= 1 && slowdown_upper >= 1; }
   };
   int threads = 1;
@@ -72,10 +72,10 @@ struct SweepSummary {
 /// for each CPU that the process may use), but no more than there are cells.
 int sweep_threads(const Experiment& experiment, std::size_t cells);
 
-/// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes.
-/// The records are the same (but for times, inner repetitions and threads) for any thread count and any
-/// order; with Experiment::stop_when_within > 0 how many repetitions a cell has depends on its times. An
-/// exception of a generator, a method or the sink ends the sweep after the cells in flight and is rethrown.
+/// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes. The
+/// records are the same (except for times, inner repetitions and threads) for any thread count and any order;
+/// with Experiment::stop_when_within > 0 how many repetitions a cell has depends on its times. An exception
+/// of a generator, a method or the sink ends the sweep after the cells in flight and is rethrown.
 SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& generators,
                        const MethodRegistry& methods, RecordSink& sink,
                        const std::set<std::uint64_t>& done = {}, const SweepHooks& hooks = {});
