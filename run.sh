@@ -42,7 +42,7 @@ missing_packages() {
 # install_packages GROUP...: installs what is missing, or prints the apt line that would and ends with status 1.
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    say "Not a Debian system: taking the libraries that README.md lists as installed"
+    say "Not a Debian system: taking the libraries of docs/dependencies.md as installed"
     return
   fi
   local missing as_root=()

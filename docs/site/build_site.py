@@ -25,8 +25,8 @@ ROOT = HERE.parent.parent
 NAVIGATION = {
     "Tutorials": ["tutorials", "tutorial-scenes", "python", "pandas"],
     "How-to": ["user-guide", "experiments", "analysis", "scenes", "depth", "scaling", "contributing"],
-    "Reference": ["python-api", "file-format", "promises", "sets", "generators", "baselines", "glossary"],
-    "Explanation": ["quantities", "three-dimensions", "numerics", "performance", "soak"],
+    "Reference": ["python-api", "file-format", "columns", "promises", "sets", "generators", "baselines", "dependencies", "glossary"],
+    "Explanation": ["quantities", "methods", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],
 }
 
@@ -150,7 +150,7 @@ def navigation_text(pages):
 
 
 # Of the README, what the first page shows before the list of pages.
-FIRST_PAGE = ["A first result", "In Python", "Three promises at a glance"]
+FIRST_PAGE = ["A first result", "In Python"]
 # Pictures have a white ground, which they keep in the dark.
 EXTRA_STYLE = """[data-md-color-scheme="slate"] img { background: #fff; border-radius: 2px; }
 .md-typeset h1 { font-weight: 600; }
@@ -180,6 +180,7 @@ def write_sources(folder):
     for name, text in pages.items():
         # The lists and tables of the pages follow their paragraphs at once, as GitHub reads them.
         text = re.sub(r"(?m)^([^\n|>#`\-* ][^\n]*)\n(?=(?:- |\* |\| ))", r"\1\n\n", text)
+        text = re.sub(r"\[([^\]]*)\]\(\.\./[^)]*\)", r"\1", text)  # files that are not of the site
         (folder / name).write_text(text.replace("(README.md", "(index.md"), encoding="utf-8")
 
 
@@ -193,7 +194,9 @@ def run_doxygen(output):
     styles = [AWESOME / "doxygen-awesome.css", AWESOME / "doxygen-awesome-sidebar-only.css"]
     if all(style.exists() for style in styles):
         settings += f"HTML_EXTRA_STYLESHEET = {' '.join(map(str, styles))}\n"
-    subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.DEVNULL)
+    warnings = subprocess.run(["doxygen", "-"], input=settings, text=True, check=True, stderr=subprocess.PIPE).stderr
+    if warnings:
+        sys.exit(warnings)
 
 
 def search_without_server(site):

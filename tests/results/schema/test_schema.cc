@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "scene/file/scene_file.h"
@@ -12,23 +14,47 @@
 namespace raygauge::test_schema {
 namespace {
 
-/// The row that docs/file-format.md owes to a column.
-std::string documentation_of(const ColumnInfo& column) {
-  const std::string unit = column.unit.empty() ? "" : " " + column.unit;
-  return "| `" + column.name + "` | " + std::string(to_string(column.type)) + " |" + unit + " | " +
-         column.description + " |\n";
+const std::string kPage = RAYGAUGE_SOURCE_DIR "/docs/columns.md";
+
+/// The line that the page owes to a column, which begins with these names.
+std::string documentation_of(const std::string& names, const ColumnInfo& column) {
+  const std::string unit = column.unit == "s" || column.unit == "B" ? ", " + column.unit : "";
+  return "- " + names + ", " + std::string(to_string(column.type)) + unit + ": " + column.description + "\n";
 }
 
+/// The lines of all columns; `point_1` and its successors `point_2`, … share one.
+template <class Row>
+std::string documentation_of(const std::vector<Column<Row>>& columns) {
+  std::string lines;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::size_t first = i;
+    const std::string& name = columns[first].name;
+    const std::string stem = name.substr(0, name.size() - 1);
+    const auto is_next = [&] {
+      return i + 1 < columns.size() && columns[i + 1].name == stem + std::to_string(i + 2 - first);
+    };
+    while (name == stem + "1" && is_next()) ++i;
+    lines += documentation_of(
+        "`" + name + "`" + (i == first ? "" : " … `" + columns[i].name + "`"), columns[first]);
+  }
+  return lines;
+}
+
+/// Compares the list under the heading; writes it where RAYGAUGE_WRITE_DOCS is set.
 template <class Row>
 void expect_documented(const std::string& heading, const std::vector<Column<Row>>& columns) {
-  static const std::string kPage = testing::read_bytes(RAYGAUGE_SOURCE_DIR "/docs/file-format.md");
-  const std::size_t section = kPage.find("## " + heading + "\n");
+  std::string page = testing::read_bytes(kPage);
+  const std::size_t section = page.find("## " + heading + "\n");
   ASSERT_NE(section, std::string::npos) << heading;
-  std::string table = "| dataset | type | unit | description |\n| --- | --- | --- | --- |\n";
-  for (const Column<Row>& column : columns) table += documentation_of(column);
-  EXPECT_NE(kPage.find("\n" + table + "\n", section), std::string::npos)
-      << "docs/file-format.md should hold, under " << heading << ":\n"
-      << table;
+  const std::size_t begin = section + heading.size() + 4;
+  const std::size_t end = std::min(page.find("\n## ", begin), page.size());
+  const std::string list = "\n" + documentation_of(columns);
+  if (std::getenv("RAYGAUGE_WRITE_DOCS") != nullptr) {
+    testing::write_bytes(kPage, page.replace(begin, end - begin, list));
+  } else {
+    EXPECT_EQ(page.substr(begin, end - begin), list)
+        << "set RAYGAUGE_WRITE_DOCS and run this test to write docs/columns.md";
+  }
 }
 
 template <class Row>
