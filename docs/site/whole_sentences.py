@@ -18,7 +18,9 @@ FORMULA = re.compile(
 def joined(match):
     lines = [line.strip().removeprefix("///").strip() for line in match["formula"].splitlines()]
     indent = match["before"][: len(match["before"]) - len(match["before"].lstrip())]
-    return match["before"] + "\n" + "".join(f"{indent}/// ``{line}``\n" for line in lines if line)
+    # The full stop stands outside: Doxygen ends the short description at it.
+    spans = [f"``{line[:-1]}``." if line.endswith(".") else f"``{line}``" for line in lines if line]
+    return match["before"] + "\n" + "".join(f"{indent}/// {span}\n" for span in spans)
 
 
 def whole(text):
