@@ -220,15 +220,4 @@ ExactLpResult solve_exact_lp(const PointSet& A, const PointSet& Q, double time_l
   return run(columns, float_start(columns, deadline), deadline);
 }
 
-ExactLpResult prove_or_repair(const PointSet& A, const PointSet& Q, std::span<const std::ptrdiff_t> suggested,
-                              double time_limit) {
-  const ExactColumns columns(A, Q);
-  for (const std::ptrdiff_t j : suggested) {
-    if (j >= 0 && j < columns.count()) continue;
-    throw InvalidParameterError("suggested column " + std::to_string(j) + " must lie in [0, " +
-                                std::to_string(columns.count() - 1) + "]");
-  }
-  return run(columns, suggested, deadline_after(time_limit));
-}
-
 }  // namespace raygauge

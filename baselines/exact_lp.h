@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "baselines/exact_number.h"
@@ -45,16 +44,10 @@ struct ExactLpResult {
 };
 
 /// Solves the linear program of Example 2 of Zheng & Yamane exactly for the doubles as they are. A simplex in
-/// double precision suggests columns, prove_or_repair() does the rest. Throws DimensionMismatchError.
+/// double precision suggests columns. An exact simplex (Bland's rule after a stall) optimises over them, then
+/// over all columns: a right suggestion is proven, a wrong one repaired. It ends with a proof unless
+/// `time_limit` seconds pass first. Throws DimensionMismatchError.
 ExactLpResult solve_exact_lp(const PointSet& A, const PointSet& Q,
                              double time_limit = std::numeric_limits<double>::infinity());
-
-/// The same from `suggested` columns, numbered as in ExactLpResult::basis: those of a basis that some solver
-/// believes optimal, or any others, or none. An exact simplex (Bland's rule after a stall) optimises over
-/// them, then over all columns, so that a right suggestion is proven and a wrong one repaired. It is
-/// complete: it ends with a proof unless `time_limit` seconds pass first. Throws DimensionMismatchError, or
-/// InvalidParameterError for a column that does not exist.
-ExactLpResult prove_or_repair(const PointSet& A, const PointSet& Q, std::span<const std::ptrdiff_t> suggested,
-                              double time_limit = std::numeric_limits<double>::infinity());
 
 }  // namespace raygauge

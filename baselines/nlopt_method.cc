@@ -17,9 +17,9 @@
 namespace raygauge::nlopt_baseline {
 namespace {
 
+constexpr const char* kName = "nlopt_slsqp";
+
 struct Settings {
-  std::string name;
-  nlopt_algorithm algorithm = NLOPT_LD_SLSQP;
   double constraint_tolerance = 0;
   int max_evaluations = 0;
 };
@@ -77,15 +77,19 @@ DistanceStatus status_of(nlopt_result result) {
   }
 }
 
+[[noreturn]] void throw_error(const char* what) {
+  throw Error(std::string("method '") + kName + "': " + what);
+}
+
 class NloptMethod final : public SolveMethod {
  public:
-  explicit NloptMethod(Settings settings) : settings_(std::move(settings)) {}
+  explicit NloptMethod(const Settings& settings) : settings_(settings) {}
 
   void load(const Instance& instance) override {
-    watch_.program.emplace(instance, settings_.name);
+    watch_.program.emplace(instance, kName);
     const auto variables = static_cast<unsigned>(watch_.program->variables());
-    optimizer_.reset(nlopt_create(settings_.algorithm, variables));
-    if (optimizer_ == nullptr) throw Error("method '" + settings_.name + "': NLopt has no memory left");
+    optimizer_.reset(nlopt_create(NLOPT_LD_SLSQP, variables));
+    if (optimizer_ == nullptr) throw_error("NLopt has no memory left");
     const std::vector<double> tolerances(static_cast<std::size_t>(watch_.program->constraints()),
                                          settings_.constraint_tolerance);
     nlopt_set_min_objective(optimizer_.get(), objective, nullptr);
@@ -99,7 +103,7 @@ class NloptMethod final : public SolveMethod {
   }
 
   void solve(const SolveRequest& request) override {
-    if (!watch_.program) throw Error("method '" + settings_.name + "': solve before load");
+    if (!watch_.program) throw_error("solve before load");
     nlopt_set_maxtime(optimizer_.get(), std::isfinite(request.time_limit) ? request.time_limit : 0);
     nlopt_set_force_stop(optimizer_.get(), 0);
     watch_.tolerance = request.tolerance;
@@ -114,7 +118,7 @@ class NloptMethod final : public SolveMethod {
   }
 
   DistanceResult result() override {
-    if (!watch_.program) throw Error("method '" + settings_.name + "': result before solve");
+    if (!watch_.program) throw_error("result before solve");
     DistanceResult result;
     result.status = status_;
     result.distance = distance_;
@@ -131,15 +135,15 @@ class NloptMethod final : public SolveMethod {
   DistanceStatus status_ = DistanceStatus::precision_limit;
 };
 
-Component<SolveMethod> component(const std::string& name, const std::string& description,
-                                 nlopt_algorithm algorithm) {
-  return {name,
-          "the convex program (5) by " + description + " of NLopt " + nlopt_library_version(),
+Component<SolveMethod> slsqp() {
+  return {kName,
+          "the convex program (5) by the sequential quadratic programming (SLSQP) of NLopt " +
+              nlopt_library_version(),
           {{"constraint_tolerance", 1e-12, 0.0, 1.0, "absolute, of each constraint", {}},
            {"max_evaluations", std::int64_t{1000}, 1.0, 1e9, "of the constraints", {}}},
-          [name, algorithm](const Parameters& parameters) -> std::unique_ptr<SolveMethod> {
+          [](const Parameters& parameters) -> std::unique_ptr<SolveMethod> {
             return std::make_unique<NloptMethod>(
-                Settings{name, algorithm, real_parameter(parameters, "constraint_tolerance"),
+                Settings{real_parameter(parameters, "constraint_tolerance"),
                          static_cast<int>(integer_parameter(parameters, "max_evaluations"))});
           },
           false,  // point sets have no constraints |F x + f| <= g·x + γ
@@ -151,11 +155,7 @@ Component<SolveMethod> component(const std::string& name, const std::string& des
 
 namespace raygauge {
 
-void register_nlopt_methods(MethodRegistry& registry) {
-  registry.add(nlopt_baseline::component("nlopt_slsqp", "the sequential quadratic programming (SLSQP)",
-                                         NLOPT_LD_SLSQP));
-  registry.add(nlopt_baseline::component("nlopt_mma", "the method of moving asymptotes (MMA)", NLOPT_LD_MMA));
-}
+void register_nlopt_method(MethodRegistry& registry) { registry.add(nlopt_baseline::slsqp()); }
 
 std::string nlopt_library_version() {
   int major = 0, minor = 0, bugfix = 0;

@@ -8,10 +8,9 @@
 
 namespace raygauge {
 
-/// Adds `nlopt_slsqp` and `nlopt_mma`: the convex program (5) in (λ, x), ConeProgram, by NLopt's sequential
-/// quadratic programming (Kraft's SLSQP, the closest relative of the paper's active-set solver) and by its
-/// method of moving asymptotes (Svanberg's globally convergent MMA). Gradients are exact. Parameters
-/// (docs/baselines.md has the reasons):
+/// Adds `nlopt_slsqp`: the convex program (5) in (λ, x), ConeProgram, by NLopt's sequential quadratic
+/// programming (Kraft's SLSQP, the closest relative of the paper's active-set solver). Gradients are exact.
+/// Parameters (docs/baselines.md has the reasons):
 ///
 ///     constraint_tolerance  1e-12     of each constraint, absolute, as in the paper
 ///     max_evaluations       1000      of the constraints
@@ -21,7 +20,7 @@ namespace raygauge {
 /// before, the status is precision_limit, and `distance` what it had reached. A time limit is wall time. The
 /// bounds of the result are NaN: NLopt returns no multipliers, and a point that is feasible to 1e-12 proves
 /// nothing. DistanceCounters::pivots counts evaluations.
-void register_nlopt_methods(MethodRegistry& registry);
+void register_nlopt_method(MethodRegistry& registry);
 
 /// "2.7.1", of the library that is linked.
 std::string nlopt_library_version();

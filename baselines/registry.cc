@@ -35,7 +35,7 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
   register_exact_method(registry);
 #endif
 #ifdef RAYGAUGE_HAS_NLOPT
-  register_nlopt_methods(registry);
+  register_nlopt_method(registry);
 #endif
 #ifdef RAYGAUGE_HAS_LIBSVM
   register_libsvm_methods(registry);

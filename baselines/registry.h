@@ -11,8 +11,8 @@
 namespace raygauge {
 
 /// Adds the competitors this build was configured with: `glpk_primal`, `glpk_dual` (RAYGAUGE_WITH_GLPK),
-/// `clp_primal`, `clp_dual` (RAYGAUGE_WITH_CLP), `exact` (RAYGAUGE_WITH_EXACT), `nlopt_slsqp`,
-/// `nlopt_mma` (RAYGAUGE_WITH_NLOPT), `fcl_libccd`, `fcl_indep` (RAYGAUGE_WITH_FCL).
+/// `clp_primal`, `clp_dual` (RAYGAUGE_WITH_CLP), `exact` (RAYGAUGE_WITH_EXACT), `nlopt_slsqp`
+/// (RAYGAUGE_WITH_NLOPT), `fcl_libccd`, `fcl_indep` (RAYGAUGE_WITH_FCL).
 void register_baselines(MethodRegistry& registry);
 
 /// The solvers of this build and the versions that are linked, for provenance: {{"GLPK", "5.0"}, …}.

@@ -20,7 +20,7 @@ struct KnownMethod {
   const char* what;
 };
 
-constexpr std::array<KnownMethod, 11> kKnown = {{
+constexpr std::array<KnownMethod, 10> kKnown = {{
     {"column_generation", "#D55E00", "#D55E00", Marker::circle, Dash::solid,
      "raygauge: column generation; the linear program over the points met so far, certified"},
     {"zheng_yamane", "#0072B2", "#3D9BD9", Marker::square, Dash::solid,
@@ -39,8 +39,6 @@ constexpr std::array<KnownMethod, 11> kKnown = {{
      "the linear program in rational arithmetic: the truth that answers are checked against"},
     {"nlopt_slsqp", "#6A3D9A", "#B79AD9", Marker::diamond, Dash::dashed,
      "NLopt's sequential quadratic programming on the convex program"},
-    {"nlopt_mma", "#7A5C00", "#C9A83A", Marker::triangle_down, Dash::dotted,
-     "NLopt's moving asymptotes on the convex program"},
     {"paper", "#8C8C8C", "#A8A8A8", Marker::circle, Dash::solid, "what the paper published"},
 }};
 

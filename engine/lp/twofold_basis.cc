@@ -133,12 +133,6 @@ void TwofoldBasis::transform(const double* column) {
   kernels_->multiply_twofold(R_.data(), R_low_.data(), P_, m_, column, w_.data(), w_low_.data());
 }
 
-double TwofoldBasis::largest_w() const {
-  double largest = 0;
-  for (int i = 0; i < m_; ++i) largest = std::max(largest, std::fabs(w_[at(i)]));
-  return largest;
-}
-
 // R_r /= w_r, and R_i -= w_i R_r of that for the other rows.
 void TwofoldBasis::replace(int r, const double* column, std::int64_t id) {
   const DoubleDouble inverse = DoubleDouble{1} / w(r);

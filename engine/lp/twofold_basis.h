@@ -26,7 +26,6 @@ class TwofoldBasis {
   /// w = R column (m doubles).
   void transform(const double* column);
   DoubleDouble w(int i) const { return {w_[at(i)], w_low_[at(i)]}; }
-  double largest_w() const;
 
   /// The transformed column takes position r, at which w is not zero.
   void replace(int r, const double* column, std::int64_t id);

@@ -31,7 +31,6 @@ _LOOKS = {
     "clp_dual": ("#E69F00", "D", ":"),
     "exact": ("#CC79A7", "v", "-."),
     "nlopt_slsqp": ("#6A3D9A", "D", "--"),
-    "nlopt_mma": ("#7A5C00", "v", ":"),
     "paper": ("#8C8C8C", "o", "-"),
 }
 _OTHER_COLORS = ("#B15928", "#1B7837", "#B2182B", "#C51B7D", "#35978F", "#4D4D4D")

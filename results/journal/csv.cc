@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "engine/numerics/number_text.h"
-#include "results/run/atomic_file.h"
 #include "results/schema/schema.h"
 #include "results/text/language.h"
 
@@ -73,10 +72,6 @@ std::string csv_columns(const std::vector<Record>& records, int time_digits) {
     text += '\n';
   }
   return text;
-}
-
-void write_csv(const std::string& path, const std::vector<Record>& records) {
-  write_atomically(path, csv_text(records));
 }
 
 }  // namespace raygauge

@@ -39,7 +39,4 @@ struct CsvColumns {
 CsvColumns csv_columns(std::string_view header);
 std::vector<Record> read_csv_rows(std::string_view rows, const CsvColumns& columns);
 
-/// Writes csv_text(). The file is replaced as a whole or not at all. Throws ResultsError.
-void write_csv(const std::string& path, const std::vector<Record>& records);
-
 }  // namespace raygauge

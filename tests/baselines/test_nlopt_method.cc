@@ -18,7 +18,7 @@ namespace {
 
 MethodRegistry nlopt_methods() {
   MethodRegistry registry("method");
-  register_nlopt_methods(registry);
+  register_nlopt_method(registry);
   return registry;
 }
 

@@ -12,6 +12,7 @@
 
 #include "results/exceptions.h"
 #include "results/journal/csv.h"
+#include "results/run/atomic_file.h"
 #include "results/run/results_file.h"
 #include "results/run/run_writer.h"
 #include "tests/results/support.h"
@@ -85,7 +86,9 @@ TEST_F(StorageFailure, AFullDiskStopsTheMergeAndKeepsTheParts) {
 TEST_F(StorageFailure, AFullDiskStopsAnExportAndKeepsTheOldOne) {
   write_bytes(folder_.file("x.csv"), "old");
   std::filesystem::create_symlink("/dev/full", folder_.file("x.csv." + std::to_string(getpid()) + ".tmp"));
-  EXPECT_EQ(error_of([&] { write_csv(folder_.file("x.csv"), sample_results(experiment_).records); }),
+  EXPECT_EQ(error_of([&] {
+              write_atomically(folder_.file("x.csv"), csv_text(sample_results(experiment_).records));
+            }),
             folder_.file("x.csv") + ": cannot write: No space left on device");
   EXPECT_EQ(read_bytes(folder_.file("x.csv")), "old");
   EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{"x.csv"});

@@ -62,7 +62,7 @@ std::string machine_line(const Input& input) {
   return text.empty() ? "Nothing is known of machine and build." : text + ".";
 }
 
-/// "640 of nlopt_slsqp, 13 of nlopt_mma": whose they are.
+/// "640 of nlopt_slsqp, 13 of exact": whose they are.
 std::string by_method(const Input& input, const std::map<std::string, std::size_t>& counts) {
   std::vector<std::string> words;
   for (const std::string& method : input.methods) {

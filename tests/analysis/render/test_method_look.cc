@@ -19,7 +19,7 @@ TEST(MethodLook, OfTheProgramsOwnMethodsDiffersInGreyToo) {
   MethodList methods;
   for (const char* name : {"column_generation", "zheng_yamane", "newton"})
     methods.add({name, name, "", Role::engine});
-  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp", "nlopt_mma"})
+  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp"})
     methods.add({name, name, "", Role::baseline});
   methods.add({"exact", "exact", "", Role::oracle});
   for (const std::string& method : methods) {
@@ -69,7 +69,7 @@ TEST(MethodLook, IsAlikeNoOtherInTheList) {
   for (const char* name : {"column_generation", "zheng_yamane", "newton"})
     methods.add({name, name, "", Role::engine});
   methods.add({"zheng_yamane_published", "zheng_yamane", "stop_rule=published_sigma", Role::engine});
-  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp", "nlopt_mma"})
+  for (const char* name : {"glpk_primal", "glpk_dual", "clp_primal", "clp_dual", "nlopt_slsqp"})
     methods.add({name, name, "", Role::baseline});
   for (const char* label : {"a", "b", "c", "d", "e"})
     methods.add({label, "command", std::string("program=") + label, Role::baseline});

@@ -58,7 +58,7 @@ TEST(Example1Figures, HaveThePapersThreePanelsAndItsNumbers) {
 
 TEST(Example1Figures, NameEveryMethodInTheLegendHoweverLongTheNames) {
   std::vector<Record> records = solves("cone_ellipsoid");
-  for (const char* method : {"zheng_yamane_published", "newton", "direct", "nlopt_mma"}) {
+  for (const char* method : {"zheng_yamane_published", "newton", "direct", "clp_dual"}) {
     for (Record each : solves("cone_ellipsoid")) {
       each.method = method;
       records.push_back(each);
@@ -67,7 +67,7 @@ TEST(Example1Figures, NameEveryMethodInTheLegendHoweverLongTheNames) {
   FigureOptions options;
   options.size = FigureSize::single;
   const std::string picture = draw(figure_named("fig5"), records, options, ImageFormat::svg).front();
-  expect_texts(picture, {">zheng_yamane<", ">zheng_yamane_published<", ">nlopt_mma<", ">paper<"});
+  expect_texts(picture, {">zheng_yamane<", ">zheng_yamane_published<", ">clp_dual<", ">paper<"});
   EXPECT_EQ(picture.find("translate(-"), std::string::npos) << "something stands outside the picture";
 }
 
