@@ -109,6 +109,8 @@ bool Newton<Real>::begin(const Problem& problem) {
   const std::int64_t limit = problem.options.max_iterations;
   max_evaluations_ = limit > 0 ? limit : default_evaluation_limit<Real>(n_);
   program_.begin(n_);
+  // Quadruple precision takes that long before its first step.
+  if (!affords(problem.stopwatch, kSetUpOperations<Real> * cube(n_))) return false;
   if (!std::is_same_v<Real, double> && !is_smooth(A) && !is_smooth(Q)) return false;
   const Kernels& kernels = kernels_for(problem.options.instruction_set);
   if (!oracle_A_.bind(A, 1.0, kernels, problem.pairs) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
@@ -376,9 +378,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
 
 template <class Real>
 bool Newton<Real>::solve(const Problem& problem, DistanceResult& result) {
-  // Quadruple precision takes that long before its first step.
-  const bool in_time = affords(problem.stopwatch, kSetUpOperations<Real> * cube(problem.A.dimension()));
-  if (!in_time || !begin(problem)) return false;
+  if (!begin(problem)) return false;
   const DistanceStatus status = iterate(problem.stopwatch);
   // The default limit is a guard: beyond it, and where nothing got better, column generation has other means.
   const bool limited = status == DistanceStatus::time_limit ||
