@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "raygauge/methods/options.h"
+#include "raygauge/numerics/instruction_set.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/numerics/real.h"
-#include "raygauge/methods/options.h"
+#include "raygauge/numerics/instruction_set.h"
 #include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "raygauge/numerics/instruction_set.h"
+
 namespace raygauge {
 
 /// How d_Q(A) is computed. All methods end in the same certificate.
@@ -26,11 +28,6 @@ enum class StopRule : std::uint8_t {
   published_sigma,  ///< |σ_k - 1| < tolerance, the test of the paper (`zheng_yamane` only); the result
                     ///< reports the gap reached
 };
-
-/// Instruction set of the vector kernels.
-enum class InstructionSet : std::uint8_t { automatic, baseline, avx2, avx512 };
-
-std::string_view to_string(InstructionSet isa) noexcept;
 
 /// Quantities besides the distance and its bounds. Only those requested are computed.
 enum class Effects : std::uint8_t {
