@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/numerics/real.h"
+#include "engine/numerics/precise_vector.h"
 
 namespace raygauge {
 

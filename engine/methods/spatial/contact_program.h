@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/real.h"
+#include "engine/numerics/double_double.h"
+#include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
 
