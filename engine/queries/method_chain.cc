@@ -214,26 +214,14 @@ bool MethodChain::by_overlap(const Problem& problem) {
   return true;
 }
 
-// Of either bound the better one is kept, with what belongs to it; the status is that of `method` where it
-// concluded the solve.
+// The answer is that of `method` from now on if it concluded the solve or has the closer pair of bounds.
 template <class Method>
 void MethodChain::refine(Method& method, Concluded name, const Problem& problem) {
-  const bool done = method.solve(problem, refined_);
+  const bool done = method.solve(problem, result_);
+  const bool closer = !done && method.gap() < result_.upper - result_.lower;
+  if (closer) method.report(DistanceStatus::precision_limit, problem.effects, result_);
   account(method.counters());
-  if (!done && !(method.gap() < kInfinity)) return;
-  if (!done) method.report(DistanceStatus::precision_limit, problem.effects, refined_);
-  result_.status = refined_.status;
-  if (refined_.upper - refined_.lower < result_.upper - result_.lower) result_.distance = refined_.distance;
-  if (refined_.lower > result_.lower) {
-    result_.lower = refined_.lower;
-    std::swap(result_.normal, refined_.normal);
-  }
-  if (refined_.upper < result_.upper) {
-    result_.upper = refined_.upper;
-    std::swap(result_.contact_point, refined_.contact_point);
-    concluded_ = name;
-  }
-  result_.distance = std::max(result_.lower, std::min(result_.distance, result_.upper));
+  if (done || closer) concluded_ = name;
 }
 
 // Adds what a method did. K is that of the first that did anything: the others did not scale Q again.

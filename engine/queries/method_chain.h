@@ -114,7 +114,6 @@ class MethodChain {
   DistanceOptions options_;
   std::function<bool()> stop_;
   DistanceResult result_;
-  DistanceResult refined_;  // of refine()
   ColumnGeneration column_generation_;
   TangentPlane tangent_plane_;
   OriginQuestion origin_question_;

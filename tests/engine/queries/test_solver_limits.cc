@@ -111,45 +111,6 @@ TEST(LimitsOfGeneralSets, KeepWhatDoublesHaveProven) {
   EXPECT_LT(result.upper, kInfinity);
 }
 
-// A smooth set that notes when its pieces are asked for: `newton` is at work then.
-class Watched final : public ConvexSet, private SmoothSupport {
- public:
-  Watched(const ConvexSet& S, bool* noted) : ConvexSet(S.dimension()), S_(S), noted_(noted) {}
-
- private:
-  double do_support(const double* u, double* point) const override { return S_.support_unchecked(u, point); }
-  void do_center(double* point) const override { S_.center_unchecked(point); }
-  void do_magnitude(double* magnitude) const override { S_.magnitude_unchecked(magnitude); }
-  SupportStructure do_structure() const noexcept override { return SupportStructure::smooth; }
-  const SmoothSupport* do_smooth() const noexcept override { return this; }
-  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override {
-    *noted_ = true;
-    S_.smooth()->pieces(u, pieces, SupportPieces::kCapacity - capacity);
-  }
-
-  const ConvexSet& S_;
-  bool* noted_;
-};
-
-// Column generation ends at its precision; Newton steps are to narrow its bounds, and a limit ends the first.
-TEST(LimitsOfGeneralSets, ThatEndARefinementKeepTheBoundsBeforeIt) {
-  const Vector axes = (Vector(4) << 1, 2, 3, 4).finished();
-  const Ellipsoid inner(7 * Vector::Ones(4), axes.asDiagonal().toDenseMatrix());
-  const Ellipsoid Q(Vector::Zero(4), axes.reverse().asDiagonal().toDenseMatrix());
-  bool refining = false;
-  const Watched A(inner, &refining);
-  DistanceOptions options;
-  options.method = DistanceMethod::column_generation;
-  options.tolerance = 1e-15;
-  DistanceSolver solver(options);
-  solver.set_stop([&refining] { return refining; });
-  const DistanceResult& result = solver.solve(A, Q, Effects::witness);
-  ASSERT_TRUE(refining);
-  EXPECT_EQ(result.status, DistanceStatus::time_limit);
-  EXPECT_LE(result.upper - result.lower, 1e-6 * result.upper);
-  EXPECT_EQ(result.contact_point.size(), 4);
-}
-
 // No time for quadruple precision: what it has proven of the pair before says nothing.
 TEST(LimitsOfGeneralSets, DoNotBringBackTheBoundsOfThePairBefore) {
   const int n = 60;
