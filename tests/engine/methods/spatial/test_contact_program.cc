@@ -8,10 +8,13 @@
 #include <cmath>
 #include <random>
 
-#include "engine/numerics/real.h"
+#include "engine/numerics/double_double.h"
 
 namespace raygauge::test_contact_program {
 namespace {
+
+double rounded(double value) { return value; }
+double rounded(const DoubleDouble& value) { return value.rounded(); }
 
 // The optimality conditions of the program, whose solution is unique.
 template <class Real>
