@@ -34,8 +34,8 @@ std::string documentation_of(const std::vector<Column<Row>>& columns) {
       return i + 1 < columns.size() && columns[i + 1].name == stem + std::to_string(i + 2 - first);
     };
     while (name == stem + "1" && is_next()) ++i;
-    lines += documentation_of(
-        "`" + name + "`" + (i == first ? "" : " … `" + columns[i].name + "`"), columns[first]);
+    lines += documentation_of("`" + name + "`" + (i == first ? "" : " … `" + columns[i].name + "`"),
+                              columns[first]);
   }
   return lines;
 }
