@@ -50,7 +50,7 @@ void check_room(const char* name, std::size_t size, std::size_t wanted) {
 void check_dimensions(std::span<const PosedPair> pairs, int n, int threads) {
   const std::ptrdiff_t count = std::ssize(pairs);
   std::ptrdiff_t misfit = count;
-#pragma omp parallel for num_threads(threads) reduction(min : misfit)
+#pragma omp parallel for num_threads(threads) default(none) shared(pairs, n, count) reduction(min : misfit)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const PosedPair& pair = pairs[static_cast<std::size_t>(i)];
     if (pair.first.dimension() != n || pair.second.dimension() != n) misfit = std::min(misfit, i);
@@ -101,7 +101,9 @@ template <class Member, class Solve>
 void share(std::vector<Member>& members, std::ptrdiff_t count, const Solve& solve) {
   std::exception_ptr error;
   bool failed = false;
-#pragma omp parallel for schedule(dynamic, kChunk) num_threads(static_cast <int>(members.size()))
+  const int threads = static_cast<int>(members.size());
+#pragma omp parallel for schedule(dynamic, kChunk) num_threads(threads) default(none) \
+    shared(kChunk, members, count, solve, error, failed)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     bool skip = false;
 #pragma omp atomic read

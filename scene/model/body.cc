@@ -42,7 +42,8 @@ double radius_by_directions(const ConvexSet& S, const SmallVector& center) {
   double farthest = 0;
   for (int code = 0; code < 27; ++code) {
     SmallVector u(3);
-    u << code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1;
+    const int digit[3] = {code % 3, code / 3 % 3, code / 9};
+    u << digit[0] - 1, digit[1] - 1, digit[2] - 1;
     if (u.isZero(0)) continue;
     farthest = std::max(farthest, extent(S, center, u / u.norm()));
   }
