@@ -77,11 +77,11 @@ FclAnswer ask_fcl(const Flight& a, const Flight& b) {
   return {result.is_collide, result.time_of_contact};
 }
 
-ImpactResult ask_raygauge(PairSolver& solver, const Flight& a, const Flight& b, double contact) {
+ImpactResult ask_raygauge(ContinuousSolver& solver, const Flight& a, const Flight& b, double contact) {
   ContinuousOptions over;
   over.contact = contact;
   over.to = 1;
-  return time_of_impact(solver, a.body, b.body, over);
+  return solver.time_of_impact(a.body, b.body, over);
 }
 
 bool agrees(const FclAnswer& theirs, const ImpactResult& ours) {
@@ -104,7 +104,7 @@ struct Tally {
   std::vector<double> steps;         ///< of ours
 };
 
-void time_pair(PairSolver& solver, const Flight& a, const Flight& b, double contact, Tally& tally) {
+void time_pair(ContinuousSolver& solver, const Flight& a, const Flight& b, double contact, Tally& tally) {
   std::vector<double> ours, theirs;
   for (int k = 0; k < kRepetitions; ++k) {
     ours.push_back(seconds_of([&] { ask_raygauge(solver, a, b, contact); }));
@@ -135,7 +135,7 @@ bool is_asked_for(const Settings& settings, std::size_t one, std::size_t other) 
 
 void run(const Settings& settings) {
   Random random(1);
-  PairSolver solver(3);
+  ContinuousSolver solver(3);
   Tally all;
   for (std::size_t one = 0; one < kKinds.size(); ++one) {
     for (std::size_t other = one; other < kKinds.size(); ++other) {

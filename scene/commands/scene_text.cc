@@ -11,7 +11,7 @@
 
 #include "cli/output/counted.h"
 #include "results/text/language.h"
-#include "scene/file/event_text.h"
+#include "scene/file/events.h"
 
 namespace raygauge::cli {
 namespace {
@@ -22,12 +22,8 @@ std::string number(double x) {
   return text;
 }
 
-std::string body_name(const SceneFile& file, int body) {
-  return language::printable(file.bodies[static_cast<std::size_t>(body)].name);
-}
-
-std::string pair_name(const SceneFile& file, const SceneRecord& row) {
-  return body_name(file, row.body_a) + " – " + body_name(file, row.body_b);
+std::string printable_pair(const SceneFile& file, std::int32_t a, std::int32_t b) {
+  return language::printable(pair_name(file, a, b));
 }
 
 std::string query_name(const SceneFile& file, int query) {
@@ -46,13 +42,9 @@ SceneCounters counters_of(const SceneFile& file) {
   return sum;
 }
 
-std::string continuous_text(const SceneFile& file, const SceneRecord& row) {
-  return "  " + query_name(file, row.query) + ": " + pair_name(file, row) + ": " + event_text(row) + "\n";
-}
-
-std::string status_word(SceneStatus status) {
-  if (status == SceneStatus::intersecting) return "contact";
-  return status == SceneStatus::separated ? "release" : "meet, or nearly: undecided";
+std::string line_of(const SceneFile& file, const SceneEvent& event) {
+  return "  " + query_name(file, event.query) + ": " + printable_pair(file, event.a, event.b) + ": " +
+         event.text + "\n";
 }
 
 }  // namespace
@@ -79,24 +71,7 @@ std::string tally_text(const SceneFile& file) {
 
 std::string event_text(const SceneFile& file) {
   std::string text;
-  std::map<std::tuple<int, int, int>, SceneStatus> before;
-  for (const SceneRow& row : file.records) {
-    const SceneRecord& record = row.record;
-    if (record.kind != SceneRowKind::instant) {
-      text += continuous_text(file, record);
-      continue;
-    }
-    const auto key = std::make_tuple(record.query, record.body_a, record.body_b);
-    const auto known = before.find(key);
-    const bool first_contact = known == before.end() && record.status == SceneStatus::intersecting;
-    const bool changed = known != before.end() && known->second != record.status;
-    if (first_contact || changed) {
-      text += "  " + query_name(file, record.query) + ": " + pair_name(file, record) + ": " +
-              status_word(record.status) + " at instant " + std::to_string(record.instant) + ", " +
-              number(record.time) + " s\n";
-    }
-    before[key] = record.status;
-  }
+  for (const SceneEvent& event : changes_of(file)) text += line_of(file, event);
   return text;
 }
 
@@ -184,7 +159,7 @@ std::string scene_table_text(const SceneFile& file) {
     if (record.kind == SceneRowKind::instant)
       lines[{record.query, record.body_a, record.body_b}].add(record);
     else
-      events += continuous_text(file, record);
+      events += line_of(file, event_of(record, length_unit(file, record.query)));
   }
   std::string text;
   if (!lines.empty()) {
@@ -194,8 +169,8 @@ std::string scene_table_text(const SceneFile& file) {
   }
   for (const auto& [key, line] : lines) {
     const auto& [query, a, b] = key;
-    text += language::csv(query_name(file, query)) + ", " +
-            language::csv(body_name(file, a) + " – " + body_name(file, b)) + ", " + line.text() + "\n";
+    text += language::csv(query_name(file, query)) + ", " + language::csv(printable_pair(file, a, b)) + ", " +
+            line.text() + "\n";
   }
   return text + events;
 }

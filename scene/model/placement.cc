@@ -49,11 +49,4 @@ SmallMatrix plane_rotation(double angle) {
   return R;
 }
 
-void PlacedSet::place(const ConvexSet& S, const Placement& where) noexcept {
-  where_ = where;
-  Map map = make_map(where_.R.data(), where_.t.data(), dimension());
-  map.defect = Pose::defect_of(where_.R.data(), dimension());
-  look_at(S, map);
-}
-
 }  // namespace raygauge

@@ -63,7 +63,7 @@ std::vector<Panel> panels_of(const SceneFile& file) {
       const Sample sample = sample_of(r);
       if (!std::isfinite(sample.value)) continue;
       if (r.distance == r.distance)
-        panel.quantity = scene_page::length_unit(file, r.query).empty() ? "distance" : "distance / m";
+        panel.quantity = length_unit(file, r.query).empty() ? "distance" : "distance / m";
       found[{r.body_a, r.body_b}].push_back(sample);
     }
     if (found.empty()) continue;

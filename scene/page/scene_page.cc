@@ -58,13 +58,13 @@ json records_json(const SceneFile& file) {
 
 json events_json(const SceneFile& file) {
   json events = json::array();
-  for (const Event& event : events_of(file)) {
+  for (const SceneEvent& event : events_of(file)) {
     events.push_back({{"kind", std::string(to_string(event.kind))},
                       {"query", event.query},
                       {"a", event.a},
                       {"b", event.b},
                       {"time", number(event.time)},
-                      {"text", event.text}});
+                      {"text", pair_name(file, event.a, event.b) + ": " + event.text}});
   }
   return events;
 }

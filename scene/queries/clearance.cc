@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
+#include "scene/queries/continuous_pair.h"
 #include "scene/queries/plane_steps.h"
 #include "scene/queries/riders.h"
 
@@ -193,9 +194,11 @@ ClearanceResult find_clearance(PairSolver& solver, const Body& a, const Body& b,
   ClearanceResult best;
   best.upper = best.lower = kInfinity;
   best.time = best.no_contact_before = options.from;
-  for (const auto& [part_a, part_b] : part_pairs(a, b, options.from)) {
-    PartWatch watch(solver, part_a, part_b, metric, metric_body);
+  for (const PartPair& pair : part_pairs(a, b, options.from)) {
+    PartWatch watch(solver, pair.a, pair.b, metric, metric_body);
+    const double before = best.upper;
     best.lower = std::min(best.lower, ClearanceSearch(watch, options, best).run());
+    if (best.upper < before) pair.name_in(best.at_time);
   }
   best.lower = best.touches ? 0.0 : std::min(best.lower, best.upper);
   if (best.touches) find_first_contact(solver, a, b, metric, metric_body, options, best);

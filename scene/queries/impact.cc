@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
+#include "scene/queries/continuous_pair.h"
 #include "scene/queries/plane_steps.h"
 #include "scene/queries/riders.h"
 
@@ -167,8 +168,10 @@ ImpactResult find_impact(PairSolver& solver, const Body& a, const Body& b, const
   result.outcome = ImpactResult::Outcome::free;
   result.lower = result.upper = options.to;
   ContinuousOptions remaining = options;
-  for (const auto& [part_a, part_b] : part_pairs(a, b, options.from)) {
-    take_sooner(result, Advance(solver, part_a, part_b, remaining).run());
+  for (const PartPair& pair : part_pairs(a, b, options.from)) {
+    ImpactResult one = Advance(solver, pair.a, pair.b, remaining).run();
+    if (one.outcome == ImpactResult::Outcome::contact) pair.name_in(one.at_upper);
+    take_sooner(result, one);
     if (result.outcome == ImpactResult::Outcome::contact) remaining.to = result.upper;
   }
   return result;

@@ -23,13 +23,13 @@ SceneStatus status_of(const PairAnswer& answer) {
   return answer.lower > 0 ? SceneStatus::separated : SceneStatus::undecided;
 }
 
-SceneStatus status_of(PairSeparation separation) {
+SceneStatus status_of(Separation separation) {
   switch (separation) {
-    case PairSeparation::separated:
+    case Separation::separated:
       return SceneStatus::separated;
-    case PairSeparation::intersecting:
+    case Separation::intersecting:
       return SceneStatus::intersecting;
-    case PairSeparation::undecided:
+    case Separation::undecided:
       break;
   }
   return SceneStatus::undecided;

@@ -6,6 +6,7 @@
 
 #include "raygauge/scene/scene_record.h"
 #include "raygauge/scene/timeline.h"
+#include "scene/queries/pair_solver.h"
 
 namespace raygauge {
 

@@ -13,7 +13,8 @@ namespace raygauge {
 namespace {
 
 /// The body of one part of `body`.
-Body part_of(const Body& body, const BodyPart& part) {
+Body part_of(const Body& body, int number) {
+  const BodyPart& part = body.parts[static_cast<std::size_t>(number)];
   Body single;
   single.parts = {part};
   single.motion = body.motion;
@@ -123,25 +124,26 @@ double PartWatch::closing_speed(const SmallVector& u, double from, double to) co
          a_.motion->bound(from, to).speed_along(minus, a_.core_reach);
 }
 
-std::vector<std::pair<Body, Body>> part_pairs(const Body& a, const Body& b, double t) {
+std::vector<PartPair> part_pairs(const Body& a, const Body& b, double t) {
   struct Entry {
     double apart;
-    Body a, b;
+    int a, b;
   };
   const Placement at_a = a.motion->at(t);
   const Placement at_b = b.motion->at(t);
   std::vector<Entry> entries;
-  for (const BodyPart& part_a : a.parts) {
-    for (const BodyPart& part_b : b.parts) {
-      const SmallVector way = at_a.R * part_a.ball.center + at_a.t - at_b.R * part_b.ball.center - at_b.t;
-      entries.push_back(
-          {way.norm() - part_a.ball.radius - part_b.ball.radius, part_of(a, part_a), part_of(b, part_b)});
+  for (int i = 0; i < static_cast<int>(a.parts.size()); ++i) {
+    for (int j = 0; j < static_cast<int>(b.parts.size()); ++j) {
+      const BoundingBall& ball_a = a.parts[static_cast<std::size_t>(i)].ball;
+      const BoundingBall& ball_b = b.parts[static_cast<std::size_t>(j)].ball;
+      const SmallVector way = at_a.R * ball_a.center + at_a.t - at_b.R * ball_b.center - at_b.t;
+      entries.push_back({way.norm() - ball_a.radius - ball_b.radius, i, j});
     }
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& x, const Entry& y) { return x.apart < y.apart; });
-  std::vector<std::pair<Body, Body>> pairs;
-  for (Entry& entry : entries) pairs.emplace_back(std::move(entry.a), std::move(entry.b));
+  std::vector<PartPair> pairs;
+  for (const auto& [apart, i, j] : entries) pairs.push_back({part_of(a, i), part_of(b, j), {i, j}});
   return pairs;
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "raygauge/scene/continuous.h"
+#include "scene/queries/pair_solver.h"
 
 namespace raygauge {
 
@@ -18,6 +18,18 @@ struct PartLook {
   SmallVector normal;
   PairAnswer answer;  ///< of the computed placements
 };
+
+/// One convex part of each of two bodies, as bodies of their own.
+struct PartPair {
+  Body a, b;
+  PartNumbers numbers;
+
+  /// `answer`, about these bodies, is about these parts from now on.
+  void name_in(PairAnswer& answer) const { answer.part_a = numbers.a, answer.part_b = numbers.b; }
+};
+
+/// The pairs of parts of two bodies, those nearest at `t` first.
+std::vector<PartPair> part_pairs(const Body& a, const Body& b, double t);
 
 /// One pair of convex parts on its way, seen at any time; what a look finds out starts the next one.
 class PartWatch {
@@ -74,8 +86,5 @@ class PartWatch {
   double slack_ = 0;
   double longest_unit_ = 0;  ///< the metric's length of a vector of length 1, at most; 0: not known yet
 };
-
-/// The pairs of parts of two bodies as bodies of their own, those nearest at `t` first.
-std::vector<std::pair<Body, Body>> part_pairs(const Body& a, const Body& b, double t);
 
 }  // namespace raygauge

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "raygauge/scene/body.h"
+#include "raygauge/scene/continuous.h"
 #include "raygauge/scene/joint_motion.h"
-#include "raygauge/scene/pair_solver.h"
 
 namespace raygauge {
 

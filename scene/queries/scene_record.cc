@@ -74,4 +74,16 @@ SceneTally& SceneTally::operator+=(const SceneTally& other) {
   return *this;
 }
 
+SceneCounters& SceneCounters::operator+=(const SceneCounters& other) {
+  distance_solves += other.distance_solves;
+  separation_solves += other.separation_solves;
+  growth_solves += other.growth_solves;
+  closest_points += other.closest_points;
+  gradients += other.gradients;
+  plane_tests += other.plane_tests;
+  ball_tests += other.ball_tests;
+  support_queries += other.support_queries;
+  return *this;
+}
+
 }  // namespace raygauge

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "engine/threads/team.h"
-#include "raygauge/scene/continuous.h"
 #include "scene/queries/cell_clock.h"
+#include "scene/queries/continuous_pair.h"
 #include "scene/queries/instant_run.h"
 #include "scene/queries/nearest_run.h"
 

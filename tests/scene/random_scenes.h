@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/sets/posed_view.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/scene/scene_run.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
@@ -164,11 +166,10 @@ inline BruteForce brute_force(const Body& a, const Body& b, double t, const SetP
   const Placement at_a = a.motion->at(t);
   const Placement at_b = b.motion->at(t);
   BruteForce least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false};
-  PlacedSet set_a(n), set_b(n);
+  const Pose pose_a(at_a.R, at_a.t), pose_b(at_b.R, at_b.t);
   for (const BodyPart& part_a : a.parts) {
     for (const BodyPart& part_b : b.parts) {
-      set_a.place(*part_a.set, at_a);
-      set_b.place(*part_b.set, at_b);
+      const PosedView set_a(*part_a.set, pose_a), set_b(*part_b.set, pose_b);
       const DistanceResult& found = solver.solve(set_a, set_b, Q ? *Q : ball).distance;
       least.lower = std::min(least.lower, found.lower);
       least.upper = std::min(least.upper, found.upper);

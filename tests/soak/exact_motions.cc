@@ -178,9 +178,9 @@ std::optional<std::string> ExactMotion::check(bool& undecided) {
   over.to = stop_;
   over.contact = std::max(1e-14, 1e-3 * std::fabs(static_cast<double>(least)));
   over.max_steps = 20'000;
-  PairSolver solver(3);
-  const ImpactResult impact = time_of_impact(solver, ball, wall, over);
-  const ClearanceResult found = clearance(solver, ball, wall, SceneMetric(), nullptr, over);
+  ContinuousSolver solver(3);
+  const ImpactResult impact = solver.time_of_impact(ball, wall, over);
+  const ClearanceResult found = solver.clearance(ball, wall, SceneMetric(), nullptr, over);
   undecided = impact.outcome == Outcome::undecided;
   const bool contact = impact.outcome == Outcome::contact;
   std::string wrong;

@@ -231,8 +231,8 @@ std::optional<std::string> RandomMotions::check(std::int64_t number) {
   ContinuousOptions over;
   over.to = 1;
   over.max_steps = 100'000;
-  PairSolver solver(n);
-  const ImpactResult impact = time_of_impact(solver, pair.a, pair.b, over);
+  ContinuousSolver solver(n);
+  const ImpactResult impact = solver.time_of_impact(pair.a, pair.b, over);
   tally_.contacts += impact.outcome == Outcome::contact ? 1 : 0;
   tally_.free += impact.outcome == Outcome::free ? 1 : 0;
   tally_.undecided += impact.outcome == Outcome::undecided ? 1 : 0;

@@ -10,8 +10,8 @@
 
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/scene/pair_solver.h"
 #include "raygauge/sets/ball.h"
+#include "scene/queries/pair_solver.h"
 #include "tests/soak/random_set.h"
 #include "tests/soak/result_checks.h"
 

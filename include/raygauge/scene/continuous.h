@@ -2,11 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
+#include <memory>
 
-#include "raygauge/scene/pair_solver.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/scene/scene.h"
+#include "raygauge/scene/scene_record.h"
 
 namespace raygauge {
+
+/// What is known of the distance of two bodies. Bounds are certified.
+struct PairAnswer {
+  double lower = 0;
+  double upper = std::numeric_limits<double>::infinity();
+  double value = 0;  ///< within [lower, upper]
+  DistanceStatus status = DistanceStatus::optimal;
+  int part_a = -1, part_b = -1;  ///< the nearest parts; -1: not looked for
+  SmallVector normal;            ///< empty: none
+  SmallVector point_a, point_b;  ///< closest points; empty: none, or not asked for
+  SmallVector gradient;          ///< of the distance, when body a is translated
+  double rate = 0;  ///< the lower bound falls by at most rate × (distance that points of both bodies move)
+
+  /// Common points are proven.
+  bool intersecting() const noexcept { return status == DistanceStatus::contains_origin; }
+};
 
 /// The first contact of two bodies over an interval of time, proven between the instants too.
 struct ImpactResult {
@@ -45,19 +66,32 @@ struct ContinuousOptions {
   std::function<bool()> stop;  ///< asked at every step; true: answer with what is proven by now
 };
 
-/// Conservative advancement. From a certified distance L with normal u there is no contact for the time L /
-/// v, where v bounds the closing speed along u over the time ahead, rounded up. There is no contact for a
-/// time T either, if planes across u that touch the bodies are apart at both ends of it by more than T²/8 Σ
-/// reach |ω||ω × u|. Steps as those of Newton's method use this. Contact is a matter of Euclidean distance,
-/// whatever the metric. `solver` is bound anew.
-ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
+/// Answers questions about two bodies over an interval of time. One a thread: it owns the workspace.
+class ContinuousSolver {
+ public:
+  explicit ContinuousSolver(int dimension);
+  ~ContinuousSolver();
+  ContinuousSolver(const ContinuousSolver&) = delete;
+  ContinuousSolver& operator=(const ContinuousSolver&) = delete;
+
+  /// Conservative advancement. From a certified distance L with normal u there is no contact for the time
+  /// L / v, where v bounds the closing speed along u over the time ahead, rounded up. There is no contact for
+  /// a time T either, if planes across u that touch the bodies are apart at both ends of it by more than T²/8
+  /// Σ reach |ω||ω × u|. Steps as those of Newton's method use this. Contact is a matter of Euclidean
+  /// distance, whatever the metric.
+  ImpactResult time_of_impact(const Body& a, const Body& b, const ContinuousOptions& options);
+
+  /// Branch and bound on intervals of time. Between two moments the distance is at least the distance at
+  /// either of them, less the speed times the time from there. For the Euclidean distance, planes as those of
+  /// time_of_impact() are used as well. Two links of one robot are seen from the link that carries both.
+  /// `metric_body` is the body that the metric follows, or nullptr.
+  ClearanceResult clearance(const Body& a, const Body& b, const SceneMetric& metric, const Body* metric_body,
                             const ContinuousOptions& options);
 
-/// Branch and bound on intervals of time. Between two moments the distance is at least the distance at either
-/// of them, less the speed times the time from there. For the Euclidean distance, planes as those of
-/// time_of_impact() are used as well. Two links of one robot are seen from the link that carries both.
-/// `metric_body` is the body that the metric follows, or nullptr.
-ClearanceResult clearance(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
-                          const Body* metric_body, const ContinuousOptions& options);
+  const SceneCounters& counters() const noexcept;
+
+ private:
+  std::unique_ptr<class PairSolver> solver_;
+};
 
 }  // namespace raygauge

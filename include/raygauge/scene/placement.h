@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "raygauge/sets/linear_image.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 
@@ -45,17 +45,5 @@ SmallMatrix rotation_about(const Eigen::Vector3d& r);
 
 /// The rotation of the plane by `angle` radians.
 SmallMatrix plane_rotation(double angle);
-
-/// R S + t, a set under a placement. A view: the set must outlive it; place() moves it without a copy. See
-/// LinearImage for what it keeps of S.
-class PlacedSet final : public LinearImage {
- public:
-  explicit PlacedSet(int dimension) : LinearImage(dimension), where_(Placement::identity(dimension)) {}
-
-  void place(const ConvexSet& S, const Placement& where) noexcept;
-
- private:
-  Placement where_;
-};
 
 }  // namespace raygauge

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "raygauge/scene/pair_solver.h"
+#include "raygauge/scene/placement.h"
 
 namespace raygauge {
 
@@ -49,8 +49,8 @@ struct SceneRecord {
   SceneRowKind kind = SceneRowKind::instant;
   std::int64_t instant = -1;  ///< -1: of the whole time
   double time = kNone;        ///< of the instant; of the least clearance; of the contact, as time_upper
-  double time_lower = kNone;  ///< no contact before it, proven
-  double time_upper = kNone;  ///< a contact at it, proven
+  double time_lower = kNone;  ///< no contact before it, proven: of an impact, and of a clearance of 0
+  double time_upper = kNone;  ///< a contact at it, proven: of the same
   SceneStatus status = SceneStatus::undecided;
   SceneDecision decided = SceneDecision::solved;
   double distance = kNone, lower = kNone, upper = kNone;
@@ -72,6 +72,22 @@ struct SceneTally {
   void count(SceneDecision decision, std::int64_t times = 1) noexcept;
   SceneTally& operator+=(const SceneTally& other);
   friend bool operator==(const SceneTally&, const SceneTally&) = default;
+};
+
+/// Counts of what was computed; tests use them to check that nothing else was.
+struct SceneCounters {
+  std::int64_t distance_solves = 0;    ///< distances of two convex parts
+  std::int64_t separation_solves = 0;  ///< separation tests of two convex parts
+  std::int64_t growth_solves = 0;      ///< growth distances of two convex parts
+  std::int64_t closest_points = 0;     ///< pairs of closest points
+  std::int64_t gradients = 0;
+  std::int64_t plane_tests = 0;      ///< tests whether an earlier separating plane still separates two parts
+  std::int64_t ball_tests = 0;       ///< bounds on a distance from bounding balls
+  std::int64_t support_queries = 0;  ///< by solves; the two of a plane test are not among them
+
+  SceneCounters& operator+=(const SceneCounters& other);
+  std::int64_t solves() const noexcept { return distance_solves + separation_solves + growth_solves; }
+  friend bool operator==(const SceneCounters&, const SceneCounters&) = default;
 };
 
 /// What the work on one cell of a scene gave.

@@ -16,7 +16,6 @@
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/pair_batch.h"
-#include "raygauge/scene/pair_solver.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
@@ -71,27 +70,6 @@ TEST(PairPromises, ABatchKeepsNothingOfOtherPairs) {
   answers.distance = distance;
   batch.distances(both, pairs.metric, answers);
   EXPECT_NEAR(distance[1], SegmentAndPoint::kDistance, 1e-18);
-}
-
-TEST(PairPromises, ASceneKeepsNothingOfOtherPairs) {
-  const SegmentAndPoint pairs;
-  const auto rest = std::make_shared<StaticMotion>(Placement::identity(2));
-  const auto body = [&](const char* name, const ConvexSet& set) {
-    return make_body(name, {SetPointer(&set, [](const ConvexSet*) {})}, rest);
-  };
-  const Body one = body("one", pairs.one), other = body("other", pairs.other),
-             segment = body("s", pairs.segment), point = body("p", pairs.point);
-  const SceneMetric metric;
-  PairSolver solver(2);
-  const Placement far = make_placement(Eigen::Matrix2d::Identity(), Vector2d(100, 0));
-  PairMemory memory, memory_of_point;
-  solver.bind(one, other, metric);
-  solver.place(far, far);
-  solver.distance(memory, std::numeric_limits<double>::infinity(), false, false);
-  solver.bind(segment, point, metric);
-  solver.place(Placement::identity(2), Placement::identity(2));
-  EXPECT_NEAR(solver.distance(memory_of_point, std::numeric_limits<double>::infinity(), false, false).value,
-              SegmentAndPoint::kDistance, 1e-18);
 }
 
 Vector3d gaussian(Random& random) {

@@ -20,7 +20,6 @@
 #include "engine/sets/object_pair.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/queries/solver.h"
-#include "raygauge/scene/placement.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/capsule.h"
@@ -104,12 +103,6 @@ Set posed(const Set& S, const Eigen::Matrix3d& R, const Eigen::Vector3d& t) {
   return {held, held->view.get()};
 }
 
-Set placed(const Set& S, const Eigen::Matrix3d& R, const Eigen::Vector3d& t) {
-  auto set = std::make_shared<PlacedSet>(n);
-  set->place(*S, Placement{R, t});
-  return {std::make_shared<std::pair<Set, Set>>(S, set), set.get()};
-}
-
 Set pair_of_objects(const Set& A2, const Set& A1) {
   auto held = std::make_shared<Held<ObjectPair>>();
   held->S = A2;
@@ -183,7 +176,6 @@ std::vector<Row> rows() {
   const auto hull = [](std::vector<Set> sets) -> Set { return std::make_shared<UnionHull>(std::move(sets)); };
   return {{"`AffineImage`", of_maps, maps(image, true)},
           {"a set in a pose", of_maps, maps(posed, false)},
-          {"a body of a scene", of_maps, maps(placed, false)},
           {"`MinkowskiSum`", of_sums, sums(sum, true)},
           {"`MinkowskiDifference`", of_sums, sums(difference, false)},
           {"a pair of objects", of_sums, sums(pair_of_objects, false)},

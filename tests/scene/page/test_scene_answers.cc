@@ -9,7 +9,6 @@
 namespace raygauge::test_scene_answers {
 namespace {
 
-using scene_page::EventKind;
 using scene_page::events_of;
 using scene_page::verdict_of;
 
@@ -63,7 +62,7 @@ SceneFile file_with(const std::vector<SceneRecord>& records) {
 TEST(SceneVerdict, SaysHowNearBodiesCome) {
   const auto verdict = verdict_of(file_with({clearance(0.5, 0.5, 1), clearance(0.0469999, 0.047, 2, 2)}));
   EXPECT_EQ(verdict.state, "safe");
-  EXPECT_EQ(verdict.text, "safe: never closer than 0.046999 m to anything asked (bunny – </script>)");
+  EXPECT_EQ(verdict.text, "safe: never closer than 0.0469999 m to anything asked (bunny – </script>)");
 }
 
 TEST(SceneVerdict, SaysWhoMeetsWhomFirst) {

@@ -43,14 +43,14 @@ TEST(TimeOfImpact, TwoBallsMeetWhenTheirRadiiSay) {
   const auto ball = std::make_shared<Ball>(Vector::Zero(3), 1.0);
   const Body still = make_body("still", {ball}, standing(vector3(0, 0, 0)));
   const Body moving = make_body("moving", {ball}, flying(vector3(10, 0, 0), vector3(-4, 0, 0), {3, 5, 7}));
-  PairSolver solver(3);
-  const ImpactResult impact = time_of_impact(solver, still, moving, over(0, 5));
+  ContinuousSolver solver(3);
+  const ImpactResult impact = solver.time_of_impact(still, moving, over(0, 5));
   ASSERT_EQ(impact.outcome, ImpactResult::Outcome::contact);
   EXPECT_LE(impact.lower, 2.0);
   EXPECT_GE(impact.lower, 2.0 - 1e-6);
   EXPECT_NEAR(impact.upper, 2.0, 1e-6);
   EXPECT_LE(impact.steps, 3);  // a ball that turns about its centre is the same ball
-  EXPECT_EQ(time_of_impact(solver, still, moving, over(0, 1.9)).outcome, ImpactResult::Outcome::free);
+  EXPECT_EQ(solver.time_of_impact(still, moving, over(0, 1.9)).outcome, ImpactResult::Outcome::free);
 }
 
 // A rod that turns once a second sweeps a circle of its half length: what is beyond is never met, what is
@@ -60,11 +60,11 @@ TEST(TimeOfImpact, ASpinningRodMeetsWhatItsTipReaches) {
   const auto ball = std::make_shared<Ball>(Vector::Zero(3), 0.1);
   const Body turning =
       make_body("rod", {rod}, flying(vector3(0, 0, 0), vector3(0, 0, 0), {0, 0, 2 * EIGEN_PI}));
-  PairSolver solver(3);
+  ContinuousSolver solver(3);
   const Body beyond = make_body("beyond", {ball}, standing(vector3(0, 1.1002, 0)));
-  EXPECT_EQ(time_of_impact(solver, turning, beyond, over(0, 10)).outcome, ImpactResult::Outcome::free);
+  EXPECT_EQ(solver.time_of_impact(turning, beyond, over(0, 10)).outcome, ImpactResult::Outcome::free);
   const Body within = make_body("within", {ball}, standing(vector3(0, 1.05, 0)));
-  const ImpactResult impact = time_of_impact(solver, turning, within, over(0, 10));
+  const ImpactResult impact = solver.time_of_impact(turning, within, over(0, 10));
   ASSERT_EQ(impact.outcome, ImpactResult::Outcome::contact);
   EXPECT_GT(impact.lower, 0.2);
   EXPECT_LT(impact.upper, 0.25);
@@ -84,10 +84,10 @@ TEST(TimeOfImpact, ATurningFaceIsMetInFewSteps) {
     const Body turning = make_body("box", {box}, flying(vector3(0, 0, 0), vector3(0, 0, 0), spin));
     const SmallVector start = vector3(uniform(random), uniform(random), 3);
     const Body falling = make_body("ball", {ball}, flying(start, vector3(0, 0, -6), {0, 0, 0}));
-    PairSolver solver(3);
+    ContinuousSolver solver(3);
     ContinuousOptions closely = over(0, 1);
     closely.contact = 1e-11;
-    const ImpactResult impact = time_of_impact(solver, turning, falling, closely);
+    const ImpactResult impact = solver.time_of_impact(turning, falling, closely);
     ASSERT_NE(impact.outcome, ImpactResult::Outcome::undecided);
     if (impact.outcome == ImpactResult::Outcome::free) continue;
     ++contacts;
@@ -115,10 +115,10 @@ TEST(TimeOfImpact, NothingIsMetBeforeItsLowerBoundAndSomethingAtItsUpper) {
   for (int trial = 0; trial < 400; ++trial) {
     const int n = 2 + trial % 2;
     const Scene scene = random_scenes::scene(random, n, 2, 2, 1.5);
-    PairSolver solver(n);
+    ContinuousSolver solver(n);
     ContinuousOptions options = over(0, 1);
     options.contact = 1e-5;
-    const ImpactResult impact = time_of_impact(solver, scene.bodies[0], scene.bodies[1], options);
+    const ImpactResult impact = solver.time_of_impact(scene.bodies[0], scene.bodies[1], options);
     const double seen = first_seen(scene.bodies[0], scene.bodies[1], options.contact, 200);
     if (impact.outcome == ImpactResult::Outcome::contact) {
       ++contacts;
@@ -134,16 +134,47 @@ TEST(TimeOfImpact, NothingIsMetBeforeItsLowerBoundAndSomethingAtItsUpper) {
   EXPECT_LT(contacts, 390);
 }
 
+// Of two bodies of several parts, the answers are about the two parts that meet, or come nearest, at that
+// time.
+TEST(Continuous, AnswersNameTheNearestParts) {
+  Random random(23);
+  int contacts = 0, second_parts = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const int n = 2 + trial % 2;
+    const Scene scene = random_scenes::scene(random, n, 2, 3, 1.5);
+    const Body &a = scene.bodies[0], &b = scene.bodies[1];
+    const auto apart = [&](double t, const PairAnswer& answer) {
+      const auto part = [](const Body& body, int number) {
+        return make_body("part", {body.parts.at(static_cast<std::size_t>(number)).set}, body.motion);
+      };
+      return brute_force(part(a, answer.part_a), part(b, answer.part_b), t).lower;
+    };
+    ContinuousSolver solver(n);
+    const ImpactResult impact = solver.time_of_impact(a, b, over(0, 1));
+    if (impact.outcome == ImpactResult::Outcome::contact) {
+      ++contacts;
+      EXPECT_LE(apart(impact.upper, impact.at_upper), 1e-6) << trial;
+      second_parts += impact.at_upper.part_a + impact.at_upper.part_b > 0 ? 1 : 0;
+    } else {
+      EXPECT_EQ(impact.at_upper.part_a, -1) << "there is none";
+    }
+    const ClearanceResult found = solver.clearance(a, b, SceneMetric(), nullptr, over(0, 1));
+    EXPECT_LE(apart(found.time, found.at_time), found.upper * (1 + 1e-6) + 1e-9) << trial;
+  }
+  EXPECT_GT(contacts, 20);
+  EXPECT_GT(second_parts, 10);
+}
+
 TEST(Clearance, NoMomentIsBelowItAndOneAttainsIt) {
   Random random(21);
   for (int trial = 0; trial < 200; ++trial) {
     const int n = 2 + trial % 2;
     const Scene scene = random_scenes::scene(random, n, 2, 2, 3.0);
-    PairSolver solver(n);
+    ContinuousSolver solver(n);
     SceneMetric metric;
     if (trial % 4 == 3) metric.Q = std::make_shared<Box>(-Vector::Ones(n), 3 * Vector::Ones(n));
     const ClearanceResult found =
-        clearance(solver, scene.bodies[0], scene.bodies[1], metric, nullptr, over(0, 1));
+        solver.clearance(scene.bodies[0], scene.bodies[1], metric, nullptr, over(0, 1));
     const BruteForce there = brute_force(scene.bodies[0], scene.bodies[1], found.time, metric.Q);
     EXPECT_LE(there.lower, found.upper);
     EXPECT_LE(found.lower, found.upper);
@@ -163,15 +194,13 @@ TEST(Clearance, AMetricMayFollowABody) {
     SceneMetric metric;
     metric.Q = std::make_shared<Box>(Eigen::Vector3d(-1, -2, -3), Eigen::Vector3d(2, 1, 1));
     metric.body = 0;
-    PairSolver solver(3);
+    ContinuousSolver solver(3);
     const ClearanceResult found =
-        clearance(solver, scene.bodies[0], scene.bodies[1], metric, &scene.bodies[0], over(0, 1));
+        solver.clearance(scene.bodies[0], scene.bodies[1], metric, &scene.bodies[0], over(0, 1));
     for (int k = 0; k <= 50; ++k) {
       const double t = k / 50.0;
-      const auto Q = std::make_shared<PlacedSet>(3);
-      Placement turned = scene.bodies[0].motion->at(t);
-      turned.t.setZero();
-      Q->place(*metric.Q, turned);
+      const Pose turned(scene.bodies[0].motion->at(t).R, Vector::Zero(3));
+      const auto Q = std::make_shared<PosedView>(*metric.Q, turned);
       EXPECT_LE(found.lower, brute_force(scene.bodies[0], scene.bodies[1], t, Q).upper);
     }
   }

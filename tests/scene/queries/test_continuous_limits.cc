@@ -65,9 +65,9 @@ TEST(Continuous, ABodyThatComesToRestIsJudgedByWhereItRests) {
     const Body ball = ball_on(std::make_shared<TwistMotion>(at_x(x0), rates, 0.0));
     const Body target = wall(face, face + 1);
     const ContinuousOptions options = until(2 * rest, std::max(1e-300, 1e-3 * std::fabs(gap)));
-    PairSolver solver(3);
-    const ImpactResult impact = time_of_impact(solver, ball, target, options);
-    const ClearanceResult found = clearance(solver, ball, target, kEuclidean, nullptr, options);
+    ContinuousSolver solver(3);
+    const ImpactResult impact = solver.time_of_impact(ball, target, options);
+    const ClearanceResult found = solver.clearance(ball, target, kEuclidean, nullptr, options);
     EXPECT_NE(impact.outcome, gap > 0 ? Outcome::contact : Outcome::free) << trial << " " << gap;
     EXPECT_LE(found.lower, std::max(0.0, gap)) << trial;
     EXPECT_GE(found.upper, std::max(0.0, gap)) << trial;
@@ -84,11 +84,11 @@ TEST(Continuous, ABallThatPassesAWallInNoTimeMeetsIt) {
   const Body target = wall(-0.1, 0.1);
   for (const double moment : {1e-310, 1e-200, 1e-12}) {
     const Body ball = ball_on(along_x({0, moment, 1}, {-5, 5, 5}));
-    PairSolver solver(3);
-    const ClearanceResult found = clearance(solver, ball, target, kEuclidean, nullptr, until(1));
+    ContinuousSolver solver(3);
+    const ClearanceResult found = solver.clearance(ball, target, kEuclidean, nullptr, until(1));
     EXPECT_TRUE(found.touches) << moment;
     EXPECT_EQ(found.lower, 0) << moment;
-    EXPECT_NE(time_of_impact(solver, ball, target, until(1)).outcome, Outcome::free) << moment;
+    EXPECT_NE(solver.time_of_impact(ball, target, until(1)).outcome, Outcome::free) << moment;
   }
 }
 
@@ -97,8 +97,8 @@ TEST(Continuous, ABallThatPassesAWallInNoTimeMeetsIt) {
 TEST(Continuous, ASpanThatCannotBeSplitIsGivenUpAndNoOther) {
   const double jump = std::nextafter(0.5, 1);
   const Body ball = ball_on(along_x({0, 0.5, jump, 0.8, 1}, {-5, -5, 5, 1, 2}));
-  PairSolver solver(3);
-  const ClearanceResult found = clearance(solver, ball, wall(-0.1, 0.1), kEuclidean, nullptr, until(1));
+  ContinuousSolver solver(3);
+  const ClearanceResult found = solver.clearance(ball, wall(-0.1, 0.1), kEuclidean, nullptr, until(1));
   EXPECT_EQ(found.lower, 0);
   EXPECT_NEAR(found.upper, 0.4, 1e-12);
   EXPECT_EQ(found.time, 0.8);
@@ -112,14 +112,14 @@ TEST(Continuous, SpeedsWhoseSquaresOverflowEndNoRun) {
     const Body through = ball_on(std::make_shared<TwistMotion>(at_x(-5), rates, 0.0));
     rates.velocity[0] = -speed;
     const Body away = ball_on(std::make_shared<TwistMotion>(at_x(-5), rates, 0.0));
-    PairSolver solver(3);
+    ContinuousSolver solver(3);
     ContinuousOptions options = until(1);
     options.max_steps = 500;
     for (options.to = 10 / speed; options.to < 1e12 / speed; options.to *= 1e9) {
-      EXPECT_NE(time_of_impact(solver, through, target, options).outcome, Outcome::free) << speed;
-      EXPECT_NE(time_of_impact(solver, away, target, options).outcome, Outcome::contact) << speed;
-      EXPECT_LE(clearance(solver, through, target, kEuclidean, nullptr, options).lower, 0) << speed;
-      EXPECT_LE(clearance(solver, away, target, kEuclidean, nullptr, options).lower, 4.4) << speed;
+      EXPECT_NE(solver.time_of_impact(through, target, options).outcome, Outcome::free) << speed;
+      EXPECT_NE(solver.time_of_impact(away, target, options).outcome, Outcome::contact) << speed;
+      EXPECT_LE(solver.clearance(through, target, kEuclidean, nullptr, options).lower, 0) << speed;
+      EXPECT_LE(solver.clearance(away, target, kEuclidean, nullptr, options).lower, 4.4) << speed;
     }
   }
 }
@@ -130,8 +130,8 @@ TEST(Continuous, AClearanceOfBodiesThatMeetSaysWhenTheyFirstDo) {
     const double first = uniform(random, 0.1, 0.6);
     // At x = -0.6 the ball touches; it stays inside for a while and leaves.
     const Body ball = ball_on(along_x({0, first, 0.9, 1}, {-5, -0.6, 0.2, -5}));
-    PairSolver solver(3);
-    const ClearanceResult found = clearance(solver, ball, wall(-0.1, 0.1), kEuclidean, nullptr, until(1));
+    ContinuousSolver solver(3);
+    const ClearanceResult found = solver.clearance(ball, wall(-0.1, 0.1), kEuclidean, nullptr, until(1));
     ASSERT_TRUE(found.touches);
     EXPECT_NEAR(found.time, first, 1e-9);
     EXPECT_LE(found.no_contact_before, first);
@@ -144,9 +144,9 @@ TEST(Continuous, AQueryThatIsStoppedAnswersWithWhatIsProven) {
   const Body ball = ball_on(along_x({0, 1}, {-5, -1}));
   ContinuousOptions options = until(1);
   options.stop = [] { return true; };
-  PairSolver solver(3);
-  EXPECT_EQ(time_of_impact(solver, ball, wall(-0.1, 0.1), options).outcome, Outcome::undecided);
-  EXPECT_LE(clearance(solver, ball, wall(-0.1, 0.1), kEuclidean, nullptr, options).lower, 0.4);
+  ContinuousSolver solver(3);
+  EXPECT_EQ(solver.time_of_impact(ball, wall(-0.1, 0.1), options).outcome, Outcome::undecided);
+  EXPECT_LE(solver.clearance(ball, wall(-0.1, 0.1), kEuclidean, nullptr, options).lower, 0.4);
 }
 
 /// A leg: a hip that swings, a thigh, a shank on the thigh's knee, and a disc about the axis of the knee that
@@ -198,8 +198,8 @@ struct Leg {
 
 TEST(Continuous, LinksThatKeepTheirDistanceTakeFewSolves) {
   const Leg leg;
-  PairSolver solver(3);
-  const ClearanceResult found = clearance(solver, leg.links[1], leg.links[3], kEuclidean, nullptr, until(2));
+  ContinuousSolver solver(3);
+  const ClearanceResult found = solver.clearance(leg.links[1], leg.links[3], kEuclidean, nullptr, until(2));
   EXPECT_NEAR(found.upper, 0.006, 1e-6);
   EXPECT_GE(found.lower, (1 - 1e-3) * found.upper);
   EXPECT_LT(solver.counters().distance_solves, 300);  // by the speeds of both links 40 000
@@ -207,19 +207,19 @@ TEST(Continuous, LinksThatKeepTheirDistanceTakeFewSolves) {
 
 TEST(Continuous, LinksOfARobotKeepTheirAnswersInTheSpaceOfTheScene) {
   const Leg leg;
-  PairSolver solver(3);
+  ContinuousSolver solver(3);
   for (int a = 0; a < 4; ++a) {
     for (int b = a + 1; b < 4; ++b) {
       const Body& one = leg.links[static_cast<std::size_t>(a)];
       const Body& other = leg.links[static_cast<std::size_t>(b)];
-      const ClearanceResult found = clearance(solver, one, other, kEuclidean, nullptr, until(2));
+      const ClearanceResult found = solver.clearance(one, other, kEuclidean, nullptr, until(2));
       for (int k = 0; k <= 200; ++k) {
         EXPECT_LE(found.lower, brute_force(one, other, 0.01 * k).upper);
       }
       EXPECT_GE(found.upper, brute_force(one, other, found.time).lower);
       ContinuousOptions near = until(2);
       near.contact = 1.01 * found.upper + 1e-9;
-      const ImpactResult impact = time_of_impact(solver, one, other, near);
+      const ImpactResult impact = solver.time_of_impact(one, other, near);
       ASSERT_EQ(impact.outcome, Outcome::contact);
       if (impact.at_upper.point_a.size() == 0) continue;
       const SmallVector way = impact.at_upper.point_b - impact.at_upper.point_a;

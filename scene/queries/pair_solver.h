@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "scene/queries/part_solver.h"
+
+namespace raygauge {
+
+/// What a pair of bodies keeps, by part_a * (parts of b) + part_b.
+using PairMemory = std::vector<PartMemory>;
+
+/// Answers questions about two placed bodies: the least over all pairs of their parts. One a thread: it owns
+/// the workspace.
+class PairSolver {
+ public:
+  explicit PairSolver(int dimension) : placed_(dimension) {}
+
+  /// The tolerance of distances from now on.
+  void set_tolerance(double tolerance) { solver_.set_tolerance(tolerance); }
+
+  /// The pair and the metric of what follows; all must outlive their use.
+  void bind(const Body& a, const Body& b, const SceneMetric& metric);
+
+  /// Where they stand from now on. `metric_at` is the placement of the body that the metric follows, if any.
+  void place(const Placement& a, const Placement& b, const Placement* metric_at = nullptr) {
+    placed_.place(a, b, metric_at);
+  }
+
+  const Placement& placement_a() const noexcept { return placed_.at_a(); }
+  const Placement& placement_b() const noexcept { return placed_.at_b(); }
+
+  /// As of PlacedPair.
+  double ball_bound(const double* center_a, const double* center_b);
+  double ball_rate() const noexcept { return placed_.ball_rate(); }
+  double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
+
+  /// A certified lower bound on the distance from the planes in memory; 0 where they prove nothing. `rate` as
+  /// in PairAnswer. Useless under a metric that follows a body.
+  double plane_bound(const PairMemory& memory, double& rate);
+
+  /// The distance. A lower bound above `enough` ends it early; upper is then +infinity where it was not
+  /// needed. The answer belongs to the solver and lives until the next distance.
+  const PairAnswer& distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
+
+  /// Whether they are apart.
+  Separation separation(PairMemory& memory);
+
+  /// The growth distance about the centres of the parts, the least over all pairs of parts. Lives until the
+  /// next one.
+  const PairAnswer& growth(PairMemory& memory);
+
+  const SceneCounters& counters() const noexcept { return counters_; }
+
+ private:
+  struct Candidate {
+    PartNumbers parts;
+    double ball_bound = 0;
+  };
+
+  /// The answer about the nearest parts so far, and room for the next one.
+  class Nearest {
+   public:
+    void clear() noexcept { best_->part_a = -1; }  // of no parts: the rest is not read
+    PairAnswer& best() noexcept { return *best_; }
+    PairAnswer& next(PartNumbers parts) noexcept;
+    void take_next();
+
+   private:
+    PairAnswer answers_[2];
+    PairAnswer* best_ = &answers_[0];
+    PairAnswer* next_ = &answers_[1];
+  };
+
+  std::size_t memory_index(PartNumbers parts) const;
+  void sort_candidates();
+
+  PlacedPair placed_;
+  PartSolver solver_;
+  std::vector<Candidate> candidates_;
+  Nearest nearest_, least_growth_;
+  SceneCounters counters_;
+};
+
+}  // namespace raygauge

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/queries/placed_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raygauge/sets/ball.h"
+
+namespace raygauge {
+namespace {
+
+// Room for the rounding of the few operations of a bound, relative to what they are made of.
+constexpr double kRounding = 1e-13;
+constexpr double kOutward = 1 + kRounding;
+
+// What h(u) of a placed set may lose: rounding_error(n) Σ_k |u_k| m_k with the magnitudes of LinearImage,
+// each at most |t_k| + `turned` (turned_magnitude).
+double support_error(const SmallVector& u, double turned, const Placement& at) {
+  const int n = static_cast<int>(u.size());
+  return 2 * ConvexSet::rounding_error(n) * u.lpNorm<1>() * (at.t.lpNorm<1>() + turned);
+}
+
+}  // namespace
+
+PlacedPair::PlacedPair(int dimension)
+    : dimension_(dimension),
+      pose_a_(dimension),
+      pose_b_(dimension),
+      ball_(std::make_shared<Ball>(Vector::Zero(dimension), 1.0)),
+      pose_Q_(dimension) {}
+
+void PlacedPair::bind(const Body& a, const Body& b, const SceneMetric& metric) {
+  a_ = &a;
+  b_ = &b;
+  metric_ = &metric;
+  outer_radius_ = 1;
+  if (metric.euclidean()) return;
+  const BoundingBall ball = bounding_ball(*metric.Q);
+  outer_radius_ = (ball.center.norm() + ball.radius) * kOutward;
+  magnitude_Q_.resize(dimension_);
+  metric.Q->magnitude_unchecked(magnitude_Q_.data());
+}
+
+void PlacedPair::place(const Placement& a, const Placement& b, const Placement* metric_at) {
+  at_a_ = a;
+  at_b_ = b;
+  posed_ = false;
+  if (euclidean()) return;
+  Placement turned = Placement::identity(dimension_);
+  if (metric_at != nullptr) turned.R = metric_at->R;
+  pose_Q_.assign(turned.R.data(), turned.t.data());
+  Q_.emplace(*metric_->Q, pose_Q_);
+}
+
+double PlacedPair::ball_bound(const double* center_a, const double* center_b) const {
+  const double radii = a_->ball.radius + b_->ball.radius;
+  double square = 0, size = radii;
+  for (int k = 0; k < dimension_; ++k) {
+    const double apart = center_a[k] - center_b[k];
+    square += apart * apart;
+    size += std::fabs(center_a[k]) + std::fabs(center_b[k]);
+  }
+  return std::max(0.0, std::sqrt(square) - radii - kRounding * size) / (outer_radius_ * kOutward);
+}
+
+double PlacedPair::part_ball_bound(PartNumbers parts) const {
+  const BoundingBall& ball_a = a_->parts[static_cast<std::size_t>(parts.a)].ball;
+  const BoundingBall& ball_b = b_->parts[static_cast<std::size_t>(parts.b)].ball;
+  const SmallVector center_a = at_a_.R * ball_a.center + at_a_.t;
+  const SmallVector center_b = at_b_.R * ball_b.center + at_b_.t;
+  const double radii = ball_a.radius + ball_b.radius;
+  const double rounding = kRounding * (at_a_.t.norm() + at_b_.t.norm() + a_->reach + b_->reach + radii);
+  return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
+}
+
+// -h_A(u), A = b - a, rounding errors included, or less; the support points are in the frames of the bodies.
+double PlacedPair::depth_along(PartNumbers parts, const SmallVector& u, SmallVector& point_a,
+                               SmallVector& point_b) const {
+  const BodyPart& part_a = a_->parts[static_cast<std::size_t>(parts.a)];
+  const BodyPart& part_b = b_->parts[static_cast<std::size_t>(parts.b)];
+  point_a.resize(dimension_);
+  point_b.resize(dimension_);
+  const SmallVector inner_a = -at_a_.turned_back(u);
+  const SmallVector inner_b = at_b_.turned_back(u);
+  const double h = part_b.set->support_unchecked(inner_b.data(), point_b.data()) +
+                   part_a.set->support_unchecked(inner_a.data(), point_a.data()) + u.dot(at_b_.t - at_a_.t);
+  const double error =
+      support_error(u, part_a.turned_magnitude, at_a_) + support_error(u, part_b.turned_magnitude, at_b_);
+  return -(h + error);
+}
+
+double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) const {
+  SmallVector point_a, point_b;
+  const double depth = depth_along({0, 0}, u, point_a, point_b);
+  arm_a = at_a_.turned(point_a);
+  arm_b = at_b_.turned(point_b);
+  return depth / (u.norm() * (depth > 0 ? kOutward : 1.0));
+}
+
+// Weak duality (10) at u: -h_A(u) / h_Q(-u).
+double PlacedPair::plane_bound(PartNumbers parts, const SmallVector& u) const {
+  SmallVector point, other;
+  const double depth = depth_along(parts, u, point, other);
+  if (!(depth > 0)) return 0;
+  if (euclidean()) return depth / (u.norm() * kOutward);
+  const SmallVector minus = -u;
+  const double h_Q = Q_->support_unchecked(minus.data(), point.data()) +
+                     support_error(u, turned_magnitude(magnitude_Q_), Placement::identity(dimension_));
+  return h_Q > 0 ? depth / (h_Q * kOutward) : 0.0;
+}
+
+double PlacedPair::plane_rate(const SmallVector& u) const {
+  if (euclidean()) return kOutward;
+  SmallVector point(dimension_);
+  const SmallVector minus = -u;
+  return u.norm() / Q_->support_unchecked(minus.data(), point.data()) * (1 + 1e-9);
+}
+
+// Checks where they stand, unless that was done before.
+void PlacedPair::check_placements() {
+  for (Placement* at : {&at_a_, &at_b_}) {
+    if (at->defect != Placement::kUnchecked) continue;
+    Pose& pose = at == &at_a_ ? pose_a_ : pose_b_;
+    pose.assign(at->R.data(), at->t.data());
+    at->defect = pose.defect();
+  }
+}
+
+void PlacedPair::pose_bodies() {
+  if (posed_) return;
+  pose_a_.assign_checked(at_a_.R.data(), at_a_.t.data(), at_a_.defect);
+  pose_b_.assign_checked(at_b_.R.data(), at_b_.t.data(), at_b_.defect);
+  posed_ = true;
+}
+
+Posed PlacedPair::posed_a(PartNumbers parts) {
+  pose_bodies();
+  return {set_a(parts), pose_a_};
+}
+
+Posed PlacedPair::posed_b(PartNumbers parts) {
+  pose_bodies();
+  return {set_b(parts), pose_b_};
+}
+
+}  // namespace raygauge

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/queries/spatial_solve.h"
+#include "engine/sets/posed_view.h"
+#include "raygauge/scene/scene.h"
+#include "raygauge/sets/pose.h"
+
+namespace raygauge {
+
+/// One convex part of each of two bodies, by number.
+struct PartNumbers {
+  int a = 0, b = 0;
+};
+
+/// Two bodies where they stand and the metric between them, with the bounds on their distance that need no
+/// solve.
+class PlacedPair {
+ public:
+  explicit PlacedPair(int dimension);
+
+  /// The pair and the metric of what follows; all must outlive their use.
+  void bind(const Body& a, const Body& b, const SceneMetric& metric);
+
+  /// Where they stand from now on. `metric_at` is the placement of the body that the metric follows, if any.
+  void place(const Placement& a, const Placement& b, const Placement* metric_at);
+
+  int dimension() const noexcept { return dimension_; }
+  const Body& a() const noexcept { return *a_; }
+  const Body& b() const noexcept { return *b_; }
+  const Placement& at_a() const noexcept { return at_a_; }
+  const Placement& at_b() const noexcept { return at_b_; }
+  bool euclidean() const noexcept { return metric_->euclidean(); }
+
+  /// The unit ball of the distance, where it stands.
+  const ConvexSet& unit_ball() const noexcept { return euclidean() ? *ball_ : *Q_; }
+
+  const ConvexSet& set_a(PartNumbers parts) const {
+    return *a_->parts[static_cast<std::size_t>(parts.a)].set;
+  }
+  const ConvexSet& set_b(PartNumbers parts) const {
+    return *b_->parts[static_cast<std::size_t>(parts.b)].set;
+  }
+
+  /// Both parts where they stand, as solvers take them: as numbers, checked once a place, or as poses.
+  PoseNumbers numbers_a() const { return {at_a_.R.data(), at_a_.t.data(), at_a_.defect}; }
+  PoseNumbers numbers_b() const { return {at_b_.R.data(), at_b_.t.data(), at_b_.defect}; }
+  void check_placements();
+  Posed posed_a(PartNumbers parts);
+  Posed posed_b(PartNumbers parts);
+
+  /// A certified lower bound on the distance from the bounding balls of the whole bodies, whose middles are
+  /// given; it falls by at most ball_rate() times the way of these.
+  double ball_bound(const double* center_a, const double* center_b) const;
+  double ball_rate() const noexcept { return 1 / outer_radius_; }
+
+  /// The same for two parts where they stand.
+  double part_ball_bound(PartNumbers parts) const;
+
+  /// A certified lower bound on the distance of two parts from planes across u; 0 where they prove nothing.
+  double plane_bound(PartNumbers parts, const SmallVector& u) const;
+
+  /// That bound falls by at most so much times the distance that points of both bodies move. Useless under a
+  /// metric that follows a body.
+  double plane_rate(const SmallVector& u) const;
+
+  /// The Euclidean distance between two planes across the unit vector u that touch the bodies, body b on the
+  /// side away from u: a lower bound on their distance, not above 0 where they may overlap. `arm_a` and
+  /// `arm_b`: where the planes touch, from the origins of the bodies. For bodies of one part each.
+  double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) const;
+
+ private:
+  double depth_along(PartNumbers parts, const SmallVector& u, SmallVector& point_a,
+                     SmallVector& point_b) const;
+  void pose_bodies();
+
+  int dimension_;
+  const Body* a_ = nullptr;
+  const Body* b_ = nullptr;
+  const SceneMetric* metric_ = nullptr;
+  Placement at_a_, at_b_;
+  Pose pose_a_, pose_b_;  ///< the same, where posed_
+  bool posed_ = false;
+  std::shared_ptr<const ConvexSet> ball_;
+  Pose pose_Q_;
+  std::optional<PosedView> Q_;
+  double outer_radius_ = 1;  ///< of Q about the origin
+  SmallVector magnitude_Q_;
+};
+
+}  // namespace raygauge
