@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
+#include <string>
+#include <variant>
 
 #include "python/bindings/interrupt.h"
 #include "python/bindings/workers.h"
@@ -42,57 +44,49 @@ class CellCollector final : public SceneSink {
   std::vector<SceneCellResult> cells_;
 };
 
-template <class Value, class Get>
-py::array_t<Value> column(const std::vector<SceneRecord>& records, Get get) {
-  py::array_t<Value> array(static_cast<py::ssize_t>(records.size()));
-  std::transform(records.begin(), records.end(), array.mutable_data(), get);
+using Records = std::vector<SceneRecord>;
+
+template <class Number>
+py::array column(const Records& records, int /*n*/, Number SceneRecord::*member) {
+  py::array_t<Number> array(static_cast<py::ssize_t>(records.size()));
+  std::transform(records.begin(), records.end(), array.mutable_data(),
+                 [member](const SceneRecord& record) { return record.*member; });
   return array;
 }
 
-template <class Get>
-py::array_t<double> vectors(const std::vector<SceneRecord>& records, int n, Get get) {
+py::array column(const Records& records, int n, SmallVector SceneRecord::*member) {
   py::array_t<double> array({static_cast<py::ssize_t>(records.size()), static_cast<py::ssize_t>(n)});
   Eigen::Map<Eigen::MatrixXd> rows(array.mutable_data(), n, static_cast<Eigen::Index>(records.size()));
   rows.setConstant(SceneRecord::kNone);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const SmallVector& vector = get(records[i]);
+    const SmallVector& vector = records[i].*member;
     if (vector.size() == n) rows.col(static_cast<Eigen::Index>(i)) = vector;
   }
   return array;
 }
 
-template <class Get>
-py::array texts(const std::vector<SceneRecord>& records, Get get) {
+std::string text_of(SceneEffects kind) { return kind_text(kind); }
+std::string text_of(SceneStatus status) { return std::string(to_string(status)); }
+std::string text_of(SceneDecision decision) { return std::string(to_string(decision)); }
+
+template <class Word>
+py::array texts(const Records& records, Word SceneRecord::*member) {
   py::list names;
-  for (const SceneRecord& record : records) names.append(py::str(std::string(to_string(get(record)))));
+  for (const SceneRecord& record : records) names.append(py::str(text_of(record.*member)));
   return py::module_::import("numpy").attr("array")(names, "dtype"_a = py::str("U16"));
 }
 
-py::dict columns_of(const std::vector<SceneRecord>& records, int n) {
-  using R = const SceneRecord&;
-  py::dict c;
-  c["query"] = column<std::int32_t>(records, [](R r) { return r.query; });
-  c["body_a"] = column<std::int32_t>(records, [](R r) { return r.body_a; });
-  c["body_b"] = column<std::int32_t>(records, [](R r) { return r.body_b; });
-  c["kind"] = texts(records, [](R r) { return r.kind; });
-  c["instant"] = column<std::int64_t>(records, [](R r) { return r.instant; });
-  c["time"] = column<double>(records, [](R r) { return r.time; });
-  c["time_lower"] = column<double>(records, [](R r) { return r.time_lower; });
-  c["time_upper"] = column<double>(records, [](R r) { return r.time_upper; });
-  c["status"] = texts(records, [](R r) { return r.status; });
-  c["decided"] = texts(records, [](R r) { return r.decided; });
-  c["distance"] = column<double>(records, [](R r) { return r.distance; });
-  c["lower"] = column<double>(records, [](R r) { return r.lower; });
-  c["upper"] = column<double>(records, [](R r) { return r.upper; });
-  c["growth"] = column<double>(records, [](R r) { return r.growth; });
-  c["growth_lower"] = column<double>(records, [](R r) { return r.growth_lower; });
-  c["growth_upper"] = column<double>(records, [](R r) { return r.growth_upper; });
-  c["point_a"] = vectors(records, n, [](R r) -> const SmallVector& { return r.point_a; });
-  c["point_b"] = vectors(records, n, [](R r) -> const SmallVector& { return r.point_b; });
-  c["gradient"] = vectors(records, n, [](R r) -> const SmallVector& { return r.gradient; });
-  c["solves"] = column<std::int64_t>(records, [](R r) { return r.solves; });
-  c["seconds"] = column<double>(records, [](R r) { return r.seconds; });
-  return c;
+py::array column(const Records& r, int, SceneEffects SceneRecord::*m) { return texts(r, m); }
+py::array column(const Records& r, int, SceneStatus SceneRecord::*m) { return texts(r, m); }
+py::array column(const Records& r, int, SceneDecision SceneRecord::*m) { return texts(r, m); }
+
+py::dict columns_of(const Records& records, int n) {
+  py::dict columns;
+  for (const SceneField& field : scene_fields()) {
+    columns[py::str(std::string(field.name))] =
+        std::visit([&](auto member) { return column(records, n, member); }, field.member);
+  }
+  return columns;
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -97,26 +95,9 @@ Body body_of(const py::dict& body, double start) {
   return make_body(body["name"].cast<std::string>(), parts, motion_of(body, n, start));
 }
 
-constexpr std::array kEffects{std::pair{"separated", SceneEffects::separated},
-                              std::pair{"distance", SceneEffects::distance},
-                              std::pair{"closest_points", SceneEffects::closest_points},
-                              std::pair{"gradient", SceneEffects::gradient},
-                              std::pair{"growth", SceneEffects::growth},
-                              std::pair{"time_of_impact", SceneEffects::time_of_impact},
-                              std::pair{"clearance", SceneEffects::clearance}};
-
 SceneEffects effects_of(const std::vector<std::string>& names) {
   SceneEffects effects = SceneEffects::none;
-  for (const std::string& name : names) {
-    const auto* const found = std::find_if(kEffects.begin(), kEffects.end(),
-                                           [&](const auto& entry) { return name == entry.first; });
-    if (found == kEffects.end()) {
-      std::vector<std::string> known;
-      for (const auto& entry : kEffects) known.emplace_back(entry.first);
-      throw UnknownNameError("effect", name, known);
-    }
-    effects = effects | found->second;
-  }
+  for (const std::string& name : names) effects = effects | effect_named(name);
   return effects;
 }
 

@@ -84,8 +84,8 @@ SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
   }
   for (std::size_t q = 0; q < scene.queries.size(); ++q) {
     const SceneQuery& query = scene.queries[q];
-    head.queries.push_back({query.name, source.effects[q], source.metrics[q], query.within, query.nearest,
-                            query.tolerance, query.contact});
+    head.queries.push_back({query.name, to_string(query.effects), source.metrics[q], query.within,
+                            query.nearest, query.tolerance, query.contact});
   }
   return head;
 }
@@ -282,11 +282,12 @@ int explain(const SceneArguments& arguments) {
                      counted(source.scene.instants.size(), "instant") + ", " +
                      counted(plan.cells.size(), "cell") + " of work\n";
   for (std::size_t q = 0; q < source.scene.queries.size(); ++q) {
+    const SceneQuery& asked = source.scene.queries[q];
     Json query;
-    query["name"] = source.scene.queries[q].name;
-    query["effects"] = source.effects[q];
-    query["pairs"] = pairs_of(source.scene, source.scene.queries[q]).size();
-    text += language::printable(source.scene.queries[q].name) + " (" + source.effects[q] + ")\n";
+    query["name"] = asked.name;
+    query["effects"] = to_string(asked.effects);
+    query["pairs"] = pairs_of(source.scene, asked).size();
+    text += language::printable(asked.name) + " (" + to_string(asked.effects) + ")\n";
     for (const std::string& line : explain_query(source.scene, plan, static_cast<int>(q))) {
       text += "  " + language::printable(line) + "\n";
       query["plan"].push_back(line);

@@ -30,12 +30,6 @@ std::string query_name(const SceneFile& file, int query) {
   return language::printable(file.queries[static_cast<std::size_t>(query)].name);
 }
 
-std::vector<SceneTally> tallies_of(const SceneFile& file) {
-  std::vector<SceneTally> tallies(file.queries.size());
-  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
-  return tallies;
-}
-
 SceneCounters counters_of(const SceneFile& file) {
   SceneCounters sum;
   for (const SceneCellRow& row : file.cells) sum += row.counters;
@@ -156,10 +150,10 @@ std::string scene_table_text(const SceneFile& file) {
   std::string events;
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
-    if (record.kind == SceneRowKind::instant)
+    if (record.at_instant())
       lines[{record.query, record.body_a, record.body_b}].add(record);
     else
-      events += line_of(file, event_of(record, length_unit(file, record.query)));
+      events += line_of(file, event_of(file, record));
   }
   std::string text;
   if (!lines.empty()) {

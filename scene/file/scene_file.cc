@@ -215,6 +215,12 @@ std::string exported(const SceneFile& file, const std::vector<std::string>& quer
 
 }  // namespace
 
+std::vector<SceneTally> tallies_of(const SceneFile& file) {
+  std::vector<SceneTally> tallies(file.queries.size());
+  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
+  return tallies;
+}
+
 std::vector<std::string> distinct_query_names(const SceneFile& file) {
   std::map<std::string, std::size_t> count;
   for (const SceneQueryRow& query : file.queries) ++count[query.name];

@@ -79,6 +79,9 @@ const std::vector<Column<SceneCellRow>>& scene_cell_columns();
 const std::vector<Column<SceneBodyRow>>& scene_body_columns();
 const std::vector<Column<SceneQueryRow>>& scene_query_columns();
 
+/// How the answers to each query came about, over all cells.
+std::vector<SceneTally> tallies_of(const SceneFile& file);
+
 /// The names of the queries; where several have one name, as those of a list of tolerances, with what tells
 /// them apart.
 std::vector<std::string> distinct_query_names(const SceneFile& file);

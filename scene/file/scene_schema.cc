@@ -1,38 +1,18 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include <array>
+#include <type_traits>
+#include <variant>
 
+#include "raygauge/exceptions.h"
 #include "results/exceptions.h"
 #include "scene/file/scene_file.h"
 
 namespace raygauge {
 namespace {
 
-// A column of a member of the record in a row.
-template <class T>
-Column<SceneRow> of_record(std::string name, std::string unit, std::string description,
-                           T SceneRecord::*member) {
-  return column(std::move(name), std::move(unit), std::move(description), &SceneRow::record, member);
-}
-
-template <class Enum, std::size_t count>
-Column<SceneRow> word(const char* name, const char* description, Enum SceneRecord::*member,
-                      const std::array<Enum, count>& values) {
-  return {{name, "", description, ValueType::text},
-          [member](const SceneRow& row) { return Value(std::string(to_string(row.record.*member))); },
-          [member, values, name](SceneRow& row, const Value& value) {
-            for (const Enum known : values) {
-              if (to_string(known) != std::get<std::string>(value)) continue;
-              row.record.*member = known;
-              return;
-            }
-            throw ResultsError("'" + std::get<std::string>(value) + "' is no " + name);
-          }};
-}
-
-Column<SceneRow> coordinate(const std::string& name, const char* description,
-                            SmallVector SceneRecord::*member, int k) {
-  return {{name + "_" + std::to_string(k + 1), "1", description, ValueType::float64},
+Column<SceneRow> coordinate(const SceneField& field, SmallVector SceneRecord::*member, int k) {
+  return {{std::string(field.name) + "_" + std::to_string(k + 1), std::string(field.unit),
+           std::string(field.text), ValueType::float64},
           [member, k](const SceneRow& row) {
             const SmallVector& v = row.record.*member;
             return Value(k < v.size() ? v[k] : SceneRecord::kNone);
@@ -46,38 +26,46 @@ Column<SceneRow> coordinate(const std::string& name, const char* description,
           }};
 }
 
-// clang-format off
+std::string text_of(SceneEffects kind) { return kind_text(kind); }
+std::string text_of(SceneStatus status) { return std::string(to_string(status)); }
+std::string text_of(SceneDecision decision) { return std::string(to_string(decision)); }
+void read(const std::string& text, SceneEffects& kind) { kind = kind_from(text); }
+void read(const std::string& text, SceneStatus& status) { status = status_from(text); }
+void read(const std::string& text, SceneDecision& decision) { decision = decision_from(text); }
+
+template <class Word>
+Column<SceneRow> word(const SceneField& field, Word SceneRecord::*member) {
+  return {{std::string(field.name), "", std::string(field.text), ValueType::text},
+          [member](const SceneRow& row) { return Value(text_of(row.record.*member)); },
+          [member](SceneRow& row, const Value& value) {
+            try {
+              read(std::get<std::string>(value), row.record.*member);
+            } catch (const UnknownNameError& error) {
+              throw ResultsError(error.what());
+            }
+          }};
+}
+
+void add_columns(const SceneField& field, std::vector<Column<SceneRow>>& columns) {
+  std::visit(
+      [&]<class T>(T SceneRecord::*member) {
+        if constexpr (std::is_same_v<T, SmallVector>) {
+          for (int k = 0; k < kMostSceneDimensions; ++k) columns.push_back(coordinate(field, member, k));
+        } else if constexpr (std::is_enum_v<T>) {
+          columns.push_back(word(field, member));
+        } else {
+          columns.push_back(column(std::string(field.name), std::string(field.unit), std::string(field.text),
+                                   &SceneRow::record, member));
+        }
+      },
+      field.member);
+}
+
 std::vector<Column<SceneRow>> make_record_columns() {
-  using Kind = SceneRowKind;
-  using Status = SceneStatus;
-  using Decision = SceneDecision;
   std::vector<Column<SceneRow>> columns = {
-    column("cell", "1", "piece of work that the row belongs to", &SceneRow::cell),
-    column("session", "1", "row of /sessions in which the row was made", &SceneRow::session),
-    of_record("query", "1", "row of /queries", &SceneRecord::query),
-    of_record("body_a", "1", "row of /bodies; the first of the pair", &SceneRecord::body_a),
-    of_record("body_b", "1", "row of /bodies; the second of the pair", &SceneRecord::body_b),
-    of_record("part_a", "1", "nearest convex part of body_a; -1: not looked for", &SceneRecord::part_a),
-    of_record("part_b", "1", "nearest convex part of body_b; -1: not looked for", &SceneRecord::part_b),
-    word("kind", "instant, time_of_impact or clearance", &SceneRecord::kind, std::array{Kind::instant, Kind::time_of_impact, Kind::clearance}),
-    of_record("instant", "1", "number of the instant, from 0; -1: of the whole time", &SceneRecord::instant),
-    of_record("time", "s", "time of the instant; of the contact; at which the clearance is attained", &SceneRecord::time),
-    of_record("time_lower", "s", "proven that there is no contact before it: of a time of impact, and of the clearance of bodies that meet", &SceneRecord::time_lower),
-    of_record("time_upper", "s", "proven that there is a contact at it, of the same; nan: there is none", &SceneRecord::time_upper),
-    word("status", "separated, intersecting, undecided; of a time of impact contact, free, undecided", &SceneRecord::status, std::array{Status::separated, Status::intersecting, Status::undecided, Status::contact, Status::free}),
-    word("decided", "by what: solved, broad_phase, coherence, static", &SceneRecord::decided, std::array{Decision::solved, Decision::broad_phase, Decision::coherence, Decision::standing}),
-    of_record("distance", "1", "distance in the metric of the query; nan: not asked for", &SceneRecord::distance),
-    of_record("lower", "1", "certified lower bound of the distance", &SceneRecord::lower),
-    of_record("upper", "1", "certified upper bound of the distance", &SceneRecord::upper),
-    of_record("growth", "1", "growth distance about the centres; below 1: the bodies overlap; nan: not asked for", &SceneRecord::growth),
-    of_record("growth_lower", "1", "certified lower bound of the growth distance", &SceneRecord::growth_lower),
-    of_record("growth_upper", "1", "certified upper bound of the growth distance", &SceneRecord::growth_upper),
-    of_record("solves", "1", "pairs of convex parts solved for the row", &SceneRecord::solves),
-    of_record("seconds", "s", "wall time of those solves", &SceneRecord::seconds),
-  };
-  for (int k = 0; k < kMostSceneDimensions; ++k) columns.push_back(coordinate("point_a", "closest point of body_a, one coordinate; nan: not asked for", &SceneRecord::point_a, k));
-  for (int k = 0; k < kMostSceneDimensions; ++k) columns.push_back(coordinate("point_b", "closest point of body_b, one coordinate; nan: not asked for", &SceneRecord::point_b, k));
-  for (int k = 0; k < kMostSceneDimensions; ++k) columns.push_back(coordinate("gradient", "gradient of the distance as body_a is translated, one coordinate; nan: not asked for", &SceneRecord::gradient, k));
+      column("cell", "1", "piece of work that the row belongs to", &SceneRow::cell),
+      column("session", "1", "row of /sessions in which the row was made", &SceneRow::session)};
+  for (const SceneField& field : scene_fields()) add_columns(field, columns);
   return columns;
 }
 
@@ -88,6 +76,7 @@ const std::vector<Column<SceneRow>>& scene_record_columns() {
   return kColumns;
 }
 
+// clang-format off
 const std::vector<Column<SceneTallyRow>>& scene_tally_columns() {
   using Row = SceneTallyRow;
   static const std::vector<Column<Row>> kColumns = {

@@ -15,26 +15,14 @@
 #include "cli/input/toml_values.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/scene/timeline.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/point_set.h"
 #include "scene/input/scene_motion.h"
 #include "scene/input/scene_robot.h"
+#include "scene/queries/timeline.h"
 
 namespace raygauge::cli {
 namespace {
-
-const std::vector<std::pair<std::string, SceneEffects>>& effect_names() {
-  static const std::vector<std::pair<std::string, SceneEffects>> kNames = {
-      {"separated", SceneEffects::separated},
-      {"distance", SceneEffects::distance},
-      {"closest_points", SceneEffects::closest_points},
-      {"gradient", SceneEffects::gradient},
-      {"growth", SceneEffects::growth},
-      {"time_of_impact", SceneEffects::time_of_impact},
-      {"clearance", SceneEffects::clearance}};
-  return kNames;
-}
 
 const toml::table& table_of(const toml::node& node, const std::string& what) {
   if (const toml::table* table = node.as_table()) return *table;
@@ -239,7 +227,7 @@ class SceneReader {
     query.name = "query" + std::to_string(scene().queries.size() + 1);
     if (const toml::node* node = table.get("name")) query.name = read_text(*node, "query.name");
     read_groups(table, query);
-    const std::string effects = read_effects(table, query);
+    query.effects = read_effects(table);
     const std::string metric = read_metric(table, query);
     const Range positive{0, kInfinity, true};
     if (const toml::node* node = table.get("within"))
@@ -262,7 +250,6 @@ class SceneReader {
     for (const double tolerance : tolerances) {
       query.tolerance = tolerance;
       scene().queries.push_back(query);
-      source_.effects.push_back(effects);
       source_.metrics.push_back(metric);
     }
   }
@@ -293,22 +280,13 @@ class SceneReader {
     if (pairs_of(scene(), query).empty()) refuse(*node, "query.between leaves no pair of bodies");
   }
 
-  std::string read_effects(const toml::table& table, SceneQuery& query) {
+  static SceneEffects read_effects(const toml::table& table) {
     const toml::node* node = table.get("effects");
     if (node == nullptr) refuse(table, "a query needs effects");
-    query.effects = SceneEffects::none;
-    std::string text;
-    std::vector<std::string> known;
-    for (const auto& [name, effect] : effect_names()) known.push_back(name);
-    for (const std::string& asked : texts_of(*node, "query.effects")) {
-      const auto found = std::find(known.begin(), known.end(), asked);
-      if (found == known.end()) throw UnknownNameError("effect", asked, known, place_of(*node));
-      query.effects = query.effects | effect_names()[static_cast<std::size_t>(found - known.begin())].second;
-    }
-    for (const auto& [name, effect] : effect_names()) {
-      if (has_effect(query.effects, effect)) text += (text.empty() ? "" : " ") + name;
-    }
-    return text;
+    SceneEffects effects = SceneEffects::none;
+    for (const std::string& asked : texts_of(*node, "query.effects"))
+      effects = effects | effect_named(asked, place_of(*node));
+    return effects;
   }
 
   std::string read_metric(const toml::table& table, SceneQuery& query) {
@@ -401,7 +379,7 @@ std::string scene_identity(const SceneSource& source) {
        << "bodies = " << names << "\nshapes = " << shapes.value() << "\nplaces = " << places.value() << '\n';
   for (std::size_t q = 0; q < scene.queries.size(); ++q) {
     const SceneQuery& query = scene.queries[q];
-    text << "query " << q + 1 << " = " << source.effects[q] << "; " << source.metrics[q] << "; "
+    text << "query " << q + 1 << " = " << to_string(query.effects) << "; " << source.metrics[q] << "; "
          << pairs_of(scene, query).size() << " pairs; within " << query.within << "; nearest "
          << query.nearest << "; tolerance " << query.tolerance << "; contact " << query.contact
          << "; clearance_tolerance " << query.clearance_tolerance << "; every_instant " << query.every_instant

@@ -16,7 +16,6 @@ struct SceneSource {
   Scene scene;
   std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
-  std::vector<std::string> effects;  ///< by query: their names, separated by blanks
   std::vector<std::string> notes;    ///< what is worth knowing of robots, one line each
 };
 

@@ -112,8 +112,7 @@ std::vector<SceneEvent> events_of(const SceneFile& file) {
   std::map<std::tuple<int, int, int>, Track> tracks;
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
-    if (record.kind == SceneRowKind::instant)
-      tracks[{record.query, record.body_a, record.body_b}].push_back(&record);
+    if (record.at_instant()) tracks[{record.query, record.body_a, record.body_b}].push_back(&record);
   }
   for (const auto& [key, track] : tracks) add_least(file, track, events);
   std::stable_sort(events.begin(), events.end(), more_dangerous);

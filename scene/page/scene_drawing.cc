@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "raygauge/scene/timeline.h"
 #include "scene/page/support_mesh.h"
 
 namespace raygauge::cli {

@@ -59,7 +59,7 @@ std::vector<Panel> panels_of(const SceneFile& file) {
     Panel panel{names[q], "growth distance", {}};
     for (const SceneRow& row : file.records) {
       const SceneRecord& r = row.record;
-      if (static_cast<std::size_t>(r.query) != q || r.kind != SceneRowKind::instant) continue;
+      if (static_cast<std::size_t>(r.query) != q || !r.at_instant()) continue;
       const Sample sample = sample_of(r);
       if (!std::isfinite(sample.value)) continue;
       if (r.distance == r.distance)
@@ -100,9 +100,9 @@ std::string event_lines(const SceneFile& file) {
   std::map<std::int32_t, const SceneRecord*> least;
   for (const SceneRow& row : file.records) {
     const SceneRecord& r = row.record;
-    if (r.kind == SceneRowKind::time_of_impact && r.status == SceneStatus::contact)
+    if (r.kind == SceneEffects::time_of_impact && r.status == SceneStatus::contact)
       text += vertical_line(r.time_upper, "#C00000");
-    if (r.kind != SceneRowKind::clearance || !std::isfinite(r.time)) continue;
+    if (r.kind != SceneEffects::clearance || !std::isfinite(r.time)) continue;
     const SceneRecord*& known = least[r.query];
     if (known == nullptr || r.upper < known->upper) known = &r;
   }

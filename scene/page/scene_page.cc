@@ -44,7 +44,7 @@ json records_json(const SceneFile& file) {
   for (const auto& [name, member] : kNumbers) columns[name] = json::array();
   for (const SceneRow& row : file.records) {
     const SceneRecord& record = row.record;
-    if (record.kind != SceneRowKind::instant) continue;
+    if (!record.at_instant()) continue;
     columns["query"].push_back(record.query);
     columns["a"].push_back(record.body_a);
     columns["b"].push_back(record.body_b);
@@ -91,9 +91,8 @@ std::int64_t instants_of(const SceneFile& file, std::size_t query) {
 }
 
 json queries_of(const SceneFile& file) {
-  std::vector<SceneTally> tallies(file.queries.size());
+  const std::vector<SceneTally> tallies = tallies_of(file);
   std::vector<double> seconds(file.queries.size());
-  for (const SceneTallyRow& row : file.tallies) tallies[static_cast<std::size_t>(row.query)] += row.tally;
   for (const SceneRow& row : file.records)
     seconds[static_cast<std::size_t>(row.record.query)] += row.record.seconds;
   const std::vector<std::string> names = distinct_query_names(file);

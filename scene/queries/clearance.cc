@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
-#include "scene/queries/continuous_pair.h"
+#include "scene/queries/effects.h"
 #include "scene/queries/plane_steps.h"
 #include "scene/queries/riders.h"
+#include "scene/queries/rows.h"
 
 namespace raygauge {
 namespace {
@@ -213,6 +214,47 @@ ClearanceResult clearance(PairSolver& solver, const Body& a, const Body& b, cons
   ClearanceResult found = find_clearance(solver, riders.a(), riders.b(), metric, metric_body, options);
   riders.to_scene(found.time, found.at_time);
   return found;
+}
+
+namespace {
+
+void answer(const ContinuousQuestion& question, PairSolver& solver, SceneRecord& row) {
+  const ClearanceResult found =
+      clearance(solver, question.a, question.b, question.metric, question.metric_body, question.options);
+  row.time = found.time;
+  if (found.touches) {
+    row.time_lower = found.no_contact_before;
+    row.time_upper = found.time;
+  }
+  row.lower = found.lower;
+  row.upper = found.upper;
+  row.distance = found.upper;
+  row.status = SceneStatus::undecided;
+  if (found.lower > 0) row.status = SceneStatus::separated;
+  if (found.touches) row.status = SceneStatus::intersecting;
+  take_points(found.at_time, row);
+}
+
+SceneEvent event(const SceneRecord& row, const std::string& unit) {
+  if (row.status == SceneStatus::intersecting) {
+    SceneEvent event = event_of_kind(EventKind::contact, row, row.time);
+    event.text = std::isnan(row.time_lower)
+                     ? "they meet at " + event_number(row.time) + " s"
+                     : "they meet, first in " + event_interval(row.time_lower, row.time);
+    return event;
+  }
+  const bool apart = row.lower > 0;
+  SceneEvent event = event_of_kind(apart ? EventKind::near : EventKind::undecided, row, row.time);
+  event.value = row.lower;
+  event.text = (apart ? "never closer than " + event_bound(row.lower) + unit : "meet, or nearly: undecided") +
+               "; " + event_number(row.upper) + unit + " at " + event_number(row.time) + " s";
+  return event;
+}
+
+}  // namespace
+
+Effect clearance_effect() noexcept {
+  return {SceneEffects::clearance, "clearance", "clearance: branch and bound over time", answer, event};
 }
 
 }  // namespace raygauge

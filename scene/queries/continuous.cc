@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/scene/continuous.h"
 
-#include "scene/queries/continuous_pair.h"
+#include "scene/queries/effects.h"
+#include "scene/queries/pair_solver.h"
 
 namespace raygauge {
 

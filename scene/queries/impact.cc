@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
-#include "scene/queries/continuous_pair.h"
+#include "scene/queries/effects.h"
 #include "scene/queries/plane_steps.h"
 #include "scene/queries/riders.h"
+#include "scene/queries/rows.h"
 
 namespace raygauge {
 namespace {
@@ -186,6 +187,42 @@ ImpactResult time_of_impact(PairSolver& solver, const Body& a, const Body& b,
   ImpactResult found = find_impact(solver, riders.a(), riders.b(), options);
   riders.to_scene(found.upper, found.at_upper);
   return found;
+}
+
+namespace {
+
+void answer(const ContinuousQuestion& question, PairSolver& solver, SceneRecord& row) {
+  const ImpactResult impact = time_of_impact(solver, question.a, question.b, question.options);
+  row.time_lower = impact.lower;
+  row.status = SceneStatus::undecided;
+  if (impact.outcome == ImpactResult::Outcome::free) row.status = SceneStatus::free;
+  if (impact.outcome != ImpactResult::Outcome::contact) return;
+  row.status = SceneStatus::contact;
+  row.time = row.time_upper = impact.upper;
+  take_distance(impact.at_upper, row);
+  take_points(impact.at_upper, row);
+}
+
+SceneEvent event(const SceneRecord& row, const std::string& /*unit*/) {
+  SceneEvent event = event_of_kind(EventKind::undecided, row, row.time_lower);
+  if (row.status == SceneStatus::free) {
+    event = event_of_kind(EventKind::free, row, SceneRecord::kNone);
+    event.text = "no contact, proven";
+  } else if (row.status == SceneStatus::contact) {
+    event = event_of_kind(EventKind::contact, row, row.time_upper);
+    event.text = "first contact in " + event_interval(row.time_lower, row.time_upper);
+  } else {
+    event.text = "no contact before " + event_number(row.time_lower) + " s, proven; after that undecided";
+  }
+  return event;
+}
+
+}  // namespace
+
+Effect time_of_impact_effect() noexcept {
+  return {SceneEffects::time_of_impact, "time_of_impact",
+          "time of impact: conservative advancement, from certified distance to certified distance", answer,
+          event};
 }
 
 }  // namespace raygauge

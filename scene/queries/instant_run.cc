@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
+#include "scene/queries/rows.h"
 
 namespace raygauge {
 namespace {
@@ -16,11 +17,6 @@ constexpr SceneEffects kDistanceEffects =
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-SceneStatus status_of(const PairAnswer& answer) {
-  if (answer.intersecting()) return SceneStatus::intersecting;
-  return answer.lower > 0 ? SceneStatus::separated : SceneStatus::undecided;
 }
 
 SceneStatus status_of(Separation separation) {
@@ -235,35 +231,15 @@ void InstantRun::write(std::size_t k) {
 
 void InstantRun::write_row(std::size_t k, int q) {
   const SceneQuery& query = scene_.queries[static_cast<std::size_t>(q)];
-  SceneRecord row;
-  row.query = q;
-  row.body_a = task_.pair.a;
-  row.body_b = task_.pair.b;
-  row.instant = static_cast<std::int64_t>(k);
-  row.time = scene_.instants[k];
+  SceneRecord row = begin_row(scene_, q, task_.pair, static_cast<std::int64_t>(k));
   row.status = known_.status;
   row.decided = known_.decided;
   row.solves = known_.solves;
   row.seconds = known_.seconds;
   const bool distance = has_effect(query.effects, kDistanceEffects) || std::isfinite(query.within);
-  if (distance && !known_.beyond && known_.answer != nullptr) {
-    const PairAnswer& answer = *known_.answer;
-    row.part_a = answer.part_a;
-    row.part_b = answer.part_b;
-    row.lower = answer.lower;
-    row.upper = answer.upper;
-    row.distance = answer.value;
-    if (has_effect(query.effects, SceneEffects::closest_points)) {
-      row.point_a = answer.point_a;
-      row.point_b = answer.point_b;
-    }
-    if (has_effect(query.effects, SceneEffects::gradient)) row.gradient = answer.gradient;
-  }
-  if (has_effect(query.effects, SceneEffects::growth) && known_.growth != nullptr) {
-    row.growth = known_.growth->value;
-    row.growth_lower = known_.growth->lower;
-    row.growth_upper = known_.growth->upper;
-  }
+  if (distance && !known_.beyond && known_.answer != nullptr) take_asked(*known_.answer, query.effects, row);
+  if (has_effect(query.effects, SceneEffects::growth) && known_.growth != nullptr)
+    take_growth(*known_.growth, row);
   result_.records.push_back(std::move(row));
 }
 

@@ -6,8 +6,8 @@
 
 #include "raygauge/scene/scene_plan.h"
 #include "raygauge/scene/scene_record.h"
-#include "raygauge/scene/timeline.h"
 #include "scene/queries/pair_solver.h"
+#include "scene/queries/timeline.h"
 
 namespace raygauge {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
+#include "scene/queries/rows.h"
 
 namespace raygauge {
 namespace {
@@ -123,31 +124,14 @@ class NearestRun {
   }
 
   void write(const Found& found, std::size_t k) {
-    SceneRecord row;
-    row.query = number_;
-    row.body_a = pairs_[found.pair].a;
-    row.body_b = pairs_[found.pair].b;
-    row.part_a = found.answer.part_a;
-    row.part_b = found.answer.part_b;
-    row.instant = static_cast<std::int64_t>(k);
-    row.time = scene_.instants[k];
-    row.status = SceneStatus::undecided;
-    if (found.answer.lower > 0) row.status = SceneStatus::separated;
-    if (found.answer.intersecting()) row.status = SceneStatus::intersecting;
-    row.distance = found.answer.value;
-    row.lower = found.answer.lower;
-    row.upper = found.answer.upper;
-    row.point_a = found.answer.point_a;
-    row.point_b = found.answer.point_b;
-    row.gradient = found.answer.gradient;
+    SceneRecord row = begin_row(scene_, number_, pairs_[found.pair], static_cast<std::int64_t>(k));
+    row.status = status_of(found.answer);
+    take_asked(found.answer, query_.effects, row);
     row.solves = found.solves;
     row.seconds = found.seconds;
     if (has_effect(query_.effects, SceneEffects::growth)) {
       bind(found.pair, k);
-      const PairAnswer& growth = solver_.growth(memories_[found.pair]);
-      row.growth = growth.value;
-      row.growth_lower = growth.lower;
-      row.growth_upper = growth.upper;
+      take_growth(solver_.growth(memories_[found.pair]), row);
     }
     result_.records.push_back(std::move(row));
   }

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "raygauge/scene/scene_record.h"
-#include "raygauge/scene/timeline.h"
 #include "scene/queries/pair_solver.h"
+#include "scene/queries/timeline.h"
 
 namespace raygauge {
 

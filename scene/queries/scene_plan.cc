@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/queries/effects.h"
+
 namespace raygauge {
 namespace {
 
@@ -62,9 +64,10 @@ void add_instant_tasks(const Scene& scene, ScenePlan& plan) {
 void add_continuous_tasks(const Scene& scene, ScenePlan& plan) {
   for (int q = 0; q < static_cast<int>(scene.queries.size()); ++q) {
     const SceneQuery& query = scene.queries[static_cast<std::size_t>(q)];
-    for (const SceneEffects effect : {SceneEffects::time_of_impact, SceneEffects::clearance}) {
-      if (!has_effect(query.effects, effect)) continue;
-      for (const BodyPair pair : pairs_of(scene, query)) plan.continuous_tasks.push_back({pair, q, effect});
+    for (const Effect& entry : all_effects()) {
+      if (entry.answer == nullptr || !has_effect(query.effects, entry.effect)) continue;
+      for (const BodyPair pair : pairs_of(scene, query))
+        plan.continuous_tasks.push_back({pair, q, entry.effect});
     }
   }
 }
@@ -119,16 +122,10 @@ std::string means_at_instants(const SceneQuery& query) {
 
 /// The names of the effects that the query does not ask for, with commas.
 std::string effects_not_asked_for(const SceneQuery& query) {
-  const std::pair<SceneEffects, const char*> effects[] = {{SceneEffects::separated, "separated"},
-                                                          {SceneEffects::distance, "distance"},
-                                                          {SceneEffects::closest_points, "closest_points"},
-                                                          {SceneEffects::gradient, "gradient"},
-                                                          {SceneEffects::growth, "growth"},
-                                                          {SceneEffects::time_of_impact, "time_of_impact"},
-                                                          {SceneEffects::clearance, "clearance"}};
   std::string names;
-  for (const auto& [effect, name] : effects) {
-    if (!has_effect(query.effects, effect)) names += (names.empty() ? "" : ", ") + std::string(name);
+  for (const Effect& entry : all_effects()) {
+    if (!has_effect(query.effects, entry.effect))
+      names += (names.empty() ? "" : ", ") + std::string(entry.name);
   }
   return names;
 }
@@ -166,9 +163,8 @@ std::vector<std::string> explain_query(const Scene& scene, const ScenePlan& plan
   add(shared > 0, counted(shared, "pair") + " shared with a query before: no solves of their own");
   const std::string means = instants ? means_at_instants(query) : "";
   add(!means.empty(), means);
-  add(has_effect(query.effects, SceneEffects::time_of_impact),
-      "time of impact: conservative advancement, from certified distance to certified distance");
-  add(has_effect(query.effects, SceneEffects::clearance), "clearance: branch and bound over time");
+  for (const Effect& entry : all_effects())
+    add(!entry.way.empty() && has_effect(query.effects, entry.effect), std::string(entry.way));
   const std::string never = effects_not_asked_for(query);
   add(!never.empty(), "never: " + never + " (not asked for)");
   return lines;

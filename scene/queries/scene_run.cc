@@ -14,9 +14,10 @@
 
 #include "engine/threads/team.h"
 #include "scene/queries/cell_clock.h"
-#include "scene/queries/continuous_pair.h"
+#include "scene/queries/effects.h"
 #include "scene/queries/instant_run.h"
 #include "scene/queries/nearest_run.h"
+#include "scene/queries/rows.h"
 
 namespace raygauge {
 namespace {
@@ -27,87 +28,34 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-SceneRecord row_of(const ContinuousTask& task) {
-  SceneRecord row;
-  row.query = task.query;
-  row.body_a = task.pair.a;
-  row.body_b = task.pair.b;
-  return row;
-}
-
-void take_points(SceneRecord& row, const PairAnswer& answer) {
-  row.part_a = answer.part_a;
-  row.part_b = answer.part_b;
-  row.point_a = answer.point_a;
-  row.point_b = answer.point_b;
-}
-
-void find_impact(const Scene& scene, const ContinuousTask& task, const ContinuousOptions& options,
-                 PairSolver& solver, SceneRecord& row) {
-  const ImpactResult impact = time_of_impact(solver, scene.bodies[static_cast<std::size_t>(task.pair.a)],
-                                             scene.bodies[static_cast<std::size_t>(task.pair.b)], options);
-  row.kind = SceneRowKind::time_of_impact;
-  row.time_lower = impact.lower;
-  row.status = SceneStatus::undecided;
-  if (impact.outcome == ImpactResult::Outcome::free) row.status = SceneStatus::free;
-  if (impact.outcome != ImpactResult::Outcome::contact) return;
-  row.status = SceneStatus::contact;
-  row.time = row.time_upper = impact.upper;
-  row.lower = impact.at_upper.lower;
-  row.upper = impact.at_upper.upper;
-  row.distance = impact.at_upper.value;
-  take_points(row, impact.at_upper);
-}
-
-void find_clearance(const Scene& scene, const ContinuousTask& task, const ContinuousOptions& options,
-                    PairSolver& solver, SceneRecord& row) {
-  const SceneMetric& metric = scene.queries[static_cast<std::size_t>(task.query)].metric;
-  const Body* metric_body = metric.body >= 0 ? &scene.bodies[static_cast<std::size_t>(metric.body)] : nullptr;
-  const ClearanceResult found =
-      clearance(solver, scene.bodies[static_cast<std::size_t>(task.pair.a)],
-                scene.bodies[static_cast<std::size_t>(task.pair.b)], metric, metric_body, options);
-  row.kind = SceneRowKind::clearance;
-  row.time = found.time;
-  if (found.touches) {
-    row.time_lower = found.no_contact_before;
-    row.time_upper = found.time;
-  }
-  row.lower = found.lower;
-  row.upper = found.upper;
-  row.distance = found.upper;
-  row.status = SceneStatus::undecided;
-  if (found.lower > 0) row.status = SceneStatus::separated;
-  if (found.touches) row.status = SceneStatus::intersecting;
-  take_points(row, found.at_time);
-}
-
 void run_continuous(const Scene& scene, const ContinuousTask& task, PairSolver& solver,
                     SceneCellResult& result, const std::function<bool()>& stop) {
   const SceneQuery& query = scene.queries[static_cast<std::size_t>(task.query)];
-  ContinuousOptions options;
-  options.from = scene.instants.front();
-  options.to = scene.instants.back();
-  options.contact = query.contact;
-  options.tolerance = query.clearance_tolerance;
-  options.stop = stop;
-  SceneRecord row = row_of(task);
+  const auto body = [&](int number) { return &scene.bodies[static_cast<std::size_t>(number)]; };
+  ContinuousQuestion question{*body(task.pair.a),
+                              *body(task.pair.b),
+                              query.metric,
+                              query.metric.body >= 0 ? body(query.metric.body) : nullptr,
+                              {}};
+  question.options.from = scene.instants.front();
+  question.options.to = scene.instants.back();
+  question.options.contact = query.contact;
+  question.options.tolerance = query.clearance_tolerance;
+  question.options.stop = stop;
+  SceneRecord row = begin_row(scene, task.query, task.pair);
+  row.kind = task.effect;
   const Clock::time_point begin = Clock::now();
   const std::int64_t before = solver.counters().solves();
-  if (task.effect == SceneEffects::time_of_impact) {
-    find_impact(scene, task, options, solver, row);
-  } else {
-    find_clearance(scene, task, options, solver, row);
-  }
+  entry_of(task.effect).answer(question, solver, row);
   row.solves = solver.counters().solves() - before;
   row.seconds = seconds_since(begin);
   result.tallies[static_cast<std::size_t>(task.query)].count(SceneDecision::solved);
   result.records.push_back(std::move(row));
 }
 
-}  // namespace
-
-SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
-                               std::uint64_t number, const std::function<bool()>& stop) {
+// The work on one cell, of which a part is missing once `stop` was true.
+SceneCellResult run_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
+                         std::uint64_t number, const std::function<bool()>& stop) {
   const SceneCell& cell = plan.cells[number];
   SceneCellResult result;
   result.cell = number;
@@ -133,8 +81,6 @@ SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const 
   result.seconds = seconds_since(begin);
   return result;
 }
-
-namespace {
 
 /// One run: its cells, shared between threads.
 class SceneRun {
@@ -187,7 +133,7 @@ class SceneRun {
         const std::lock_guard lock(mutex_);
         clock_->begin(i, seconds_since(begin_));
       }
-      const SceneCellResult result = run_scene_cell(scene_, plan_, timeline, cells_[i], stop);
+      const SceneCellResult result = run_cell(scene_, plan_, timeline, cells_[i], stop);
       if (stopped) return stop_all();
       sink_.store(result);
       const std::lock_guard lock(mutex_);

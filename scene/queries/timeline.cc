@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/timeline.h"
+#include "scene/queries/timeline.h"
 
 #include <algorithm>
 #include <atomic>

@@ -87,8 +87,8 @@ std::string RandomScenes::instant_error(const SceneRecord& row, const BruteForce
 
 std::string RandomScenes::row_error(const Scene& scene, const SceneRecord& row) {
   ++tally_.records;
-  if (row.kind == SceneRowKind::clearance) return clearance_error(scene, row);
-  if (row.kind == SceneRowKind::time_of_impact) return time_of_impact_error(scene, row);
+  if (row.kind == SceneEffects::clearance) return clearance_error(scene, row);
+  if (row.kind == SceneEffects::time_of_impact) return time_of_impact_error(scene, row);
   const SceneQuery& query = scene.queries[static_cast<std::size_t>(row.query)];
   return instant_error(
       row, brute_force(body_of(scene, row.body_a), body_of(scene, row.body_b), row.time, query.metric.Q));

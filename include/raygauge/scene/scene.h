@@ -34,6 +34,12 @@ constexpr bool has_effect(SceneEffects asked, SceneEffects effect) noexcept {
   return (asked & effect) != SceneEffects::none;
 }
 
+/// Their names, separated by blanks.
+std::string to_string(SceneEffects effects);
+
+/// The effect of a name. Throws UnknownNameError; `place` says where the name stood.
+SceneEffects effect_named(const std::string& name, const std::string& place = "");
+
 inline constexpr SceneEffects kInstantEffects = SceneEffects::separated | SceneEffects::distance |
                                                 SceneEffects::closest_points | SceneEffects::gradient |
                                                 SceneEffects::growth;

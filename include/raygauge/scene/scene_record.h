@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "raygauge/scene/placement.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge {
 
@@ -22,11 +24,6 @@ enum class SceneDecision : std::uint8_t {
 };
 
 std::string_view to_string(SceneDecision decision) noexcept;
-
-/// What a row of results is about.
-enum class SceneRowKind : std::uint8_t { instant, time_of_impact, clearance };
-
-std::string_view to_string(SceneRowKind kind) noexcept;
 
 /// The outcome of a row.
 enum class SceneStatus : std::uint8_t {
@@ -45,9 +42,9 @@ struct SceneRecord {
 
   std::int32_t query = 0;
   std::int32_t body_a = 0, body_b = 0;
-  std::int32_t part_a = -1, part_b = -1;  ///< the nearest parts; -1: not looked for
-  SceneRowKind kind = SceneRowKind::instant;
-  std::int64_t instant = -1;  ///< -1: of the whole time
+  std::int32_t part_a = -1, part_b = -1;   ///< the nearest parts; -1: not looked for
+  SceneEffects kind = SceneEffects::none;  ///< the effect over the whole time; none: effects at an instant
+  std::int64_t instant = -1;               ///< -1: of the whole time
   double time = kNone;        ///< of the instant; of the least clearance; of the contact, as time_upper
   double time_lower = kNone;  ///< no contact before it, proven: of an impact, and of a clearance of 0
   double time_upper = kNone;  ///< a contact at it, proven: of the same
@@ -58,7 +55,28 @@ struct SceneRecord {
   SmallVector point_a, point_b, gradient;  ///< empty: none
   std::int64_t solves = 0;  ///< pairs of convex parts solved for this row, and for rows that share its solve
   double seconds = 0;       ///< of those solves
+
+  bool at_instant() const noexcept { return kind == SceneEffects::none; }
 };
+
+/// A column of answers, as every table and file shows it.
+struct SceneField {
+  using Member = std::variant<std::int32_t SceneRecord::*, std::int64_t SceneRecord::*, double SceneRecord::*,
+                              SceneEffects SceneRecord::*, SceneStatus SceneRecord::*,
+                              SceneDecision SceneRecord::*, SmallVector SceneRecord::*>;
+  Member member;
+  std::string_view name;
+  std::string_view unit;  ///< "1" of a number without one, "" of a text
+  std::string_view text;  ///< what it means, in one line
+};
+
+std::span<const SceneField> scene_fields() noexcept;
+
+/// The texts of a record's kind, status and decision, and their inverse. Throws UnknownNameError.
+std::string kind_text(SceneEffects kind);
+SceneEffects kind_from(const std::string& text);
+SceneStatus status_from(const std::string& text);
+SceneDecision decision_from(const std::string& text);
 
 /// How often the answers to one query were obtained in each way.
 struct SceneTally {

@@ -8,7 +8,6 @@
 
 #include "raygauge/scene/scene_plan.h"
 #include "raygauge/scene/scene_record.h"
-#include "raygauge/scene/timeline.h"
 
 namespace raygauge {
 
@@ -50,9 +49,5 @@ struct SceneSummary {
 /// `done`. A cell's result depends on the scene alone. Rethrows the first exception, when all have ended.
 SceneSummary run_scene(const Scene& scene, const ScenePlan& plan, int threads,
                        const std::set<std::uint64_t>& done, SceneSink& sink, const SceneHooks& hooks = {});
-
-/// The work on one cell, of which a part is missing once `stop` was true.
-SceneCellResult run_scene_cell(const Scene& scene, const ScenePlan& plan, const Timeline& timeline,
-                               std::uint64_t cell, const std::function<bool()>& stop = {});
 
 }  // namespace raygauge

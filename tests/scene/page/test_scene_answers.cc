@@ -12,7 +12,7 @@ namespace {
 using scene_page::events_of;
 using scene_page::verdict_of;
 
-SceneRecord record(std::int32_t query, SceneRowKind kind, SceneStatus status) {
+SceneRecord record(std::int32_t query, SceneEffects kind, SceneStatus status) {
   SceneRecord record;
   record.query = query;
   record.body_a = 0;
@@ -23,7 +23,7 @@ SceneRecord record(std::int32_t query, SceneRowKind kind, SceneStatus status) {
 }
 
 SceneRecord clearance(double lower, double upper, double time, std::int32_t b = 1) {
-  SceneRecord row = record(0, SceneRowKind::clearance, SceneStatus::separated);
+  SceneRecord row = record(0, SceneEffects::clearance, SceneStatus::separated);
   row.body_b = b;
   row.lower = lower;
   row.upper = upper;
@@ -32,7 +32,7 @@ SceneRecord clearance(double lower, double upper, double time, std::int32_t b = 
 }
 
 SceneRecord impact(double lower, double upper) {
-  SceneRecord row = record(1, SceneRowKind::time_of_impact, SceneStatus::contact);
+  SceneRecord row = record(1, SceneEffects::time_of_impact, SceneStatus::contact);
   row.time_lower = lower;
   row.time = row.time_upper = upper;
   return row;
@@ -40,7 +40,7 @@ SceneRecord impact(double lower, double upper) {
 
 SceneRecord instant(std::int64_t number, double time, double distance) {
   SceneRecord row =
-      record(2, SceneRowKind::instant, distance > 0 ? SceneStatus::separated : SceneStatus::intersecting);
+      record(2, SceneEffects::none, distance > 0 ? SceneStatus::separated : SceneStatus::intersecting);
   row.instant = number;
   row.time = time;
   row.distance = row.lower = row.upper = distance;

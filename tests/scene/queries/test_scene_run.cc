@@ -232,7 +232,7 @@ std::string text_of(const SceneCellResult& result) {
   text.precision(17);
   for (const SceneRecord& row : result.records) {
     text << row.query << ' ' << row.body_a << ' ' << row.body_b << ' ' << row.part_a << ' ' << row.part_b
-         << ' ' << to_string(row.kind) << ' ' << row.instant << ' ' << row.time << ' ' << row.time_lower
+         << ' ' << kind_text(row.kind) << ' ' << row.instant << ' ' << row.time << ' ' << row.time_lower
          << ' ' << row.time_upper << ' ' << to_string(row.status) << ' ' << to_string(row.decided) << ' '
          << row.lower << ' ' << row.upper << ' ' << row.growth_lower << ' ' << row.growth_upper << ' '
          << row.solves << ' ' << row.point_a.transpose() << ' ' << row.point_b.transpose() << ' '

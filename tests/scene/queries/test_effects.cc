@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/file/events.h"
+#include "scene/queries/effects.h"
 
 #include <gtest/gtest.h>
 
-namespace raygauge::test_events {
+namespace raygauge::test_effects {
 namespace {
 
 SceneRecord clearance(SceneStatus status, double lower) {
   SceneRecord record;
-  record.kind = SceneRowKind::clearance;
+  record.kind = SceneEffects::clearance;
   record.status = status;
   record.lower = lower;
   record.upper = 0.25;
@@ -17,7 +17,7 @@ SceneRecord clearance(SceneStatus status, double lower) {
   return record;
 }
 
-std::string text_of(const SceneRecord& record) { return event_of(record).text; }
+std::string text_of(const SceneRecord& record) { return entry_of(record.kind).event(record, "").text; }
 
 TEST(SceneEvents, PromiseNoDistanceWhereNoneIsProven) {
   EXPECT_EQ(text_of(clearance(SceneStatus::separated, 0.2)), "never closer than 0.2; 0.25 at 2 s");
@@ -29,4 +29,4 @@ TEST(SceneEvents, PromiseNoDistanceWhereNoneIsProven) {
 }
 
 }  // namespace
-}  // namespace raygauge::test_events
+}  // namespace raygauge::test_effects
