@@ -8,13 +8,10 @@
 #include <cmath>
 #include <random>
 
-#include "engine/numerics/double_double.h"
+#include "engine/numerics/real.h"
 
 namespace raygauge::test_contact_program {
 namespace {
-
-double rounded(double value) { return value; }
-double rounded(const DoubleDouble& value) { return value.rounded(); }
 
 // The optimality conditions of the program, whose solution is unique.
 template <class Real>
