@@ -18,8 +18,6 @@ bool is_closed(const BodyDepthAnswer& answer, double tolerance) {
   return answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper;
 }
 
-const Vector3& rounded(const Vector3& v) { return v; }
-
 double down(const DoubleDouble& x) { return x.rounded() - std::fabs(x.high) * 0x1p-52; }
 double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high) * 0x1p-52; }
 
@@ -114,8 +112,8 @@ PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
   point[0] = precise.support(normal, height);
   if (found.count > 0) {
     PrecisePoint projected;
-    projected.x1 = raygauge::precise(found.point[0].a1);
-    projected.x2 = raygauge::precise(pair_.to_second(found.point[0].a2));
+    projected.a1 = raygauge::precise(found.point[0].a1);
+    projected.a2 = raygauge::precise(pair_.to_second(found.point[0].a2));
     for (int i = 0; i < kProjections && precise.project(projected); ++i) point[0] = projected;
   }
   for (int i = 0; i < std::min(found.count, 3); ++i) {
@@ -148,7 +146,7 @@ PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
 // |v| - 1.3 (Σ r δ)²/|v|.
 void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   PrecisePair precise;
-  if (!precise.bind(pair_, kernels_for(isa_))) return;
+  if (!precise.bind(pair_)) return;
   const PreciseVector3 v = nearest_of_cores(precise);
   answer.support_queries += precise.queries();
   const DoubleDouble away = sqrt(dot(v, v));
@@ -258,7 +256,7 @@ void BodyDepth::search(double tolerance, const double* start, const Stopwatch& w
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
   PreciseOracle precise;
-  if ((end == DepthEnd::rounding || end == DepthEnd::flat) && precise.bind(pair_, kernels_for(isa_))) {
+  if ((end == DepthEnd::rounding || end == DepthEnd::flat) && precise.bind(pair_)) {
     Vector3 world;
     pair_.to_world(quick_.normal(), &world.x);
     if (pair_.dimension() == 2) world.z = quick_.normal().z;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/closed_form_distance.h"
 #include "engine/methods/spatial/contact_distance.h"
 #include "engine/methods/spatial/flat_pair.h"
@@ -28,8 +27,7 @@ constexpr double kUnitSquare = 0x1p-50;     // how far from 1 the square of a un
 bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
   constexpr double kThin = 1e-4;
   constexpr std::ptrdiff_t kMostPoints = 100;
-  constexpr auto kEllipsoid = SpatialShape::Kind::ellipsoid;
-  return points <= kMostPoints && (pair.shape(0).kind == kEllipsoid || pair.shape(1).kind == kEllipsoid) &&
+  return points <= kMostPoints && (has_curved_surface(pair.shape(0)) || has_curved_surface(pair.shape(1))) &&
          pair.inner_radius() < kThin * (pair.shape(0).extent + pair.shape(1).extent);
 }
 
@@ -116,8 +114,7 @@ void SpatialSolve::step_on_cores(double tolerance) {
 
 // Whether the answer is final, after precise steps where it is not in doubles.
 bool SpatialSolve::settle(double tolerance) {
-  if (record_.answer.end == SpatialEnd::open)
-    precise_distance(pair_, kernels_for(isa_), tolerance, record_.answer);
+  if (record_.answer.end == SpatialEnd::open) precise_distance(pair_, tolerance, record_.answer);
   return record_.answer.end == SpatialEnd::closed || record_.answer.end == SpatialEnd::intersecting;
 }
 
@@ -140,7 +137,7 @@ bool SpatialSolve::find_distance(double tolerance) {
 // For bodies that no other steps set apart.
 bool SpatialSolve::find_overlap() {
   PrecisePair precise;
-  if (record_.answer.lower > 0 || !precise.bind(pair_, kernels_for(isa_))) return false;
+  if (record_.answer.lower > 0 || !precise.bind(pair_)) return false;
   bool overlap = inner_ball(pair_, precise, {}, 0) > 0;
   if (!overlap && make_prism_of_flat(pair_, false)) overlap = inner_ball(pair_, precise, {}, 0) > 0;
   if (overlap) record_.answer.end = SpatialEnd::intersecting;
@@ -179,12 +176,12 @@ bool SpatialSolve::find_growth(bool about_origin, double tolerance, double thres
     return true;
   }
   if (!about_origin && std::isnan(threshold) && is_smooth_needle(pair_, points())) {
-    precise_growth(pair_, kernels_for(isa_), tolerance, record_.answer);
+    precise_growth(pair_, tolerance, record_.answer);
     if (record_.answer.end != SpatialEnd::open) return true;
   }
   spatial_growth(pair_, tolerance, threshold, record_.start, record_.answer);
   if (record_.answer.end == SpatialEnd::open && !about_origin) {
-    precise_growth(pair_, kernels_for(isa_), tolerance, record_.answer);
+    precise_growth(pair_, tolerance, record_.answer);
   }
   if (record_.answer.end == SpatialEnd::open && !about_origin) go_on_in_ball(tolerance, threshold);
   return record_.answer.end != SpatialEnd::open;
@@ -195,7 +192,7 @@ void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
   constexpr double kEnough = 1e-4;  // of the size
   PrecisePair precise;
   const bool flat = make_prism_of_flat(pair_, true);
-  if ((!flat && pair_.inner_radius() > 0) || !precise.bind(pair_, kernels_for(isa_))) return;
+  if ((!flat && pair_.inner_radius() > 0) || !precise.bind(pair_)) return;
   pair_.set_inner_radius(inner_ball(pair_, precise, -precise.between_centers(), kEnough * pair_.size()));
   if (pair_.inner_radius() > 0)
     spatial_growth(pair_, tolerance, threshold, flat ? SpatialStart() : record_.start, record_.answer);

@@ -18,9 +18,9 @@ double SpatialOracle::support(const Vector3& u, DepthPoint<double>& point) {
   return dot(u, found.s);
 }
 
-bool PreciseOracle::bind(const SpatialPair& pair, const Kernels& kernels) {
+bool PreciseOracle::bind(const SpatialPair& pair) {
   pair_ = &pair;
-  if (!precise_.bind(pair, kernels)) return false;
+  if (!precise_.bind(pair)) return false;
   error_ = precise_.error();
   size_ = 2 * pair.size();
   height_ = pair.dimension() == 2 ? pair.size() : 0.0;
@@ -31,8 +31,8 @@ double PreciseOracle::support(const PreciseVector3& u, DepthPoint<DoubleDouble>&
   DoubleDouble height;
   const PrecisePoint found = precise_.support(u, height);
   point.s = found.s;
-  point.a1 = rounded(found.x1);
-  point.a2 = pair_->from_second(rounded(found.x2));
+  point.a1 = rounded(found.a1);
+  point.a2 = pair_->from_second(rounded(found.a2));
   if (!(height_ > 0)) return height.rounded();
   point.s.z = point.s.z + (u.z.high < 0 ? -height_ : height_);
   return (height + u.z * (u.z.high < 0 ? -height_ : height_)).rounded();

@@ -15,12 +15,8 @@ class EuclideanOracle : public DepthOracle<Real> {
  public:
   using Vector = BasicVector3<Real>;
 
-  double metric_upper(const Vector& u) override { return length(double_of(u)) * (1 + 0x1p-50); }
-  double metric_lower(const Vector& u) override { return length(double_of(u)) * (1 - 0x1p-50); }
-
- private:
-  static const Vector3& double_of(const Vector3& v) { return v; }
-  static Vector3 double_of(const PreciseVector3& v) { return rounded(v); }
+  double metric_upper(const Vector& u) override { return length_of(u) * (1 + 0x1p-50); }
+  double metric_lower(const Vector& u) override { return length_of(u) * (1 - 0x1p-50); }
 };
 
 /// D = S1 - S2 of two cores in the frame of the first, in doubles. Of cores in R^2 D × [-size, size], which
@@ -39,7 +35,7 @@ class SpatialOracle final : public EuclideanOracle<double> {
 class PreciseOracle final : public EuclideanOracle<DoubleDouble> {
  public:
   /// False where the numbers are too large or too small.
-  bool bind(const SpatialPair& pair, const Kernels& kernels);
+  bool bind(const SpatialPair& pair);
   double support(const PreciseVector3& u, DepthPoint<DoubleDouble>& point) override;
 
   std::int64_t queries() const noexcept { return precise_.queries(); }

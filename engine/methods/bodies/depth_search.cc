@@ -15,17 +15,10 @@ constexpr int kMostIterations = 1 << 15;     // a ring of equal depths to 1e-8 t
 constexpr int kMostSetbacks = 32;            // of the least facet, which never sinks but for rounding
 constexpr int kIterationsBetweenLooks = 32;  // at the watch: a pass over many points may take 1 ms
 
-double rounded(double value) { return value; }
-double rounded(const DoubleDouble& value) { return value.rounded(); }
-const Vector3& rounded(const Vector3& v) { return v; }
-
-Vector3 exact(const Vector3& v, double /*like*/) { return v; }
-PreciseVector3 exact(const Vector3& v, const DoubleDouble& /*like*/) { return precise(v); }
-
 // Of length 1 in about; zero for zero.
 template <class Real>
 BasicVector3<Real> unit(const BasicVector3<Real>& v) {
-  const double size = length(rounded(v));
+  const double size = length_of(v);
   return size > 0 ? v * Real{1 / size} : BasicVector3<Real>{};
 }
 
@@ -78,7 +71,7 @@ bool DepthSearch<Real>::begin(const Vector& start) {
   probe(u, corner[0]);
   if (!farther(-u, corner[0].s, corner[1])) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
-  const Vector across = exact(any_orthogonal(rounded(edge)), Real{});
+  const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
   if (!farther(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner[2])) return false;
   const Vector n = unit(triangle_normal<Real>(corner[0].s, corner[1].s, corner[2].s));
   if (!farther(n, corner[0].s, corner[3])) return false;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
@@ -13,20 +12,9 @@
 namespace raygauge {
 namespace {
 
-double high(double value) { return value; }
-double high(const DoubleDouble& value) { return value.high; }
-double rounded(double value) { return value; }
-double rounded(const DoubleDouble& value) { return value.rounded(); }
+// What a scalar product of a unit vector may lose, relative to the other factor.
 template <class Real>
-double length_of(const BasicVector3<Real>& v) {
-  return length({high(v.x), high(v.y), high(v.z)});
-}
-
-// What one operation may lose; and a scalar product of a unit vector, relative to the other factor.
-template <class Real>
-constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
-template <class Real>
-constexpr double kProduct = 8 * kUnit<Real>;
+constexpr double kProduct = 8 * kUnitOf<Real>;
 
 constexpr int kNext[3] = {1, 2, 0};
 
@@ -80,7 +68,7 @@ void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
   facet.reach = higher_of(of_a, higher_of(of_b, of_c));
   const double least = rounded(lower_of(of_a, lower_of(of_b, of_c)));
   facet.offset = least - kProduct<Real> * size_ - std::fabs(least) * 0x1p-52;
-  const bool certain = size > 0 && least > (17 * kUnit<Real> * edges * scale + kProduct<Real>)*size_;
+  const bool certain = size > 0 && least > (17 * kUnitOf<Real> * edges * scale + kProduct<Real>)*size_;
   if (!certain) facet.offset = std::min(facet.offset, 0.0);
 }
 

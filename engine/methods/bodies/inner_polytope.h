@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/numerics/precise_vector.h"
+#include "engine/numerics/real.h"
 
 namespace raygauge {
 

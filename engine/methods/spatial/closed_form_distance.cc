@@ -5,49 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/spatial/precise_projection.h"
-
 namespace raygauge {
 namespace {
-
-using Kind = SpatialShape::Kind;
-
-Vector3 nearest_in_box(const SpatialShape& shape, const Vector3& p) {
-  const Vector3& half = shape.axis.column[0];
-  const Vector3 x = p - shape.center;
-  return shape.center + Vector3{std::clamp(x.x, -half.x, half.x), std::clamp(x.y, -half.y, half.y),
-                                std::clamp(x.z, -half.z, half.z)};
-}
-
-Vector3 nearest_on_segment(const SpatialShape& shape, const Vector3& p) {
-  const Vector3& half = shape.axis.column[0];
-  const double square = dot(half, half);
-  const double share = square > 0 ? std::clamp(dot(p - shape.center, half) / square, -1.0, 1.0) : 0.0;
-  return shape.center + half * share;
-}
-
-// In the half plane through the axis that holds p, `along` the axis from the base and `across` it.
-Vector3 nearest_in_frustum(const SpatialShape& shape, const Vector3& p) {
-  const Vector3& axis = shape.axis.column[0];
-  const Vector3 x = p - shape.base;
-  const double along = dot(x, axis), height = dot(shape.top - shape.base, axis);
-  const Vector3 radial = x - axis * along;
-  const double across = length(radial);
-  const double widening = shape.top_radius - shape.base_radius;
-  double z = along, r = across;
-  if (along <= 0 && across <= shape.base_radius) {
-    z = 0;
-  } else if (along >= height && across <= shape.top_radius) {
-    z = height;
-  } else if (!(along > 0 && along < height &&
-               across * height <= shape.base_radius * height + along * widening)) {
-    const double share =
-        (along * height + (across - shape.base_radius) * widening) / (height * height + widening * widening);
-    z = std::clamp(share, 0.0, 1.0) * height;
-    r = shape.base_radius + std::clamp(share, 0.0, 1.0) * widening;
-  }
-  return shape.base + axis * z + (across > 0 ? radial * (r / across) : Vector3{});
-}
 
 // p + s x and q + t y, |s|, |t| <= 1, as near to each other as they come: the nearest points of the lines,
 // then that of either end of what goes beyond.
@@ -74,29 +33,17 @@ void nearest_of_capsules(const SpatialPair& pair, SpatialPoint& point) {
   point.a2 = q + y * t;
 }
 
-// The ends of a core without area between which x is, in its own frame, the nearer one first, and how much of
-// x is that one.
-struct Ends {
-  int count = 0;  // 0: of other cores
-  std::int32_t index[2] = {0, 0};
-  double share = 1;
-};
-
-Ends ends_around(const SpatialShape& shape, const Vector3& x) {
-  constexpr double kAtEnd = 1 - 1e-6;
-  if (shape.kind == Kind::point) return {1};
-  if (shape.kind != Kind::segment) return {};
-  const Vector3& half = shape.axis.column[0];
-  const double along = dot(x - shape.center, half), square = dot(half, half);
-  const std::int32_t nearer = along < 0 ? 1 : 0;
-  if (std::fabs(along) > kAtEnd * square) return {1, {nearer, nearer}};
-  return {2, {nearer, 1 - nearer}, square > 0 ? 0.5 + 0.5 * std::fabs(along) / square : 1.0};
+CoreEnds ends_around(const SpatialShape& shape, const Vector3& x) {
+  return with_core(shape, [&x](const auto& core) {
+    if constexpr (requires { core.ends_around(x); }) return core.ends_around(x);
+    return CoreEnds{};
+  });
 }
 
 // Whether a core and a point are the pair: PreciseDescent begins at their nearest points.
 bool is_projection(const SpatialPair& pair) {
   const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
-  return (has_projection(one) && two.kind == Kind::point) || (has_projection(two) && one.kind == Kind::point);
+  return (has_projection(one) && is_point(two)) || (has_projection(two) && is_point(one));
 }
 
 // Vertices around the nearest points of such cores, of which double-double arithmetic makes a start: at most
@@ -104,8 +51,8 @@ bool is_projection(const SpatialPair& pair) {
 // f + g - 1, 1 - g and 1 - f, where f and g are the shares of the nearer ends.
 void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialCombination& combination) {
   if (is_projection(pair)) return;  // the combination is `nearest`
-  const Ends one = ends_around(pair.shape(0), nearest.a1),
-             two = ends_around(pair.shape(1), pair.to_second(nearest.a2));
+  const CoreEnds one = ends_around(pair.shape(0), nearest.a1),
+                 two = ends_around(pair.shape(1), pair.to_second(nearest.a2));
   combination.count = 0;
   for (int i = 0; i < one.count; ++i) {
     for (int k = 0; k < two.count; ++k) {
@@ -118,44 +65,36 @@ void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialComb
   }
 }
 
+// False where the core has no formula.
+bool find_nearest(const SpatialShape& shape, const Vector3& p, Vector3& nearest) {
+  return with_core(shape, [&](const auto& core) {
+    if constexpr (requires { core.nearest(p); }) {
+      nearest = core.nearest(p);
+      return true;
+    }
+    return false;
+  });
+}
+
 bool nearest_points(const SpatialPair& pair, SpatialPoint& point) {
-  const Kind one = pair.shape(0).kind, two = pair.shape(1).kind;
-  if (two == Kind::point) {
-    point.a2 = pair.from_second(pair.shape(1).center);
-    return nearest_in_core(pair.shape(0), point.a2, point.a1);
+  const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
+  if (is_point(two)) {
+    point.a2 = pair.from_second(two.center);
+    return find_nearest(one, point.a2, point.a1);
   }
-  if (one == Kind::point) {
+  if (is_point(one)) {
     Vector3 nearest;
-    point.a1 = pair.shape(0).center;
-    if (!nearest_in_core(pair.shape(1), pair.to_second(point.a1), nearest)) return false;
+    point.a1 = one.center;
+    if (!find_nearest(two, pair.to_second(point.a1), nearest)) return false;
     point.a2 = pair.from_second(nearest);
     return true;
   }
-  if (one != Kind::segment || two != Kind::segment) return false;
+  if (count_vertices(one) != 2 || count_vertices(two) != 2) return false;
   nearest_of_capsules(pair, point);
   return true;
 }
 
 }  // namespace
-
-bool nearest_in_core(const SpatialShape& shape, const Vector3& p, Vector3& nearest) {
-  switch (shape.kind) {
-    case Kind::point:
-      nearest = shape.center;
-      return true;
-    case Kind::segment:
-      nearest = nearest_on_segment(shape, p);
-      return true;
-    case Kind::box:
-      nearest = nearest_in_box(shape, p);
-      return true;
-    case Kind::frustum:
-      nearest = nearest_in_frustum(shape, p);
-      return true;
-    default:
-      return false;
-  }
-}
 
 bool closed_form_distance(SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
   SpatialPoint nearest;

@@ -57,7 +57,7 @@ class ContactDescent {
 
 void ContactDescent::add(const SpatialPoint& point, double weight) {
   for (int i = 0; i < count_; ++i) {
-    if (piece_[i].index_1 != point.index_1 || piece_[i].index_2 != point.index_2) continue;
+    if (!piece_[i].has_same_pieces(point)) continue;
     weight_[i] += weight;
     return;
   }
@@ -68,9 +68,7 @@ void ContactDescent::add(const SpatialPoint& point, double weight) {
 
 // Whether pieces k and i have the same point of a core for any normal, or the core is made of vertices.
 bool ContactDescent::shares(int k, int i, int body) const {
-  const auto kind = pair_.shape(body).kind;
-  if (kind != SpatialShape::Kind::frustum && kind != SpatialShape::Kind::ellipsoid) return true;
-  return body == 0 ? piece_[k].index_1 == piece_[i].index_1 : piece_[k].index_2 == piece_[i].index_2;
+  return !is_curved(pair_.shape(body)) || piece_[k].index(body) == piece_[i].index(body);
 }
 
 // Piece i at u_, where those before it are.
@@ -106,11 +104,10 @@ Matrix3 ContactDescent::hessian() const {
 
 // The pieces that differ from `point` in one rim.
 void ContactDescent::add_other_rims(const SpatialPoint& point) {
-  constexpr std::int32_t kBoth = SpatialPoint::kBase + SpatialPoint::kTop;
   for (int i = 0; i < 2; ++i) {
-    if (pair_.shape(i).kind != SpatialShape::Kind::frustum) continue;
     SpatialPoint other = point;
-    (i == 0 ? other.index_1 : other.index_2) = kBoth - (i == 0 ? point.index_1 : point.index_2);
+    other.index(i) = other_piece(pair_.shape(i), point.index(i));
+    if (other.index(i) == point.index(i)) continue;
     const int known = count_;
     add(other, 0);
     if (count_ > known) follow(known);
@@ -135,19 +132,16 @@ void ContactDescent::bound(const Vector3& v) {
 
 // v is a direction from the disc of frustum i outward, near its axis.
 bool ContactDescent::try_disc(int i, const Vector3& v) {
-  const SpatialShape& shape = pair_.shape(i);
-  const bool top = dot(v, shape.axis.column[0]) > 0;
-  const Vector3 axis = top ? shape.axis.column[0] : -shape.axis.column[0];
-  const Vector3 n = i == 0 ? axis : -(pair_.rotation() * axis);
+  const CoreDisc disc = disc_towards(pair_.shape(i), v);
+  const Vector3 n = i == 0 ? disc.normal : -(pair_.rotation() * disc.normal);
   SpatialPoint point;
   pair_.support(n, point);
-  const Vector3 center =
-      i == 0 ? (top ? shape.top : shape.base) : pair_.from_second(top ? shape.top : shape.base);
-  Vector3 q = (i == 0 ? point.a2 : point.a1) - center;
+  const Vector3 center = i == 0 ? disc.center : pair_.from_second(disc.center);
+  Vector3 q = point.a(1 - i) - center;
   q = q - n * dot(n, q);
-  if (!(length(q) < kInside * (top ? shape.top_radius : shape.base_radius))) return false;
-  (i == 0 ? point.a1 : point.a2) = center + q;
-  (i == 0 ? point.index_1 : point.index_2) = top ? SpatialPoint::kTopDisc : SpatialPoint::kBaseDisc;
+  if (!(length(q) < kInside * disc.radius)) return false;
+  point.a(i) = center + q;
+  point.index(i) = disc.index;
   point.s = point.a1 - point.a2;
   u_ = answer_.hint = n;
   answer_.combination.count = 1;
@@ -162,9 +156,9 @@ bool ContactDescent::try_disc(int i, const Vector3& v) {
 // True where the contact is on a disc.
 bool ContactDescent::try_discs() {
   for (int i = 0; i < 2; ++i) {
-    if (tried_[i] || pair_.shape(i).kind != SpatialShape::Kind::frustum) continue;
+    if (tried_[i] || !has_discs(pair_.shape(i))) continue;
     const Vector3 v = i == 0 ? u_ : pair_.rotation().transposed_times(-u_);
-    const double along = dot(v, pair_.shape(i).axis.column[0]);
+    const double along = dot(v, disc_towards(pair_.shape(i), v).normal);
     if (1 - along * along > kNearAxis * kNearAxis) continue;
     tried_[i] = true;
     if (try_disc(i, v)) return true;

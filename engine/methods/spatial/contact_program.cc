@@ -4,16 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
-
-double rounded(double value) { return value; }
-double rounded(const DoubleDouble& value) { return value.rounded(); }
 
 // The weights for which the pieces of `step` are equally high after it. False where their slopes are as good
 // as dependent.
@@ -118,7 +114,7 @@ ContactStep<Real> contact_step_of(const ContactPiece<Real>* pieces, int count) {
     for (int k = 0; k < 2; ++k) near[i].slope[k] = rounded(pieces[i].slope[k]);
   }
   const ContactStep<double> found = find_active(near, count);
-  if constexpr (std::is_same_v<Real, double>) return found;
+  if constexpr (kIsDouble<Real>) return found;
   ContactStep<Real> step;
   step.count = found.count;
   std::copy_n(found.piece, 3, step.piece);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/double_double.h"
-#include "raygauge/numerics/vector3.h"
+#include "engine/numerics/real.h"
 
 namespace raygauge {
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/methods/spatial/core_vertices.h"
 #include "engine/numerics/exact_sum.h"
 
 namespace raygauge {
@@ -28,11 +27,11 @@ struct PlacedVertices {
     }
   }
 
-  std::int32_t count() const { return static_cast<std::int32_t>(count_core_vertices(*shape)); }
+  std::int32_t count() const { return static_cast<std::int32_t>(count_vertices(*shape)); }
 
   // But for rounding.
   Vector3 vertex(std::int32_t i) const {
-    const Vector3 x = core_vertex(*shape, i);
+    const Vector3 x = vertex_of(*shape, i);
     return {R[0][0] * x.x + R[0][1] * x.y + R[0][2] * x.z + t[0],
             R[1][0] * x.x + R[1][1] * x.y + R[1][2] * x.z + t[1],
             R[2][0] * x.x + R[2][1] * x.y + R[2][2] * x.z + t[2]};
@@ -123,7 +122,7 @@ int FlatPair::candidates(Vector3* normal) const {
 
 // Whether D is across the normal, and the way between the centres if that is asked for, without rounding.
 bool FlatPair::holds_all(const Vector3& normal) const {
-  const Vector3 from = core_vertex(*body_[0].shape, 0);
+  const Vector3 from = vertex_of(*body_[0].shape, 0);
   const auto holds = [&](const PlacedVertices& body, const Vector3& point) {
     ExactSum sum;
     body.add_height(normal, point, 1, sum);
@@ -133,7 +132,7 @@ bool FlatPair::holds_all(const Vector3& normal) const {
   for (const PlacedVertices& body : body_) {
     if (with_centers_ && !holds(body, body.shape->center)) return false;
     for (std::int32_t i = 0; i < body.count(); ++i) {
-      if (!holds(body, core_vertex(*body.shape, i))) return false;
+      if (!holds(body, vertex_of(*body.shape, i))) return false;
     }
   }
   return true;

@@ -3,7 +3,6 @@
 #include "engine/methods/spatial/nearest_on_simplex.h"
 
 #include <cmath>
-#include <type_traits>
 
 #include "engine/numerics/fused.h"
 
@@ -81,13 +80,6 @@ void try_triangle(Points<Real> points, int ia, int ib, int ic, SimplexFace<Real>
   best.square = square;
 }
 
-double high(double value) { return value; }
-double high(const DoubleDouble& value) { return value.high; }
-
-// What one operation may lose.
-template <class Real>
-constexpr double kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-102;
-
 // Corners in ascending order, as in SimplexFace; facet f lies opposite to corner f.
 constexpr int kFacets[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
@@ -114,15 +106,13 @@ FacetSide<Real> side_of(Points<Real> points, int f) {
 // for.
 template <class Real>
 bool is_deep(Points<Real> points, const FacetSide<Real>* sides, SimplexFace<Real>& face) {
-  const auto size = [](const BasicVector3<Real>& v) {
-    return length({high(v.x), high(v.y), high(v.z)}) * (1 + 0x1p-50);
-  };
+  const auto size = [](const BasicVector3<Real>& v) { return length_of(v) * (1 + 0x1p-50); };
   Real sum{};
   for (int f = 0; f < 4; ++f) {
     const FacetSide<Real>& side = sides[f];
     const BasicVector3<Real>& a = *points[kFacets[f][0]];
     const BasicVector3<Real> first = *points[kFacets[f][1]] - a, second = *points[kFacets[f][2]] - a;
-    const double lost = 16 * kUnit<Real> * size(first) * size(second);
+    const double lost = 16 * kUnitOf<Real> * size(first) * size(second);
     const double certain = std::fabs(high(side.origin)) * (1 - 0x1p-50) - lost * size(a);
     if (!(certain > 0) || !(std::fabs(high(side.opposite)) > lost * size(*points[f] - a))) return false;
     const double away = certain / (size(side.n) + lost) * (1 - 0x1p-50);

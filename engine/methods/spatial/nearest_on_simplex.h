@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/precise_vector.h"
+#include "engine/numerics/real.h"
 
 namespace raygauge {
 

@@ -22,8 +22,6 @@ constexpr double kSmallStep = 1e-12;     // what Newton steps on overlapping cor
 constexpr double kLargestScale = 1e280;  // of a normal that is not zero
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
 
-bool is_zero(const PreciseVector3& v) { return v.x.high == 0 && v.y.high == 0 && v.z.high == 0; }
-
 class PreciseDescent {
  public:
   PreciseDescent(PrecisePair& precise, double tolerance, SpatialAnswer& answer)
@@ -147,19 +145,19 @@ PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) co
 PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) const {
   PrecisePoint sum = now_.point[0];
   if (step.count == 1) return sum;
-  sum.s = sum.x1 = sum.x2 = {};
+  sum.s = sum.a1 = sum.a2 = {};
   DoubleDouble all;
   for (int i = 0; i < step.count; ++i) {
     if (!(step.weight[i] > DoubleDouble{})) continue;
     sum.s = sum.s + now_.point[i].s * step.weight[i];
-    sum.x1 = sum.x1 + now_.point[i].x1 * step.weight[i];
-    sum.x2 = sum.x2 + now_.point[i].x2 * step.weight[i];
+    sum.a1 = sum.a1 + now_.point[i].a1 * step.weight[i];
+    sum.a2 = sum.a2 + now_.point[i].a2 * step.weight[i];
     all = all + step.weight[i];
   }
   const DoubleDouble share = DoubleDouble{1} / all;
   sum.s = sum.s * share;
-  sum.x1 = sum.x1 * share;
-  sum.x2 = sum.x2 * share;
+  sum.a1 = sum.a1 * share;
+  sum.a2 = sum.a2 * share;
   return sum;
 }
 
@@ -314,9 +312,9 @@ bool PreciseDescent::conclude(const PreciseVector3& v, const PrecisePoint& point
 // On the disc that the combination names. True where that is all.
 RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
   const SpatialPoint& known = before_.point[0];
-  const int i = known.index_1 <= SpatialPoint::kBaseDisc ? 0 : 1;
+  const int i = known.index_1 <= FrustumCore::kBaseDisc ? 0 : 1;
   const std::int32_t index = i == 0 ? known.index_1 : known.index_2;
-  if (index > SpatialPoint::kBaseDisc) return false;
+  if (index > FrustumCore::kBaseDisc) return false;
   DoubleDouble height;
   if (!precise_.disc_contact(i, index, u_, height, now_.point[0])) return false;
   now_.count = 1;
@@ -328,8 +326,8 @@ RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
 // From the nearest points in doubles of a core and the centre of a ball. True where that is all.
 bool PreciseDescent::projection_steps(const SpatialPair& pair) {
   PrecisePoint point;
-  point.x1 = precise(before_.point[0].a1);
-  point.x2 = precise(pair.to_second(before_.point[0].a2));
+  point.a1 = precise(before_.point[0].a1);
+  point.a2 = precise(pair.to_second(before_.point[0].a2));
   for (int i = 0; i < kMostProjections; ++i) {
     if (!precise_.project(point)) return false;
     const double size = length(rounded(point.s));
@@ -419,21 +417,20 @@ void PreciseDescent::record(const SpatialPair& pair) {
   combination.count = answer_.end == SpatialEnd::closed ? now_.count : 0;
   for (int i = 0; i < combination.count; ++i) {
     SpatialPoint& point = combination.point[i];
-    point.a1 = rounded(now_.point[i].x1);
-    point.a2 = pair.from_second(rounded(now_.point[i].x2));
+    point.a1 = rounded(now_.point[i].a1);
+    point.a2 = pair.from_second(rounded(now_.point[i].a2));
     point.s = point.a1 - point.a2;
-    point.index_1 = std::max(now_.point[i].index_1, PrecisePoint::kSmooth);
-    point.index_2 = std::max(now_.point[i].index_2, PrecisePoint::kSmooth);
+    point.index_1 = std::max(now_.point[i].index_1, kSmoothPiece);
+    point.index_2 = std::max(now_.point[i].index_2, kSmoothPiece);
     combination.weight[i] = now_.weight[i];
   }
 }
 
 }  // namespace
 
-void precise_distance(const SpatialPair& pair, const Kernels& kernels, double tolerance,
-                      SpatialAnswer& answer) {
+void precise_distance(const SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
-  if (!precise.bind(pair, kernels)) return;
+  if (!precise.bind(pair)) return;
   PreciseDescent descent(precise, tolerance, answer);
   descent.run(pair);
   descent.record(pair);

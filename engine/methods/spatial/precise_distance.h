@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/methods/spatial/precise_pair.h"
+#include "engine/methods/spatial/spatial_distance.h"
 
 namespace raygauge {
 
@@ -11,7 +12,6 @@ namespace raygauge {
 /// normal of `answer`; usually one of them proves it. The directions of the lower bound are normals of
 /// triangles, or are made orthogonal to an edge: computed from v they would be no more precise than v is.
 /// `answer` is brought up to date, and stays open where even this does not do.
-void precise_distance(const SpatialPair& pair, const Kernels& kernels, double tolerance,
-                      SpatialAnswer& answer);
+void precise_distance(const SpatialPair& pair, double tolerance, SpatialAnswer& answer);
 
 }  // namespace raygauge

@@ -21,8 +21,6 @@ constexpr int kMostIdleTurns = 3;
 constexpr double kUp = 1 + 0x1p-48,
                  kDown = 1 - 0x1p-48;  // of a few operations on numbers that are certain otherwise
 
-double size_of(const PreciseVector3& v) { return length(rounded(v)); }
-
 class PreciseGrowth {
  public:
   PreciseGrowth(PrecisePair& pair, const PreciseVector3& p) : pair_(pair), p_(p) {}
@@ -89,7 +87,7 @@ bool PreciseGrowth::turn_portal(const PreciseVector3& u) {
 
 // n·p and n·s are within |n| error() of what they stand for.
 void PreciseGrowth::bound_from_below(const PreciseVector3& n, const DoubleDouble& height) {
-  const double slack = 4 * pair_.error() * size_of(n);
+  const double slack = 4 * pair_.error() * length_of(n);
   const double along = dot(n, p_).rounded() - slack, top = height.rounded() + slack;
   if (!(along > 0) || !(top > 0)) return;
   const double lower = along / top * kDown;
@@ -111,12 +109,12 @@ void PreciseGrowth::bound_from_above() {
     weight[i] = dot(n[i], p_) / determinant;
     sum = sum + weight[i];
     r = r - corner[i] * weight[i];
-    norm += size_of(n[i]) / std::fabs(determinant.high);
+    norm += length_of(n[i]) / std::fabs(determinant.high);
   }
   const double error = pair_.error();
   if (!(8 * norm * error < 0.25)) return;
   const double total = sum.rounded();
-  const double uncertainty = 2 * norm * (size_of(r) + 4 * error * (1 + std::fabs(total)));
+  const double uncertainty = 2 * norm * (length_of(r) + 4 * error * (1 + std::fabs(total)));
   const double least = std::min({weight[0].rounded(), weight[1].rounded(), weight[2].rounded()});
   const double upper = (total + 3 * uncertainty) * kUp;
   if (least >= uncertainty && upper < upper_) upper_ = upper;
@@ -137,7 +135,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::run(double tolerance) {
   for (iterations_ = 0; iterations_ < kMostExchanges; ++iterations_) {
     PreciseVector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
     if (dot(n, p_).high < 0) n = -n;
-    const double scale = size_of(n);
+    const double scale = length_of(n);
     if (!(scale > 0)) return false;
     n = n * DoubleDouble{1 / scale};
     if (!turn_portal(n)) return false;
@@ -211,7 +209,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double t
   const TangentMetric metric = pieces_.metric(pair, u_, pair.radius() + pair_.error(), 0);
   const ContactStep<DoubleDouble> found = step_of_pieces(metric, p_ * (DoubleDouble{1} / ratio));
   pieces_.keep(found);
-  const double residual = size_of(p_ - combine(found) * ratio) + 4 * pair_.error() * (1 + ratio.high);
+  const double residual = length_of(p_ - combine(found) * ratio) + 4 * pair_.error() * (1 + ratio.high);
   upper_ = std::min(upper_, (ratio.rounded() + residual / radius_) * kUp);
   DoubleDouble d[2];
   metric.step(found.y, d);
@@ -221,7 +219,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double t
   from_ratio_ = ratio;
   taken_ = std::min(long_by, longest_);
   u_ = u_ + (precise(metric.tangent[0]) * d[0] + precise(metric.tangent[1]) * d[1]) * share;
-  u_ = u_ * DoubleDouble{1 / size_of(u_)};
+  u_ = u_ * DoubleDouble{1 / length_of(u_)};
   return long_by > 0 && !is_closed(lower_, upper_, tolerance);
 }
 
@@ -264,10 +262,9 @@ void PreciseGrowth::record(const SpatialPair& pair, bool done, SpatialAnswer& an
 
 }  // namespace
 
-void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tolerance,
-                    SpatialAnswer& answer) {
+void precise_growth(const SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
   PrecisePair precise;
-  if (!precise.bind(pair, kernels)) return;
+  if (!precise.bind(pair)) return;
   PreciseGrowth growth(precise, precise.between_centers());
   const bool done =
       (growth.begin(pair, answer) && growth.run(tolerance)) || growth.on_curves(pair, answer, tolerance);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/methods/spatial/precise_pair.h"
+#include "engine/methods/spatial/spatial_distance.h"
 
 namespace raygauge {
 
@@ -18,6 +19,6 @@ namespace raygauge {
 /// radius of a ball inside B: σ <= c + (|p - c s| + error)/R with c = u·p / h_B(u), the lower bound.
 ///
 /// `answer` stays as it was where this does not do.
-void precise_growth(const SpatialPair& pair, const Kernels& kernels, double tolerance, SpatialAnswer& answer);
+void precise_growth(const SpatialPair& pair, double tolerance, SpatialAnswer& answer);
 
 }  // namespace raygauge

@@ -2,31 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
-#include "engine/kernels/kernel.h"
-#include "engine/methods/spatial/spatial_distance.h"
-#include "engine/numerics/precise_vector.h"
-#include "raygauge/sets/pose.h"
+#include "engine/methods/spatial/spatial_pair.h"
 
 namespace raygauge {
 
-/// A point of the difference of two cores, in the frame of the world.
-struct PrecisePoint {
-  PreciseVector3 s;
-  PreciseVector3 x1, x2;                              ///< the points of the cores, each in its own frame
-  std::int32_t index_1 = kSmooth, index_2 = kSmooth;  ///< of vertices; or what of a curved core it is on
-
-  static constexpr std::int32_t kSmooth = -1;
-};
+using PrecisePoint = PairPoint<DoubleDouble>;
 
 /// The pair of a SpatialPair once more,  D = (R1 S1 + t1) - (R2 S2 + t2)  for the very numbers of the poses,
 /// in double-double arithmetic: what is computed here of points and heights is within error() of the truth,
 /// 2⁻⁸⁸ times the size of the bodies and of the way between them.
-class PrecisePair {
+class PrecisePair : public CorePair<WorldFrame> {
  public:
   /// False where the numbers are too large or too small to be split in two.
-  bool bind(const SpatialPair& pair, const Kernels& kernels);
+  bool bind(const SpatialPair& pair);
 
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
@@ -55,8 +43,8 @@ class PrecisePair {
   /// outside.
   bool disc_contact(int i, std::int32_t index, PreciseVector3& u, DoubleDouble& height, PrecisePoint& point);
 
-  /// Of the pair of a point (a ball's centre) and a core that has nearest_in_core: the nearest points,
-  /// the better the nearer `point` was. False for other pairs.
+  /// Of the pair of a point (a ball's centre) and a core with area that has a formula (Core::nearest): the
+  /// nearest points, the better the nearer `point` was. False for other pairs.
   bool project(PrecisePoint& point) const;
 
   /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a
@@ -70,9 +58,6 @@ class PrecisePair {
   /// p: M⁻¹p for the sum M of their L Lᵀ. Zero where a body is made of points.
   PreciseVector3 rough_normal(const PreciseVector3& p) const;
 
-  /// Whether a core is curved.
-  bool is_curved() const noexcept { return !vertices_; }
-
   /// The difference of two vertices; false where there are none.
   bool vertex(std::int32_t index_1, std::int32_t index_2, PrecisePoint& point) const;
 
@@ -85,36 +70,12 @@ class PrecisePair {
   /// Whether the balls of both bodies about a pair of points of the cores, v apart, are sure to meet.
   bool balls_meet(double v) const;
 
-  double error() const noexcept { return error_; }
-  std::int64_t queries() const noexcept { return queries_; }
-
  private:
-  struct Body {
-    const SpatialShape* shape = nullptr;
-    double R[3][3];
-    double ball = 0;  // the radius of a ball inside the image of the shape's ball
-    double defect = 0;
-  };
+  template <bool kPoints>
+  DoubleDouble height_of(const PreciseVector3& u, PrecisePoint& point);
+  void add_axes(int i, PreciseVector3* M) const;
 
-  static PreciseVector3 turn(const Body& body, const PreciseVector3& x);
-  static PreciseVector3 turn(const Body& body, const Vector3& x);
-  static PreciseVector3 turn_back(const Body& body, const PreciseVector3& u);
-  DoubleDouble support_of(int i, const PreciseVector3& v, PreciseVector3* x, std::int32_t& index);
-  DoubleDouble height_of(const PreciseVector3& u, PrecisePoint* point);
-  static void add_axes(const Body& body, PreciseVector3* M);
-  bool inside_ellipsoid(const SpatialShape& shape, double height, double away, double margin) const;
-  static bool inside_frustum(const SpatialShape& shape, const PreciseVector3& y, double margin);
-  std::int32_t highest(const SpatialShape& shape, const PreciseVector3& v) const;
-  static std::int32_t highest_of(const SpatialShape& shape, std::span<const std::int32_t> listed,
-                                 const PreciseVector3& v);
-
-  Body body_[2];
-  PreciseVector3 apart_;      // t1 - t2
   DoubleDouble ball_height_;  // what the balls added to the last height
-  const Kernels* kernels_ = nullptr;
-  double error_ = 0;
-  bool vertices_ = false;
-  std::int64_t queries_ = 0;
 };
 
 }  // namespace raygauge

@@ -21,9 +21,8 @@ void PrecisePieces::begin(const SpatialCombination& combination) {
 }
 
 int PrecisePieces::find(const PrecisePoint& piece) const {
-  const auto* found = std::find_if(point, point + count, [&](const PrecisePoint& known) {
-    return known.index_1 == piece.index_1 && known.index_2 == piece.index_2;
-  });
+  const auto* found = std::find_if(point, point + count,
+                                   [&](const PrecisePoint& known) { return known.has_same_pieces(piece); });
   return static_cast<int>(found - point);
 }
 
@@ -32,8 +31,7 @@ void PrecisePieces::follow(const PrecisePair& precise, const PreciseVector3& u, 
   const PrecisePoint* followed = nullptr;
   for (int i = 0; i < count; ++i) {
     PrecisePoint moved = point[i];
-    const bool same =
-        highest != nullptr && moved.index_1 == highest->index_1 && moved.index_2 == highest->index_2;
+    const bool same = highest != nullptr && moved.has_same_pieces(*highest);
     if (same) moved = *highest;
     if (!same && !precise.follow(u, moved, followed)) continue;
     weight[left] = weight[i];

@@ -4,6 +4,7 @@
 
 #include "engine/methods/spatial/contact_program.h"
 #include "engine/methods/spatial/precise_pair.h"
+#include "engine/methods/spatial/spatial_distance.h"
 
 namespace raygauge {
 

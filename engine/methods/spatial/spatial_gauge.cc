@@ -13,8 +13,6 @@
 namespace raygauge {
 namespace {
 
-using Kind = SpatialShape::Kind;
-
 constexpr int kMostEvaluations = 24;
 constexpr double kSmallest = 1e-50, kLargest = 1e50;  // of sizes that are squared and multiplied
 constexpr double kRounding = 128 * 0x1p-53;  // of a height or point, relative to what it is computed from
@@ -25,81 +23,61 @@ constexpr double kNearAxis = 0.75;    // squared cosine of the angle at which a 
 constexpr double kInside = 1 - 1e-9;  // of a disc's radius
 
 Vector3 unit(const Vector3& v) { return v * (1 / length(v)); }
-bool is_zero(const Vector3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 }  // namespace
 
 bool SpatialGauge::Side::bind(const ConvexSet& S) {
   if (!S.spatial_shape_unchecked(shape)) return false;
-  if (shape.kind == Kind::box || shape.kind == Kind::points) return false;
+  if (count_vertices(shape) > 2) return false;  // each would be a piece
   const double size = shape.extent + shape.radius;
   error = kRounding * size;
-  tried = shape.kind != Kind::frustum;
-  if (shape.kind == Kind::ellipsoid) square = square_of(shape.axis);
+  tried = !has_discs(shape);
+  with_core(shape, [&](const auto& core) {
+    if constexpr (requires { core.kIsCurved; }) form = core.form(shape.axis);
+  });
   return size > kSmallest && size < kLargest;
 }
 
 // M with {x : (x - c)ᵀ M⁻¹ (x - c) <= 1} roughly the set.
 Matrix3 SpatialGauge::Side::second_moment() const {
   const double ball = shape.radius * shape.radius;
-  if (shape.kind == Kind::ellipsoid) return square;
   Matrix3 M{{{ball, 0, 0}, {0, ball, 0}, {0, 0, ball}}};
-  if (shape.kind == Kind::point) return M;
-  const Vector3 half = (shape.top - shape.base) * 0.5;
-  const double radius = 0.5 * (shape.base_radius + shape.top_radius);
-  if (shape.kind == Kind::frustum) add_projector(radius * radius, shape.axis.column[0], {}, M);
-  M.column[0] = M.column[0] + half * half.x;
-  M.column[1] = M.column[1] + half * half.y;
-  M.column[2] = M.column[2] + half * half.z;
+  const Matrix3 axes = with_core(shape, [](const auto& core) { return core.half_axes(); });
+  for (const Vector3& axis : axes.column) {
+    M.column[0] = M.column[0] + axis * axis.x;
+    M.column[1] = M.column[1] + axis * axis.y;
+    M.column[2] = M.column[2] + axis * axis.z;
+  }
   return M;
 }
 
 // v is of length 1, but for rounding.
 void SpatialGauge::Side::look(const Vector3& v) {
-  count = 1;
-  if (shape.kind == Kind::ellipsoid) {
-    const Vector3 z = shape.axis.transposed_times(v);
-    spread = length(z);
-    way = spread > 0 ? shape.axis * (z * (1 / spread)) : Vector3{};
-    point[0] = shape.center + way;
-  } else if (shape.kind == Kind::frustum) {
-    way = across_axis(shape, v, spread);
-    point[0] = shape.base + way * shape.base_radius;
-    point[1] = shape.top + way * shape.top_radius;
-    count = 2;
-  } else if (shape.kind == Kind::segment) {
-    point[0] = shape.top;
-    point[1] = shape.base;
-    count = 2;
-  } else {
-    point[0] = shape.center;
-  }
-  for (int i = 0; i < count; ++i) {
-    if (shape.radius > 0) point[i] = point[i] + v * shape.radius;
-    height[i] = dot(v, point[i]);
-  }
-  top = count == 2 && height[1] > height[0] ? 1 : 0;
+  with_core(shape, [&](const auto& core) {
+    const auto view = core.look(v, InstructionSet::automatic);
+    count = core.kPieces;
+    top = 0;
+    for (int i = 0; i < core.kPieces; ++i) {
+      const std::int32_t piece = core.kFirstPiece - i;
+      point[i] = view.point(piece);
+      if (shape.radius > 0) point[i] = point[i] + v * shape.radius;
+      height[i] = dot(v, point[i]);
+      if (piece == view.index) top = i;
+      if constexpr (requires { core.kIsCurved; }) curvature[i] = core.curvature(shape.axis, v, piece);
+    }
+  });
 }
 
-// Without that of the ball, which is the same for all pieces. With y = LLᵀv/|Lᵀv| the Hessian of an ellipsoid
-// is (L Lᵀ - y yᵀ)/|Lᵀv|; that of a rim is radius/|v_⊥| across the axis and v_⊥.
+// Without that of the ball, which is the same for all pieces.
 void SpatialGauge::Side::add_hessian(int piece, double weight, const Vector3* t, double* h) const {
-  if (!(spread > 0)) return;
-  const double along[2] = {dot(way, t[0]), dot(way, t[1])};
-  if (shape.kind == Kind::ellipsoid) {
-    const Vector3 S0 = square * t[0], S1 = square * t[1];
-    const double share = weight / spread;
-    h[0] += (dot(t[0], S0) - along[0] * along[0]) * share;
-    h[1] += (dot(t[0], S1) - along[0] * along[1]) * share;
-    h[2] += (dot(t[1], S1) - along[1] * along[1]) * share;
-  } else if (shape.kind == Kind::frustum) {
-    const Vector3& a = shape.axis.column[0];
-    const double p[2] = {dot(a, t[0]), dot(a, t[1])};
-    const double share = weight * (piece == 1 ? shape.top_radius : shape.base_radius) / spread;
-    h[0] += (1 - p[0] * p[0] - along[0] * along[0]) * share;
-    h[1] -= (p[0] * p[1] + along[0] * along[1]) * share;
-    h[2] += (1 - p[1] * p[1] - along[1] * along[1]) * share;
-  }
+  const double share = curvature[piece].share * weight;
+  if (!(share > 0)) return;
+  const Vector3& y = curvature[piece].y;
+  const double along[2] = {dot(y, t[0]), dot(y, t[1])};
+  const Vector3 S0 = form * t[0], S1 = form * t[1];
+  h[0] += (dot(t[0], S0) - along[0] * along[0]) * share;
+  h[1] += (dot(t[0], S1) - along[0] * along[1]) * share;
+  h[2] += (dot(t[1], S1) - along[1] * along[1]) * share;
 }
 
 // The normal for which two ellipsoids like the sets would meet: -M⁻¹c for the sum of their M and the centre c
@@ -158,18 +136,18 @@ bool SpatialGauge::closes(const Vector3& a, const Vector3& q) {
 
 // `flat`, whose directions are `sign` times u, on the disc whose normal is near.
 bool SpatialGauge::try_disc(Side& flat, Side& other, double sign) {
-  const double along = sign * dot(u_, flat.shape.axis.column[0]);
-  if (flat.tried || along * along < kNearAxis) return false;
+  if (flat.tried) return false;
+  const CoreDisc disc = disc_towards(flat.shape, u_ * sign);
+  const double along = sign * dot(u_, disc.normal);
+  if (along * along < kNearAxis) return false;
   flat.tried = true;
-  const Vector3 axis = flat.shape.axis.column[0] * (along > 0 ? 1.0 : -1.0);
-  look(axis * sign);
+  look(disc.normal * sign);
   if (!(ratio_ > 0)) return false;
-  const Vector3& center = along > 0 ? flat.shape.top : flat.shape.base;
   const Vector3& met = other.point[other.top];
-  Vector3 q = (sign > 0 ? met * ratio_ : met * (1 / ratio_)) - center;
-  q = q - axis * dot(q, axis);
-  if (!(length(q) < kInside * (along > 0 ? flat.shape.top_radius : flat.shape.base_radius))) return false;
-  return sign > 0 ? closes(center + q, met) : closes(met, center + q);
+  Vector3 q = (sign > 0 ? met * ratio_ : met * (1 / ratio_)) - disc.center;
+  q = q - disc.normal * dot(q, disc.normal);
+  if (!(length(q) < kInside * disc.radius)) return false;
+  return sign > 0 ? closes(disc.center + q, met) : closes(met, disc.center + q);
 }
 
 // False where no shorter step is left. The ratio must not fall: the step before was too long.

@@ -4,7 +4,7 @@
 
 #include "engine/methods/problem.h"
 #include "engine/methods/spatial/contact_program.h"
-#include "engine/methods/spatial/curved_support.h"
+#include "engine/sets/cores/core.h"
 #include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
@@ -35,14 +35,13 @@ class SpatialGauge {
   // One of the sets with the points of its pieces that are highest for the direction last asked for.
   struct Side {
     SpatialShape shape;
-    Matrix3 square;    // L Lᵀ of an ellipsoid
+    Matrix3 form;      // of a curved core
     double error = 0;  // of a height, and of a point
     int count = 0;     // pieces
     Vector3 point[2];  // balls included
     double height[2] = {0, 0};
+    CoreCurvature curvature[2];
     int top = 0;         // the higher piece
-    double spread = 0;   // of an ellipsoid |Lᵀv|, of a frustum how far v goes across the axis
-    Vector3 way;         // of an ellipsoid LLᵀv/|Lᵀv|, of a frustum the unit vector across
     bool tried = false;  // its discs
 
     bool bind(const ConvexSet& S);

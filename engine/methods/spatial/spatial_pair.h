@@ -7,37 +7,11 @@
 #include <cstdint>
 #include <span>
 
-#include "raygauge/methods/options.h"
-#include "raygauge/sets/pose.h"
-#include "raygauge/sets/spatial_shape.h"
+#include "engine/methods/spatial/core_pair.h"
 
 namespace raygauge {
 
-/// A point of the difference of two cores with the points that it is the difference of, all in the frame of
-/// the first body.
-struct SpatialPoint {
-  Vector3 s;  ///< a1 - a2
-  Vector3 a1, a2;
-  std::int32_t index_1 = -1, index_2 = -1;  ///< which vertices of their cores; below 0 where these have none
-
-  static constexpr std::int32_t kBase = -2, kTop = -3;          ///< a rim of a frustum
-  static constexpr std::int32_t kBaseDisc = -4, kTopDisc = -5;  ///< within it
-};
-
-/// The numbers of a pose that was checked: R, n × n by columns, t, and Pose::defect. They are not copied. The
-/// identity has none.
-struct PoseNumbers {
-  PoseNumbers() = default;
-  PoseNumbers(const double* rotation, const double* translation, double pose_defect)
-      : R(rotation), t(translation), defect(pose_defect) {}
-  explicit PoseNumbers(const Pose* pose) {
-    if (pose != nullptr) *this = {pose->rotation_data(), pose->translation_data(), pose->defect()};
-  }
-
-  const double* R = nullptr;
-  const double* t = nullptr;
-  double defect = 0;
-};
+using SpatialPoint = PairPoint<double>;
 
 /// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
 ///
@@ -46,7 +20,7 @@ struct PoseNumbers {
 /// of D, and u·s is within |u| error() of h_D(u). The chain from a world pose to s is four products with 3 ×
 /// 3 matrices and three sums, each within 8 rounding units of Z; kRounding is twice what that adds up to, and
 /// more.
-class SpatialPair {
+class SpatialPair : public CorePair<FirstBodyFrame> {
  public:
   /// The sets. False if one of them has no shape, or they live in other spaces than R^2 or R^3.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
@@ -74,19 +48,18 @@ class SpatialPair {
   }
 
   /// The same without the prism.
-  bool core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const;
+  bool core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
+    return find_vertices(index_1, index_2, point);
+  }
 
-  /// Whether neither core has an edge: ellipsoids and points.
-  bool is_smooth() const noexcept { return is_smooth(shape_[0].kind) && is_smooth(shape_[1].kind); }
+  /// Whether neither core has an edge.
+  bool is_smooth() const noexcept { return raygauge::is_smooth(shape(0)) && raygauge::is_smooth(shape(1)); }
 
   /// Whether the cores have vertices, so that a support point is known by two indices.
-  bool has_vertices() const noexcept { return vertices_ && prisms_ == 0; }
+  bool has_vertices() const noexcept { return !is_curved() && prisms_ == 0; }
 
   /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u.
   void follow(const Vector3& u, SpatialPoint& point) const;
-
-  /// Whether a core is curved: an ellipsoid or a frustum.
-  bool is_curved() const noexcept { return is_curved(shape_[0].kind) || is_curved(shape_[1].kind); }
 
   /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
   bool hessian(const Vector3& u, Matrix3& H) const;
@@ -94,19 +67,15 @@ class SpatialPair {
   /// Adds `weight` times the Hessian of u·s(u) for the pieces of the cores that `point` is on.
   void add_hessian(const Vector3& u, const SpatialPoint& point, double weight, Matrix3& H) const;
 
-  double error() const noexcept { return error_; }
-
   /// Of the bodies and the way between them, at most.
   double size() const noexcept { return size_; }
-  double radius() const noexcept { return shape_[0].radius + shape_[1].radius; }
-  const SpatialShape& shape(int i) const noexcept { return shape_[i]; }
-  const Matrix3& rotation() const noexcept { return R_; }
+  const Matrix3& rotation() const noexcept { return frame_.R; }
   const PoseNumbers& pose(int i) const noexcept { return pose_[i]; }
 
   /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
   /// but for rounding; 0 where none is known.
   double inner_radius() const noexcept {
-    return std::max(known_radius_, anchor_radius_ + shape_[1].inner_radius);
+    return std::max(known_radius_, anchor_radius_ + shape(1).inner_radius);
   }
 
   /// From now on there is such a ball of this radius, until the bodies are placed anew.
@@ -133,40 +102,31 @@ class SpatialPair {
   void point_to_world(const Vector3& point, double* out) const noexcept;
 
   /// A point of the second body's frame in the first one's.
-  Vector3 from_second(const Vector3& point) const noexcept { return R_ * point + t_; }
+  Vector3 from_second(const Vector3& point) const noexcept { return frame_.R * point + frame_.t; }
 
   /// A point of the first body's frame in the second one's.
-  Vector3 to_second(const Vector3& point) const noexcept { return R_.transposed_times(point - t_); }
+  Vector3 to_second(const Vector3& point) const noexcept {
+    return frame_.R.transposed_times(point - frame_.t);
+  }
 
   /// A vector of the world in the first body's frame.
   Vector3 to_body(const double* vector) const noexcept;
 
-  std::int64_t queries() const noexcept { return queries_; }
   int dimension() const noexcept { return dimension_; }
+  InstructionSet instruction_set() const noexcept { return isa_; }
 
  private:
-  static bool is_smooth(SpatialShape::Kind kind) noexcept {
-    return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::point;
-  }
-  static bool is_curved(SpatialShape::Kind kind) noexcept {
-    return kind == SpatialShape::Kind::ellipsoid || kind == SpatialShape::Kind::frustum;
-  }
   static constexpr double kRounding = 256 * 0x1p-53;
   static constexpr int kMostPrisms = 3;
 
   bool share_center() const noexcept;
   void turn_normal(const Vector3& u, double* out) const noexcept;
   void add_prisms(const Vector3& u, SpatialPoint& point) const;
-  Vector3 support_of(int i, const Vector3& v, std::int32_t& index);
-  void place_ellipsoid(int i);
+  void place_axes();
   void add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;
-  std::int32_t highest(const SpatialShape& shape, const Vector3& v) const;
 
-  SpatialShape shape_[2];
-  Matrix3 axis_[2], square_[2];  // of ellipsoids, in the first frame: L and L Lᵀ
+  Matrix3 axes_[2], form_[2];  // of curved cores, in the first frame
   PoseNumbers pose_[2];
-  Matrix3 R_;  // second frame to first
-  Vector3 t_;
   Vector3 apart_;  // between the origins of both frames, in the world
   Vector3 between_centers_;
   Vector3 anchor_;  // what the first body is scaled about ...
@@ -174,15 +134,11 @@ class SpatialPair {
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
   Matrix3 W_;                 // first frame to world
   Vector3 w_;
-  InstructionSet isa_ = InstructionSet::automatic;
-  double error_ = 0;
   double size_of_shapes_ = 0;
   double size_ = 0;
   Vector3 prism_[kMostPrisms];
   int prisms_ = 0;
   int dimension_ = 3;
-  bool vertices_ = false;
-  std::int64_t queries_ = 0;
 };
 
 }  // namespace raygauge

@@ -47,6 +47,14 @@ std::vector<SetPointer> draw_sets(Draw& draw) {
 Vector3 spatial(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Vector3d dense(const Vector3& v) { return {v.x, v.y, v.z}; }
 
+template <class Vector>
+Vector nearest_in(const SpatialShape& shape, const Vector& y) {
+  return with_core(shape, [&y](const auto& core) {
+    if constexpr (requires { core.nearest(y); }) return core.nearest(y);
+    return y;
+  });
+}
+
 // q is nearest to p in S if and only if it is in S and h_S(p - q) = (p - q)·q.
 TEST(NearestInCore, IsInTheSetAndItsTangentPlaneHoldsTheSetOff) {
   Draw draw(5);
@@ -55,9 +63,9 @@ TEST(NearestInCore, IsInTheSetAndItsTangentPlaneHoldsTheSetOff) {
       SpatialShape shape;
       ASSERT_TRUE(S->spatial_shape_unchecked(shape));
       const Vector3d p = draw.vector(trial % 2 == 0 ? 3 : 20);
-      Vector3 found;
-      ASSERT_TRUE(nearest_in_core(shape, spatial(p), found));
-      const Vector3d q = dense(found), u = p - q;
+      const Vector3d q = dense(nearest_in(shape, spatial(p))), u = p - q;
+      const PreciseVector3 precisely = nearest_in(shape, precise(spatial(p)));
+      EXPECT_NEAR((dense(rounded(precisely)) - q).norm(), 0, 1e-13);
       Vector3d point;
       EXPECT_LE(S->support_unchecked(u.data(), point.data()), u.dot(q) + 1e-12 * u.norm() + 1e-14);
       for (int k = 0; k < 20; ++k) {
@@ -72,9 +80,8 @@ TEST(NearestInCore, OfAPointInsideIsThatPoint) {
   const Cylinder cylinder(Vector3d(0, 0, -1), Vector3d(0, 0, 1), 1);
   SpatialShape shape;
   ASSERT_TRUE(cylinder.spatial_shape_unchecked(shape));
-  Vector3 found;
-  ASSERT_TRUE(nearest_in_core(shape, {0.3, -0.4, 0.5}, found));
-  EXPECT_NEAR((dense(found) - Vector3d(0.3, -0.4, 0.5)).norm(), 0, 1e-15);
+  EXPECT_NEAR((dense(nearest_in(shape, Vector3{0.3, -0.4, 0.5})) - Vector3d(0.3, -0.4, 0.5)).norm(), 0,
+              1e-15);
 }
 
 TEST(ClosedFormDistance, OfTwoCapsulesIsThatOfTheirSegments) {

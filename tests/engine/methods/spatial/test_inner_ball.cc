@@ -74,7 +74,7 @@ bool claims_overlap(const Contact& contact) {
   EXPECT_TRUE(pair.bind(contact.box, other, InstructionSet::automatic));
   EXPECT_TRUE(pair.place(PoseNumbers(&contact.pose), PoseNumbers()));
   PrecisePair precise;
-  EXPECT_TRUE(precise.bind(pair, best_kernels()));
+  EXPECT_TRUE(precise.bind(pair));
   return inner_ball(pair, precise, {}, 0) > 0;
 }
 

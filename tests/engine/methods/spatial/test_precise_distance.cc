@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/kernels/kernel.h"
 #include "engine/methods/spatial/precise_pair.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
@@ -377,15 +376,15 @@ TEST(PrecisePair, FollowsTheCenterOfABallWhateverItsIndex) {
   SpatialPair pair;
   PrecisePair precise_pair;
   ASSERT_TRUE(pair.bind(ball, cylinder, InstructionSet::automatic) && pair.place({}, {}));
-  ASSERT_TRUE(precise_pair.bind(pair, best_kernels()));
+  ASSERT_TRUE(precise_pair.bind(pair));
   PrecisePoint point;
   const PreciseVector3 u = precise({0.6, 0.0, 0.8});
   ASSERT_TRUE(precise_pair.follow(u, point));
-  EXPECT_EQ(point.x1.x.high, center.x());
-  EXPECT_EQ(point.x1.y.high, center.y());
-  EXPECT_EQ(point.x1.z.high, center.z());
+  EXPECT_EQ(point.a1.x.high, center.x());
+  EXPECT_EQ(point.a1.y.high, center.y());
+  EXPECT_EQ(point.a1.z.high, center.z());
   ASSERT_TRUE(pair.bind(box, cylinder, InstructionSet::automatic) && pair.place({}, {}));
-  ASSERT_TRUE(precise_pair.bind(pair, best_kernels()));
+  ASSERT_TRUE(precise_pair.bind(pair));
   PrecisePoint corner;
   EXPECT_FALSE(precise_pair.follow(u, corner)) << "no vertex is named";
   corner.index_1 = 0;

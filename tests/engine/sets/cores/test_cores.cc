@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/methods/spatial/precise_curves.h"
+#include "engine/sets/cores/core.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/engine/rational.h"
 
-namespace raygauge::test_precise_curves {
+namespace raygauge::test_cores {
 namespace {
 
 using Random = std::mt19937_64;
@@ -38,30 +38,31 @@ SpatialShape frustum() {
 
 // A point c + r of a rim: r is across the axis and as long as the radius, and no point of it is higher, as
 // v·r = |v_⊥| radius.
-TEST(PreciseCurves, RimsHaveTheirHighestPoint) {
+TEST(FrustumCore, RimsHaveTheirHighestPoint) {
   Random random(61);
   const SpatialShape shape = frustum();
   const Exact3 axis = exact(precise(shape.top) - precise(shape.base));
   for (int trial = 0; trial < 500; ++trial) {
     PreciseVector3 v = random_direction(random);
     if (trial % 3 == 0) v = v * DoubleDouble{1e-9} + precise(shape.top - shape.base);
-    const RimView view(shape, v);
-    const std::int32_t index = view.highest(shape);
-    const bool top = index == SpatialPoint::kTop;
+    const FrustumCore core{shape};
+    const auto view = core.look(v, InstructionSet::automatic);
+    const std::int32_t index = view.index;
+    const bool top = index == FrustumCore::kTop;
     const Rational radius(top ? shape.top_radius : shape.base_radius);
-    const Exact3 x = exact(view.point(shape, index)), r = x - exact(precise(top ? shape.top : shape.base));
+    const Exact3 x = exact(view.point(index)), r = x - exact(precise(top ? shape.top : shape.base));
     // Near the axis v_⊥ is known to a share of |v|.
     const double loss = kLoss * (trial % 3 == 0 ? 1e9 : 1.0);
     EXPECT_LE(abs(Rational(dot(r, axis))), Rational(loss));
     EXPECT_LE(abs(Rational(dot(r, r) - radius * radius)), Rational(kLoss));
-    EXPECT_LE(abs(Rational(exact(view.height(shape, v, index)) - dot(exact(v), x))), Rational(16 * kLoss));
-    const auto other = top ? SpatialPoint::kBase : SpatialPoint::kTop;
-    EXPECT_GE(exact(view.height(shape, v, index)), exact(view.height(shape, v, other)));
+    EXPECT_LE(abs(Rational(exact(view.height(index)) - dot(exact(v), x))), Rational(16 * kLoss));
+    const auto other = top ? FrustumCore::kBase : FrustumCore::kTop;
+    EXPECT_GE(exact(view.height(index)), exact(view.height(other)));
   }
 }
 
 // The point c + z is on the surface, |L⁻¹z| = 1, and as high as the height says.
-TEST(PreciseCurves, EllipsoidsHaveTheirHighestPoint) {
+TEST(EllipsoidCore, HasItsHighestPoint) {
   Random random(62);
   SpatialShape shape;
   shape.kind = SpatialShape::Kind::ellipsoid;
@@ -72,9 +73,10 @@ TEST(PreciseCurves, EllipsoidsHaveTheirHighestPoint) {
   const Rational determinant = dot(column[0], cross(column[1], column[2]));
   for (int trial = 0; trial < 500; ++trial) {
     const PreciseVector3 v = random_direction(random);
-    PreciseVector3 x;
-    const Rational height = exact(ellipsoid_support(shape, v, &x));
-    EXPECT_LE(abs(Rational(height - dot(exact(v), exact(x)))), Rational(16 * kLoss));
+    const EllipsoidCore core{shape};
+    const auto view = core.look(v, InstructionSet::automatic);
+    const PreciseVector3 x = view.point(view.index);
+    EXPECT_LE(abs(Rational(exact(view.height(view.index)) - dot(exact(v), exact(x)))), Rational(16 * kLoss));
     const Exact3 z = exact(x) - exact(precise(shape.center));
     Rational square = 0;
     for (int k = 0; k < 3; ++k) {
@@ -82,9 +84,8 @@ TEST(PreciseCurves, EllipsoidsHaveTheirHighestPoint) {
       square += y * y;
     }
     EXPECT_LE(abs(Rational(square - 1)), Rational(16 * kLoss));
-    EXPECT_EQ(exact(ellipsoid_support(shape, v, nullptr)), height);
   }
 }
 
 }  // namespace
-}  // namespace raygauge::test_precise_curves
+}  // namespace raygauge::test_cores

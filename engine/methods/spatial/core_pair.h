@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "engine/methods/spatial/pair_frames.h"
+
+namespace raygauge {
+
+/// The difference of two placed cores, over the number type and the frame of reference: support points, and
+/// the pieces that these are on.
+template <class Frame>
+class CorePair {
+ public:
+  using Real = typename Frame::Real;
+  using Vector = BasicVector3<Real>;
+  using Point = PairPoint<Real>;
+
+  const SpatialShape& shape(int i) const noexcept { return frame_.shape(i); }
+  double radius() const noexcept { return shape(0).radius + shape(1).radius; }
+
+  /// Whether a core is curved, so that its points have to follow a normal.
+  bool is_curved() const noexcept { return curved_; }
+
+  /// What is computed here of points and heights is within this of the truth.
+  double error() const noexcept { return error_; }
+  std::int64_t queries() const noexcept { return queries_; }
+
+ protected:
+  /// The bodies of the frame are new.
+  void begin() noexcept {
+    curved_ = raygauge::is_curved(shape(0)) || raygauge::is_curved(shape(1));
+    queries_ = 0;
+  }
+
+  /// The highest points of both cores, put into `point` if `kPoints`; use(i, v, height) is called for each
+  /// with the normal v that body i sees, and h(v) of its core.
+  template <bool kPoints, class Use>
+  [[gnu::always_inline]] void look(const Vector& u, Point& point, const Use& use) {
+    look_at<0, kPoints>(u, point, use);
+    look_at<1, kPoints>(u, point, use);
+    queries_ += 2;
+  }
+
+  /// The difference of two vertices; false where there are none.
+  bool find_vertices(std::int32_t index_1, std::int32_t index_2, Point& point) const {
+    if (!find_vertex<0>(index_1, point) || !find_vertex<1>(index_2, point)) return false;
+    point.index_1 = index_1;
+    point.index_2 = index_2;
+    frame_.subtract(point);
+    return true;
+  }
+
+  /// The point that the pieces of `point`'s indices have for u; a ball has its centre whatever its index.
+  /// False where u is so near the axis of a rim that this says nothing, and where an index names no vertex of
+  /// a core that has nothing else. `followed` is a point that has followed u before, or null: it may share a
+  /// piece.
+  [[gnu::always_inline]] bool find_pieces(const Vector& u, Point& point, const Point* followed) const {
+    if (!find_piece<0>(u, point, followed) || !find_piece<1>(u, point, followed)) return false;
+    frame_.subtract(point);
+    return true;
+  }
+
+  Frame frame_;
+  InstructionSet isa_ = InstructionSet::automatic;
+  double error_ = 0;
+  bool curved_ = false;
+  std::int64_t queries_ = 0;
+
+ private:
+  template <int i, bool kPoints, class Use>
+  [[gnu::always_inline]] void look_at(const Vector& u, Point& point, const Use& use) const {
+    const Vector v = frame_.into(i, u);
+    with_core(shape(i), [&](const auto& core) {
+      const auto view = core.look(v, isa_);
+      point.index(i) = view.index;
+      if constexpr (kPoints) frame_.put(i, view.point(view.index), point);
+      use(i, v, view.height(view.index));
+    });
+  }
+
+  template <int i>
+  bool find_vertex(std::int32_t index, Point& point) const {
+    return with_core(shape(i), [&](const auto& core) {
+      if (index < 0 || index >= core.vertex_count()) return false;
+      frame_.put(i, vector_of<Real>(core.vertex(index)), point);
+      return true;
+    });
+  }
+
+  template <int i>
+  [[gnu::always_inline]] bool find_piece(const Vector& u, Point& point, const Point* followed) const {
+    const std::int32_t index = point.index(i);
+    return with_core(shape(i), [&](const auto& core) {
+      if constexpr (requires { core.kIsCurved; }) {
+        if (followed != nullptr && index == followed->index(i)) {
+          point.a(i) = followed->a(i);
+          return true;
+        }
+        const auto view = core.look(frame_.into(i, u), isa_);
+        if (!kIsDouble<Real> && view.is_flat()) return false;
+        frame_.put(i, view.point(index), point);
+      } else if constexpr (!Frame::kKeepsVertices) {
+        if (index < 0 && !is_point(core.shape)) return false;
+        frame_.put(i, vector_of<Real>(core.vertex(std::max(index, 0))), point);
+      }
+      return true;
+    });
+  }
+};
+
+}  // namespace raygauge

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/cores/core_parts.h"
+
+namespace raygauge {
+
+/// {x | base <= x <= top}. Bit k of a vertex's index: whether coordinate k is that of the base.
+struct BoxCore {
+  static constexpr int kPieces = 0, kFirstPiece = 0;
+
+  const SpatialShape& shape;
+
+  std::ptrdiff_t vertex_count() const { return 8; }
+  Vector3 vertex(std::int32_t i) const {
+    const Vector3 *of_x = (i & 1) != 0 ? &shape.base : &shape.top,
+                  *of_y = (i & 2) != 0 ? &shape.base : &shape.top,
+                  *of_z = (i & 4) != 0 ? &shape.base : &shape.top;
+    return {of_x->x, of_y->y, of_z->z};
+  }
+
+  template <class Real>
+  VertexView<BoxCore, Real> look(const BasicVector3<Real>& v, InstructionSet /*isa*/) const {
+    return {*this, v, (high(v.x) < 0 ? 1 : 0) | (high(v.y) < 0 ? 2 : 0) | (high(v.z) < 0 ? 4 : 0)};
+  }
+
+  template <class Real>
+  BasicVector3<Real> nearest(const BasicVector3<Real>& y) const {
+    const auto clamped = [](const Real& at, double low, double top) {
+      if (at < Real{low}) return Real{low};
+      return at > Real{top} ? Real{top} : at;
+    };
+    return {clamped(y.x, shape.base.x, shape.top.x), clamped(y.y, shape.base.y, shape.top.y),
+            clamped(y.z, shape.base.z, shape.top.z)};
+  }
+
+  Matrix3 half_axes() const {
+    const Vector3& half = shape.axis.column[0];
+    return {{{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
+  }
+};
+
+}  // namespace raygauge

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/sets/cores/box_core.h"
+#include "engine/sets/cores/ellipsoid_core.h"
+#include "engine/sets/cores/frustum_core.h"
+#include "engine/sets/cores/point_core.h"
+#include "engine/sets/cores/points_core.h"
+#include "engine/sets/cores/segment_core.h"
+
+namespace raygauge {
+
+/// Calls `use` with the core of a shape, one of the structs of this folder, each over both number types:
+///
+///     vertex_count(), vertex(i)   without rounding; a curved core has none
+///     look(v, isa)                a direction as the core sees it: `index` of the highest piece (a vertex
+///     from
+///                                 0 on, or a smooth piece below 0), and of any piece point(i) and height(i)
+///     half_axes()                 those of an ellipsoid about like the core
+///
+/// and what it can beyond that, which is asked by `requires`:
+///
+///     form(axis), curvature(axis, u, i)   of a curved core with its axes in any frame: the Hessian of piece
+///     i
+///                                         at u is share (form - y yᵀ)
+///     nearest(y)                  the point of the core nearest to y; y itself inside
+///     holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside for
+///                                 certain; x is highest for some unit vector v, and v·back is `height`
+///     ends_around(x)              of a core without area: the vertices between which x is
+///     disc(v)                     the flat disc on the side of v
+///
+/// This is the only place that tells kinds apart.
+template <class Use>
+[[gnu::always_inline]] inline decltype(auto) with_core(const SpatialShape& shape, const Use& use) {
+  switch (shape.kind) {
+    case SpatialShape::Kind::segment:
+      return use(SegmentCore{shape});
+    case SpatialShape::Kind::box:
+      return use(BoxCore{shape});
+    case SpatialShape::Kind::ellipsoid:
+      return use(EllipsoidCore{shape});
+    case SpatialShape::Kind::frustum:
+      return use(FrustumCore{shape});
+    case SpatialShape::Kind::points:
+      return use(PointsCore{shape});
+    case SpatialShape::Kind::point:
+      break;
+  }
+  return use(PointCore{shape});
+}
+
+/// 0 of a curved core.
+inline std::ptrdiff_t count_vertices(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) { return core.vertex_count(); });
+}
+inline bool is_point(const SpatialShape& shape) { return shape.kind == SpatialShape::Kind::point; }
+/// Whether it has area, and a formula for the point nearest to another one.
+inline bool has_projection(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) {
+    return requires(Vector3 y) { core.nearest(y); }
+    &&!requires(Vector3 x) { core.ends_around(x); };
+  });
+}
+inline bool is_curved(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) {
+    return requires { core.kIsCurved; };
+  });
+}
+/// Without an edge.
+inline bool is_smooth(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) {
+    return requires { core.kIsSmooth; };
+  });
+}
+/// Whether the Hessian of its support function has rank 2.
+inline bool has_curved_surface(const SpatialShape& shape) { return is_curved(shape) && is_smooth(shape); }
+inline bool has_discs(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) {
+    return requires(Vector3 v) { core.disc(v); };
+  });
+}
+inline CoreDisc disc_towards(const SpatialShape& shape, const Vector3& v) {
+  return with_core(shape, [&v](const auto& core) {
+    if constexpr (requires { core.disc(v); }) return core.disc(v);
+    return CoreDisc{};
+  });
+}
+
+/// Of a core with two smooth pieces the other one; of others the same.
+inline std::int32_t other_piece(const SpatialShape& shape, std::int32_t piece) {
+  return with_core(shape, [piece](const auto& core) {
+    if constexpr (requires { core.other_piece(piece); }) return core.other_piece(piece);
+    return piece;
+  });
+}
+
+/// A vertex without rounding, in the frame of the core; of a curved core its centre.
+inline Vector3 vertex_of(const SpatialShape& shape, std::int32_t index) {
+  return with_core(shape, [index](const auto& core) { return core.vertex(index); });
+}
+
+}  // namespace raygauge

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "engine/sets/cores/core_parts.h"
+
+namespace raygauge {
+
+/// The hull of two discs across an axis: cylinders, cones, truncated cones. Its smooth pieces are the rims.
+struct FrustumCore {
+  static constexpr bool kIsCurved = true;
+  static constexpr int kAxes = 1;
+  static constexpr std::int32_t kBase = -2, kTop = -3;  ///< rims
+  static constexpr int kPieces = 2, kFirstPiece = kBase;
+  static constexpr std::int32_t kBaseDisc = -4, kTopDisc = -5;  ///< within them
+
+  const SpatialShape& shape;
+
+  std::ptrdiff_t vertex_count() const { return 0; }
+  Vector3 vertex(std::int32_t /*i*/) const { return shape.center; }
+
+  /// The axis a: in doubles of length 1, else from the base to the top without rounding; |a|², 1/|a|², and
+  /// `full` a is the way from the base to the top.
+  template <class Real>
+  struct Axis {
+    explicit Axis(const SpatialShape& of) {
+      if constexpr (kIsDouble<Real>) {
+        a = of.axis.column[0];
+      } else {
+        a = vector_of<Real>(of.top) - vector_of<Real>(of.base);
+        square = dot(a, a);
+        inverse = Real{1} / square;
+      }
+    }
+    Real full(const SpatialShape& of) const {
+      if constexpr (kIsDouble<Real>) return dot(of.top - of.base, a);
+      return Real{1};
+    }
+    BasicVector3<Real> without(const BasicVector3<Real>& v) const { return v - a * (dot(v, a) * inverse); }
+
+    BasicVector3<Real> a;
+    Real square{1}, inverse{1};
+  };
+
+  /// A direction v as the rims see it: v_⊥ across the axis, of which they have w = v_⊥/|v_⊥|; zero for v
+  /// along the axis.
+  template <class Real>
+  struct Across {
+    Across(const Axis<Real>& axis, const BasicVector3<Real>& v) {
+      constexpr double kCancelled = 0.01;  // |v_⊥|²/|v|² below which the projection is repeated
+      constexpr double kAlongAxis = kIsDouble<Real> ? 1e-28 : 1e-56;  // ... and that is nothing but rounding
+      constexpr double kNearAxis = 1e-10;  // ... and up to which rims are as good as flat
+      const double all = dot(rounded(v), rounded(v));
+      w = axis.without(v);
+      if (kIsDouble<Real> || !(high(dot(w, w)) > kCancelled * all)) w = axis.without(w);
+      const Real square = dot(w, w);
+      size = square_root(square);
+      is_near_axis = !(high(square) > kNearAxis * all);
+      if (high(square) > kAlongAxis * all) {
+        w = w * (Real{1} / size);
+      } else {
+        w = {};
+        size = Real{0};
+      }
+    }
+
+    BasicVector3<Real> w;
+    Real size;
+    bool is_near_axis;
+  };
+
+  static constexpr std::int32_t other_piece(std::int32_t rim) { return kBase + kTop - rim; }
+  double radius_of(std::int32_t rim) const { return rim == kTop ? shape.top_radius : shape.base_radius; }
+  const Vector3& center_of(std::int32_t rim) const { return rim == kTop ? shape.top : shape.base; }
+
+  template <class Real>
+  struct View {
+    View(const FrustumCore& of, const BasicVector3<Real>& direction)
+        : core(of), v(direction), across(Axis<Real>(of.shape), direction) {}
+
+    BasicVector3<Real> point(std::int32_t rim) const {
+      return vector_of<Real>(core.center_of(rim)) + across.w * Real{core.radius_of(rim)};
+    }
+    Real height(std::int32_t rim) const {
+      return dot(v, core.center_of(rim)) + across.size * core.radius_of(rim);
+    }
+    /// So near to the axis that points of rims say nothing.
+    bool is_flat() const { return across.is_near_axis; }
+
+    const FrustumCore& core;
+    BasicVector3<Real> v;
+    Across<Real> across;
+    std::int32_t index = height(kTop) > height(kBase) ? kTop : kBase;
+  };
+
+  template <class Real>
+  View<Real> look(const BasicVector3<Real>& v, InstructionSet /*isa*/) const {
+    return {*this, v};
+  }
+
+  /// The Hessian of a rim at u, radius/|u_⊥| (1 - a aᵀ - w wᵀ), of the core with this axis.
+  static Matrix3 form(const Matrix3& axis) {
+    const Vector3& a = axis.column[0];
+    return {{Vector3{1, 0, 0} - a * a.x, Vector3{0, 1, 0} - a * a.y, Vector3{0, 0, 1} - a * a.z}};
+  }
+  CoreCurvature curvature(const Matrix3& axis, const Vector3& u, std::int32_t rim) const {
+    const Vector3& a = axis.column[0];
+    const Vector3 w = u - a * dot(u, a);
+    const double square = dot(w, w), size = std::sqrt(square);
+    if (!(square > 1e-28 * dot(u, u))) return {};
+    return {w * (1 / size), radius_of(rim) / size};
+  }
+
+  /// The disc on the side of v, with its outward axis.
+  CoreDisc disc(const Vector3& v) const {
+    const Vector3& a = shape.axis.column[0];
+    if (dot(v, a) > 0) return {kTopDisc, a, shape.top, shape.top_radius};
+    return {kBaseDisc, -a, shape.base, shape.base_radius};
+  }
+
+  /// In the half plane through the axis that holds y: `along` a from the base and `across` it.
+  template <class Real>
+  BasicVector3<Real> nearest(const BasicVector3<Real>& y) const;
+
+  /// Whether the ball of radius `margin` about x - back is inside, for certain.
+  template <class Real>
+  bool holds(const BasicVector3<Real>& x, const BasicVector3<Real>& back, double height, double margin) const;
+
+  Matrix3 half_axes() const {
+    const Vector3 across = any_orthogonal(shape.axis.column[0]);
+    const double radius = 0.5 * (shape.base_radius + shape.top_radius);
+    return {{(shape.top - shape.base) * 0.5, across * radius, cross(shape.axis.column[0], across) * radius}};
+  }
+};
+
+template <class Real>
+BasicVector3<Real> FrustumCore::nearest(const BasicVector3<Real>& y) const {
+  const Axis<Real> axis(shape);
+  const BasicVector3<Real> base = vector_of<Real>(shape.base), x = y - base;
+  const Real along = dot(x, axis.a) * axis.inverse, full = axis.full(shape);
+  const BasicVector3<Real> radial = x - axis.a * along;
+  const Real across = square_root(dot(radial, radial));
+  const Real base_radius{shape.base_radius}, widening = difference<Real>(shape.top_radius, shape.base_radius);
+  const bool below = !(along > Real{0}), above = !(along < full);
+  if (below && !(across > base_radius)) return base + radial;
+  if (above && !(across > Real{shape.top_radius})) return vector_of<Real>(shape.top) + radial;
+  if (!below && !above && !(across * full > base_radius * full + along * widening)) return y;
+  Real share = (along * full * axis.square + (across - base_radius) * widening) /
+               (full * full * axis.square + widening * widening);
+  if (share < Real{0}) share = Real{0};
+  if (share > Real{1}) share = Real{1};
+  const Real radius = base_radius + share * widening;
+  return base + axis.a * (share * full) + radial * (radius / across);
+}
+
+template <class Real>
+bool FrustumCore::holds(const BasicVector3<Real>& x, const BasicVector3<Real>& back, double /*height*/,
+                        double margin) const {
+  const Axis<Real> axis(shape);
+  const Real full = axis.full(shape);
+  const BasicVector3<Real> from_base = x - back - vector_of<Real>(shape.base);
+  const Real along = dot(from_base, axis.a) * axis.inverse, share = along / full;
+  const double axis_length = std::sqrt(high(axis.square)) * high(full);
+  const double edge = margin / axis_length * (1 + 0x1p-40);
+  if (!(share > Real{edge}) || !(share < Real{1} - Real{edge})) return false;
+  const BasicVector3<Real> radial = from_base - axis.a * along;
+  const Real rise = difference<Real>(shape.top_radius, shape.base_radius);
+  const Real room = rise * share + Real{shape.base_radius} - square_root(dot(radial, radial));
+  return rounded(room) > margin * (2 + std::fabs(high(rise)) / axis_length);
+}
+
+}  // namespace raygauge
