@@ -61,7 +61,7 @@ std::string_view to_string(EventKind kind) noexcept {
 std::string event_number(double x) { return rounded_text(x, kDigits); }
 
 std::string event_bound(double x) {
-  const std::string nearest = event_number(x);
+  std::string nearest = event_number(x);
   const double rounded = std::stod(nearest);
   if (!(rounded > x) || !std::isfinite(x)) return nearest;
   return event_number(rounded - std::pow(10, std::floor(std::log10(std::abs(x))) - kDigits + 1));

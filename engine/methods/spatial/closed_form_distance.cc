@@ -89,7 +89,7 @@ bool nearest_points(const SpatialPair& pair, SpatialPoint& point) {
     point.a2 = pair.from_second(nearest);
     return true;
   }
-  if (count_vertices(one) != 2 || count_vertices(two) != 2) return false;
+  if (!is_between_ends(one) || !is_between_ends(two)) return false;
   nearest_of_capsules(pair, point);
   return true;
 }

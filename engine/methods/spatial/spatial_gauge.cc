@@ -28,7 +28,7 @@ Vector3 unit(const Vector3& v) { return v * (1 / length(v)); }
 
 bool SpatialGauge::Side::bind(const ConvexSet& S) {
   if (!S.spatial_shape_unchecked(shape)) return false;
-  if (count_vertices(shape) > 2) return false;  // each would be a piece
+  if (!with_core(shape, [](const auto& core) { return core.kPieces > 0; })) return false;
   const double size = shape.extent + shape.radius;
   error = kRounding * size;
   tried = !has_discs(shape);
@@ -63,6 +63,7 @@ void SpatialGauge::Side::look(const Vector3& v) {
       if (shape.radius > 0) point[i] = point[i] + v * shape.radius;
       height[i] = dot(v, point[i]);
       if (piece == view.index) top = i;
+      curvature[i] = {};
       if constexpr (requires { core.kIsCurved; }) curvature[i] = core.curvature(shape.axis, v, piece);
     }
   });

@@ -62,6 +62,12 @@ inline bool has_projection(const SpatialShape& shape) {
     &&!requires(Vector3 x) { core.ends_around(x); };
   });
 }
+/// conv of two ends, or a point.
+inline bool is_between_ends(const SpatialShape& shape) {
+  return with_core(shape, [](const auto& core) {
+    return requires(Vector3 x) { core.ends_around(x); };
+  });
+}
 inline bool is_curved(const SpatialShape& shape) {
   return with_core(shape, [](const auto& core) {
     return requires { core.kIsCurved; };
