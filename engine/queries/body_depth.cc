@@ -14,10 +14,6 @@ namespace {
 constexpr double kUp = 1 + 0x1p-52, kDown = 1 - 0x1p-52;
 constexpr double kExact = 1e-14;  // the finest tolerance that distances are asked for
 
-bool is_closed(const BodyDepthAnswer& answer, double tolerance) {
-  return answer.lower > 0 && answer.upper - answer.lower <= tolerance * answer.upper;
-}
-
 double down(const DoubleDouble& x) { return x.rounded() - std::fabs(x.high) * 0x1p-52; }
 double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high) * 0x1p-52; }
 
@@ -61,9 +57,8 @@ bool BodyDepth::is_tiny(const PoseNumbers& first, const PoseNumbers& second) {
 }
 
 void BodyDepth::bound_tiny(double tolerance, BodyDepthAnswer& answer) const {
-  answer.lower = down(ball_lower_ + -tiny_);
-  answer.upper = up(ball_upper_ + tiny_);
-  answer.status = is_closed(answer, tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
+  answer.bounds = {down(ball_lower_ + -tiny_), up(ball_upper_ + tiny_)};
+  answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
   answer.normal = {-1, 0, 0};
   put_points({1, 0, 0}, {}, {}, answer);
 }
@@ -76,8 +71,8 @@ void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vecto
 
 void BodyDepth::bound_apart(BodyDepthAnswer& answer) const {
   const SpatialAnswer& apart = cores_.answer();
-  answer.lower = std::max(0.0, down(ball_lower_ + -apart.upper));
-  answer.upper = std::max(0.0, up(ball_upper_ + -apart.lower));
+  answer.bounds.raise_lower(down(ball_lower_ + -apart.upper));
+  answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)));
 }
 
 // What both balls add to h(u): Σ r |Rᵀu|.
@@ -155,10 +150,9 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   const PreciseVector3 u = v * (DoubleDouble{-1} / away);
   const DoubleDouble balls = ball_height(u) / sqrt(dot(u, u));
   const double turned = radius_[0] * pair_.pose(0).defect + radius_[1] * pair_.pose(1).defect;
-  const double certain = down(balls - away) - error - 1.31 * turned * turned / away.high;
-  answer.lower = std::max(answer.lower, certain);
+  answer.bounds.raise_lower(down(balls - away) - error - 1.31 * turned * turned / away.high);
   const DoubleDouble height = balls + precise.height(u) / sqrt(dot(u, u));
-  answer.upper = std::min(answer.upper, std::max(0.0, up(height) + error));
+  answer.bounds.reduce_upper(std::max(0.0, up(height) + error));
 }
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
@@ -171,10 +165,10 @@ bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
     if (attempt == 0 && (!known || cores_.answer().end != SpatialEnd::closed)) return false;
     if (!known || cores_.answer().end != SpatialEnd::closed) break;
     bound_apart(answer);
-    if (is_closed(answer, tolerance)) break;
-    asked = std::max(kExact, 0.25 * tolerance * answer.upper / cores_.answer().upper);
+    if (answer.bounds.close(tolerance)) break;
+    asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().upper);
   }
-  if (!is_closed(answer, tolerance)) refine_apart(answer);
+  if (!answer.bounds.close(tolerance)) refine_apart(answer);
   const double* n = cores_.normal();
   answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
   normal_ = -pair_.to_body(n);
@@ -183,8 +177,7 @@ bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
   answer.point_1 = Vector3{a1[0], a1[1], a1[2]} - answer.normal * radius_[0];
   answer.point_2 = Vector3{a2[0], a2[1], a2[2]} + answer.normal * radius_[1];
   has_points_ = true;
-  answer.status = is_closed(answer, tolerance) || answer.upper == 0 ? DistanceStatus::optimal
-                                                                    : DistanceStatus::precision_limit;
+  answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
   return true;
 }
 
@@ -192,10 +185,8 @@ bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
 template <class Real>
 void BodyDepth::take(const DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer) {
   answer.iterations += search.iterations();
-  answer.lower = std::max(answer.lower, down(ball_lower_ + std::max(search.lower(), floor_)));
-  const double upper = up(ball_upper_ + search.upper());
-  if (!(upper < answer.upper)) return;
-  answer.upper = upper;
+  answer.bounds.raise_lower(down(ball_lower_ + std::max(search.lower(), floor_)));
+  if (!answer.bounds.reduce_upper(up(ball_upper_ + search.upper()))) return;
   Vector3 n = rounded(search.normal()), a1, a2;
   if (pair_.dimension() == 2) n.z = 0;
   n = n * (1 / length(n));
@@ -229,23 +220,6 @@ void BodyDepth::find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& 
   a2 = point.a2;
 }
 
-namespace {
-
-DistanceStatus status_of(DepthEnd end) {
-  switch (end) {
-    case DepthEnd::closed:
-      return DistanceStatus::optimal;
-    case DepthEnd::limit:
-      return DistanceStatus::iteration_limit;
-    case DepthEnd::time:
-      return DistanceStatus::time_limit;
-    default:
-      return DistanceStatus::precision_limit;
-  }
-}
-
-}  // namespace
-
 void BodyDepth::search(double tolerance, const double* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
   const Vector3 given = start != nullptr ? -pair_.to_body(start) : pair_.between_centers();
@@ -264,10 +238,9 @@ void BodyDepth::search(double tolerance, const double* start, const Stopwatch& w
     take(precise_, true, answer);
     answer.support_queries += precise.queries();
   }
-  answer.status =
-      is_closed(answer, tolerance) || answer.upper == 0 ? DistanceStatus::optimal : status_of(end);
-  if (answer.status == DistanceStatus::optimal || end != DepthEnd::closed) return;
-  answer.status = DistanceStatus::precision_limit;
+  answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal
+                  : end == DepthEnd::closed      ? DistanceStatus::precision_limit
+                                                 : status_of(end);
 }
 
 void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& watch,
@@ -276,17 +249,13 @@ void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& wa
   has_points_ = false;
   floor_ = 0;
   if (tiny_ > 0) return bound_tiny(tolerance, answer);
-  if (ball_upper_.high > 0) {
-    if (solve_apart(tolerance, answer)) return;
-    answer.lower = 0;
-  }
+  if (ball_upper_.high > 0 && solve_apart(tolerance, answer)) return;
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
   Vector3 a1, a2;
   if (cores_.answer().end != SpatialEnd::intersecting) {
     find_near_points(answer, a1, a2);
     floor_ = -(length(a1 - a2) * kUp + 2 * pair_.error());
   }
-  answer.upper = __builtin_inf();
   search(tolerance, start, watch, answer);
   if (!has_points_) {
     find_near_points(answer, a1, a2);

@@ -6,6 +6,7 @@
 
 #include "engine/methods/bodies/body_oracles.h"
 #include "engine/numerics/stopwatch.h"
+#include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
 #include "engine/sets/core_of.h"
 #include "raygauge/methods/result.h"
@@ -14,7 +15,7 @@ namespace raygauge {
 
 /// What is known of the Euclidean depth of two bodies of R^2 or R^3; vectors in the world.
 struct BodyDepthAnswer {
-  double lower = 0, upper = 0;
+  Bounds bounds;
   DistanceStatus status = DistanceStatus::precision_limit;
   Vector3 normal;            ///< of length 1: the way for the first body to get out
   Vector3 point_1, point_2;  ///< of the bodies: point_2 - point_1 is depth times the normal, to the gap

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/certificates/certificate.h"
 #include "engine/methods/column_generation/sifting.h"
+#include "engine/proof/certificate.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {

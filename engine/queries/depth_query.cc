@@ -29,12 +29,6 @@ void put(const Vector3& v, int n, double scale, Vector& out) {
   for (int k = 0; k < n; ++k) out[k] = (&v.x)[k] * scale;
 }
 
-DistanceStatus status_of(DepthEnd end) {
-  if (end == DepthEnd::closed) return DistanceStatus::optimal;
-  if (end == DepthEnd::limit) return DistanceStatus::iteration_limit;
-  return end == DepthEnd::time ? DistanceStatus::time_limit : DistanceStatus::precision_limit;
-}
-
 }  // namespace
 
 bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
@@ -45,8 +39,8 @@ bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, c
   }
   bodies_.solve(options.tolerance, start, watch_, answer_);
   const int n = A1.dimension();
-  result.lower = radius == 1 ? answer_.lower : answer_.lower / radius * kDown;
-  result.upper = radius == 1 ? answer_.upper : answer_.upper / radius * kUp;
+  result.lower = radius == 1 ? answer_.bounds.lower() : answer_.bounds.lower() / radius * kDown;
+  result.upper = radius == 1 ? answer_.bounds.upper() : answer_.bounds.upper() / radius * kUp;
   result.status = answer_.status;
   result.iterations = answer_.iterations;
   result.support_queries = answer_.support_queries;
@@ -80,8 +74,8 @@ void DepthQuery::solve_sets(const ConvexSet& A1, const ConvexSet& A2, const Conv
 }
 
 // Directions ±e_k, with the rounding errors that ConvexSet states.
-void DepthQuery::bound_from_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
-                                 ObjectDepth& result) {
+void DepthQuery::bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
+                                  ObjectDepth& result) {
   const int n = Q.dimension();
   Vector u = Vector::Zero(n), point(n), of_1(n), of_2(n), of_Q(n);
   A1.magnitude_unchecked(of_1.data());
@@ -120,7 +114,7 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
     if (Q.dimension() <= 3) {
       solve_sets(first.set(), second.set(), Q, options.tolerance, start, result);
     } else {
-      bound_from_axes(first.set(), second.set(), Q, result);
+      bound_along_axes(first.set(), second.set(), Q, result);
     }
   }
   result.depth = result.upper;

@@ -26,8 +26,8 @@ class DepthQuery {
                     const double* start, ObjectDepth& result);
   void solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
                   const double* start, ObjectDepth& result);
-  static void bound_from_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
-                              ObjectDepth& result);
+  static void bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
+                               ObjectDepth& result);
 
   BodyDepth bodies_;
   BodyDepthAnswer answer_;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/certificates/gauge_bound.h"
 #include "engine/kernels/kernel.h"
 #include "engine/lp/column_pool.h"
+#include "engine/lp/gauge_bound.h"
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/stopwatch.h"

@@ -21,11 +21,12 @@ double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
 }  // namespace
 
 bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceOptions& options) {
+  asked_ = false;
   const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
   if (!open || !solve_.bind(first.set, second.set, options.instruction_set)) return false;
   const bool limited = options.time_limit != std::numeric_limits<double>::infinity();
   if (limited && solve_.points() > kPointsUnderLimit) return false;
-  return solve_.place(PoseNumbers(first.pose), PoseNumbers(second.pose));
+  return asked_ = solve_.place(PoseNumbers(first.pose), PoseNumbers(second.pose));
 }
 
 void SpatialQuery::set_counters(DistanceResult& result) const {
@@ -43,6 +44,7 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
                             ObjectDistance& result) {
   const double radius = radius_of_metric(metric, metric_);
   if (!(radius > 0) || metric.dimension() != A1.dimension() || !bind(A1, A2, options)) {
+    asked_ = false;
     proven_ = {};
     return false;
   }
@@ -55,7 +57,7 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   const double lower = !apart ? 0 : radius == 1 ? answer.lower : answer.lower * share * kDown;
   const double upper = !apart ? 0 : radius == 1 ? answer.upper : answer.upper * share * kUp;
   if (!found) {
-    proven_ = {lower, upper};
+    proven_ = {{lower, upper}};
     for (int k = 0; lower > 0 && k < n; ++k) proven_.normal[k] = solve_.normal()[k] * share;
     return false;
   }
@@ -85,7 +87,7 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm);
   const SpatialAnswer& answer = solve_.answer();
   if (!found) {
-    proven_ = {answer.lower, answer.upper};
+    proven_ = {{answer.lower, answer.upper}};
     if (answer.lower > 0) solve_.growth_normal(proven_.normal);
     return false;
   }

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/queries/proven_bounds.h"
+#include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 
 namespace raygauge {
+
+/// What fixed-size code has proven of a distance in R^2 or R^3 where it has no answer.
+struct ProvenBounds {
+  Bounds bounds;
+  double normal[3] = {0, 0, 0};  ///< that proves the lower one, as DistanceResult::normal
+};
 
 /// Queries about bodies of R^2 and R^3 by SpatialSolve, where the options leave the way to it open. Each
 /// function returns false where it has no answer that is as precise as was asked for; what it has proven
@@ -23,8 +29,10 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
-  /// Of the last query, in its units, where that returned false.
+  /// Of the last query, in its units, where that returned false; whether there was fixed-size code for it.
   const ProvenBounds& proven() const noexcept { return proven_; }
+  bool was_asked() const noexcept { return asked_; }
+  std::int64_t support_queries() const noexcept { return solve_.support_queries(); }
 
   /// Whether two bodies have a point in common: the Euclidean distance, to whatever precision. normal() is
   /// then that of a plane between them, as SeparationResult has it.
@@ -38,6 +46,7 @@ class SpatialQuery {
   SpatialSolve solve_;
   SpatialShape metric_;
   ProvenBounds proven_;
+  bool asked_ = false;
 };
 
 }  // namespace raygauge

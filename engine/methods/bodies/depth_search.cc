@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/proof/bounds.h"
 
 namespace raygauge {
 namespace {
@@ -25,10 +26,9 @@ BasicVector3<Real> unit(const BasicVector3<Real>& v) {
 }  // namespace
 
 template <class Real>
-bool DepthSearch<Real>::is_closed() const {
-  const double upper = upper_ + goal_.ball_upper;
-  const double lower = std::max(lower_, goal_.floor) + goal_.ball_lower;
-  return lower > 0 && upper - lower <= goal_.tolerance * kDown * upper;
+bool DepthSearch<Real>::is_done() const {
+  return Bounds(std::max(lower_, goal_.floor) + goal_.ball_lower, upper_ + goal_.ball_upper)
+      .close(goal_.tolerance * kDown);
 }
 
 // A gap that closes is less than what the bounds of one facet lose.
@@ -112,7 +112,7 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
   iterations_ = 0;
   heap_.clear();
   solid_ = begin(start);
-  if (!solid_) return is_closed() ? DepthEnd::closed : DepthEnd::flat;
+  if (!solid_) return is_done() ? DepthEnd::closed : DepthEnd::flat;
   queue_new_facets();
   DepthPoint<Real> point;
   int setbacks = 0;
@@ -120,14 +120,14 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
     const Entry& entry = least();
     if (entry.value < lower_) ++setbacks;
     if (entry.value > 0) lower_ = std::max(lower_, entry.value);
-    if (is_closed()) return DepthEnd::closed;
+    if (is_done()) return DepthEnd::closed;
     if (is_lost() || setbacks > kMostSetbacks) return DepthEnd::rounding;
     if (iterations_ % kIterationsBetweenLooks == kIterationsBetweenLooks - 1 && watch.expired())
       return DepthEnd::time;
     const DepthFacet<Real>& facet = polytope_.facet(entry.facet);
     if (!(dot(rounded(facet.n), rounded(facet.n)) > 0)) return DepthEnd::rounding;
     probe(facet.n, point);
-    if (is_closed()) return DepthEnd::closed;
+    if (is_done()) return DepthEnd::closed;
     const double above = rounded(polytope_.above(facet, point.s));
     if (!(above > polytope_.noise()) || !polytope_.add(entry.facet, point)) return DepthEnd::rounding;
     queue_new_facets();

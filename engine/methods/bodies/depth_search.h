@@ -8,6 +8,7 @@
 
 #include "engine/methods/bodies/inner_polytope.h"
 #include "engine/numerics/stopwatch.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 
@@ -43,6 +44,12 @@ enum class DepthEnd : std::uint8_t {
   limit,     ///< of facets
   time,      ///< the watch
 };
+
+inline DistanceStatus status_of(DepthEnd end) noexcept {
+  if (end == DepthEnd::closed) return DistanceStatus::optimal;
+  if (end == DepthEnd::limit) return DistanceStatus::iteration_limit;
+  return end == DepthEnd::time ? DistanceStatus::time_limit : DistanceStatus::precision_limit;
+}
 
 /// The depth  min h_D(u)/h_Q(u)  over all directions u, by the expanding polytope method (van den Bergen,
 /// "Proximity queries and penetration depth computation on 3D game objects", 2001). The least offset/h_Q(n)
@@ -86,7 +93,7 @@ class DepthSearch {
   };
 
   bool begin(const Vector& start);
-  bool is_closed() const;
+  bool is_done() const;
   bool is_lost() const;
   void probe(const Vector& u, DepthPoint<Real>& point);
   bool farther(const Vector& u, const Vector& from, DepthPoint<Real>& point);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/certificates/certificate.h"
-
 namespace raygauge {
 
 bool ColumnGeneration::solve(const Problem& problem, DistanceResult& result) {
@@ -38,12 +36,9 @@ void ColumnGeneration::solve_by_support(const Problem& problem, DistanceResult& 
   const int shift = scaling_.distance_shift();
   by_support_.begin(oracle_A_, oracle_Q_, n, problem.options, kernels_for(problem.options.instruction_set),
                     std::ldexp(problem.threshold, shift));
-  result.status = by_support_.run(problem.stopwatch);
-  result.lower = scaled_down(by_support_.lower(), -shift);
-  result.upper = scaled_up(by_support_.upper(), -shift);
-  // In this order an objective that is not a number gives way to the lower bound.
-  result.distance =
-      std::max(result.lower, std::min(std::ldexp(by_support_.objective(), -shift), result.upper));
+  const DistanceStatus status = by_support_.run(problem.stopwatch);
+  write_bounds(by_support_.bounds().scaled(-shift), std::ldexp(by_support_.objective(), -shift), status,
+               result);
   result.normal = scaling_.factor_Q()[0] * Vector::Map(by_support_.normal(), n);
   counters_ = by_support_.counters();
 }

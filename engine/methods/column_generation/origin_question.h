@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/methods/column_generation/sifting.h"
-#include "engine/methods/problem.h"
+#include "engine/methods/method.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {
@@ -16,13 +16,11 @@ namespace raygauge {
 ///
 /// Of a set A it is d_C(A) for the cross-polytope C, whose multiples reach every point. Of A2 - A1 it is
 /// whether any multiple of A1' = A1 × {1} meets A2' = A2 × {1} in R^(n + 1): if so, the multiple is 1.
-class OriginQuestion {
+class OriginQuestion : public Method {
  public:
   /// Where 0 in A is proven: a result with status `contains_origin`, and true.
-  bool solve(const Problem& problem, DistanceResult& result);
-
-  /// Of the last solve.
-  const DistanceCounters& counters() const noexcept { return answer_.counters; }
+  bool solve(const Problem& problem, DistanceResult& result) override;
+  DistanceCounters counters() const override { return answer_.counters; }
 
  private:
   bool is_in_points(const PointSet& A, const Problem& problem);

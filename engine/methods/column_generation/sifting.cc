@@ -8,6 +8,7 @@
 
 #include "engine/lp/affords.h"
 #include "engine/lp/shared_pass.h"
+#include "engine/methods/problem.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -120,8 +121,8 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
     if (end == PrimalSimplex::End::unreachable && !restricted && certify_by_plane(effects, result)) return;
-    const double upper = bound_from_above(is_final(end) || restricted || (solved && !violated));
-    if (upper == 0 || is_closed(lower, upper, tolerance_)) return conclude(lower, upper, effects, result);
+    const double upper = prove_upper(is_final(end) || restricted || (solved && !violated));
+    if (upper == 0 || Bounds(lower, upper).close(tolerance_)) return conclude(lower, upper, effects, result);
     if (!restricted && certify_refined(end, effects, result)) return;
     if (is_final(end) || restricted) return finish_short_of_tolerance(end, lower, upper, effects, result);
     // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
@@ -133,7 +134,7 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
 }
 
 // `concluded`: there is no better basic solution to come.
-double Sifting::bound_from_above(bool concluded) {
+double Sifting::prove_upper(bool concluded) {
   by_face_ = false;
   if (!affords(*stopwatch_, 2 * cube(n_ + 1))) return kInfinity;
   double upper = program_.proven_upper();
@@ -194,7 +195,7 @@ bool Sifting::certify_as_priced(Effects effects, DistanceResult& result) {
   }
   const double lower = lower_bound(h_A_, h_Q_);
   const double upper = program_.proven_upper();
-  if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
+  if (upper == 0 || !Bounds(lower, upper).close(tolerance_)) return false;  // 0 is another status
   counters_.support_queries += 2;
   finish(DistanceStatus::optimal, lower, upper, effects, result);
   return true;
@@ -262,7 +263,7 @@ ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects
   if (end != ExactSimplex::End::solved) return end;
   RoundedRatio distance = exact_.distance();
   if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
-  const bool close = is_closed(distance.below, distance.above, tolerance_);
+  const bool close = Bounds(distance.below, distance.above).close(tolerance_);
   const DistanceStatus status = distance.above == 0 ? DistanceStatus::contains_origin
                                 : close             ? DistanceStatus::optimal
                                                     : DistanceStatus::precision_limit;
@@ -343,14 +344,11 @@ void Sifting::add_violators() {
 void Sifting::finish(DistanceStatus status, double lower, double upper, Effects effects,
                      DistanceResult& result) {
   const int shift = -scaling_.distance_shift();
-  result.status = status;
-  result.lower = scaled_down(lower, shift);
-  result.upper = scaled_up(upper, shift);
+  const Bounds bounds = Bounds(lower, upper).scaled(shift);
+  write_bounds(bounds, std::ldexp(program_.objective(), shift), status, result);
   // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
-  const bool closed = is_closed(result.lower, result.upper, tolerance_);
-  if (status == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
-  // In this order an objective that is not a number gives way to the lower bound.
-  result.distance = std::max(result.lower, std::min(std::ldexp(program_.objective(), shift), result.upper));
+  if (status == DistanceStatus::optimal && !bounds.close(tolerance_))
+    result.status = DistanceStatus::precision_limit;
 
   // u in the sets' own units, with h_Q(-u) = 1.
   const double length = h_Q_.value > 0 ? 1.0 / h_Q_.value : 1.0;

@@ -6,10 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/certificates/certificate.h"
-#include "engine/certificates/gauge_bound.h"
 #include "engine/lp/column_pool.h"
 #include "engine/lp/exact_simplex.h"
+#include "engine/lp/gauge_bound.h"
 #include "engine/lp/interior_point.h"
 #include "engine/lp/optimal_face.h"
 #include "engine/lp/primal_simplex.h"
@@ -18,6 +17,7 @@
 #include "engine/lp/twofold_simplex.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "engine/proof/certificate.h"
 #include "engine/threads/chunk_team.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
@@ -56,7 +56,7 @@ class Sifting {
   void run(bool restricted, Effects effects, DistanceResult& result);
   enum class Next : std::uint8_t { conclude, again, done };
   Next leave_impasse(PrimalSimplex::End end, bool restricted, Effects effects, DistanceResult& result);
-  double bound_from_above(bool concluded);
+  double prove_upper(bool concluded);
   bool prepare_next(PrimalSimplex::End end, bool points_are_missing);
   bool certify_as_priced(Effects effects, DistanceResult& result);
   bool is_complete() const noexcept { return working_A_.is_complete() && working_Q_.is_complete(); }

@@ -98,7 +98,7 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
   const double lower = refine_lower(y.data(), y_low.data(), &best_A, &best_Q);
   // Weights of dependent points are not the one solution that a result is to hold.
   const bool independent = face_.count() == face_.rank();
-  if (upper > 0 ? !is_closed(lower, upper, tolerance_) : !independent) return false;
+  if (upper > 0 ? !Bounds(lower, upper).close(tolerance_) : !independent) return false;
   finish_with_face(lower, upper, effects, result);
   return true;
 }

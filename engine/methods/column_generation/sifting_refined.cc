@@ -47,7 +47,7 @@ bool Sifting::certify_refined(PrimalSimplex::End end, Effects effects, DistanceR
     upper = refined_.upper_with_residual(basis, *kernels_, gauge_per_residual_);
   }
   if (by_face_) upper = upper_of_face();
-  if (upper == 0 || !is_closed(lower, upper, tolerance_)) return false;  // 0 is another status
+  if (upper == 0 || !Bounds(lower, upper).close(tolerance_)) return false;  // 0 is another status
   conclude(lower, upper, effects, result);
   return true;
 }
@@ -107,7 +107,7 @@ bool Sifting::certify_twofold(Effects effects, DistanceResult& result) {
     return certify_by_plane(effects, result);
   }
   const double upper = twofold_.upper(*stopwatch_);
-  if (upper > 0 && !is_closed(lower, upper, tolerance_)) return false;
+  if (upper > 0 && !Bounds(lower, upper).close(tolerance_)) return false;
   finish_with_twofold(lower, upper, effects, result);
   return true;
 }

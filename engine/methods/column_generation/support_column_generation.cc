@@ -32,8 +32,7 @@ void SupportColumnGeneration::begin(SupportOracle& A, SupportOracle& Q, int n, c
   A_ = &A;
   Q_ = &Q;
   n_ = n;
-  tolerance_ = options.tolerance;
-  threshold_ = threshold;
+  goal_ = {options.tolerance, threshold};
   lower_ = 0;
   upper_ = kInfinity;
   counters_ = {};
@@ -137,11 +136,6 @@ double SupportColumnGeneration::upper_of_the_sets(double upper_of_the_points, co
   return (upper_of_the_points + gauge / left * (error_A + upper_of_the_points * error_Q)) * kRoundedUp;
 }
 
-bool SupportColumnGeneration::is_closed(double upper) const noexcept {
-  if (lower_ > threshold_ || upper < threshold_) return true;
-  return raygauge::is_closed(lower_, upper, tolerance_);
-}
-
 DistanceStatus SupportColumnGeneration::run(const Stopwatch& stopwatch) {
   const DistanceStatus status = iterate(stopwatch);
   if (status != DistanceStatus::contains_origin) upper_ = upper_of_the_sets(upper_, stopwatch);
@@ -159,7 +153,7 @@ bool SupportColumnGeneration::closes_by_gauge() {
   if (contact_.average(x)) ask_gauge(x);
   std::copy_n(point_A_.data(), n_, x);
   ask_gauge(x);
-  return is_closed(upper_);
+  return bounds().reach(goal_);
 }
 
 // x is a combination of computed points of A.
@@ -229,7 +223,8 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
     if (upper_ == 0) {
       return holds_origin(stopwatch) ? DistanceStatus::contains_origin : DistanceStatus::precision_limit;
     }
-    if (is_closed(upper_) && is_closed(upper_of_the_sets(upper_, stopwatch))) return DistanceStatus::optimal;
+    if (bounds().reach(goal_) && Bounds(lower_, upper_of_the_sets(upper_, stopwatch)).reach(goal_))
+      return DistanceStatus::optimal;
     if (is_final(end)) return status_of(end);
     if (note_progress(end, best) > patience(n_)) return DistanceStatus::precision_limit;
     offered = !stuck && offer_support_points();
@@ -240,7 +235,7 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
 // Of the program's last solution. What an earlier one proved says nothing of this one's residual.
 void SupportColumnGeneration::take_upper_bound(PrimalSimplex::End end, const Stopwatch& stopwatch) {
   if (end != PrimalSimplex::End::bounded) upper_ = std::min(upper_, program_.proven_upper());
-  const bool proven = upper_ < kInfinity && upper_ - program_.objective() <= tolerance_ * upper_;
+  const bool proven = upper_ < kInfinity && upper_ - program_.objective() <= goal_.tolerance * upper_;
   if (!proven && end == PrimalSimplex::End::solved) {
     upper_ = std::min(upper_, upper_despite_residual(stopwatch));
   }

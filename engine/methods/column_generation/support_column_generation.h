@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "engine/certificates/gauge_bound.h"
 #include "engine/lp/column_pool.h"
+#include "engine/lp/gauge_bound.h"
 #include "engine/lp/primal_simplex.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/aligned_buffer.h"
@@ -27,7 +27,7 @@ class SupportColumnGeneration {
  public:
   /// The oracles are the caller's and must outlive the solve. `threshold`: see Problem.
   void begin(SupportOracle& A, SupportOracle& Q, int n, const DistanceOptions& options,
-             const Kernels& kernels, double threshold = std::numeric_limits<double>::quiet_NaN());
+             const Kernels& kernels, double threshold = Goal().threshold);
 
   /// Makes a support point known beforehand.
   void offer_A(const double* point) { points_A_.add(point); }
@@ -38,13 +38,12 @@ class SupportColumnGeneration {
   /// Asks the oracles until the gap is within the tolerance, or a limit is reached.
   DistanceStatus run(const Stopwatch& stopwatch);
 
-  /// Solves the program over the offered points alone and proves `upper` from it.
+  /// Solves the program over the offered points alone and proves an upper bound from it.
   void solve_offered(const double* guess, const Stopwatch& stopwatch);
 
-  double lower() const noexcept { return lower_; }  ///< best so far
-  double upper() const noexcept { return upper_; }  ///< best so far; +infinity as long as nothing is proven
+  Bounds bounds() const noexcept { return {lower_, upper_}; }
   double objective() const noexcept { return program_.objective(); }
-  const double* normal() const noexcept { return normal_.data(); }  ///< direction of `lower`
+  const double* normal() const noexcept { return normal_.data(); }  ///< direction of the lower bound
   void contact_point(double* point) const { program_.contact_point(point); }
   void contact_combination(WeightedPoints& combination) const { program_.points_of_A(combination); }
   const DistanceCounters& counters();
@@ -63,7 +62,6 @@ class SupportColumnGeneration {
   int note_progress(PrimalSimplex::End end, Best& best) const;
   bool offer_support_points();
   bool prepare_next(PrimalSimplex::End end);
-  bool is_closed(double upper) const noexcept;
   void ask_gauge(const double* x);
   double gauge_of_rounding();
   bool closes_by_gauge();
@@ -77,8 +75,7 @@ class SupportColumnGeneration {
   SupportOracle* Q_ = nullptr;
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
-  double tolerance_ = 0;
-  double threshold_ = std::numeric_limits<double>::quiet_NaN();
+  Goal goal_;
   PrimalSimplex program_;
   GaugeBound gauge_bound_;
   double gauge_per_residual_ = 0;  // of gauge_bound_; 0: not computed

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include "engine/certificates/certificate.h"
 #include "engine/kernels/kernel.h"
 #include "engine/lp/column_pool.h"
 #include "engine/numerics/aligned_buffer.h"
+#include "engine/proof/certificate.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {

@@ -52,11 +52,9 @@ void NearestPoint::begin(const Difference& sets_of_A, const Problem& problem) {
   const auto [S, T] = sets_of_A;
   n_ = S->dimension();
   sides_ = T != nullptr ? 2 : 1;
-  tolerance_ = problem.options.tolerance;
-  threshold_ = problem.threshold;
+  goal_ = problem.goal();
   radius_ = dynamic_cast<const Ball&>(problem.Q).radius();
-  lower_ = 0;
-  upper_ = kInfinity;
+  bounds_ = {};
   counters_.outer_iterations = 1;
   const auto size = static_cast<std::size_t>(n_);
   const std::size_t most = size + 3;
@@ -227,10 +225,10 @@ DistanceStatus NearestPoint::iterate(const Problem& problem) {
     turn();
     price(true);
     const double estimate = (square_ - gap()) / (std::sqrt(square_) * radius_);
-    const bool decided = estimate > threshold_ || std::sqrt(square_) < threshold_ * radius_;
-    if (decided || gap() <= 0.5 * tolerance_ * square_ || gap() <= 2 * noise()) {
+    const bool decided = estimate > goal_.threshold || std::sqrt(square_) < goal_.threshold * radius_;
+    if (decided || gap() <= 0.5 * goal_.tolerance * square_ || gap() <= 2 * noise()) {
       prove();
-      if (is_closed()) return DistanceStatus::optimal;
+      if (bounds_.reach(goal_)) return DistanceStatus::optimal;
     }
     if (!(gap() > noise()) || idle_ > kPatience) return DistanceStatus::precision_limit;
     const bool expired = problem.stopwatch.expired();

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
 #include "engine/methods/column_generation/support_oracle.h"
+#include "engine/methods/method.h"
 #include "engine/methods/nearest_point/affine_basis.h"
-#include "engine/methods/problem.h"
 #include "engine/numerics/aligned_buffer.h"
 
 namespace raygauge {
@@ -22,7 +20,7 @@ namespace raygauge {
 /// points of Q are needed, and no linear programs.
 ///
 /// Certificates: d <= |v| / r, and -h(u) / (r|u|) <= d at u = -v, h the support function of S - T (10).
-class NearestPoint {
+class NearestPoint : public Method {
  public:
   /// Whether Q is a ball about the origin and A a polytope, or a difference S - T of two.
   static bool suits(const ConvexSet& A, const ConvexSet& Q);
@@ -36,9 +34,8 @@ class NearestPoint {
 
   /// True if the solve was concluded: optimal, or a limit. Otherwise the caller has other means: the origin
   /// in S - T, or rounding, or not such sets.
-  bool solve(const Problem& problem, DistanceResult& result);
-
-  const DistanceCounters& counters() const noexcept { return counters_; }
+  bool solve(const Problem& problem, DistanceResult& result) override;
+  DistanceCounters counters() const override { return counters_; }
 
   /// The nearest points of S and of T of the last solve that was concluded with a positive distance.
   void nearest_points(double* of_S, double* of_T) const;
@@ -69,24 +66,21 @@ class NearestPoint {
   bool enter(int t);
   bool enter_shortlisted();
   void prove();
-  void bound_from_below(bool twofold);
-  void bound_from_above(double error);
+  void bound_by_normal(bool twofold);
+  void bound_by_length(double error);
   double combine_plainly();
   double combine_twofold();
-  bool is_closed() const noexcept;
   void report(DistanceStatus status, Effects effects, DistanceResult& result);
 
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
   int sides_ = 1;
   int idle_ = 0;  // entries in a row that brought nothing
-  double tolerance_ = 0;
-  double threshold_ = std::numeric_limits<double>::quiet_NaN();
+  Goal goal_;
   double radius_ = 1;
   double magnitude_ = 0;  // of the coordinates
   double square_ = 0;     // |v|²
-  double lower_ = 0;
-  double upper_ = 0;
+  Bounds bounds_;
   Side side_[2];
   AffineBasis basis_;
   DistanceCounters counters_;
@@ -94,7 +88,7 @@ class NearestPoint {
   AlignedBuffer<double> points_;  // those with weight, n numbers each
   AlignedBuffer<double> weights_, solution_;
   AlignedBuffer<double> v_, u_, shifted_, zero_;
-  AlignedBuffer<double> normal_;   // the direction of lower_
+  AlignedBuffer<double> normal_;   // the direction of the lower bound
   AlignedBuffer<double> nearest_;  // the nearest points of both sides
   AlignedBuffer<double> contact_;  // their difference
 };

@@ -5,30 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/certificates/certificate.h"
 #include "engine/methods/nearest_point/nearest_point.h"
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/proof/certificate.h"
 
 namespace raygauge {
 
-bool NearestPoint::is_closed() const noexcept {
-  if (lower_ > threshold_ || upper_ < threshold_) return true;
-  return raygauge::is_closed(lower_, upper_, tolerance_);
-}
-
 // Both bounds at v; in twice the precision where rounding may be what is left of the gap.
 void NearestPoint::prove() {
-  bound_from_above(combine_plainly());
-  bound_from_below(false);
-  if (is_closed() || gap() > std::max(tolerance_ * square_, 2 * noise())) return;
-  bound_from_above(combine_twofold());
-  bound_from_below(true);
+  bound_by_length(combine_plainly());
+  bound_by_normal(false);
+  if (bounds_.reach(goal_) || gap() > std::max(goal_.tolerance * square_, 2 * noise())) return;
+  bound_by_length(combine_twofold());
+  bound_by_normal(true);
 }
 
 // Weak duality at u = -v. Points that beat those priced so far join the candidates.
-void NearestPoint::bound_from_below(bool twofold) {
+void NearestPoint::bound_by_normal(bool twofold) {
   SupportValue h_A;
   double size = 0;
   for (int t = 0; t < sides_; ++t) {
@@ -49,19 +44,16 @@ void NearestPoint::bound_from_below(bool twofold) {
   }
   h_A.error = (h_A.error + 2 * kUnitRoundoff * size) * (1 + 8 * kUnitRoundoff);
   const double h_Q = radius_ * length(u_.data(), n_);
-  const double bound = lower_bound(h_A, {h_Q, (n_ + 8) * kUnitRoundoff * h_Q});
-  if (!(bound > lower_)) return;
-  lower_ = bound;
+  if (!bounds_.raise_lower(lower_bound(h_A, {h_Q, (n_ + 8) * kUnitRoundoff * h_Q}))) return;
   for (int k = 0; k < n_; ++k) normal_[static_cast<std::size_t>(k)] = u_[static_cast<std::size_t>(k)] / h_Q;
 }
 
 // |Σ α s - Σ β t| / r with what rounding may have lost of it. `error` is that of the difference in contact_.
-void NearestPoint::bound_from_above(double error) {
+void NearestPoint::bound_by_length(double error) {
   double off = 0;
   for (int t = 0; t < sides_; ++t) off += side_[t].oracle.coordinate_error();
   const double whole = length(contact_.data(), n_) * (1 + (n_ + 16) * 2 * kUnitRoundoff);
-  const double bound = (whole + error + std::sqrt(n_) * off) / radius_ * (1 + 16 * kUnitRoundoff);
-  if (bound < upper_) upper_ = bound;
+  bounds_.reduce_upper((whole + error + std::sqrt(n_) * off) / radius_ * (1 + 16 * kUnitRoundoff));
 }
 
 // The nearest points, and their difference in contact_; returns a bound on its error, as the weights add up
@@ -113,11 +105,8 @@ double NearestPoint::combine_twofold() {
 }
 
 void NearestPoint::report(DistanceStatus status, Effects effects, DistanceResult& result) {
-  result.status = status;
-  result.lower = lower_;
-  result.upper = upper_;
-  result.distance = std::max(lower_, std::min(std::sqrt(square_) / radius_, upper_));
-  result.normal = Vector::Map(lower_ > 0 ? normal_.data() : u_.data(), n_);
+  write_bounds(bounds_, std::sqrt(square_) / radius_, status, result);
+  result.normal = Vector::Map(bounds_.lower() > 0 ? normal_.data() : u_.data(), n_);
   if (double* contact = result.room_for_contact(effects, n_)) {
     std::copy_n(contact_.data(), n_, contact);
     ++counters_.witness_evaluations;

@@ -94,17 +94,15 @@ bool Newton<Real>::begin(const Problem& problem) {
   for (auto* buffer : {&linear_, &target_, &residual_vector_, &descent_, &points_[0].u, &points_[1].u}) {
     buffer->reserve(size);
   }
-  lower_ = 0;
+  bounds_ = {};
   estimate_ = 0;
-  upper_ = kInfinity;
   residual_ = kInfinity;
   combination_.clear(n_);
   evaluations_ = 0;
   witness_evaluations_ = 0;
   facets_tried_ = 0;
   on_facet_ = false;
-  tolerance_ = problem.options.tolerance;
-  threshold_ = problem.threshold;
+  goal_ = problem.goal();
   keeps_combination_ = problem.pairs != nullptr;
   const std::int64_t limit = problem.options.max_iterations;
   max_evaluations_ = limit > 0 ? limit : default_evaluation_limit<Real>(n_);
@@ -183,15 +181,13 @@ bool Newton<Real>::evaluate(Point& point) {
   ++evaluations_;
   point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
   if (shift_ > 0) enlarge_shift(point.ratio);
-  bound_from_below(point);
+  bound_by_ratio(point);
   return true;
 }
 
 template <class Real>
-void Newton<Real>::bound_from_below(const Point& point) {
-  const double bound = lower_bound(point.A.support, point.Q.support);
-  if (!(bound > lower_)) return;
-  lower_ = bound;
+void Newton<Real>::bound_by_ratio(const Point& point) {
+  if (!bounds_.raise_lower(lower_bound(point.A.support, point.Q.support))) return;
   estimate_ = static_cast<double>(point.ratio);
   const Real length = 1 / point.Q.support.value;
   for (int k = 0; k < n_; ++k)
@@ -216,7 +212,7 @@ Real Newton<Real>::projected_ratio(const Real* x, const Real* y) const {
 // The combinations x of A and y of Q with the weights of the step leave r = x - δc - ρy, if ρ >= 0:
 // x = ρy + r costs no more than ρ + gauge_Q(r), x = ρy + δ(c + r/δ) no more than ρ + δ.
 template <class Real>
-void Newton<Real>::bound_from_above() {
+void Newton<Real>::bound_by_weights() {
   Real* x = target_.data();
   Real* y = linear_.data();
   const Real size_A = combine(now_->A, x);
@@ -236,9 +232,7 @@ void Newton<Real>::bound_from_above() {
   const Real cost = (residual_ + rounding) / inner_radius_;
   const Real upwards = 1 + (n_ + 16) * 2 * kRoundoff<Real>;
   if (shift_ > 0 && cost * upwards > shift_) return;
-  const double bound = up((ratio + (shift_ > 0 ? shift_ : cost)) * upwards);
-  if (!(bound < upper_)) return;
-  upper_ = bound;
+  if (!bounds_.reduce_upper(up((ratio + (shift_ > 0 ? shift_ : cost)) * upwards))) return;
   for (int k = 0; k < n_; ++k) contact_[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
   if (!keeps_combination_) return;
   combination_.clear(n_);
@@ -255,12 +249,6 @@ template <class Real>
 void Newton<Real>::contact_combination(WeightedPoints& combination) const {
   for (int i = 0; i < combination_.count(); ++i)
     combination.add(combination_.point(i), combination_.weight(i));
-}
-
-template <class Real>
-bool Newton<Real>::is_closed() const noexcept {
-  if (lower_ > threshold_ || upper_ < threshold_) return true;
-  return raygauge::is_closed(lower_, upper_, tolerance_);
 }
 
 template <class Real>
@@ -349,7 +337,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
   if (growing_) now_->ratio = growth_ratio(*now_);
   Progress<Real> progress;
   for (;;) {
-    if (lower_ > threshold_) return DistanceStatus::optimal;
+    if (bounds_.lower() > goal_.threshold) return DistanceStatus::optimal;
     if (unconditional_ && !growing_) {
       pair_.move_contact_along_faces(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A,
                                      now_->Q);
@@ -358,8 +346,8 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     const Real* step = program_.solve(now_->u.data(), objective(), now_->A, now_->Q);
     if (step == nullptr) return DistanceStatus::precision_limit;
     if (!growing_) {
-      bound_from_above();
-      if (is_closed()) return DistanceStatus::optimal;
+      bound_by_weights();
+      if (bounds_.reach(goal_)) return DistanceStatus::optimal;
       if (!progress.is_made(now_->ratio, residual_)) return DistanceStatus::precision_limit;
     } else if (evaluations_ > kGrowthEvaluations) {
       return DistanceStatus::precision_limit;
@@ -384,20 +372,17 @@ bool Newton<Real>::solve(const Problem& problem, DistanceResult& result) {
   const bool limited = status == DistanceStatus::time_limit ||
                        (status == DistanceStatus::iteration_limit && problem.options.max_iterations > 0);
   if (status != DistanceStatus::optimal && !limited) return false;
-  report(status, problem.effects, result);
+  write(status, problem.effects, result);
   return true;
 }
 
 template <class Real>
-void Newton<Real>::report(DistanceStatus status, Effects effects, DistanceResult& result) {
-  result.status = status;
-  result.lower = lower_;
-  result.upper = upper_;
-  result.distance = lower_ > 0 ? std::max(lower_, std::min(estimate_, upper_)) : lower_;
+void Newton<Real>::write(DistanceStatus status, Effects effects, DistanceResult& result) {
+  write_bounds(bounds_, estimate_, status, result);
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) {
-    result.normal[k] = lower_ > 0 ? normal_[static_cast<std::size_t>(k)]
-                                  : static_cast<double>(now_->u[static_cast<std::size_t>(k)]);
+    result.normal[k] = bounds_.lower() > 0 ? normal_[static_cast<std::size_t>(k)]
+                                           : static_cast<double>(now_->u[static_cast<std::size_t>(k)]);
   }
   if (double* contact = result.room_for_contact(effects, n_)) {
     std::copy_n(contact_.data(), n_, contact);

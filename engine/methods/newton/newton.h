@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
-#include "engine/lp/weighted_points.h"
+#include "engine/methods/method.h"
 #include "engine/methods/newton/power_steps.h"
 #include "engine/methods/newton/quadratic_program.h"
 #include "engine/methods/newton/sqp_oracle.h"
-#include "engine/methods/problem.h"
 #include "engine/numerics/aligned_buffer.h"
 
 namespace raygauge {
@@ -34,27 +31,16 @@ namespace raygauge {
 /// start with h_A(u) >= 0 the ratio -a_c·u / (h_A(u) - a_c·u + h_Q(-u)) of the growth distance (8) leads to
 /// where h_A(u) < 0.
 template <class Real>
-class Newton {
+class Newton : public Method {
  public:
-  /// True if the solve was concluded: optimal, or a limit. Otherwise the bounds found are valid nevertheless,
-  /// and the caller asks another method.
-  bool solve(const Problem& problem, DistanceResult& result);
-
-  /// upper - lower of the last solve, +infinity where it proved nothing.
-  double gap() const noexcept { return upper_ - lower_; }
+  bool solve(const Problem& problem, DistanceResult& result) override;
+  Bounds bounds() const override { return bounds_; }
+  void write(DistanceStatus status, Effects effects, DistanceResult& result) override;
+  DistanceCounters counters() const override;
+  void contact_combination(WeightedPoints& combination) const override;
 
   /// The direction of the last solve's lower bound; nullptr where that is 0.
-  const double* direction() const noexcept { return lower_ > 0 ? normal_.data() : nullptr; }
-
-  /// Writes the bounds of the last solve and what belongs to them.
-  void report(DistanceStatus status, Effects effects, DistanceResult& result);
-
-  /// What the last solve did, whether or not it was concluded.
-  DistanceCounters counters() const;
-
-  /// The points of A and their weights in the combination that proves the upper bound; kept where the problem
-  /// has `pairs`.
-  void contact_combination(WeightedPoints& combination) const;
+  const double* direction() const noexcept { return bounds_.lower() > 0 ? normal_.data() : nullptr; }
 
  private:
   struct Point {
@@ -71,9 +57,8 @@ class Newton {
   Real growth_ratio(const Point& point) const;
   Real projected_ratio(const Real* x, const Real* y) const;
   bool evaluate(Point& point);
-  void bound_from_below(const Point& point);
-  void bound_from_above();
-  bool is_closed() const noexcept;
+  void bound_by_ratio(const Point& point);
+  void bound_by_weights();
   typename QuadraticProgram<Real>::Objective objective();
   const Real* leave_facet();
   void move(const Real* step, Real share, bool flat);
@@ -88,7 +73,7 @@ class Newton {
   DistanceStatus iterate(const Stopwatch& stopwatch);
 
   int n_ = 0;
-  double tolerance_ = 0;
+  Goal goal_;
   std::int64_t max_evaluations_ = 0;
   std::int64_t evaluations_ = 0;
   std::int64_t witness_evaluations_ = 0;
@@ -101,12 +86,10 @@ class Newton {
   int facets_tried_ = 0;
   bool keeps_combination_ = false;
   WeightedPoints combination_;
-  double threshold_ = std::numeric_limits<double>::quiet_NaN();
   double inner_radius_ = 0;  // R
   Real shift_ = 0;           // δ
-  double lower_ = 0;
-  double estimate_ = 0;  // the ratio that lower_ is, rounded down
-  double upper_ = 0;
+  Bounds bounds_;
+  double estimate_ = 0;    // the ratio that the lower one is, rounded down
   Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
   bool on_facet_ = false;  // now_ is the normal of a flat face
   bool unconditional_ = false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/certificates/certificate.h"
+#include "engine/proof/certificate.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "raygauge/sets/convex_set.h"

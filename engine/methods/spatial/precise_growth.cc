@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/certificates/certificate.h"
 #include "engine/methods/spatial/precise_pieces.h"
 #include "engine/methods/spatial/spatial_growth.h"
 #include "engine/numerics/fused.h"
+#include "engine/proof/bounds.h"
 
 namespace raygauge {
 namespace {
@@ -36,8 +36,8 @@ class PreciseGrowth {
   ContactStep<DoubleDouble> step_of_pieces(const TangentMetric& metric, const PreciseVector3& target) const;
   PreciseVector3 combine(const ContactStep<DoubleDouble>& found) const;
   bool look(DoubleDouble& ratio);
-  void bound_from_below(const PreciseVector3& n, const DoubleDouble& height);
-  void bound_from_above();
+  void bound_by_height(const PreciseVector3& n, const DoubleDouble& height);
+  void bound_by_portal();
   void exchange(const PrecisePoint& w);
   bool turn_portal(const PreciseVector3& u);
   PreciseVector3 in_B(const PrecisePoint& point) const { return point.s + beyond_cores_; }
@@ -53,7 +53,7 @@ class PreciseGrowth {
   DoubleDouble from_ratio_;
   double taken_ = 0, longest_ = 0;  // ... the length of the step from there, and what it was limited to
   double radius_ = 0;
-  double lower_ = 0, upper_ = __builtin_inf();
+  Bounds bounds_;
   int iterations_ = 0;
 };
 
@@ -86,17 +86,14 @@ bool PreciseGrowth::turn_portal(const PreciseVector3& u) {
 }
 
 // n·p and n·s are within |n| error() of what they stand for.
-void PreciseGrowth::bound_from_below(const PreciseVector3& n, const DoubleDouble& height) {
+void PreciseGrowth::bound_by_height(const PreciseVector3& n, const DoubleDouble& height) {
   const double slack = 4 * pair_.error() * length_of(n);
   const double along = dot(n, p_).rounded() - slack, top = height.rounded() + slack;
   if (!(along > 0) || !(top > 0)) return;
-  const double lower = along / top * kDown;
-  if (!(lower > lower_)) return;
-  lower_ = lower;
-  normal_ = n;
+  if (bounds_.raise_lower(along / top * kDown)) normal_ = n;
 }
 
-void PreciseGrowth::bound_from_above() {
+void PreciseGrowth::bound_by_portal() {
   const PreciseVector3 corner[3] = {in_B(portal_[0]), in_B(portal_[1]), in_B(portal_[2])};
   const PreciseVector3 n[3] = {cross(corner[1], corner[2]), cross(corner[2], corner[0]),
                                cross(corner[0], corner[1])};
@@ -116,8 +113,7 @@ void PreciseGrowth::bound_from_above() {
   const double total = sum.rounded();
   const double uncertainty = 2 * norm * (length_of(r) + 4 * error * (1 + std::fabs(total)));
   const double least = std::min({weight[0].rounded(), weight[1].rounded(), weight[2].rounded()});
-  const double upper = (total + 3 * uncertainty) * kUp;
-  if (least >= uncertainty && upper < upper_) upper_ = upper;
+  if (least >= uncertainty) bounds_.reduce_upper((total + 3 * uncertainty) * kUp);
 }
 
 // Puts w in the place of the corner without which the cone still holds p.
@@ -141,15 +137,15 @@ RAYGAUGE_FUSED bool PreciseGrowth::run(double tolerance) {
     if (!turn_portal(n)) return false;
     DoubleDouble height;
     const PrecisePoint w = pair_.support(n, height);
-    bound_from_below(n, height + dot(n, p_));
-    bound_from_above();
-    if (is_closed(lower_, upper_, tolerance)) return true;
+    bound_by_height(n, height + dot(n, p_));
+    bound_by_portal();
+    if (bounds_.close(tolerance)) return true;
     if (dot(n, w.s - portal_[0].s).high > pair_.error()) {
       exchange(w);
       continue;
     }
-    idle = upper_ - lower_ < 0.5 * closest ? 0 : idle + 1;
-    closest = std::min(closest, upper_ - lower_);
+    idle = bounds_.gap() < 0.5 * closest ? 0 : idle + 1;
+    closest = std::min(closest, bounds_.gap());
     if (!pair_.is_curved() || idle > kMostIdleTurns) return false;
   }
   return false;
@@ -188,7 +184,7 @@ bool PreciseGrowth::look(DoubleDouble& ratio) {
   const DoubleDouble along = dot(u_, p_), top = height + along;
   ratio = along / top;
   if (ratio.high > from_ratio_.high * (1 - kFall)) {
-    bound_from_below(u_, top);
+    bound_by_height(u_, top);
     longest_ = kLongestStep;
   } else {
     u_ = from_;
@@ -210,7 +206,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double t
   const ContactStep<DoubleDouble> found = step_of_pieces(metric, p_ * (DoubleDouble{1} / ratio));
   pieces_.keep(found);
   const double residual = length_of(p_ - combine(found) * ratio) + 4 * pair_.error() * (1 + ratio.high);
-  upper_ = std::min(upper_, (ratio.rounded() + residual / radius_) * kUp);
+  bounds_.reduce_upper((ratio.rounded() + residual / radius_) * kUp);
   DoubleDouble d[2];
   metric.step(found.y, d);
   const double long_by = std::hypot(d[0].high, d[1].high);
@@ -220,7 +216,7 @@ RAYGAUGE_FUSED bool PreciseGrowth::newton_step(const SpatialPair& pair, double t
   taken_ = std::min(long_by, longest_);
   u_ = u_ + (precise(metric.tangent[0]) * d[0] + precise(metric.tangent[1]) * d[1]) * share;
   u_ = u_ * DoubleDouble{1 / length_of(u_)};
-  return long_by > 0 && !is_closed(lower_, upper_, tolerance);
+  return long_by > 0 && !bounds_.close(tolerance);
 }
 
 // From the normal and the pieces of the answer so far, if it is not lost to rounding, or from a rough one.
@@ -244,14 +240,14 @@ bool PreciseGrowth::on_curves(const SpatialPair& pair, const SpatialAnswer& answ
 bool PreciseGrowth::descend(const SpatialPair& pair, double tolerance) {
   from_ratio_ = {};
   for (iterations_ = 0; iterations_ < kMostNewtonSteps && newton_step(pair, tolerance);) ++iterations_;
-  return is_closed(lower_, upper_, tolerance);
+  return bounds_.close(tolerance);
 }
 
 void PreciseGrowth::record(const SpatialPair& pair, bool done, SpatialAnswer& answer) const {
   answer.iterations += iterations_;
   const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
-  answer.bound_from_below(lower_, pair.to_body(normal));
-  answer.bound_from_above(upper_);
+  answer.bound_from_below(bounds_.lower(), pair.to_body(normal));
+  answer.bound_from_above(bounds_.upper());
   if (!done) return;
   answer.end = SpatialEnd::closed;
   for (int i = 0; i < answer.combination.count; ++i) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/certificates/certificate.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/fused.h"
 
@@ -117,9 +116,7 @@ void SpatialGauge::look(const Vector3& u) {
   ++evaluations_;
   const double height_A = A_.height[A_.top], height_Q = Q_.height[Q_.top];
   ratio_ = -height_A / height_Q;
-  const double bound = (-height_A - A_.error) / (height_Q + Q_.error) * kDown;
-  if (!(bound > lower_)) return;
-  lower_ = bound;
+  if (!bounds_.raise_lower((-height_A - A_.error) / (height_Q + Q_.error) * kDown)) return;
   estimate_ = ratio_;
   normal_ = u * (1 / height_Q);
 }
@@ -127,12 +124,8 @@ void SpatialGauge::look(const Vector3& u) {
 // With a of A and q of Q, both to their errors: a = ρ q + r costs no more than ρ + |r|/R.
 bool SpatialGauge::closes(const Vector3& a, const Vector3& q) {
   const double rest = length(a - q * ratio_) + A_.error + ratio_ * Q_.error;
-  const double bound = (ratio_ + rest / radius_) * kUp;
-  if (bound < upper_) {
-    upper_ = bound;
-    contact_ = a;
-  }
-  return is_closed(lower_, upper_, tolerance_);
+  if (bounds_.reduce_upper((ratio_ + rest / radius_) * kUp)) contact_ = a;
+  return bounds_.close(tolerance_);
 }
 
 // `flat`, whose directions are `sign` times u, on the disc whose normal is near.
@@ -240,7 +233,7 @@ RAYGAUGE_FUSED bool SpatialGauge::descend() {
     from_ = u_;
     from_ratio_ = ratio_;
     share_ = 1;
-    if (!step()) return is_closed(lower_, upper_, tolerance_);
+    if (!step()) return bounds_.close(tolerance_);
     u_ = unit(from_ + way_);
   }
   return false;
@@ -253,10 +246,7 @@ bool SpatialGauge::solve(const Problem& problem, DistanceResult& result) {
 }
 
 void SpatialGauge::report(const Problem& problem, DistanceResult& result) {
-  result.status = DistanceStatus::optimal;
-  result.lower = lower_;
-  result.upper = upper_;
-  result.distance = std::max(lower_, std::min(estimate_, upper_));
+  write_bounds(bounds_, estimate_, DistanceStatus::optimal, result);
   result.normal.resize(3);
   result.normal << normal_.x, normal_.y, normal_.z;
   if (double* contact = result.room_for_contact(problem.effects, 3)) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/methods/problem.h"
+#include "engine/methods/method.h"
 #include "engine/methods/spatial/contact_program.h"
 #include "engine/sets/cores/core.h"
 #include "raygauge/numerics/vector3.h"
@@ -23,13 +23,10 @@ namespace raygauge {
 ///     d <= ρ + |Σ w_ij (a_i - ρ q_j)| / R,      R the radius of a ball around 0 in Q,
 ///
 /// the rounding errors of both sets outward.
-class SpatialGauge {
+class SpatialGauge : public Method {
  public:
-  /// True if the solve was concluded, as optimal. Otherwise the caller asks another method.
-  bool solve(const Problem& problem, DistanceResult& result);
-
-  /// What the last solve did, whether or not it was concluded.
-  DistanceCounters counters() const;
+  bool solve(const Problem& problem, DistanceResult& result) override;
+  DistanceCounters counters() const override;
 
  private:
   // One of the sets with the points of its pieces that are highest for the direction last asked for.
@@ -72,7 +69,8 @@ class SpatialGauge {
   int pair_[4] = {0, 0, 0, 0}, pairs_ = 0;  // 2i + j of those that there are
   Vector3 from_, way_;                      // the point before, and the step taken from there
   double from_ratio_ = 0, share_ = 1, last_step_ = 1;
-  double lower_ = 0, upper_ = __builtin_inf(), estimate_ = 0;
+  Bounds bounds_;
+  double estimate_ = 0;
   Vector3 normal_, contact_;
   std::int64_t evaluations_ = 0, steps_ = 0, contacts_ = 0;
 };

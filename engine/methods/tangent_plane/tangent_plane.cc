@@ -17,6 +17,7 @@ bool TangentPlane::solve(const Problem& problem, DistanceResult& result) {
   result.status = DistanceStatus::unreachable;
   result.distance = result.lower = result.upper = kInfinity;
   result.normal = -Vector::Map(u, n);
+  result.room_for_contact(problem.effects, n);  // for none
   return true;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/methods/column_generation/support_oracle.h"
-#include "engine/methods/problem.h"
+#include "engine/methods/method.h"
 #include "engine/numerics/aligned_buffer.h"
 
 namespace raygauge {
@@ -11,11 +11,11 @@ namespace raygauge {
 /// Proves `unreachable` where Q touches the origin and A does not reach beyond the tangent plane of Q there.
 /// The multiples of such a Q fill the open half-space on its side of the plane, and nothing else: A may lie
 /// in that plane, which no Farkas direction separates from them.
-class TangentPlane {
+class TangentPlane : public Method {
  public:
   /// True and the result where that is proven; otherwise the result stays as it was. A must not hold the
   /// origin.
-  bool solve(const Problem& problem, DistanceResult& result);
+  bool solve(const Problem& problem, DistanceResult& result) override;
 
  private:
   SupportOracle oracle_A_;

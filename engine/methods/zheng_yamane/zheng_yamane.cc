@@ -71,9 +71,8 @@ void ZhengYamane::begin(const Problem& problem) {
   status_ = DistanceStatus::precision_limit;
   eta_ = scaled_ ? std::ldexp(1.0, scaling_.distance_shift()) : 1.0;  // η_0 = 1 in the sets' own units
   inner_tolerance_ = std::max(0.25 * options_.tolerance, kTightestRay);
-  lower_ = 0;
+  bounds_ = {};
   estimate_ = 0;
-  upper_ = kInfinity;
   outer_iterations_ = 0;
   witness_evaluations_ = 0;
   attempts_to_close_ = 0;
@@ -94,12 +93,12 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
   const bool endless = end == RayShooter::End::iteration_limit && options_.max_iterations == 0;
   if (end == RayShooter::End::missed || end == RayShooter::End::failed || endless) return Step::give_up;
   sigma_ = shooter_.sigma();
-  const double bound_before = lower_;
-  bound_from_below();
-  idle_ = lower_ > bound_before ? 0 : idle_ + 1;
-  if (lower_ == kInfinity) {
+  const double bound_before = bounds_.lower();
+  bound_by_normal();
+  idle_ = bounds_.lower() > bound_before ? 0 : idle_ + 1;
+  if (bounds_.lower() == kInfinity) {
     status_ = DistanceStatus::unreachable;
-    upper_ = kInfinity;
+    bounds_ = {kInfinity, kInfinity};
     return Step::done;
   }
   overtaken_ = end == RayShooter::End::overtaken ? overtaken_ + 1 : 0;
@@ -107,15 +106,15 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
   if (end != RayShooter::End::hit) {
     status_ =
         end == RayShooter::End::time_limit ? DistanceStatus::time_limit : DistanceStatus::iteration_limit;
-    bound_from_above();
+    bound_by_vertices();
     return Step::done;
   }
   if (!(eta_next_ > 0)) return Step::give_up;  // h_A(n_k) >= 0: the origin may lie in A
   if (is_loose_ || std::fabs(sigma_ - 1) >= options_.tolerance)
     return idle_ > kPatience ? Step::give_up : Step::go_on;
 
-  bound_from_above();
-  const bool closed = is_closed(lower_, upper_, options_.tolerance);
+  bound_by_vertices();
+  const bool closed = bounds_.close(options_.tolerance);
   if (closed) status_ = DistanceStatus::optimal;
   if (closed || options_.stop_rule == StopRule::published_sigma) return Step::done;
   // The ray was shot too loosely, or rounding has the last word.
@@ -124,13 +123,12 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
 }
 
 // Equation (10): the next η is a lower bound, whatever the normal.
-void ZhengYamane::bound_from_below() {
+void ZhengYamane::bound_by_normal() {
   const SupportValue& h_A = shooter_.h_A();
   const SupportValue& h_Q = shooter_.h_Q();
   const double bound = lower_bound(h_A, h_Q);
   eta_next_ = h_Q.value > 0 ? -h_A.value / h_Q.value : 0.0;
-  if (bound <= lower_ && outer_iterations_ > 1) return;
-  lower_ = std::max(bound, lower_);
+  if (!bounds_.raise_lower(bound) && outer_iterations_ > 1) return;
   estimate_ = eta_next_;
   const double length = h_Q.value > 0 ? 1.0 / h_Q.value : 1.0;
   for (int k = 0; k < n_; ++k)
@@ -138,7 +136,7 @@ void ZhengYamane::bound_from_below() {
 }
 
 // The least scale at which the hull of the last vertices of Q meets that of the last vertices of A.
-void ZhengYamane::bound_from_above() {
+void ZhengYamane::bound_by_vertices() {
   last_vertices_.begin(oracle_A_, oracle_Q_, n_, options_, *kernels_);
   for (int l = 0; l < n_; ++l) {
     if (shooter_.vertex_A(l) == nullptr) continue;
@@ -147,18 +145,16 @@ void ZhengYamane::bound_from_above() {
   }
   if (last_vertices_.offered() == 0) return;
   last_vertices_.solve_offered(normal_.data(), *stopwatch_);
-  upper_ = std::min(upper_, last_vertices_.upper());
+  bounds_.reduce_upper(last_vertices_.bounds().upper());
 }
 
 void ZhengYamane::finish(Effects effects, DistanceResult& result) {
   const int shift = scaled_ ? -scaling_.distance_shift() : 0;
-  result.status = status_;
-  result.lower = scaled_down(lower_, shift);
-  result.upper = scaled_up(upper_, shift);
+  const Bounds bounds = bounds_.scaled(shift);
+  write_bounds(bounds, std::ldexp(estimate_, shift), status_, result);
   // A distance outside the range of doubles has no certificate in them, however narrow the scaled one is.
-  const bool closed = is_closed(result.lower, result.upper, options_.tolerance);
-  if (status_ == DistanceStatus::optimal && !closed) result.status = DistanceStatus::precision_limit;
-  result.distance = std::max(result.lower, std::min(std::ldexp(estimate_, shift), result.upper));
+  if (status_ == DistanceStatus::optimal && !bounds.close(options_.tolerance))
+    result.status = DistanceStatus::precision_limit;
   result.sigma = sigma_;
   result.normal.resize(n_);
   for (int k = 0; k < n_; ++k) {

@@ -5,7 +5,7 @@
 #include "engine/lp/scaling.h"
 #include "engine/methods/column_generation/support_column_generation.h"
 #include "engine/methods/column_generation/support_oracle.h"
-#include "engine/methods/problem.h"
+#include "engine/methods/method.h"
 #include "engine/methods/zheng_yamane/ray_shooter.h"
 #include "engine/numerics/aligned_buffer.h"
 
@@ -26,14 +26,11 @@ namespace raygauge {
 /// It needs what the paper assumes: 0 in the interior of Q, and not in A. Where an iteration shows that this
 /// does not hold, a ray fails or goes in circles, or rounding keeps the bound from rising, the solve is not
 /// concluded here: solve() returns false and the caller turns to `column_generation`.
-class ZhengYamane {
+class ZhengYamane : public Method {
  public:
-  bool solve(const Problem& problem, DistanceResult& result);
-
-  /// What the last solve did, whether or not it was concluded here.
-  DistanceCounters counters() const;
-
-  void contact_combination(WeightedPoints& combination) const {
+  bool solve(const Problem& problem, DistanceResult& result) override;
+  DistanceCounters counters() const override;
+  void contact_combination(WeightedPoints& combination) const override {
     last_vertices_.contact_combination(combination);
   }
 
@@ -43,8 +40,8 @@ class ZhengYamane {
   void begin(const Problem& problem);
   double overtaking_bound() const noexcept;
   Step conclude(RayShooter::End end);
-  void bound_from_below();
-  void bound_from_above();
+  void bound_by_normal();
+  void bound_by_vertices();
   void finish(Effects effects, DistanceResult& result);
 
   DistanceOptions options_;
@@ -62,9 +59,8 @@ class ZhengYamane {
   double eta_next_ = 1;
   double inner_tolerance_ = 0;
   bool is_loose_ = false;  // the ray at hand is not shot to that tolerance
-  double lower_ = 0;
-  double estimate_ = 0;  // the η that lower_ is, rounded down
-  double upper_ = 0;
+  Bounds bounds_;
+  double estimate_ = 0;  // the η that the lower one is, rounded down
   double sigma_ = 0;
   std::int64_t outer_iterations_ = 0;
   std::int64_t witness_evaluations_ = 0;
@@ -72,7 +68,7 @@ class ZhengYamane {
   int idle_ = 0;
   int overtaken_ = 0;  // rays in a row
   AlignedBuffer<double> center_;
-  AlignedBuffer<double> normal_;  // direction of lower_, scaled units
+  AlignedBuffer<double> normal_;  // direction of the lower bound, scaled units
 };
 
 }  // namespace raygauge

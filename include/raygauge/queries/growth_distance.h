@@ -72,8 +72,7 @@ class GrowthDistanceSolver {
  private:
   static DistanceOptions newton_options();
 
-  struct Workspace;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<Ladder> ladder_;
 };
 
 }  // namespace raygauge

@@ -13,6 +13,8 @@
 
 namespace raygauge {
 
+class Ladder;
+
 /// What to compute of two objects besides their distance. What is not asked for costs nothing.
 enum class ObjectEffects : std::uint8_t {
   none = 0,
@@ -100,8 +102,7 @@ class ObjectDistanceSolver {
                               ObjectEffects effects = ObjectEffects::none, WarmStart* warm = nullptr);
 
  private:
-  struct Workspace;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<Ladder> ladder_;
 };
 
 }  // namespace raygauge

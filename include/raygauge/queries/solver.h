@@ -13,7 +13,7 @@
 
 namespace raygauge {
 
-class MethodChain;
+class Ladder;
 
 /// What DistanceMethod::automatic stands for: newton where Q is smooth, column_generation otherwise.
 DistanceMethod method_for(const ConvexSet& Q) noexcept;
@@ -50,7 +50,7 @@ class DistanceSolver {
                               WarmStart* warm = nullptr);
 
  private:
-  std::unique_ptr<MethodChain> methods_;
+  std::unique_ptr<Ladder> ladder_;
 };
 
 }  // namespace raygauge

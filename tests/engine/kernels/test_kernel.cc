@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/certificates/certificate.h"
+#include "engine/proof/certificate.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/certificates/certificate.h"
+#include "engine/proof/certificate.h"
 #include "engine/kernels/kernel.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/instruction_sets.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/certificates/certificate.h"
+#include "engine/proof/certificate.h"
 #include "engine/lp/exact_simplex.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"

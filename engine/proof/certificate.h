@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 
 #include "engine/kernels/kernel.h"
+#include "engine/proof/bounds.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {
@@ -33,17 +33,6 @@ inline double resolution_for(double tolerance) noexcept {
 inline bool well_resolved(double value, double error, double resolution = kResolution) noexcept {
   return error <= resolution * (value < 0 ? -value : value);
 }
-
-/// Whether bounds decide the distance to a relative `tolerance`. Bounds that contradict each other decide
-/// nothing.
-inline bool is_closed(double lower, double upper, double tolerance) noexcept {
-  return 0 <= lower && lower <= upper && upper <= std::numeric_limits<double>::max() &&
-         upper - lower <= tolerance * upper;
-}
-
-/// value · 2^shift, rounded towards zero resp. +infinity where the result is not a normal number. value >= 0.
-double scaled_down(double value, int shift) noexcept;
-double scaled_up(double value, int shift) noexcept;
 
 /// Bound on the rounding error of any u·p, p in S, summed in any order with or without fused multiply-add:
 /// γ_n Σ_k |u_k| max_i |p_ik|, γ_n = n ε / (1 - n ε), itself rounded up.

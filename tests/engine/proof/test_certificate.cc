@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/certificates/certificate.h"
+#include "engine/proof/certificate.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>

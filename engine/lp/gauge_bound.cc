@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "engine/certificates/gauge_bound.h"
+#include "engine/lp/gauge_bound.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// The rungs of a Ladder that are none of the general methods, but for the first two.
+#include <algorithm>
+
+#include "engine/numerics/floating_point.h"
+#include "engine/queries/ladder.h"
+
+namespace raygauge {
+namespace {
+
+// The answer where two objects share a point; the counters stay.
+void set_overlap(DistanceResult& result) {
+  result.status = DistanceStatus::contains_origin;
+  result.distance = result.lower = result.upper = 0;
+  result.normal.resize(0);
+  result.contact_point.resize(0);
+}
+
+}  // namespace
+
+// Objects that share a point meet without growing.
+bool Ladder::Solve::common_point(Ladder& ladder, Ask& ask) {
+  const Separation known = ladder.bodies_.separation(ask.first, ask.second, ladder.options_);
+  ask.is_distance_open = ladder.bodies_.was_asked();
+  if (ask.question == Question::growth) {
+    if (known == Separation::intersecting) ask.proven.bounds.reduce_upper(1);
+    return false;
+  }
+  if (known == Separation::undecided) return false;
+  DistanceResult& growth = ladder.answer_.distance;
+  if (!ask.is_known) growth.counters = {};
+  ladder.conclude(known, ask.is_known ? Bounds(growth.lower, growth.upper) : ask.proven.bounds);
+  if (known == Separation::separated) ladder.separation_.normal = ladder.bodies_.normal();
+  return true;
+}
+
+// A depth above 0 proves that there is no distance, and takes less time than the general methods.
+bool Ladder::Solve::depth(Ladder& ladder, Ask& ask) {
+  ObjectDistance& answer = ladder.answer_;
+  answer.distance.seconds = DistanceResult::kUnset;
+  ladder.find_depth(ask);
+  if (!(answer.depth.lower > 0)) return false;
+  set_overlap(answer.distance);
+  answer.distance.sigma = DistanceResult::kUnset;
+  answer.distance.counters = {};
+  answer.distance.origin_weights.clear();
+  answer.closest_point_evaluations = answer.gradient_evaluations = 0;
+  answer.closest_point_1.resize(0);
+  answer.closest_point_2.resize(0);
+  return true;
+}
+
+// Whether two bodies share a point, or one holds the origin, is a question without a metric.
+bool Ladder::Solve::overlap(Ladder& ladder, Ask& ask) {
+  DistanceOptions options = ladder.options_;
+  options.method = DistanceMethod::automatic;
+  options.max_iterations = 0;
+  DistanceResult& result = ladder.answer_.distance;
+  const int n = ask.first.dimension();
+  const Ball origin(Vector::Zero(n), 0.0);
+  const auto [S, T] = NearestPoint::difference(ask.first.set);
+  const bool gauge = ask.question == Question::gauge, difference = gauge && T != nullptr;
+  if (difference && ask.first.pose != nullptr) return false;
+  const Separation known = difference ? ladder.bodies_.separation(Posed(*T), Posed(*S), options)
+                           : gauge    ? ladder.bodies_.separation(Posed(origin), ask.first, options)
+                                      : ladder.bodies_.separation(ask.first, ask.second, options);
+  if (!ladder.bodies_.was_asked()) return false;
+  result.counters.support_queries += ladder.bodies_.support_queries();
+  result.seconds = ladder.stopwatch_.seconds();
+  if (known != Separation::intersecting) return false;
+  set_overlap(result);
+  if (double* contact = result.room_for_contact(ask.effects, n)) {
+    std::fill_n(contact, n, 0.0);
+    ++result.counters.witness_evaluations;
+  }
+  return true;
+}
+
+// Objects that meet when each is scaled by less than 1 share a point, whatever the metric.
+bool Ladder::Solve::growth_into(Ladder& ladder, Ask& ask) {
+  Ask other(Question::growth, ask.first, ask.second, nullptr);
+  other.threshold = 1;
+  other.time_limit = ladder.time_left();
+  std::swap(ladder.answer_.distance, ladder.outer_);
+  ladder.growth(other);
+  std::swap(ladder.answer_.distance, ladder.outer_);
+  if (!(ladder.outer_.upper < 1)) return false;
+  set_overlap(ladder.answer_.distance);
+  return true;
+}
+
+bool Ladder::Solve::distance(Ladder& ladder, Ask& ask) {
+  const int n = ask.first.dimension();
+  std::unique_ptr<const Ball>& ball = ladder.ball_;
+  if (!ball || ball->dimension() != n) ball = std::make_unique<const Ball>(Vector::Zero(n), 1.0);
+  Ask other(Question::distance, ask.first, ask.second, nullptr);
+  other.metric = ball.get();
+  other.is_distance_open = ask.is_distance_open;
+  other.is_growth_open = true;
+  other.time_limit = ladder.time_left();
+  std::swap(ladder.answer_.distance, ladder.outer_);
+  ladder.distance(other);
+  std::swap(ladder.answer_.distance, ladder.outer_);
+  const DistanceResult &growth = ladder.answer_.distance, &found = ladder.outer_;
+  const bool meet = found.status == DistanceStatus::contains_origin;
+  if (!meet && !(found.lower > 0)) return false;
+  ladder.conclude(meet ? Separation::intersecting : Separation::separated, {growth.lower, growth.upper});
+  if (!meet) ladder.separation_.normal = found.normal;
+  return true;
+}
+
+double Ladder::time_left() const {
+  const double limit = options_.time_limit;
+  return limit < kInfinity ? limit - answer_.distance.seconds : limit;
+}
+
+void Ladder::find_depth(const Ask& ask) {
+  depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
+               has_depth_start_ ? depth_start_.data() : nullptr, answer_.distance.seconds, answer_.depth);
+  const int n = ask.first.dimension();
+  if (ask.warm == nullptr || n > 3 || answer_.depth.normal.size() != n) return;
+  ask.warm->dimension = n;
+  std::copy_n(answer_.depth.normal.data(), n, ask.warm->normal.begin());
+}
+
+}  // namespace raygauge
