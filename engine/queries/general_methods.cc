@@ -13,16 +13,16 @@ namespace raygauge {
 namespace {
 
 // Of either bound the better one, with what belongs to it; true where the upper one is that of `from`.
-bool take_better(DistanceResult& from, DistanceResult& to) {
+bool take_better(const DistanceResult& from, DistanceResult& to) {
   if (from.upper - from.lower < to.upper - to.lower) to.distance = from.distance;
   if (from.lower > to.lower) {
     to.lower = from.lower;
-    std::swap(to.normal, from.normal);
+    to.normal = from.normal;  // no memory changes hands, so that no later solve lacks it
   }
   const bool closer = from.upper < to.upper;
   if (closer) {
     to.upper = from.upper;
-    std::swap(to.contact_point, from.contact_point);
+    to.contact_point = from.contact_point;
   }
   to.distance = std::max(to.lower, std::min(to.distance, to.upper));
   return closer;
