@@ -65,6 +65,7 @@ double dot_magnitude(const PointSet& S, const double* u) {
 // The points of S that may attain h_S(u), given that to within an error.
 class Doubtful {
  public:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): see below
   Doubtful(const Kernels& kernels, const PointSet& S, const double* u, const SupportValue& h) {
     const double threshold = std::nextafter(h.value - 2 * h.error, -kInfinity);
     Collection collection{index_.data(), value_.data(), kDoubtful, 0, threshold};

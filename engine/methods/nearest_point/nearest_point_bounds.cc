@@ -65,7 +65,7 @@ double NearestPoint::combine_plainly() {
   for (int i = 0; i < basis_.count(); ++i) sum[basis_.side(i)] += weights_[static_cast<std::size_t>(i)];
   for (int i = 0; i < basis_.count(); ++i) {
     const double weight = weights_[static_cast<std::size_t>(i)] / sum[basis_.side(i)];
-    double* nearest = nearest_.data() + basis_.side(i) * n_;
+    double* nearest = nearest_.data() + std::ptrdiff_t{basis_.side(i)} * n_;
     double sum_of_sizes = 0;
     for (int k = 0; k < n_; ++k) {
       nearest[k] += weight * point(i)[k];
@@ -75,7 +75,8 @@ double NearestPoint::combine_plainly() {
   }
   for (int k = 0; k < n_; ++k)
     contact_[static_cast<std::size_t>(k)] =
-        nearest_[static_cast<std::size_t>(k)] - nearest_[static_cast<std::size_t>(n_ + k)];
+        nearest_[static_cast<std::size_t>(k)] -
+        nearest_[static_cast<std::size_t>(n_) + static_cast<std::size_t>(k)];
   return (n_ + basis_.count() + 8) * 2 * kUnitRoundoff * size + kUnderflow;
 }
 
@@ -97,7 +98,8 @@ double NearestPoint::combine_twofold() {
     }
     for (int t = 0; t < sides_; ++t) {
       nearest[t] = nearest[t] / sum[t];
-      nearest_[static_cast<std::size_t>(t * n_ + k)] = nearest[t].rounded();
+      nearest_[static_cast<std::size_t>(t) * static_cast<std::size_t>(n_) + static_cast<std::size_t>(k)] =
+          nearest[t].rounded();
     }
     contact_[static_cast<std::size_t>(k)] = (nearest[0] - nearest[1]).rounded();
   }
