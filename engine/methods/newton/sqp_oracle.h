@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/proof/certificate.h"
 #include "engine/methods/column_generation/support_oracle.h"
 #include "engine/numerics/aligned_buffer.h"
+#include "engine/proof/certificate.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/proof/certificate.h"
 #include "engine/numerics/aligned_buffer.h"
+#include "engine/proof/certificate.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/instruction_sets.h"

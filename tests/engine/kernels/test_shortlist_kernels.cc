@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/proof/certificate.h"
 #include "engine/kernels/kernel.h"
+#include "engine/proof/certificate.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/proof/certificate.h"
 #include "engine/lp/exact_simplex.h"
+#include "engine/proof/certificate.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/point_clouds.h"
 
