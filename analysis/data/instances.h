@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/studies/table3/cell_ratio.h"
+#include "analysis/data/record_groups.h"
 
 namespace raygauge {
 
@@ -20,15 +20,16 @@ double answer_seconds(const Record& record);
 
 /// The records of one method in one cell by instance: seed and repetition. They belong to somebody else.
 struct MethodInstances {
+  using Instance = std::pair<std::uint64_t, int>;
   std::string method;
-  std::map<std::pair<std::uint64_t, int>, const Record*> records;
+  std::vector<std::pair<Instance, const Record*>> records;  ///< each instance once, sorted
 
   /// answer_seconds() of each.
   std::vector<double> seconds() const;
 };
 
 /// The records of every cell, methods in order of first appearance there. Valid as long as `records`.
-std::map<CellKey, std::vector<MethodInstances>> instances_by_cell(const std::vector<Record>& records);
+std::map<CellKey, std::vector<MethodInstances>> instances_by_cell(const RecordGroups& records);
 
 /// The records of both on each instance that they share.
 std::vector<std::pair<const Record*, const Record*>> shared_instances(const MethodInstances& first,

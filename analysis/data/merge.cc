@@ -58,7 +58,7 @@ std::string timing_note(const Provenance& provenance) {
 
 std::string unfinished_note(const ResultsFile& file) {
   const std::size_t done = file.cells().size();
-  if (file.finished()) return "";
+  if (done == file.provenance.cell_count) return "";
   return "unfinished, " + std::to_string(done) + " of " + counted(file.provenance.cell_count, "cell");
 }
 

@@ -147,7 +147,7 @@ std::set<std::string> redundant_texts(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-VaryingParameters::VaryingParameters(const std::vector<Record>& records) {
+VaryingParameters::VaryingParameters(const RecordGroups& records) {
   std::map<std::string, std::set<std::string>> values;
   std::set<std::pair<std::string, std::string>> seen;
   const auto add = [&](const char* kind, const std::string& owner, const std::string& parameters) {
@@ -155,7 +155,8 @@ VaryingParameters::VaryingParameters(const std::vector<Record>& records) {
     for (const auto& [name, value] : split_parameters(parameters))
       values[owned_name(kind, owner, name)].insert(value);
   };
-  for (const Record& record : records) {
+  for (const RecordGroup& group : records) {
+    const Record& record = group.first();
     add("generator", record.generator, record.generator_parameters);
     add("method", record.method, record.method_parameters);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/data/columns.h"
+#include "analysis/data/record_groups.h"
 #include "raygauge/sweep/record.h"
 
 namespace raygauge {
@@ -32,7 +33,7 @@ AnalysisColumn column_among(const std::vector<Record>& records, const std::strin
 /// with a name, are left out.
 class VaryingParameters {
  public:
-  explicit VaryingParameters(const std::vector<Record>& records);
+  explicit VaryingParameters(const RecordGroups& records);
 
   std::string of_generator(const Record& record) const;
   std::string of_method(const Record& record) const;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/cell_key.h"
+#include "analysis/data/truth.h"
 #include "raygauge/sweep/record.h"
 
 namespace raygauge {
@@ -28,9 +30,16 @@ class Pool {
   /// repetition.
   std::vector<Record> operator()(std::vector<Record> records) const;
 
+  /// The truth of the records, under the names that they have in the pool.
+  Truth truth_of(const std::vector<Record>& records) const;
+
  private:
   std::map<std::string, int> pairs_;  ///< by their parameters
   int repetitions_ = 1;
 };
+
+/// Whether the cell is of a Pool: its instances differ as the user's pairs do, and a mean over them is
+/// geometric.
+bool is_pool(const CellKey& cell);
 
 }  // namespace raygauge

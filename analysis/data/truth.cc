@@ -11,8 +11,9 @@ namespace raygauge {
 
 Truth::Truth(const std::vector<Record>& records) {
   for (const Record& record : records) {
+    if (record.role != Role::oracle) continue;
     const double claim = claimed_distance(record);
-    if (record.role == Role::oracle && !std::isnan(claim)) proven_.emplace(name_of(record), claim);
+    if (!std::isnan(claim)) proven_.emplace(name_of(record), claim);
   }
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "analysis/constants.h"
 #include "raygauge/exceptions.h"
@@ -31,12 +34,27 @@ double between(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-double sorted_quantile(const std::vector<double>& sorted, double p) {
-  const double h = static_cast<double>(sorted.size() - 1) * p;
-  const auto below = static_cast<std::size_t>(h);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return between(sorted[below], sorted[above], h - static_cast<double>(below));
-}
+/// Order statistics of values without a NaN, asked for in any order: x(0) <= x(1) <= … What lies between
+/// those that were asked for stays unsorted.
+class OrderStatistics {
+ public:
+  explicit OrderStatistics(std::vector<double> values) : values_(std::move(values)) {}
+
+  double operator()(std::size_t rank) {
+    const auto after = std::lower_bound(known_.begin(), known_.end(), rank);
+    if (after != known_.end() && *after == rank) return values_[rank];
+    const auto at = [this](std::size_t i) { return values_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto first = after == known_.begin() ? values_.begin() : at(*std::prev(after) + 1);
+    const auto last = after == known_.end() ? values_.end() : at(*after);
+    std::nth_element(first, at(rank), last);
+    known_.insert(after, rank);
+    return values_[rank];
+  }
+
+ private:
+  std::vector<double> values_;
+  std::vector<std::size_t> known_;  ///< ranks whose values are in their places
+};
 
 /// P(B = k), B ~ Binomial(n, 1/2).
 double binomial_half(std::size_t n, std::size_t k) {
@@ -67,8 +85,11 @@ double quantile(std::vector<double> values, double p) {
   require_values(values, "quantile");
   if (!(p >= 0 && p <= 1))
     throw InvalidParameterError("order of a quantile is " + std::to_string(p) + ", must lie in [0, 1]");
-  std::sort(values.begin(), values.end());
-  return sorted_quantile(values, p);
+  const double h = static_cast<double>(values.size() - 1) * p;
+  const auto below = static_cast<std::size_t>(h);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  OrderStatistics x(std::move(values));
+  return between(x(below), x(above), h - static_cast<double>(below));
 }
 
 double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
@@ -101,9 +122,9 @@ double shifted_geometric_mean(std::vector<double> values, double shift) {
 Interval median_interval(std::vector<double> values, double confidence) {
   require_values(values, "interval of the median");
   require_confidence(confidence);
-  std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
-  const auto x = [&](std::size_t rank) { return values[rank - 1]; };
+  OrderStatistics sorted(std::move(values));
+  const auto x = [&](std::size_t rank) { return sorted(rank - 1); };
 
   // gamma = γ_d, narrower = γ_d+1; γ_d falls with d, down to d = ⌊(n + 1) / 2⌋.
   std::size_t d = 1;

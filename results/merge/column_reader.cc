@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "results/merge/column_reader.h"
 
-#include <array>
 #include <cstring>
 #include <string_view>
 
@@ -12,29 +11,6 @@
 #include "results/schema/column_io.h"
 
 namespace raygauge {
-namespace {
-
-/// Rows of a chunk that pack_chunk() would make of it; 0 for another layout.
-hsize_t rows_of_packed_chunk(const H5::DataSet& dataset) {
-  const H5::DSetCreatPropList properties = dataset.getCreatePlist();
-  constexpr std::array<H5Z_filter_t, 3> kFilters = {H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE,
-                                                    H5Z_FILTER_FLETCHER32};
-  if (properties.getLayout() != H5D_CHUNKED || properties.getNfilters() != 3) return 0;
-  for (unsigned i = 0; i < kFilters.size(); ++i) {
-    unsigned flags = 0;
-    std::size_t values = 0;
-    unsigned config = 0;
-    if (H5Pget_filter2(properties.getId(), i, &flags, &values, nullptr, 0, nullptr, &config) !=
-        kFilters.at(i)) {
-      return 0;
-    }
-  }
-  hsize_t rows = 0;
-  properties.getChunk(1, &rows);
-  return rows;
-}
-
-}  // namespace
 
 void ColumnReader::open(const H5::Group& group, const std::string& place) {
   const ColumnInfo& info = *field_.column;
@@ -44,7 +20,7 @@ void ColumnReader::open(const H5::Group& group, const std::string& place) {
   type_ = hdf5::entry_type(info.type, text() ? dataset_.getStrType().getSize() : 0);
   bytes_ = type_.getSize();
   const bool same_bytes = text() || H5Tequal(dataset_.getDataType().getId(), type_.getId()) > 0;
-  chunk_rows_ = same_bytes ? rows_of_packed_chunk(dataset_) : 0;
+  chunk_rows_ = same_bytes ? hdf5::rows_of_packed_chunk(dataset_) : 0;
 }
 
 void ColumnReader::fetch(hsize_t first, hsize_t count) {

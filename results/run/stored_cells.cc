@@ -26,7 +26,12 @@ DoneCells done_repetitions(const std::vector<const std::vector<Record>*>& lists,
   const int repetitions = repetitions_of_whole_cells(identity);
   DoneCells done;
   for (const std::vector<Record>* records : lists) {
-    for (const Record& record : *records) done.add(record.cell, record.repetition, repetitions);
+    const Record* before = nullptr;  // most often another method's on the same instance
+    for (const Record& record : *records) {
+      if (!before || record.cell != before->cell || record.repetition != before->repetition)
+        done.add(record.cell, record.repetition, repetitions);
+      before = &record;
+    }
   }
   return done;
 }

@@ -99,25 +99,6 @@ void write_texts(const H5::DataSet& dataset, const H5::DataType& type, const std
   dataset.write(buffer.data(), type);
 }
 
-template <class Stored, class T>
-std::vector<Value> read_numbers(const H5::DataSet& dataset, const H5::DataType& type, std::size_t count) {
-  std::vector<Stored> buffer(count);
-  dataset.read(buffer.data(), type);
-  std::vector<Value> values(count);
-  std::transform(buffer.begin(), buffer.end(), values.begin(),
-                 [](Stored number) { return Value(static_cast<T>(number)); });
-  return values;
-}
-
-std::vector<Value> read_texts(const H5::DataSet& dataset, std::size_t count) {
-  const std::size_t width = dataset.getStrType().getSize();
-  std::string buffer(width * count, '\0');
-  dataset.read(buffer.data(), text_type(width));
-  std::vector<Value> values(count);
-  for (std::size_t i = 0; i < count; ++i) values[i] = without_padding(buffer.substr(i * width, width));
-  return values;
-}
-
 /// A dataset of the expected class and rank, or a ResultsError that says what is there instead.
 H5::DataSet open_dataset(const H5::Group& group, const ColumnInfo& info, int rank, const std::string& place) {
   const std::string here = place + "/" + info.name;
@@ -167,6 +148,25 @@ H5::DataSet open_column(const H5::Group& group, const ColumnInfo& info, const st
   return open_dataset(group, info, 1, place);
 }
 
+hsize_t rows_of_packed_chunk(const H5::DataSet& dataset) {
+  const H5::DSetCreatPropList properties = dataset.getCreatePlist();
+  constexpr std::array<H5Z_filter_t, 3> kFilters = {H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE,
+                                                    H5Z_FILTER_FLETCHER32};
+  if (properties.getLayout() != H5D_CHUNKED || properties.getNfilters() != 3) return 0;
+  for (unsigned i = 0; i < kFilters.size(); ++i) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    unsigned config = 0;
+    if (H5Pget_filter2(properties.getId(), i, &flags, &values, nullptr, 0, nullptr, &config) !=
+        kFilters.at(i)) {
+      return 0;
+    }
+  }
+  hsize_t rows = 0;
+  properties.getChunk(1, &rows);
+  return rows;
+}
+
 void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Value>& values, Layout layout) {
   const std::size_t text_length = info.type == ValueType::text ? longest(values) : 0;
   const H5::DataType type = file_type(info.type, text_length);
@@ -189,27 +189,6 @@ void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Va
   }
 }
 
-std::vector<Value> read_column(const H5::Group& group, const ColumnInfo& info, const std::string& place) {
-  const H5::DataSet dataset = open_dataset(group, info, 1, place);
-  const auto count = static_cast<std::size_t>(dataset.getSpace().getSimpleExtentNpoints());
-  if (count == 0) return {};
-  switch (info.type) {
-    case ValueType::boolean:
-      return read_numbers<std::int8_t, bool>(dataset, boolean_type(), count);
-    case ValueType::int32:
-      return read_numbers<std::int32_t, std::int32_t>(dataset, H5::PredType::NATIVE_INT32, count);
-    case ValueType::int64:
-      return read_numbers<std::int64_t, std::int64_t>(dataset, H5::PredType::NATIVE_INT64, count);
-    case ValueType::uint64:
-      return read_numbers<std::uint64_t, std::uint64_t>(dataset, H5::PredType::NATIVE_UINT64, count);
-    case ValueType::float64:
-      return read_numbers<double, double>(dataset, H5::PredType::NATIVE_DOUBLE, count);
-    case ValueType::text:
-      return read_texts(dataset, count);
-  }
-  throw ResultsError(place + "/" + info.name + ": column of unknown type");
-}
-
 H5::Group open_group(const H5::Group& parent, const std::string& name, const std::string& place) {
   if (!parent.nameExists(name)) throw ResultsError(place + "/" + name + ": missing");
   return parent.openGroup(name);
@@ -224,7 +203,9 @@ void write_text(H5::Group& group, const std::string& name, const std::string& te
 std::string read_text(const H5::Group& group, const std::string& name, const std::string& place) {
   const ColumnInfo expected = {name, "", "", ValueType::text};
   const H5::DataSet dataset = open_dataset(group, expected, 0, place);
-  return std::get<std::string>(read_texts(dataset, 1).front());
+  std::string text(dataset.getStrType().getSize(), '\0');
+  dataset.read(text.data(), text_type(text.size()));
+  return without_padding(std::move(text));
 }
 
 void write_attribute(H5::H5Object& object, const std::string& name, const std::string& text) {

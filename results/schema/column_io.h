@@ -32,9 +32,8 @@ H5::DataSet open_column(const H5::Group& group, const ColumnInfo& info, const st
 /// Writes a one-dimensional dataset with the attributes `unit` and `description`.
 void write_column(H5::Group& group, const ColumnInfo& info, const std::vector<Value>& values, Layout layout);
 
-/// Reads a column of write_column. `place` names the group in messages: "x.h5: /records". Throws ResultsError
-/// for a dataset that is missing or of another type or rank.
-std::vector<Value> read_column(const H5::Group& group, const ColumnInfo& info, const std::string& place);
+/// Rows of a chunk that pack_chunk() would make of it; 0 for another layout.
+hsize_t rows_of_packed_chunk(const H5::DataSet& dataset);
 
 /// A subgroup. Throws ResultsError("PLACE/NAME: missing").
 H5::Group open_group(const H5::Group& parent, const std::string& name, const std::string& place);
@@ -61,34 +60,6 @@ void write_table(H5::Group& parent, const std::string& name, const std::vector<C
     for (std::size_t i = 0; i < rows.size(); ++i) values[i] = column.get(rows[i]);
     write_column(group, column, values, layout);
   }
-}
-
-/// The inverse of write_table; a column that the file lacks has its documented default in every row (the
-/// first column is in every file). Throws ResultsError also for columns of different lengths.
-template <class Row>
-std::vector<Row> read_table(const H5::Group& parent, const std::string& name,
-                            const std::vector<Column<Row>>& columns, const std::string& place) {
-  const H5::Group group = open_group(parent, name, place);
-  const std::string here = place + "/" + name;
-  std::vector<Row> rows;
-  for (const Column<Row>& column : columns) {
-    ColumnInfo stored = column;
-    if (!group.nameExists(stored.name) && !column.former_name.empty()) stored.name = column.former_name;
-    const bool missing = column.absent && !group.nameExists(stored.name);
-    const std::vector<Value> values =
-        missing ? std::vector<Value>(rows.size(), *column.absent) : read_column(group, stored, here);
-    if (&column == &columns.front()) rows.resize(values.size());
-    if (values.size() != rows.size()) {
-      throw ResultsError(here + "/" + column.name + ": " + std::to_string(values.size()) + " entries, but " +
-                         columns.front().name + " has " + std::to_string(rows.size()));
-    }
-    try {
-      for (std::size_t i = 0; i < rows.size(); ++i) column.set(rows[i], values[i]);
-    } catch (const Error& error) {
-      throw ResultsError(here + "/" + column.name + ": " + error.what());
-    }
-  }
-  return rows;
 }
 
 }  // namespace raygauge::hdf5

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/encoding.h"
 
+#include <new>
+#include <stdexcept>
+
 #include "engine/numerics/number_text.h"
 #include "raygauge/sweep/method.h"
 #include "results/hdf5/checksum.h"
@@ -10,6 +13,7 @@
 #include "results/schema/older_files.h"
 #include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
+#include "results/schema/table_reader.h"
 
 namespace raygauge {
 namespace {
@@ -84,6 +88,16 @@ Provenance read_provenance(const H5::Group& root, const std::string& file, std::
   return provenance;
 }
 
+std::vector<Record> in_memory(const hdf5::StoredTable<Record>& records, const std::string& file) {
+  try {
+    return records.rows_by_threads();
+  } catch (const std::bad_alloc&) {
+    throw ResultsError(file + ": does not fit into memory");
+  } catch (const std::length_error&) {
+    throw ResultsError(file + ": does not fit into memory");
+  }
+}
+
 }  // namespace
 
 void write_description(H5::Group& root, const Provenance& provenance) {
@@ -108,11 +122,13 @@ std::string encode_provenance(const Provenance& provenance) {
 
 ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
+  hdf5::StoredTable<Record> records;
   const bool has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
     const std::int64_t version = check_head(root, path.string());
-    results.records = hdf5::read_table(root, "records", record_columns(), path.string() + ": ");
+    records = hdf5::StoredTable<Record>(root, "records", record_columns(), path.string() + ": ");
     results.provenance = read_provenance(root, path.string(), version);
   });
+  results.records = in_memory(records, path.string());
   results.provenance.has_checksum = has_checksum;
   return results;
 }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "results/schema/older_files.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 
 #include "engine/numerics/number_text.h"
 #include "raygauge/sweep/method.h"
@@ -120,20 +122,18 @@ void complete_hardness(Record& record) {
   }
 }
 
-/// `text` with_current_numbers(); most records have the parameters of the one before them.
+/// `text` with_current_numbers(), of each text once: records have few.
 class CurrentNumbers {
  public:
   void apply(std::string& text) {
-    if (text != before_) {
-      before_ = text;
-      after_ = with_current_numbers(text);
-    }
-    if (after_ != text) text = after_;
+    if (text.empty()) return;
+    const auto [known, is_new] = current_.try_emplace(text);
+    if (is_new) known->second = with_current_numbers(text);
+    if (known->second != text) text = known->second;
   }
 
  private:
-  std::string before_;
-  std::string after_;
+  std::unordered_map<std::string, std::string> current_;
 };
 
 }  // namespace
@@ -158,10 +158,11 @@ void complete_older_records(std::vector<Record>& records, const std::string& ide
 
 std::string current_identity(const std::string& identity) {
   std::string result = identity;
-  const std::vector<std::string_view> entries = method_entries(identity);
-  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    const std::string name(name_of_entry(*entry));
-    const auto place = static_cast<std::size_t>(entry->data() - identity.data());
+  std::vector<std::string_view> entries = method_entries(identity);
+  std::ranges::reverse(entries);
+  for (const std::string_view entry : entries) {
+    const std::string name(name_of_entry(entry));
+    const auto place = static_cast<std::size_t>(entry.data() - identity.data());
     result.replace(place, name.size(), current_method_name(name));
   }
   return result;

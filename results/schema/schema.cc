@@ -12,22 +12,16 @@ namespace raygauge {
 namespace {
 
 Column<Record> status_column() {
-  return {{"status", "",
-           "outcome: optimal, contains_origin, unreachable, precision_limit, iteration_limit or time_limit",
-           ValueType::text},
-          [](const Record& record) { return Value(std::string(to_string(record.status))); },
-          [](Record& record, const Value& value) {
-            record.status = distance_status_from_string(std::get<std::string>(value));
-          }};
+  return column_of_words(
+      "status",
+      "outcome: optimal, contains_origin, unreachable, precision_limit, iteration_limit or time_limit",
+      &Record::status, distance_status_from_string);
 }
 
 Column<Record> role_column() {
-  Column<Record> column{{"role", "", "whose the method is: engine, baseline or oracle", ValueType::text},
-                        [](const Record& record) { return Value(std::string(to_string(record.role))); },
-                        [](Record& record, const Value& value) {
-                          record.role = role_from_string(std::get<std::string>(value));
-                        }};
-  return later(std::move(column), std::string(to_string(Role::engine)));
+  return later(column_of_words("role", "whose the method is: engine, baseline or oracle", &Record::role,
+                               role_from_string),
+               std::string(to_string(Role::engine)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "results/schema/column_io.h"
 #include "results/schema/schema.h"
+#include "results/schema/table_reader.h"
 
 namespace raygauge {
 namespace {

@@ -18,6 +18,7 @@
 #include "results/schema/column_io.h"
 #include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
+#include "results/schema/table_reader.h"
 #include "results/text/language.h"
 #include "scene/file/scene_writer.h"
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "analysis/constants.h"
 #include "analysis/render/figures/figure.h"
 #include "tests/analysis/records.h"
 
@@ -192,6 +193,37 @@ TEST(TrueError, HasNoPointWhereAMethodCameToNoAnswer) {
   std::vector<Record> records = hard_records();
   records[0].status = DistanceStatus::precision_limit;
   EXPECT_EQ(markers(svg("true_error", records)), 2 * 2 * 3 + 2 - 1);
+}
+
+TEST(TrueError, HasAPlaceForAnInfiniteParameter) {
+  std::vector<Record> records = hard_records();
+  for (Record& each : records)
+    if (each.generator == "thin" && each.hardness == 10000) each.hardness = kInfinity;
+  const std::string picture = svg("true_error", records);
+  EXPECT_EQ(markers(picture), 2 * 2 * 3 + 2);
+  EXPECT_EQ(labels(picture).count("∞"), 1U + 1U) << "of the errors, and of one panel's parameter";
+}
+
+TEST(TrueError, HasPanelsForEachTolerance) {
+  std::vector<Record> records = hard_records();
+  for (Record each : hard_records()) {
+    each.tolerance = 1e-9;
+    records.push_back(each);
+  }
+  const std::multiset<std::string> texts = labels(svg("true_error", records));
+  for (const char* once : {"big: offset, ε = 1e-9", "big: offset, ε = 1e-6", "thin: aspect, ε = 1e-6"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+}
+
+TEST(RatioHeatmap, TheScaleOfSimilarRatiosHasTwoNumbers) {
+  std::vector<Record> records;
+  for (const int N : {200, 400}) {
+    add_records(records, "direct", 3, N, {N == 200 ? 0.331 : 0.497});
+    add_records(records, "glpk_dual", 3, N, {1});
+  }
+  const std::multiset<std::string> texts = labels(svg("ratio_heatmap", records));
+  EXPECT_EQ(texts.count("32"), 1U);
+  EXPECT_EQ(texts.count("52"), 1U);
 }
 
 TEST(Figures, SayWhatTheyNeed) {

@@ -122,7 +122,7 @@ TEST_F(DamagedFile, ABitThatFlippedInStoredNumbersIsFoundByTheChecksum) {
   std::string bytes = read_bytes(path_);
   bytes.at(offset + 5) = static_cast<char>(bytes.at(offset + 5) ^ 1);
   write_bytes(path_, bytes);
-  EXPECT_EQ(error().rfind(path_ + ": truncated or damaged: ", 0), 0U) << error();
+  EXPECT_EQ(error().rfind(path_ + ": /records/seconds: truncated or damaged: ", 0), 0U) << error();
 }
 
 TEST_F(DamagedFile, Hdf5ItselfPrintsNothing) {

@@ -69,7 +69,7 @@ std::string first_names(const std::vector<Problem>& problems) {
 Drawing page_for_each_problem(const std::string& figure, const std::vector<Record>& records,
                               const Filter& filter, const std::function<Drawing(const Problem&)>& draw_one) {
   const std::vector<Problem> problems =
-      problems_of(figure_style::comparable_records(figure, records, filter, {}));
+      problems_of(figure_style::comparable_records(figure, records, filter));
   if (problems.size() > kMostProblems) {
     throw FigureNeedsError("figure " + figure +
                            " draws a page for each generator, its parameters and tolerance, " +

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/data/columns.h"
+#include "analysis/data/pool.h"
 #include "analysis/render/figures/figure.h"
 #include "analysis/render/method_look.h"
 #include "analysis/studies/table3/cell_ratio.h"
@@ -43,15 +43,16 @@ std::vector<double> round_numbers(double low, double high, const std::vector<int
   return numbers;
 }
 
-void require_one(const std::string& figure, const std::vector<Record>& records, const std::string& name) {
-  const AnalysisColumn& column = analysis_column(name);
-  std::set<Value> values;
-  for (const Record& record : records) values.insert(column.get(record));
-  if (values.size() <= 1) return;
-  std::string found;
-  for (const Value& value : values) found += (found.empty() ? "" : "; ") + text_of(value);
-  throw FigureNeedsError("figure " + figure + " shows one " + name + ", the records have several (" + found +
-                         "); choose with --where");
+/// Both ends with as few digits as leave them within [low, high]: gnuplot draws no tick beyond.
+std::string ends_within(double low, double high) {
+  constexpr int kMostDigits = 6;
+  for (int digits = 2; digits < kMostDigits; ++digits) {
+    const double unit = std::pow(10, std::floor(std::log10(low)) + 1 - digits);
+    const double first = unit * std::ceil(low / unit);
+    const double last = unit * std::floor(high / unit);
+    if (first < last) return rounded_text(first, kMostDigits) + ", " + rounded_text(last, kMostDigits);
+  }
+  return rounded_text(low, kMostDigits);
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ std::string one_two_five_ticks(double low, double high) {
     for (std::size_t i = 0; i * stride < ticks.size(); ++i) ticks[i] = ticks[i * stride];
     ticks.resize((ticks.size() + stride - 1) / stride);
   }
-  if (ticks.size() < 2) ticks = {low, high};
+  if (ticks.size() < 2) return "(" + ends_within(low, high) + ")";
   std::string text;
   for (const double tick : ticks) text += (text.empty() ? "" : ", ") + rounded_text(tick, 2);
   return "(" + text + ")";
@@ -105,15 +106,14 @@ std::string decade_ticks(double low, double high) {
 }
 
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
-                                       const Filter& filter, const std::vector<std::string>& same) {
+                                       const Filter& filter) {
   std::vector<Record> kept = filtered(records, filter);
   if (kept.empty()) {
     throw FigureNeedsError("figure " + figure + ": " +
                            (records.empty() ? std::string("no records")
                                             : "no record passes the filter '" + filter.expression() + "'"));
   }
-  for (const std::string& name : same) require_one(figure, kept, name);
-  return kept;
+  return Pool(records)(std::move(kept));
 }
 
 }  // namespace raygauge::figure_style

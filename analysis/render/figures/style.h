@@ -38,11 +38,9 @@ std::string one_two_five_ticks(double low, double high);
 /// About four powers of ten within [low, high], as gnuplot's list.
 std::string decade_ticks(double low, double high);
 
-/// The records that pass the filter. Throws FigureNeedsError where none does, or where they differ in one of
-/// the columns `same`: `figure` shows one of each.
+/// The records that pass the filter, pairs of the user's own as a Pool. Throws FigureNeedsError where none
+/// does.
 std::vector<Record> comparable_records(const std::string& figure, const std::vector<Record>& records,
-                                       const Filter& filter,
-                                       const std::vector<std::string>& same = {
-                                           "generator", "generator_parameters", "tolerance"});
+                                       const Filter& filter);
 
 }  // namespace raygauge::figure_style

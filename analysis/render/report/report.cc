@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/render/report/report.h"
 
+#include <algorithm>
 #include <array>
 #include <future>
 #include <set>
@@ -115,17 +116,30 @@ Input::Input(const MergedResults& all, const Filter& which, std::vector<std::str
       pool(all.records),
       kept(all_as_they_are() ? std::vector<Record>() : pool(filtered(all.records, which))),
       records(all_as_they_are() ? all.records : kept),
-      truth(pool(all.records)),
+      groups(records),
+      methods(groups.methods()),
+      truth(pool.truth_of(all.records)),
       baselines(std::move(named)) {
   if (records.empty()) {
     throw EmptySetError(all.records.empty() ? "the files hold no record yet"
                                             : "no record passes the filter '" + filter.expression() + "'");
   }
-  methods = methods_of(records);
-  cells = cell_times(records);
-  if (baselines.empty()) baselines = default_baselines(all.records);
-  if (!baselines.empty())
-    ratios = cell_ratios(records, pool(baseline_records(all.records, filter, baselines)), baselines);
+  const MethodList all_methods = all_as_they_are() ? methods : methods_of(all.records);
+  if (baselines.empty()) baselines = default_baselines(all_methods);
+  if (!baselines.empty()) require_baselines(all_methods, baselines);
+  auto by_instance = std::async(std::launch::async, [this] { return instances_by_cell(groups); });
+  cells = cell_times(groups);
+  if (!baselines.empty()) ratios = ratios_of_cells();
+  stability = make_stability(groups, truth);
+  instances = by_instance.get();
+}
+
+std::vector<CellRatio> Input::ratios_of_cells() const {
+  const bool baseline_passes = std::ranges::any_of(methods, [&](const std::string& method) {
+    return std::ranges::find(baselines, method) != baselines.end();
+  });
+  if (baseline_passes) return cell_ratios(cells, cells, baselines);
+  return cell_ratios(cells, cell_times(pool(baseline_records(merged.records, filter, baselines))), baselines);
 }
 
 std::string make_page(const MergedResults& merged, const Filter& filter,

@@ -3,15 +3,19 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/instances.h"
 #include "analysis/data/merge.h"
 #include "analysis/data/pool.h"
+#include "analysis/data/record_groups.h"
 #include "analysis/data/truth.h"
 #include "analysis/render/report/blocks.h"
+#include "analysis/studies/stability/stability.h"
 #include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/sweep/record.h"
 
@@ -24,11 +28,14 @@ struct Input {
   Pool pool;                 ///< the user's own pairs
   std::vector<Record> kept;  ///< those that pass the filter, pairs pooled, where these differ from all
   const std::vector<Record>& records;  ///< those that pass the filter; pairs of the user's own as a Pool
+  RecordGroups groups;                 ///< of the records that pass, as all that follows but the truth
   MethodList methods;                  ///< methods_of() them
   Truth truth;                         ///< of all records
   std::vector<std::string> baselines;  ///< of ratios; empty where no method is a baseline
-  std::vector<CellRatio> ratios;       ///< of the records that pass; empty without baselines
-  std::vector<CellTimes> cells;        ///< cell_times() of the records that pass
+  std::vector<CellTimes> cells;        ///< cell_times() of them
+  std::vector<CellRatio> ratios;       ///< empty without baselines
+  std::map<CellKey, std::vector<MethodInstances>> instances;  ///< instances_by_cell()
+  Stability stability;                                        ///< make_stability()
 
   /// Throws EmptySetError where no record passes, and as baseline_records().
   Input(const MergedResults& merged, const Filter& filter, std::vector<std::string> baselines);
@@ -36,6 +43,7 @@ struct Input {
   Input& operator=(const Input&) = delete;
 
  private:
+  std::vector<CellRatio> ratios_of_cells() const;
   bool all_as_they_are() const { return filter.expression().empty() && pool.size() == 0; }
 };
 

@@ -103,14 +103,19 @@ class AccuracyTally {
 std::vector<AccuracyCurve> accuracy_curves(const std::vector<const Record*>& records, const Truth& truth) {
   std::vector<AccuracyCurve> curves;
   std::map<std::string, std::map<double, AccuracyTally, std::greater<>>> tallies;
+  const Record* before = nullptr;  // most often of the same method and tolerance
+  AccuracyTally* tally = nullptr;
   for (const Record* record : records) {
-    const auto [found, is_new] = tallies.try_emplace(record->method);
-    if (is_new) curves.push_back({facts_of(*record), record->method, {}});
-    found->second[record->tolerance].add(*record, truth(*record));
+    if (!before || record->tolerance != before->tolerance || record->method != before->method) {
+      const auto [found, is_new] = tallies.try_emplace(record->method);
+      if (is_new) curves.push_back({facts_of(*record), record->method, {}});
+      tally = &found->second[record->tolerance];
+    }
+    tally->add(*record, truth(*record));
+    before = record;
   }
   for (AccuracyCurve& curve : curves) {
-    for (const auto& [tolerance, tally] : tallies[curve.method])
-      curve.points.push_back(tally.point(tolerance));
+    for (const auto& [tolerance, each] : tallies[curve.method]) curve.points.push_back(each.point(tolerance));
   }
   return curves;
 }

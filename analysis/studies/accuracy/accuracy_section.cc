@@ -20,7 +20,7 @@ bool is_known(const AccuracyGroup& group) {
 }  // namespace
 
 std::optional<Section> accuracy_section(const Input& input) {
-  std::vector<AccuracyGroup> groups = accuracy_groups(input.records, input.truth);
+  std::vector<AccuracyGroup> groups = accuracy_groups(input.groups, input.truth);
   groups.erase(std::remove_if(groups.begin(), groups.end(), std::not_fn(is_known)), groups.end());
   if (groups.empty()) return std::nullopt;
   std::vector<Table> tables = accuracy_tables(groups);

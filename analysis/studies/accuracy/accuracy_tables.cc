@@ -116,14 +116,14 @@ Table floor_table(const std::vector<AccuracyGroup>& groups) {
 
 }  // namespace
 
-std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Truth& truth) {
+std::vector<AccuracyGroup> accuracy_groups(const RecordGroups& records, const Truth& truth) {
   std::vector<GroupKey> keys;
   std::map<GroupKey, std::vector<const Record*>> members;
-  for (const Record& record : records) {
-    if (record.role == Role::oracle) continue;
-    const auto [place, is_new] = members.try_emplace(group_of(record));
+  for (const RecordGroup& group : records) {
+    if (group.first().role == Role::oracle) continue;
+    const auto [place, is_new] = members.try_emplace(group_of(group.first()));
     if (is_new) keys.push_back(place->first);
-    place->second.push_back(&record);
+    place->second.insert(place->second.end(), group.records.begin(), group.records.end());
   }
   const VaryingParameters varying(records);
   std::vector<AccuracyGroup> groups;

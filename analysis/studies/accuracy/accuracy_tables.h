@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/record_groups.h"
 #include "analysis/render/table.h"
 #include "analysis/studies/accuracy/accuracy.h"
 
@@ -19,7 +20,7 @@ struct AccuracyGroup {
 
 /// The groups of all records, in order of first appearance. `exact` methods are where truths come from, and
 /// are left out.
-std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Truth& truth);
+std::vector<AccuracyGroup> accuracy_groups(const RecordGroups& records, const Truth& truth);
 
 /// Those of the records that pass, the truth being that of all. Throws EmptySetError where nothing is left.
 std::vector<AccuracyGroup> accuracy_groups(const std::vector<Record>& records, const Filter& filter = {});

@@ -8,20 +8,22 @@
 
 namespace raygauge::report {
 
-std::vector<ToleranceCurve> tolerance_curves(const std::vector<Record>& records) {
-  const std::vector<std::string> methods = methods_of(records);
+std::vector<ToleranceCurve> tolerance_curves(const RecordGroups& records) {
+  const std::vector<std::string>& methods = records.methods();
   std::map<std::tuple<CellKey, std::ptrdiff_t>, ToleranceCurve> curves;
-  for (const Record& record : records) {
-    CellKey cell = cell_key(record);
+  for (const RecordGroup& group : records) {
+    CellKey cell = group.cell;
     cell.tolerance = 0;
-    const auto rank = std::find(methods.begin(), methods.end(), record.method) - methods.begin();
+    const std::string& method = group.first().method;
+    const auto rank = std::find(methods.begin(), methods.end(), method) - methods.begin();
     ToleranceCurve& curve = curves[{cell, rank}];
     if (curve.records.empty()) {
-      curve.method = record.method;
+      curve.method = method;
       curve.facets = {
           problem_facets(cell).front(), {"n", std::to_string(cell.n)}, {"N", std::to_string(cell.N)}};
     }
-    curve.records[record.tolerance].push_back(&record);
+    std::vector<const Record*>& own = curve.records[group.cell.tolerance];
+    own.insert(own.end(), group.records.begin(), group.records.end());
   }
   std::vector<ToleranceCurve> result;
   for (auto& [key, curve] : curves) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/record_groups.h"
 #include "analysis/render/report/blocks.h"
 
 namespace raygauge::report {
@@ -18,6 +19,6 @@ struct ToleranceCurve {
 };
 
 /// The curves with at least two tolerances. They point into `records`.
-std::vector<ToleranceCurve> tolerance_curves(const std::vector<Record>& records);
+std::vector<ToleranceCurve> tolerance_curves(const RecordGroups& records);
 
 }  // namespace raygauge::report

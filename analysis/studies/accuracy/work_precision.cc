@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/constants.h"
+#include "analysis/data/pool.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
 #include "analysis/render/time_unit.h"
@@ -82,13 +83,9 @@ TimeUnit unit_of(const std::vector<AccuracyGroup>& groups) {
 }  // namespace
 
 Drawing work_precision(const std::vector<Record>& records, const FigureOptions& options) {
-  figure_style::comparable_records("work_precision", records, options.filter, {});
-  std::vector<AccuracyGroup> groups;
-  try {
-    groups = accuracy_groups(records, options.filter);
-  } catch (const EmptySetError&) {
-    throw FigureNeedsError(kPrecisionNeeds);
-  }
+  const std::vector<Record> kept =
+      figure_style::comparable_records("work_precision", records, options.filter);
+  const std::vector<AccuracyGroup> groups = accuracy_groups(kept, Pool(records).truth_of(records));
   const TimeUnit unit = unit_of(groups);
   std::vector<CurvePanel> panels;
   MethodList methods;

@@ -43,7 +43,7 @@ std::optional<Section> work_precision_section(const Input& input) {
       "0 is drawn at 1e-17. A crossed point: some solves failed or were wrong.";
   chart.x = {"median time of a solve (ms)", true, "ms"};
   chart.y.label = "mean relative error";
-  for (const ToleranceCurve& curve : tolerance_curves(input.records)) {
+  for (const ToleranceCurve& curve : tolerance_curves(input.groups)) {
     Series series{curve.method, "", curve.facets, {}};
     for (const auto& [tolerance, records] : curve.records) {
       const ChartPoint point = work_point(records, input.truth);

@@ -18,7 +18,7 @@ std::optional<Section> crossover_section(const Input& input) {
       "same instances (median). \"?\": the 95 % interval of that number includes 1.";
   map.row_label = "n";
   map.column_label = "N";
-  for (const CellWinner& winner : cell_winners(input.records)) {
+  for (const CellWinner& winner : cell_winners(input.instances)) {
     HeatCell cell;
     cell.facets = problem_facets(winner.cell);
     cell.row = winner.cell.n;

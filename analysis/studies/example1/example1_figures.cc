@@ -83,7 +83,7 @@ Example1Table table_for(const std::string& name, const std::vector<Record>& reco
                         const FigureOptions& options) {
   const std::string needs =
       "figure " + name + " needs records of generator example1 in its roles at two tolerances";
-  figure_style::comparable_records(name, records, options.filter, {});
+  figure_style::comparable_records(name, records, options.filter);
   try {
     Example1Table table = make_example1_table(records, roles, options.filter);
     for (const AccuracyCurve& curve : table.curves) {

@@ -18,8 +18,8 @@ std::string roles_parameter(Example1Roles roles) {
   return roles == Example1Roles::cone_ellipsoid ? "roles=cone_ellipsoid" : "roles=ellipsoid_cone";
 }
 
-bool is_of_example1(const Record& record, const std::string& roles) {
-  return record.generator == kExample1 && record.generator_parameters.find(roles) != std::string::npos;
+bool is_of_example1(const CellKey& cell, const std::string& roles) {
+  return cell.generator == kExample1 && cell.generator_parameters.find(roles) != std::string::npos;
 }
 
 void require_methods(const std::vector<AccuracyCurve>& curves, const std::vector<std::string>& names) {
@@ -45,12 +45,13 @@ double Example1Table::time_ratio(const AccuracyPoint& point) const {
   return std::isfinite(best) ? point.mean_seconds / best : kNaN;
 }
 
-Example1Table example1_table_of(const std::vector<Record>& records, Example1Roles roles, const Truth& truth,
+Example1Table example1_table_of(const RecordGroups& records, Example1Roles roles, const Truth& truth,
                                 std::vector<std::string> baselines) {
   const std::string parameter = roles_parameter(roles);
   std::vector<const Record*> kept;
-  for (const Record& record : records) {
-    if (is_of_example1(record, parameter)) kept.push_back(&record);
+  for (const RecordGroup& group : records) {
+    if (is_of_example1(group.cell, parameter))
+      kept.insert(kept.end(), group.records.begin(), group.records.end());
   }
   Example1Table table{roles, accuracy_curves(kept, truth), std::move(baselines)};
   if (!table.baselines.empty()) return table;

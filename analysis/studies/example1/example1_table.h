@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/record_groups.h"
 #include "analysis/render/table.h"
 #include "analysis/studies/accuracy/accuracy.h"
 
@@ -35,7 +36,7 @@ Example1Table make_example1_table(const std::vector<Record>& records, Example1Ro
                                   const Filter& filter = {}, std::vector<std::string> baselines = {});
 
 /// The same of all records, without curves where none is of Example 1 in those roles.
-Example1Table example1_table_of(const std::vector<Record>& records, Example1Roles roles, const Truth& truth,
+Example1Table example1_table_of(const RecordGroups& records, Example1Roles roles, const Truth& truth,
                                 std::vector<std::string> baselines = {});
 
 /// For reading: for each method a table with one line a tolerance and the paper's numbers beside (its

@@ -88,14 +88,14 @@ Places places_of(const std::vector<CellTimes>& all, const Direction& rows, const
   for (const CellTimes& times : all) {
     if (times.seconds.empty()) continue;
     double& known = least.try_emplace(times.cell, kInfinity).first->second;
-    known = std::min(known, median(times.seconds));
+    known = std::min(known, center_of(times).seconds);
   }
   Places places;
   for (const CellTimes& times : all) {
     Standing& standing = places[{rows.place_of(times.cell), columns.place_of(times.cell)}][times.method];
     standing.disagreeing += times.disagreeing;
     if (times.seconds.empty()) continue;
-    const double seconds = median(times.seconds), best = least.at(times.cell);
+    const double seconds = center_of(times).seconds, best = least.at(times.cell);
     if (std::isfinite(seconds) && best > 0) standing.ratios.push_back(seconds / best);
   }
   return places;

@@ -8,9 +8,9 @@ namespace raygauge::report {
 std::optional<Section> records_section(const Input& input) {
   constexpr int kTimeDigits = 7;               // more than any clock has, and half the size of all 17
   constexpr std::size_t kMostRecords = 20000;  // about 2 MB
-  const std::vector<Record> records = filtered(input.merged.records, input.filter);
-  RecordsDownload download{records.size(), "records.csv", kTimeDigits, ""};
-  if (records.size() <= kMostRecords) download.gzip = base64(gzip(csv_columns(records, kTimeDigits)));
+  RecordsDownload download{input.records.size(), "records.csv", kTimeDigits, ""};
+  if (download.count <= kMostRecords)
+    download.gzip = base64(gzip(csv_columns(filtered(input.merged.records, input.filter), kTimeDigits)));
   Section section{"records", "Records", {}};
   section.blocks.emplace_back(std::move(download));
   return section;

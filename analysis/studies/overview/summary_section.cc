@@ -34,12 +34,12 @@ std::string run_line(const Input& input) {
   std::set<double> tolerances;
   std::set<std::string> generators;
   std::set<CellKey> cells;
-  for (const Record& record : input.records) {
-    n.insert(record.n);
-    N.insert(record.N);
-    tolerances.insert(record.tolerance);
-    generators.insert(record.generator);
-    cells.insert(cell_key(record));
+  for (const RecordGroup& group : input.groups) {
+    n.insert(group.cell.n);
+    N.insert(group.cell.N);
+    tolerances.insert(group.cell.tolerance);
+    generators.insert(group.cell.generator);
+    cells.insert(group.cell);
   }
   return counted(input.records.size(), "record") + " in " + counted(cells.size(), "cell") + " of " +
          joined(generators) + ": n = " + range_words(n) + ", N = " + range_words(N) +
@@ -143,7 +143,7 @@ std::string speed_line(const Input& input) {
 /// Third line: how good the bounds are, over all tolerances.
 std::string precision_line(const Input& input) {
   std::map<std::string, StabilityRow> sums;
-  for (const StabilityTolerance& part : make_stability(input.records, input.truth)) {
+  for (const StabilityTolerance& part : input.stability) {
     for (const StabilityRow& row : part.totals) {
       StabilityRow& sum = sums[row.method];
       sum.solves += row.solves;

@@ -44,24 +44,35 @@ std::vector<ProfileCurve> performance_profiles(const std::vector<Record>& record
   return performance_profiles(cells, methods_of(records));
 }
 
+namespace {
+
+/// Of each instance of a cell the shortest time that led to an answer, +infinity where none did; sorted.
+std::vector<std::pair<MethodInstances::Instance, double>> fastest_times(
+    const std::vector<MethodInstances>& methods) {
+  std::vector<std::pair<MethodInstances::Instance, double>> all;
+  for (const MethodInstances& method : methods)
+    for (const auto& [instance, record] : method.records) all.emplace_back(instance, answer_seconds(*record));
+  std::sort(all.begin(), all.end());
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+}  // namespace
+
 std::vector<ProfileCurve> performance_profiles(const std::vector<const std::vector<MethodInstances>*>& cells,
                                                const std::vector<std::string>& methods) {
   std::map<std::string, std::vector<double>> ratios;
   std::size_t count = 0;
   for (const std::vector<MethodInstances>* cell : cells) {
-    std::map<std::pair<std::uint64_t, int>, double> fastest;
-    for (const MethodInstances& method : *cell) {
-      for (const auto& [instance, record] : method.records) {
-        double& least = fastest.try_emplace(instance, kInfinity).first->second;
-        least = std::min(least, answer_seconds(*record));
-      }
-    }
+    const auto fastest = fastest_times(*cell);
     count += fastest.size();
     for (const MethodInstances& method : *cell) {
       std::vector<double>& own = ratios[method.method];
+      auto least = fastest.begin();
       for (const auto& [instance, record] : method.records) {
-        const double least = fastest.at(instance);
-        if (has_answer(*record)) own.push_back(least > 0 ? record->seconds / least : 1);
+        while (least->first != instance) ++least;
+        if (has_answer(*record)) own.push_back(least->second > 0 ? record->seconds / least->second : 1);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "analysis/studies/performance_profile/performance_profile_figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "analysis/render/figures/panel_grid.h"
@@ -27,14 +28,14 @@ std::string profile_block(const ProfileCurve& curve, std::size_t index, double l
 }  // namespace
 
 Drawing performance_profile_figure(const std::vector<Record>& records, const FigureOptions& options) {
-  const std::vector<Record> kept =
-      figure_style::comparable_records(kProfileName, records, options.filter, {});
+  const std::vector<Record> kept = figure_style::comparable_records(kProfileName, records, options.filter);
   const std::vector<ProfileCurve> curves = performance_profiles(kept);
   if (curves.size() < 2) {
     throw FigureNeedsError(std::string("figure ") + kProfileName + " needs records of two or more methods");
   }
   const MethodList methods = methods_of(kept);
   const double last = profile_end(curves);
+  constexpr double kLabelled = 0.97;  // of the axis: a number at its very end would stick out
   const PanelGrid grid = panel_grid(1, methods, options.size, 1);
   Drawing drawing;
   drawing.width = grid.width;
@@ -49,8 +50,8 @@ Drawing performance_profile_figure(const std::vector<Record>& records, const Fig
                     "]\nset yrange [0:1.02]\n" +
                     grid.axis_labels("time over the fastest method''s, τ", "share of instances solved") +
                     grid.legend_plot(methods) + grid.margins(0) + "set xtics nomirror " +
-                    figure_style::one_two_five_ticks(1, last) + "\nset ytics nomirror 0.2\n" + plots +
-                    "\nunset multiplot\n";
+                    figure_style::one_two_five_ticks(1, std::pow(last, kLabelled)) +
+                    "\nset ytics nomirror 0.2\n" + plots + "\nunset multiplot\n";
   return drawing;
 }
 

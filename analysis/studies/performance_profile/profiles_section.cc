@@ -25,9 +25,8 @@ Series profile_series(const ProfileCurve& curve, double last, const Facets& face
 
 std::optional<Section> profiles_section(const Input& input) {
   if (input.methods.size() < 2) return std::nullopt;
-  const auto by_cell = instances_by_cell(input.records);
   std::map<Facets, std::vector<const std::vector<MethodInstances>*>> problems;
-  for (const auto& [cell, instances] : by_cell) problems[problem_facets(cell)].push_back(&instances);
+  for (const auto& [cell, instances] : input.instances) problems[problem_facets(cell)].push_back(&instances);
   Chart chart;
   chart.caption =
       "Performance profiles of Dolan and Moré: the share of all instances that a method solves within τ "

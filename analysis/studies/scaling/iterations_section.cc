@@ -26,13 +26,14 @@ Series mean_series(const ToleranceCurve& curve, const AnalysisColumn& column) {
 
 std::optional<Section> iterations_section(const Input& input) {
   Section section{"iterations", "Iterations against the tolerance", {}};
+  const std::vector<ToleranceCurve> curves = tolerance_curves(input.groups);
   for (const char* name : {"K", "N_rs"}) {
     const AnalysisColumn& column = analysis_column(name);
     Chart chart;
     chart.caption = std::string("Mean ") + name + " (" + column.description + ") against the tolerance ε.";
     chart.x.label = "ε";
     chart.y = {std::string("mean ") + name, false, ""};
-    for (const ToleranceCurve& curve : tolerance_curves(input.records)) {
+    for (const ToleranceCurve& curve : curves) {
       Series series = mean_series(curve, column);
       if (series.points.size() > 1) chart.series.push_back(std::move(series));
     }

@@ -24,8 +24,8 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<CellTimes>& cells,
   std::map<std::tuple<CellKey, std::size_t, std::string>, ScalingCurve> curves;
   for (const CellTimes& times : cells) {
     if (times.seconds.empty()) continue;
-    const double seconds = median(times.seconds);
-    if (!std::isfinite(seconds) || seconds <= 0) continue;
+    const Center center = center_of(times);
+    if (!std::isfinite(center.seconds) || center.seconds <= 0) continue;
     CellKey common = times.cell;
     (axis == SizeAxis::n ? common.n : common.N) = 0;
     const auto rank = std::find(methods.begin(), methods.end(), times.method) - methods.begin();
@@ -36,8 +36,8 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<CellTimes>& cells,
       curve.method_parameters = times.method_parameters;
     }
     curve.sizes.push_back(axis == SizeAxis::n ? times.cell.n : times.cell.N);
-    curve.medians.push_back(seconds);
-    curve.intervals.push_back(median_interval(times.seconds));
+    curve.medians.push_back(center.seconds);
+    curve.intervals.push_back(center.interval);
     curve.outliers.push_back(outlier_count(times.seconds));
     curve.counts.push_back(times.seconds.size());
     curve.unsolved.push_back(times.unsolved);
@@ -51,6 +51,12 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<CellTimes>& cells,
 }
 
 PowerLaw fit_scaling(const ScalingCurve& curve) { return fit_power_law(curve.sizes, curve.medians); }
+
+std::string center_words(const std::vector<ScalingCurve>& curves) {
+  std::vector<CellKey> cells;
+  for (const ScalingCurve& curve : curves) cells.push_back(curve.cell);
+  return center_words(cells);
+}
 
 TimeUnit unit_of(const std::vector<ScalingCurve>& curves) {
   double low = kInfinity;

@@ -20,8 +20,8 @@ struct ScalingCurve {
   std::string method;
   std::string method_parameters;
   std::vector<double> sizes;             ///< sorted
-  std::vector<double> medians;           ///< seconds
-  std::vector<Interval> intervals;       ///< median_interval() of each, seconds
+  std::vector<double> medians;           ///< seconds; center_of() times
+  std::vector<Interval> intervals;       ///< of each, seconds
   std::vector<std::size_t> outliers;     ///< outlier_count() of each
   std::vector<std::size_t> counts;       ///< times of each
   std::vector<std::size_t> unsolved;     ///< of them, infinite
@@ -39,6 +39,9 @@ std::vector<ScalingCurve> scaling_curves(const std::vector<Record>& records, Siz
 /// seconds = factor · size^exponent over the medians of a curve with three sizes or more (two leave no
 /// interval). Throws as fit_power_law().
 PowerLaw fit_scaling(const ScalingCurve& curve);
+
+/// What the curves' points are, as center_words() of their cells.
+std::string center_words(const std::vector<ScalingCurve>& curves);
 
 /// The unit for an axis of the curves' medians.
 TimeUnit unit_of(const std::vector<ScalingCurve>& curves);

@@ -72,13 +72,14 @@ void add_axis(const Input& input, SizeAxis axis, Section& section) {
   const std::vector<ScalingCurve> curves = scaling_curves(input.cells, input.methods, axis);
   if (curves.empty()) return;
   Chart chart;
-  chart.caption =
-      std::string("Median time of a solve against ") + size_name(axis) +
-      "; bars: 95 % order-statistic intervals of the medians. A crossed point: some answers are wrong "
-      "or missing.";
+  const std::string center = center_words(curves);
+  chart.caption = (center == "median" ? "Median" : "Typical") + std::string(" time of a solve against ") +
+                  size_name(axis) + (center == "median" ? "" : ", the " + center) +
+                  "; bars: 95 % intervals, of medians by order statistics. A crossed point: some answers are "
+                  "wrong or missing.";
   chart.x.label = axis == SizeAxis::n ? "n, dimension" : "N, points in each set";
   const TimeUnit unit = unit_of(curves);
-  chart.y.label = std::string("median time of a solve (") + unit.name + ")";
+  chart.y.label = center + " time of a solve (" + unit.name + ")";
   chart.y.unit = unit.name;
   for (const ScalingCurve& curve : curves) chart.series.push_back(series_of(curve, axis, unit.per_second));
   section.blocks.emplace_back(chart);

@@ -139,7 +139,7 @@ void set_axes(std::vector<CurvePanel>& panels, const PanelGrid& grid, const Size
 
 Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records,
                     const FigureOptions& options) {
-  const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter, {});
+  const std::vector<Record> kept = figure_style::comparable_records(figure.name, records, options.filter);
   const MethodList methods = methods_of(kept);
   const std::vector<ScalingCurve> curves = scaling_curves(kept, figure.axis, 1);
   const TimeUnit unit = unit_of(curves);
@@ -152,7 +152,7 @@ Drawing time_figure(const SizeFigure& figure, const std::vector<Record>& records
                                     most_columns, has_flaws(panels) ? "some answers wrong or missing" : "");
   set_axes(panels, grid, figure);
   return draw_curve_panels(grid, panels, methods, figure.label,
-                           std::string("median time of a solve (") + unit.name + ")");
+                           center_words(curves) + " time of a solve (" + unit.name + ")");
 }
 
 }  // namespace

@@ -61,11 +61,11 @@ class Tally {
 /// Tallies by family and method.
 using Tallies = std::map<std::pair<std::string, std::string>, Tally>;
 
-std::vector<std::string> families_of(const std::vector<Record>& records) {
+std::vector<std::string> families_of(const RecordGroups& records) {
   std::vector<std::string> families;
-  for (const Record& record : records) {
-    if (std::find(families.begin(), families.end(), record.generator) == families.end())
-      families.push_back(record.generator);
+  for (const RecordGroup& group : records) {
+    if (std::find(families.begin(), families.end(), group.cell.generator) == families.end())
+      families.push_back(group.cell.generator);
   }
   return families;
 }
@@ -100,19 +100,23 @@ Stability make_stability(const std::vector<Record>& records, const Filter& filte
   return make_stability(kept, Truth(records));
 }
 
-Stability make_stability(const std::vector<Record>& records, const Truth& truth) {
+Stability make_stability(const RecordGroups& records, const Truth& truth) {
   std::map<double, Tallies> by_tolerance;
-  for (const Record& record : records) {
-    Tallies& tallies = by_tolerance[record.tolerance];
-    const double distance = truth(record);
-    tallies[{record.generator, record.method}].add(record, distance);
-    tallies[{"", record.method}].add(record, distance);
+  for (const RecordGroup& group : records) {
+    Tallies& tallies = by_tolerance[group.cell.tolerance];
+    Tally& of_family = tallies[{group.cell.generator, group.first().method}];
+    Tally& of_all = tallies[{"", group.first().method}];
+    for (const Record* record : group.records) {
+      const double distance = truth(*record);
+      of_family.add(*record, distance);
+      of_all.add(*record, distance);
+    }
   }
   const std::vector<std::string> families = families_of(records);
-  const std::vector<std::string> methods = methods_of(records);
   Stability stability;
   for (const auto& [tolerance, tallies] : by_tolerance) {
-    stability.push_back({tolerance, rows_of(tallies, families, methods), rows_of(tallies, {""}, methods)});
+    stability.push_back({tolerance, rows_of(tallies, families, records.methods()),
+                         rows_of(tallies, {""}, records.methods())});
   }
   return stability;
 }

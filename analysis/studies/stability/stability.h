@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/data/filter.h"
+#include "analysis/data/record_groups.h"
 #include "analysis/data/truth.h"
 #include "analysis/render/table.h"
 #include "raygauge/sweep/record.h"
@@ -51,7 +52,7 @@ bool is_wrong(const Record& record, double truth);
 Stability make_stability(const std::vector<Record>& records, const Filter& filter = {});
 
 /// Summarises all records.
-Stability make_stability(const std::vector<Record>& records, const Truth& truth);
+Stability make_stability(const RecordGroups& records, const Truth& truth);
 
 /// For reading: a table for each tolerance.
 std::vector<Table> stability_tables(const Stability& stability);

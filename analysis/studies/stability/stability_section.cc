@@ -87,10 +87,12 @@ Table one_table(const Stability& stability) {
 }  // namespace
 
 std::optional<Section> stability_section(const Input& input) {
-  const bool known = std::any_of(input.records.begin(), input.records.end(),
-                                 [&](const Record& record) { return !std::isnan(input.truth(record)); });
+  const Stability& stability = input.stability;
+  const bool known = std::any_of(stability.begin(), stability.end(), [](const StabilityTolerance& part) {
+    return std::any_of(part.totals.begin(), part.totals.end(),
+                       [](const StabilityRow& row) { return row.truth_known > 0; });
+  });
   if (!known) return std::nullopt;
-  const Stability stability = make_stability(input.records, input.truth);
   Section section{"stability", "Stability", {}};
   section.blocks.emplace_back(picture_of(stability));
   constexpr std::size_t kMostTables = 2;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/constants.h"
+#include "analysis/data/pool.h"
 #include "analysis/render/figures/cell_map.h"
 #include "analysis/render/figures/problem_pages.h"
 #include "analysis/render/figures/style.h"
@@ -101,11 +102,12 @@ std::string ratio_panel(const CellMap& map, double height, std::size_t index, st
 }
 
 /// What the numbers and colours are, above the panels.
-std::string ratio_heading(const std::vector<std::string>& baselines, const std::string& problem,
+std::string ratio_heading(const std::vector<std::string>& baselines, const std::string& problem, bool pooled,
                           double height) {
   const std::string text = baselines.size() > 1 ? "time, % of the best of " : "time, % of ";
   const std::string where = problem.empty() ? "" : problem + ": ";
-  return "set label 9 " + language::gnuplot(where + text + joined(baselines, ", ")) +
+  const std::string means = pooled ? ", geometric means" : "";
+  return "set label 9 " + language::gnuplot(where + text + joined(baselines, ", ") + means) +
          " at screen 0.5, screen " + screen(1 - 0.1 / height) + " center\n";
 }
 
@@ -122,7 +124,7 @@ Drawing heatmap_of(const Problem& problem, const std::vector<Record>& records, c
     throw FigureNeedsError(std::string("figure ") + kHeatmapName +
                            " needs a method that is a baseline; or name one with --baseline");
   const std::vector<CellRatio> ratios =
-      cell_ratios(kept, baseline_records(records, options.filter, baselines), baselines);
+      cell_ratios(kept, Pool(records)(baseline_records(records, options.filter, baselines)), baselines);
   const ColorRange range = color_range(ratios);
   std::vector<CellKey> cells;
   for (const CellRatio& ratio : ratios) cells.push_back(ratio.times.cell);
@@ -141,7 +143,7 @@ Drawing heatmap_of(const Problem& problem, const std::vector<Record>& records, c
     drawing.script += ratio_block(m, ratios, methods[m], map, range);
   drawing.script += "set multiplot\nunset key\nset style fill solid noborder\n" + map.settings() +
                     color_settings(map, range, drawing.height) +
-                    ratio_heading(baselines, problem.name, drawing.height);
+                    ratio_heading(baselines, problem.name, is_pool(cells.front()), drawing.height);
   for (std::size_t m = 0; m < methods.size(); ++m)
     drawing.script += ratio_panel(map, drawing.height, m, methods.size(), methods[m]) + "unset label 9\n";
   drawing.script += "unset multiplot\n";

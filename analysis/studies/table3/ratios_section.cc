@@ -50,7 +50,10 @@ void add_table3(const Input& input, Section& section) {
 std::optional<Section> ratios_section(const Input& input) {
   if (input.baselines.empty()) return std::nullopt;
   HeatMap map;
-  map.caption = "Ratio of median times: method over the best of " + joined(input.baselines) +
+  std::vector<CellKey> cells;
+  for (const CellRatio& ratio : input.ratios) cells.push_back(ratio.times.cell);
+  map.caption = "Ratio of " + center_words(cells) + " times: method over the best of " +
+                joined(input.baselines) +
                 " in the cell. Below 1 the method is faster. 95 % intervals are those of independent "
                 "medians. \"!\" marks "
                 "cells with unsolved or disagreeing records.";

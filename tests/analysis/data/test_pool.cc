@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
+#include "analysis/render/figures/figure.h"
 #include "analysis/render/table.h"
 #include "analysis/studies/pivot/pivot.h"
 #include "analysis/studies/pivot/pivot_table.h"
+#include "analysis/studies/table3/cell_ratio.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_pool {
@@ -81,6 +84,54 @@ TEST(Pool, ShiftedMeansAndSharesAreValues) {
   EXPECT_NE(solved.find("glpk_dual,1"), std::string::npos) << solved;
   const std::string shifted = table_of(pairs(9), "method", "sgm10 ms");
   EXPECT_NE(shifted.find("newton,4.77"), std::string::npos) << shifted;
+}
+
+CellTimes times_of_pool(const std::vector<Record>& records) {
+  return cell_times(Pool(records)(records)).front();
+}
+
+TEST(Pool, TheMiddleOfItsTimesIsTheGeometricMean) {
+  std::vector<Record> records;
+  testing::add_records(records, "newton", 3, 10, {1, 10, 100, 1000, 1, 10, 100, 1000, 10, 100});
+  for (Record& each : records) {
+    each.generator = "files";
+    each.generator_parameters = "pair=p" + std::to_string(each.repetition);
+  }
+  const Center center = center_of(times_of_pool(records));
+  EXPECT_NEAR(center.seconds, 1e-3 * std::pow(10, 1.5), 1e-12);
+  EXPECT_LT(center.interval.lower, center.seconds);
+  EXPECT_GT(center.interval.upper, center.seconds);
+  for (Record& each : records) each.generator = "example2";
+  EXPECT_EQ(center_of(cell_times(records).front()).seconds, 1e-3) << "the median of one repetition";
+}
+
+TEST(Pool, TheMiddleIsInfiniteWhereHalfIsUnsolved) {
+  std::vector<Record> records = pairs(20);
+  std::size_t unsolved = 0;
+  for (Record& each : records) {
+    if (each.method != "newton" || each.N != 10) continue;
+    if (++unsolved <= 9) each.status = DistanceStatus::time_limit;
+  }
+  const CellTimes most = times_of_pool(records);  // 9 of 20 unsolved
+  EXPECT_TRUE(std::isfinite(center_of(most).seconds));
+  unsolved = 0;
+  for (Record& each : records)
+    if (each.method == "newton" && each.N == 10 && ++unsolved <= 10) each.status = DistanceStatus::time_limit;
+  EXPECT_TRUE(std::isinf(center_of(times_of_pool(records)).seconds));
+}
+
+TEST(Pool, FiguresShowItAsOneProblem) {
+  const std::vector<Record> records = pairs(40);  // N = 10 and 11
+  FigureOptions options;
+  const auto drawn = [&](const char* figure) {
+    return draw(figure_named(figure), records, options, ImageFormat::svg);
+  };
+  const std::string times = drawn("time_vs_N").front();
+  EXPECT_NE(times.find("geometric mean time of a solve"), std::string::npos);
+  for (const char* map : {"ratio_heatmap", "crossover"}) EXPECT_EQ(drawn(map).size(), 1U) << map;
+  EXPECT_NE(drawn("ratio_heatmap").front().find(">50<"), std::string::npos) << "half of glpk_dual's time";
+  options.filter = Filter("family==even || pair==p1");
+  EXPECT_EQ(drawn("crossover").size(), 1U) << "the filter still knows the pairs";
 }
 
 }  // namespace

@@ -21,6 +21,35 @@ TEST(ResultsFile, EveryRecordComesBackBitByBit) {
   EXPECT_TRUE(read.finished());
 }
 
+TEST(ResultsFile, RecordsOfManyChunksComeBack) {
+  const TemporaryFolder folder;
+  ResultsFile written = sample_results(small_experiment());
+  const std::vector<Record> few = written.records;
+  constexpr std::size_t kMoreThanTwoChunks = 40000;
+  for (std::size_t i = 0; written.records.size() < kMoreThanTwoChunks; ++i) {
+    Record& copy = written.records.emplace_back(few[i % few.size()]);
+    copy.cell = 1000 + i;
+    copy.seconds = 1e-3 * static_cast<double>(i);
+    copy.generator_parameters = "separation=" + std::to_string(i / 10000);
+  }
+  write_results(folder.file("x.h5"), written);
+  EXPECT_EQ(fingerprints(read_results(folder.file("x.h5")).records), fingerprints(written.records));
+}
+
+TEST(ResultsFile, AFileThatIsReplacedIsCheckedAnew) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("x.h5");
+  const ResultsFile written = sample_results(small_experiment());
+  write_results(path, written);
+  EXPECT_EQ(read_results(path).records.size(), written.records.size());
+  write_results(path, ResultsFile());
+  EXPECT_TRUE(read_results(path).records.empty());
+  std::string damaged = read_bytes(path);
+  damaged[damaged.size() / 2] ^= 1;
+  write_bytes(path, damaged);
+  EXPECT_THROW(read_results(path), ResultsError);
+}
+
 TEST(ResultsFile, ProvenanceComesBack) {
   const TemporaryFolder folder;
   ResultsFile written = sample_results(small_experiment());
