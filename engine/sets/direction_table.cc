@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
@@ -115,10 +116,10 @@ class DirectionTable::Builder {
     if (points.size() > kLongest) return;
     const List list{static_cast<std::int32_t>(table_.candidates_.size()), count};
     table_.candidates_.insert(table_.candidates_.end(), points.begin(), points.end());
-    const int cells = table_.cells_;
+    const std::ptrdiff_t cells = table_.cells_;
     for (int k = i; k < i + size; ++k) {
-      for (int l = j; l < j + size; ++l)
-        table_.lists_[static_cast<std::size_t>((face * cells + k) * cells + l)] = list;
+      List* const row = table_.lists_.data() + (face * cells + k) * cells;
+      std::fill(row + j, row + j + size, list);
     }
   }
 

@@ -97,7 +97,8 @@ double SupportOracle::query_shortlist(const double* u, double sign, double* poin
   for (int k = 0; k < n; ++k) direction[k] = sign * u[k];
   std::ptrdiff_t lane = 0;
   const double value = kernels_->price(shortlist_.data(), 1, n, direction, &lane);
-  for (int k = 0; k < n; ++k) point[k] = shortlist_[static_cast<std::size_t>(k * PointSet::kLanes + lane)];
+  for (int k = 0; k < n; ++k)
+    point[k] = shortlist_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(k) * PointSet::kLanes + lane)];
   return value;
 }
 
