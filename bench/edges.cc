@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// What does it cost to prove that a robot moves along an edge without contact, and to find a contact? Random
+// edges of a robot among boxes and cylinders, and against itself.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/program.h"
+#include "bench/timed_medians.h"
+#include "raygauge/scene/edge_checker.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/cylinder.h"
+#include "scene/input/urdf_file.h"
+
+namespace raygauge::bench {
+namespace {
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+struct Settings {
+  std::string urdf;
+  std::vector<std::string> packages;  ///< NAME=FOLDER
+  int edges = 2000;
+  int obstacles = 12;
+  double length = 0.5;  ///< greatest change of a joint
+  double margin = 0;
+};
+
+struct Joints {
+  std::vector<double> lower, upper;
+};
+
+/// The limits of the joints that take a value, ±π where there are none.
+Joints limits_of(const cli::Robot& robot) {
+  Joints joints;
+  joints.lower.assign(robot.joints.size(), -EIGEN_PI);
+  joints.upper.assign(robot.joints.size(), EIGEN_PI);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const TreeLink& link = robot.tree.links[i];
+    if (link.kind == JointKind::fixed || link.scale != 1 || link.offset != 0) continue;
+    const auto joint = static_cast<std::size_t>(link.joint);
+    joints.lower[joint] = std::max(joints.lower[joint], robot.links[i].lower);
+    joints.upper[joint] = std::min(joints.upper[joint], robot.links[i].upper);
+  }
+  return joints;
+}
+
+std::vector<double> random_values(const Joints& joints, Random& random) {
+  std::vector<double> q;
+  for (std::size_t i = 0; i < joints.lower.size(); ++i)
+    q.push_back(uniform(random, joints.lower[i], joints.upper[i]));
+  return q;
+}
+
+/// Its links; pairs that meet in most of 200 configurations meet by design and are left out.
+RobotModel model_of(const cli::Robot& robot, const Joints& joints) {
+  RobotModel model;
+  model.tree = robot.tree;
+  model.joints = static_cast<int>(robot.joints.size());
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (!robot.links[i].shapes.empty()) {
+      model.bodies.push_back({robot.links[i].name, static_cast<int>(i), robot.links[i].shapes});
+    }
+  }
+  model.ignored = joined_bodies(model);
+  constexpr int kConfigurations = 200;
+  Random random(5);
+  std::vector<std::vector<double>> samples;
+  for (int k = 0; k < kConfigurations; ++k) samples.push_back(random_values(joints, random));
+  const auto count = static_cast<int>(model.bodies.size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      RobotModel pair = model;
+      pair.ignored.clear();
+      pair.bodies = {model.bodies[static_cast<std::size_t>(a)], model.bodies[static_cast<std::size_t>(b)]};
+      EdgeChecker checker(pair, {});
+      const auto contacts = std::count_if(samples.begin(), samples.end(), [&](const std::vector<double>& q) {
+        return checker.configuration(q).outcome != EdgeOutcome::free;
+      });
+      if (contacts > kConfigurations / 2) model.ignored.emplace_back(a, b);
+    }
+  }
+  return model;
+}
+
+std::vector<Body> obstacles_around(int count, Random& random) {
+  std::vector<Body> bodies;
+  for (int i = 0; i < count; ++i) {
+    Placement where = Placement::identity(3);
+    const double angle = uniform(random, -EIGEN_PI, EIGEN_PI), away = uniform(random, 0.45, 0.9);
+    where.t = Eigen::Vector3d(away * std::cos(angle), away * std::sin(angle), uniform(random, 0, 1));
+    where.R = rotation_about({uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)});
+    const Eigen::Vector3d half =
+        Eigen::Vector3d(uniform(random, 0.02, 0.2), uniform(random, 0.02, 0.2), 0.02);
+    std::shared_ptr<const ConvexSet> set = std::make_shared<Box>(-half, half);
+    if (i % 3 == 0) {
+      const Vector end = Eigen::Vector3d(0, 0, half[0]);
+      set = std::make_shared<Cylinder>(-end, end, half[1] / 2);
+    }
+    bodies.push_back(make_body("obstacle", {set}, std::make_shared<StaticMotion>(where)));
+  }
+  return bodies;
+}
+
+struct Times {
+  std::vector<double> seconds;
+  std::int64_t looks = 0;
+
+  double at(double share) {
+    if (seconds.empty()) return 0;
+    std::sort(seconds.begin(), seconds.end());
+    return seconds[static_cast<std::size_t>(share * static_cast<double>(seconds.size() - 1))];
+  }
+};
+
+void print(const char* what, Times& times) {
+  const double count = std::max<double>(1, static_cast<double>(times.seconds.size()));
+  std::printf("%-10s %6zu edges, median %7.1f us, 90 %% within %7.1f us, %5.1f pairs solved\n", what,
+              times.seconds.size(), 1e6 * times.at(0.5), 1e6 * times.at(0.9),
+              static_cast<double>(times.looks) / count);
+}
+
+cli::Robot robot_of(const Settings& settings) {
+  cli::RobotMeshes meshes;
+  for (const std::string& package : settings.packages) {
+    const std::size_t equals = package.find('=');
+    meshes.packages[package.substr(0, equals)] = package.substr(equals + 1);
+  }
+  return cli::read_urdf(settings.urdf, meshes);
+}
+
+std::vector<double> near(const std::vector<double>& q, const Joints& joints, double length, Random& random) {
+  std::vector<double> other = q;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    other[i] = std::clamp(q[i] + uniform(random, -length, length), joints.lower[i], joints.upper[i]);
+  }
+  return other;
+}
+
+/// By outcome, and of single configurations.
+struct Tally {
+  Times free, contact, undecided, configurations;
+
+  Times& of(EdgeOutcome outcome) {
+    if (outcome == EdgeOutcome::free) return free;
+    return outcome == EdgeOutcome::contact ? contact : undecided;
+  }
+};
+
+void time_edge(EdgeChecker& checker, const std::vector<double>& q0, const std::vector<double>& q1,
+               Tally& tally) {
+  EdgeOutcome outcome = EdgeOutcome::undecided;
+  tally.configurations.seconds.push_back(seconds_of([&] { outcome = checker.configuration(q0).outcome; }));
+  if (outcome != EdgeOutcome::free || checker.configuration(q1).outcome != EdgeOutcome::free) return;
+  const EdgeResult* result = nullptr;
+  const double seconds = seconds_of([&] { result = &checker.edge(q0, q1); });
+  Times& times = tally.of(result->outcome);
+  times.seconds.push_back(seconds);
+  times.looks += result->looks;
+}
+
+void run(const Settings& settings) {
+  const cli::Robot robot = robot_of(settings);
+  const Joints joints = limits_of(robot);
+  const RobotModel model = model_of(robot, joints);
+  Random random(1);
+  EdgeOptions options;
+  options.margin = settings.margin;
+  EdgeChecker checker(model, obstacles_around(settings.obstacles, random), options);
+  std::printf("%s: %zu bodies, %d obstacles\n", robot.name.c_str(), model.bodies.size(), settings.obstacles);
+  Tally tally;
+  while (static_cast<int>(tally.free.seconds.size() + tally.contact.seconds.size()) < settings.edges) {
+    const std::vector<double> q = random_values(joints, random);
+    time_edge(checker, q, near(q, joints, settings.length, random), tally);
+  }
+  print("free", tally.free);
+  print("in contact", tally.contact);
+  print("undecided", tally.undecided);
+  std::printf("%-10s %6zu,       median %7.1f us\n", "places", tally.configurations.seconds.size(),
+              1e6 * tally.configurations.at(0.5));
+}
+
+void add_options(CLI::App& app, Settings& settings) {
+  app.add_option("urdf", settings.urdf, "robot")->required()->check(CLI::ExistingFile);
+  app.add_option("--package", settings.packages, "NAME=FOLDER of package:// names");
+  app.add_option("--edges", settings.edges, "edges whose ends are free")->check(CLI::PositiveNumber);
+  app.add_option("--obstacles", settings.obstacles, "boxes and cylinders")->check(CLI::NonNegativeNumber);
+  app.add_option("--length", settings.length, "greatest change of a joint")->check(CLI::PositiveNumber);
+  app.add_option("--margin", settings.margin, "clearance that is proven")->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace
+}  // namespace raygauge::bench
+
+int main(int argc, char** argv) {
+  return raygauge::bench::run_with_options("raygauge_edges",
+                                           "Edges of a robot, proven free or found in contact.",
+                                           raygauge::bench::add_options, raygauge::bench::run, argc, argv);
+}
