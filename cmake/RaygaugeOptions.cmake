@@ -1,6 +1,7 @@
 # Build options, language level and warnings: decided once, for every room.
 
 option(RAYGAUGE_BUILD_PROGRAM "Build generators, baselines, results, analysis and the program" ${PROJECT_IS_TOP_LEVEL})
+option(RAYGAUGE_BUILD_C "Build the C interface, the shared library raygauge_c" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_BUILD_TESTS "Build the test suite" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_BUILD_BENCH "Build the Google Benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_FUZZ "Build the libFuzzer targets too (preset fuzz)" OFF)
