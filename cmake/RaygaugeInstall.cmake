@@ -27,6 +27,10 @@ target_link_libraries(raygauge_sweep_shared INTERFACE raygauge_shared)
 install(TARGETS raygauge_shared EXPORT raygauge LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
                                                         NAMELINK_COMPONENT development)
 install(TARGETS raygauge_sweep_shared EXPORT raygauge)
+if(TARGET raygauge_c)
+  install(TARGETS raygauge_c EXPORT raygauge LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+                                                     NAMELINK_COMPONENT development)
+endif()
 install(EXPORT raygauge FILE raygaugeTargets.cmake NAMESPACE raygauge:: DESTINATION ${_package})
 
 # The public headers are those of include/raygauge/; the engine's inner ones stay at home.
@@ -38,6 +42,16 @@ configure_package_config_file(cmake/raygaugeConfig.cmake.in ${PROJECT_BINARY_DIR
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/raygaugeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/raygaugeConfig.cmake ${PROJECT_BINARY_DIR}/raygaugeConfigVersion.cmake
         DESTINATION ${_package})
+
+# The same for pkg-config, wherever the prefix is moved to.
+file(RELATIVE_PATH _to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" _to_prefix ${_to_prefix})
+foreach(_library raygauge raygauge_c)
+  if(TARGET raygauge_c OR _library STREQUAL "raygauge")
+    configure_file(cmake/packaging/${_library}.pc.in ${PROJECT_BINARY_DIR}/${_library}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${_library}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  endif()
+endforeach()
 
 if(RAYGAUGE_BUILD_PROGRAM)
   install(TARGETS raygauge RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
