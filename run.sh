@@ -18,7 +18,8 @@ usage: ./run.sh [run] [OPTION...]     install, build, run experiments/example2.t
        ./run.sh notebooks            the same, then open python/notebooks in the browser
        ./run.sh docs                 install, build the documentation site: build/site/html/index.html
        ./run.sh install [check]       install what is missing; with other groups of cmake/debian-packages.txt
-                                     (check, cluster, python, notebooks, docs, packages) theirs too
+                                     (check, cluster, python, notebooks, docs, octave,
+                                     packages) theirs too
        ./run.sh help                  this text
 
 Options are passed on: run's to `raygauge run` (--force measures anew, --threads K, --set sweep.n=3,4, -o FILE.h5, …),

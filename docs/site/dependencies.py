@@ -25,6 +25,7 @@ GROUPS = {
     "python": "Python package: `./run.sh python`",
     "notebooks": "Notebooks: `./run.sh notebooks`",
     "docs": "Documentation site: `./run.sh docs`",
+    "octave": "Octave package: `./run.sh install octave`",
     "packages": "Debian packages: `./run.sh install packages`",
     "cluster": "Tests of Slurm jobs: `./run.sh install cluster`",
     "arm64": "Tests for 64-bit ARM: `./run.sh install arm64`",

@@ -1,0 +1,158 @@
+% Copyright (c) 2026 The raygauge authors
+% SPDX-License-Identifier: MIT
+% Every function of bindings/octave with good and bad input. Ends with an error where one is wrong.
+1;
+
+function refused (code, words, call)
+  try
+    call ();
+  catch problem
+    assert (problem.identifier, ['raygauge:' code]);
+    assert (isempty (words) || ! isempty (strfind (problem.message, words)), problem.message);
+    return;
+  end
+  error ('not refused: %s', func2str (call));
+end
+
+% h (u) is as expected, and attained.
+function has_support (S, u, expected)
+  [value, point, center] = rg_support (S, u);
+  assert (value, expected, 1e-12);
+  assert (u' * point, expected, 1e-12);
+  assert (u' * center <= value + 1e-12);
+end
+
+function bounds_hold (r, expected, tolerance)
+  assert (r.lower <= expected + 1e-14 && expected - 1e-14 <= r.upper);
+  assert (r.upper - r.lower <= tolerance * max (abs (r.upper), abs (r.lower)));
+  assert (r.lower <= r.distance && r.distance <= r.upper);
+end
+
+o = [0; 0; 0]; x = [1; 0; 0]; one = [1; 1; 1]; y2 = [0; 2; 0]; u = [0; 3; 4];
+ball = @(c, r) rg_set ('ball', c, r);
+
+% Sets: closed forms of their support functions.
+P = [1 -1; 2 0; 3 2];
+has_support (P, u, 18);
+has_support (rg_set ('points', P), u, 18);
+has_support (rg_set ('prepared_points', P), u, 18);
+has_support (ball (o, 2), u, 10);
+has_support (rg_set ('box', o, one), u, 7);
+has_support (rg_set ('ellipsoid', o, [0 0; 1 0; 0 2]), u, sqrt (73));
+has_support (rg_set ('p_norm_ball', o, one, Inf), u, 7);
+has_support (rg_set ('capsule', o, y2, 1), u, 11);
+has_support (rg_set ('cylinder', o, y2, 1), u, 10);
+has_support (rg_set ('cone', o, 2, y2, 0), u, 8);
+has_support (rg_set ('simplex', o, one), u, 4);
+has_support (rg_set ('zonotope', o, y2), u, 6);
+has_support (rg_set ('h_polytope', [eye(3); -eye(3)], [1; 2; 3; 4; 5; 6]), u, 18);
+has_support (rg_set ('contact_wrenches', o, x, 0.5, 0), [1; 0; 0; 0; 0; 0], 1);
+has_support (rg_set ('support_mapping', o, @(v) v / max (norm (v), realmin)), u, 5);
+has_support (rg_set ('affine_image', ball (o, 1), [2 0 0; 0 0 3; 0 1 0], one), u, 7 + norm ([4 9]));
+has_support (rg_set ('sum', ball (o, 1), P), u, 5 + 18);
+has_support (rg_set ('difference', P, ball (o, 1)), u, 18 + 5);
+has_support (rg_set ('union_hull', P, ball (o, 1), ball (o, 4)), u, 20);
+[lower, upper] = rg_gauge (ball (o, 2), u);
+assert (lower <= 2.5 && 2.5 <= upper && upper - lower <= 1e-6 * upper);
+assert (rg_contains (ball (o, 2), one) && ! rg_contains (ball (o, 2), u, 1e-9));
+
+% Distances.
+triangle = [2 4 4; 0 -1 1]; square = [1 -1 0 0; 0 0 1 -1];
+r = rg_distance (triangle, square);
+bounds_hold (r, 2, 1e-6);
+assert (r.status, 'optimal');
+assert (r.normal(1), -1, 1e-6);
+assert (r.contact_point, [2; 0], 1e-6);
+assert (rg_distance (square, square).status, 'contains_origin');
+assert (isempty (rg_distance (square, square).contact_point) || norm (rg_distance (square, square).contact_point) < 1e-12);
+r = rg_distance (triangle, [-1 -1 -1; 0 1 -1]);
+assert (r.status, 'unreachable');
+assert (r.distance, Inf);
+left = ball (o, 1); right = ball ([5; 0; 0], 2);
+r = rg_object_distance (left, right, 'tolerance', 1e-9);
+bounds_hold (r, 2, 1e-9);
+assert (r.meet, false);
+assert (r.point_2 - r.point_1, [2; 0; 0], 1e-6);
+assert (r.gradient_2, x, 1e-6);
+bounds_hold (rg_object_distance (left, right, 'metric', ball (o, 2)), 1, 1e-6);
+T = eye (4); T(1:3, 4) = [-2.5; 0; 0];
+r = rg_signed_distance (left, right, 'pose_2', T);
+bounds_hold (r, -0.5, 1e-6);
+assert (r.meet, true);
+assert (r.normal, -x, 1e-6);
+turn = [0 -1 0 0; 1 0 0 0; 0 0 1 0; 0 0 0 1]; % e_1 to e_2
+rod = rg_set ('capsule', o, [3; 0; 0], 0.5);
+bounds_hold (rg_object_distance (rod, ball ([0; 5; 0], 1), 'pose_1', turn), 0.5, 1e-6);
+r = rg_growth_distance (left, ball ([6; 0; 0], 2));
+bounds_hold (r, 2, 1e-6);
+assert (rows (r.normal), 3);
+[outcome, normal] = rg_separation (left, right);
+assert (outcome, 'separated');
+assert (abs (normal(1)) > 0);
+assert (rg_separation (left, left), 'intersecting');
+assert (rg_distance (triangle, square, 'method', 'newton', 'time_limit', 10, 'max_iterations', 1000).distance, 2, 1e-5);
+
+% Batches: the same as one by one.
+pairs = cell (50, 2);
+for k = 1:50
+  pairs(k, :) = {left, ball([2 + k; 0; 0], 1)};
+end
+r = rg_object_distances (pairs, 'threads', 2);
+assert (r.distance, (1:50)', 1e-5);
+assert (r.status{50}, 'optimal');
+assert (r.distance(7), rg_object_distance (pairs{7, :}).distance);
+r = rg_growth_distances (pairs, 'tolerance', 1e-9);
+assert (r.lower <= (3:52)' / 2 & (3:52)' / 2 <= r.upper);
+
+% Mistakes.
+own = rg_set ('support_mapping', o, @(v) error ('mine'));
+refused ('RG_INVALID_PARAMETER', 'radius', @() rg_support (ball (o, -1), x));
+refused ('RG_NON_FINITE', 'coordinate 1', @() rg_distance ([1; NaN], square));
+refused ('RG_EMPTY_SET', '', @() rg_distance (zeros (2, 0), square));
+refused ('RG_DIMENSION_MISMATCH', '', @() rg_object_distance (left, triangle));
+refused ('RG_DIMENSION_MISMATCH', 'upper', @() rg_support (rg_set ('box', o, [1 2]), x));
+refused ('RG_DIMENSION_MISMATCH', 'rows', @() rg_support (rg_set ('ellipsoid', o, eye (2)), x));
+refused ('RG_UNKNOWN_NAME', 'bal', @() rg_support (rg_set ('bal', o, 1), x));
+refused ('RG_INVALID_PARAMETER', 'ball: 2 arguments', @() rg_support (rg_set ('ball', o), x));
+refused ('RG_INVALID_PARAMETER', 'a set is what', @() rg_distance ('triangle', square));
+refused ('RG_INVALID_PARAMETER', 'real full', @() rg_distance (rg_set ('points', single (1)), square));
+refused ('RG_INVALID_PARAMETER', 'real full', @() rg_gauge (left, 1i * x));
+refused ('RG_INVALID_PARAMETER', 'function handle', @() rg_support (rg_set ('support_mapping', o, 3), x));
+refused ('RG_CALLBACK_FAILED', 'support mapping', @() rg_support (own, x));
+refused ('RG_CALLBACK_FAILED', '', @() rg_support (rg_set ('support_mapping', o, @(v) [1 2]), x));
+refused ('RG_INVALID_PARAMETER', 'tolerance', @() rg_object_distance (left, right, 'tolerance', 2));
+refused ('RG_UNKNOWN_NAME', 'no option', @() rg_object_distance (left, right, 'tolerence', 1e-9));
+refused ('RG_INVALID_PARAMETER', 'names', @() rg_signed_distance (left, right, 'tolerance'));
+refused ('RG_UNKNOWN_NAME', 'newton', @() rg_growth_distance (left, right, 'method', 'newtom'));
+refused ('RG_INVALID_PARAMETER', 'metric', @() rg_growth_distance (left, right, 'metric', left));
+refused ('RG_INVALID_PARAMETER', 'last row', @() rg_separation (left, right, 'pose_1', ones (4)));
+refused ('RG_INVALID_PARAMETER', 'R', @() rg_separation (left, right, 'pose_1', [2 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]));
+refused ('RG_DIMENSION_MISMATCH', 'pose', @() rg_separation (left, right, 'pose_1', eye (3)));
+refused ('RG_INVALID_PARAMETER', 'two sets', @() raygauge_mex ('distance', left));
+refused ('RG_UNKNOWN_NAME', 'query', @() raygauge_mex ('distence', left, right));
+refused ('RG_INVALID_PARAMETER', 'two columns', @() rg_object_distances ({left}));
+refused ('RG_INVALID_PARAMETER', 'n must lie in', @() rg_object_distances (cell (1, 2)));
+refused ('RG_INVALID_PARAMETER', 'threads = 1', @() rg_object_distances ({own, left}, 'threads', 2));
+refused ('RG_INVALID_PARAMETER', 'threads', @() rg_growth_distances (pairs, 'threads', 0));
+refused ('RG_INVALID_PARAMETER', 'tolerance', @() rg_contains (left, x, 0));
+
+% Calls, and refusals, leave nothing behind.
+function pages = resident ()
+  pages = str2double (strsplit (fileread ('/proc/self/statm')){2});
+end
+function work (count)
+  S = rg_set ('sum', rg_set ('ball', [0; 0; 0], 1), rg_set ('box', -ones (3, 1), ones (3, 1)));
+  for k = 1:count
+    rg_contains (S, [3; 0; 0]);
+    try, rg_contains (rg_set ('sum', S, 3), [3; 0; 0]); catch, end
+  end
+end
+work (1000); before = resident (); work (5000);
+assert (resident () - before < 250); % a leaked set a call would be 500 pages at least
+
+% Example 2 of the paper: glpk says the same.
+source (getenv ('RAYGAUGE_EXAMPLE'));
+assert (r.distance, d, 1e-6 * d);
+
+assert (rg_version (), getenv ('RAYGAUGE_VERSION'));
+disp ('all of Octave is as expected');
