@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ._raygauge import SetLike
     from .loading import Robot
 
-Effect = Literal["separated", "distance", "closest_points", "gradient", "growth", "time_of_impact", "clearance"]
+Effect = Literal["separated", "distance", "closest_points", "gradient", "depth", "growth", "time_of_impact", "clearance"]
 
 
 class SceneAnswers(Mapping[str, NDArray[Any]]):
@@ -28,8 +28,8 @@ class SceneAnswers(Mapping[str, NDArray[Any]]):
     query, body_a, body_b: names. part_a, part_b: numbers of the nearest convex parts, -1: not looked for. kind: instant,
     time_of_impact or clearance. instant: its number, -1 for the whole time. time: seconds. time_lower, time_upper: no contact
     before, a contact at. status: separated, intersecting, undecided, contact or free. decided: solved, broad_phase, coherence
-    or static. distance with lower and upper; growth with its bounds; point_a, point_b, gradient: shape (rows, n). nan: not
-    asked for. solves, seconds: the work.
+    or static. distance with lower and upper; growth and depth with their bounds; point_a, point_b, gradient: shape (rows, n).
+    nan: not asked for. solves, seconds: the work.
     """
 
     def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:

@@ -59,7 +59,8 @@ std::string tally_text(const SceneFile& file) {
   text += "  solves of convex parts: " + std::to_string(counters.distance_solves) + " distance, " +
           std::to_string(counters.separation_solves) + " separation, " +
           std::to_string(counters.growth_solves) + " growth; " + counted(counters.closest_points, "pair") +
-          " of closest points, " + counted(counters.gradients, "gradient") + "\n";
+          " of closest points, " + counted(counters.gradients, "gradient") + ", " +
+          counted(counters.depths, "depth") + "\n";
   return text;
 }
 
@@ -118,7 +119,7 @@ namespace {
 /// What the table says of one pair under one query.
 struct PairLine {
   std::int64_t rows = 0, contacts = 0;
-  double least = std::numeric_limits<double>::infinity();  ///< distance, or growth where there is none
+  double least = std::numeric_limits<double>::infinity();  ///< signed distance, or growth where there is none
   double lower = 0, time = 0, seconds = 0, widest_gap = 0;
 
   void add(const SceneRecord& record) {
@@ -126,12 +127,14 @@ struct PairLine {
     seconds += record.seconds;
     if (record.status == SceneStatus::intersecting) ++contacts;
     const bool distance = !std::isnan(record.distance);
-    const double value = distance ? record.distance : record.growth;
+    const double value = distance ? record.signed_distance() : record.growth;
     if (distance && record.upper > 0)
       widest_gap = std::max(widest_gap, (record.upper - record.lower) / record.upper);
+    if (record.depth_upper > 0)
+      widest_gap = std::max(widest_gap, (record.depth_upper - record.depth_lower) / record.depth_upper);
     if (!(value < least)) return;
     least = value;
-    lower = distance ? record.lower : record.growth_lower;
+    lower = distance ? record.signed_lower() : record.growth_lower;
     time = record.time;
   }
 

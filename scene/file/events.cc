@@ -8,7 +8,7 @@
 namespace raygauge {
 namespace {
 
-SceneEvent change_event(const SceneRecord& record) {
+SceneEvent change_event(const SceneFile& file, const SceneRecord& record) {
   EventKind kind = EventKind::undecided;
   std::string word = "meet, or nearly: undecided";
   if (record.status == SceneStatus::intersecting) kind = EventKind::contact, word = "contact";
@@ -16,6 +16,8 @@ SceneEvent change_event(const SceneRecord& record) {
   SceneEvent event = event_of_kind(kind, record, record.time);
   event.text =
       word + " at instant " + std::to_string(record.instant) + ", " + event_number(record.time) + " s";
+  if (record.depth_lower > 0)
+    event.text += ", at least " + event_bound(record.depth_lower) + length_unit(file, record.query) + " deep";
   return event;
 }
 
@@ -37,7 +39,7 @@ std::vector<SceneEvent> changes_of(const SceneFile& file) {
     const auto [known, first] =
         before.try_emplace({record.query, record.body_a, record.body_b}, record.status);
     const bool changed = first ? record.status == SceneStatus::intersecting : known->second != record.status;
-    if (changed) events.push_back(change_event(record));
+    if (changed) events.push_back(change_event(file, record));
     known->second = record.status;
   }
   return events;

@@ -56,6 +56,7 @@ void add_columns(const SceneField& field, std::vector<Column<SceneRow>>& columns
         } else {
           columns.push_back(column(std::string(field.name), std::string(field.unit), std::string(field.text),
                                    &SceneRow::record, member));
+          if (field.later) columns.back().absent = columns.back().get(SceneRow());
         }
       },
       field.member);
@@ -99,6 +100,7 @@ const std::vector<Column<SceneCellRow>>& scene_cell_columns() {
     column("distance_solves", "1", "distances of two convex parts", &Row::counters, &SceneCounters::distance_solves),
     column("separation_solves", "1", "separation tests of two convex parts", &Row::counters, &SceneCounters::separation_solves),
     column("growth_solves", "1", "growth distances of two convex parts", &Row::counters, &SceneCounters::growth_solves),
+    later(column("depths", "1", "depths of two convex parts that are not proven to be apart", &Row::counters, &SceneCounters::depths), std::int64_t{0}),
     column("closest_points", "1", "pairs of closest points", &Row::counters, &SceneCounters::closest_points),
     column("gradients", "1", "gradients", &Row::counters, &SceneCounters::gradients),
     column("plane_tests", "1", "tests whether an earlier separating plane still separates two parts", &Row::counters, &SceneCounters::plane_tests),

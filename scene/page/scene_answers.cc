@@ -22,7 +22,24 @@ std::string both(const SceneFile& file, const SceneEvent& event) { return pair_n
 using Track = std::vector<const SceneRecord*>;
 
 bool has_distance(const SceneRecord& record) { return !std::isnan(record.distance); }
-double value_of(const SceneRecord& r) { return has_distance(r) ? r.distance : r.growth; }
+double value_of(const SceneRecord& r) { return has_distance(r) ? r.signed_distance() : r.growth; }
+
+/// How deep, proven, and when.
+std::string depth_words(const SceneFile& file, const SceneRecord& record) {
+  return "at least " + event_bound(record.depth_lower) + length_unit(file, record.query) +
+         " deep at the instant " + event_number(record.time) + " s";
+}
+
+/// How deep the two overlap at most, of instants; "" where nothing is known of that.
+std::string deepest_overlap(const SceneFile& file, std::int32_t a, std::int32_t b) {
+  const SceneRecord* deepest = nullptr;
+  for (const SceneRow& row : file.records) {
+    const SceneRecord& r = row.record;
+    if (r.body_a != a || r.body_b != b || !(r.depth_lower > 0)) continue;
+    if (deepest == nullptr || r.depth_lower > deepest->depth_lower) deepest = &r;
+  }
+  return deepest == nullptr ? "" : ", " + depth_words(file, *deepest);
+}
 
 /// The least distance or growth over the instants, or that there was no contact at them.
 void add_least(const SceneFile& file, const Track& track, std::vector<SceneEvent>& events) {
@@ -41,6 +58,11 @@ void add_least(const SceneFile& file, const Track& track, std::vector<SceneEvent
   }
   const bool distance = has_distance(*least);
   const std::string unit = distance ? length_unit(file, least->query) : "";
+  if (least->depth_lower > 0) {
+    events.push_back({EventKind::near, first.query, first.body_a, first.body_b, false, least->time,
+                      least->signed_lower(), "overlap: " + depth_words(file, *least)});
+    return;
+  }
   events.push_back({EventKind::near, first.query, first.body_a, first.body_b, false, least->time,
                     distance ? least->lower : least->growth_lower,
                     (distance ? "least distance " : "least growth ") + event_number(value_of(*least)) + unit +
@@ -129,7 +151,8 @@ Verdict verdict_of(const SceneFile& file) {
     for (const SceneEvent& event : events)
       if (event.kind == EventKind::contact) pairs.emplace(event.a, event.b);
     return {"unsafe", "not safe: " + body(file, first.a) + " meets " + body(file, first.b) + " at " +
-                          event_number(first.time) + " s" + more_pairs(pairs.size())};
+                          event_number(first.time) + " s" + deepest_overlap(file, first.a, first.b) +
+                          more_pairs(pairs.size())};
   }
   Verdict verdict = without_contact(file, events);
   if (file.finished()) return verdict;

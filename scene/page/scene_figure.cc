@@ -23,7 +23,7 @@ constexpr std::array kColors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E6
 // Where curves lie on each other, the one below is seen through the dashes of the one above.
 constexpr std::array kDashes = {"1", "'-'", "'.'", "'-.'", "'--'", "'-..'"};
 
-/// An answer at an instant: distance where it was asked for, otherwise growth.
+/// An answer at an instant: distance where it was asked for, or minus the depth, otherwise growth.
 struct Sample {
   std::int64_t instant = 0;
   double time = 0, value = 0, lower = 0, upper = 0;
@@ -38,7 +38,8 @@ struct Panel {
 };
 
 Sample sample_of(const SceneRecord& r) {
-  if (r.distance == r.distance) return {r.instant, r.time, r.distance, r.lower, r.upper};
+  if (r.distance == r.distance)
+    return {r.instant, r.time, r.signed_distance(), r.signed_lower(), r.signed_upper()};
   return {r.instant, r.time, r.growth, r.growth_lower, r.growth_upper};
 }
 
@@ -57,13 +58,17 @@ std::vector<Panel> panels_of(const SceneFile& file) {
   for (std::size_t q = 0; q < file.queries.size(); ++q) {
     std::map<Pair, std::vector<Sample>> found;
     Panel panel{names[q], "growth distance", {}};
+    bool overlap = false;
     for (const SceneRow& row : file.records) {
       const SceneRecord& r = row.record;
       if (static_cast<std::size_t>(r.query) != q || !r.at_instant()) continue;
       const Sample sample = sample_of(r);
       if (!std::isfinite(sample.value)) continue;
-      if (r.distance == r.distance)
-        panel.quantity = length_unit(file, r.query).empty() ? "distance" : "distance / m";
+      overlap |= sample.value < 0;
+      if (r.distance == r.distance) {
+        panel.quantity = overlap ? "signed distance" : "distance";
+        if (!length_unit(file, r.query).empty()) panel.quantity += " / m";
+      }
       found[{r.body_a, r.body_b}].push_back(sample);
     }
     if (found.empty()) continue;
@@ -138,6 +143,13 @@ std::string plot_of(const SceneFile& file, const Panel& panel, const std::string
   return text + "\n";
 }
 
+/// Where the axis of a panel begins: at 0, or below it where bodies overlap.
+std::string from_zero(const Panel& panel) {
+  const bool below = std::any_of(panel.curves.begin(), panel.curves.end(),
+                                 [](const Curve& curve) { return least(curve) < 0; });
+  return below ? "*" : "0";
+}
+
 Drawing draw_over_time(const SceneFile& file, const std::vector<Panel>& panels, FigureSize size) {
   Drawing drawing;
   drawing.width = width_of(size);
@@ -147,14 +159,14 @@ Drawing draw_over_time(const SceneFile& file, const std::vector<Panel>& panels, 
     const std::string prefix = "$panel" + std::to_string(p) + "curve";
     for (std::size_t c = 0; c < panels[p].curves.size(); ++c)
       drawing.script += data_block(prefix + std::to_string(c), panels[p].curves[c].second);
-    plots += "set title " + language::gnuplot(panels[p].title) + " offset 0,-0.7\nset ylabel " +
-             language::gnuplot(panels[p].quantity) + "\n" +
+    plots += "set yrange [" + from_zero(panels[p]) + ":*]\nset title " + language::gnuplot(panels[p].title) +
+             " offset 0,-0.7\nset ylabel " + language::gnuplot(panels[p].quantity) + "\n" +
              (p + 1 == panels.size() ? "set xlabel 'time / s' offset 0,0.5\n" : "") +
              plot_of(file, panels[p], prefix);
   }
   drawing.script +=
       "set encoding utf8\nset border 3\nset tics nomirror out scale 0.5\nset key outside right top\n"
-      "set yrange [0:*]\nset lmargin screen 0.09\nset rmargin screen 0.74\nset offsets 0,0,graph 0.05,0\n" +
+      "set lmargin screen 0.09\nset rmargin screen 0.74\nset offsets 0,0,graph 0.05,0\n" +
       time_range(file) + event_lines(file) + "set multiplot layout " + std::to_string(panels.size()) +
       ",1\n" + plots + "unset multiplot\n";
   return drawing;
@@ -183,7 +195,8 @@ Drawing draw_one_instant(const SceneFile& file, const std::vector<Panel>& panels
   drawing.script +=
       "EOD\nset encoding utf8\nset border 3\nset tics nomirror out scale 0.5\nunset key\nset ytics (" + tics +
       ")\nset yrange [" + std::to_string(count) + "-0.5:-0.5]\nset xlabel " +
-      language::gnuplot(panels.front().quantity) + " offset 0,0.5\nset xrange [0:*]\n" +
+      language::gnuplot(panels.front().quantity) + " offset 0,0.5\nset xrange [" + from_zero(panels.front()) +
+      ":*]\n" +
       "plot $answers using 3:1:($4-$3):(0) with vectors nohead lw 5 lc rgb '#9CC3E0', "
       "$answers using 2:1 with points pt 7 ps 0.6 lc rgb '#0072B2'\n";
   return drawing;

@@ -38,7 +38,10 @@ json records_json(const SceneFile& file) {
       {"upper", &SceneRecord::upper},
       {"growth", &SceneRecord::growth},
       {"growth_lower", &SceneRecord::growth_lower},
-      {"growth_upper", &SceneRecord::growth_upper}};
+      {"growth_upper", &SceneRecord::growth_upper},
+      {"depth", &SceneRecord::depth},
+      {"depth_lower", &SceneRecord::depth_lower},
+      {"depth_upper", &SceneRecord::depth_upper}};
   json columns;
   for (const char* name : {"query", "a", "b", "touches", "pa", "pb"}) columns[name] = json::array();
   for (const auto& [name, member] : kNumbers) columns[name] = json::array();

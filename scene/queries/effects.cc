@@ -23,6 +23,8 @@ std::span<const Effect> all_effects() noexcept {
       Effect{SceneEffects::distance, "distance"},
       Effect{SceneEffects::closest_points, "closest_points"},
       Effect{SceneEffects::gradient, "gradient"},
+      Effect{SceneEffects::depth, "depth",
+             "depth: of pairs that are not proven to be apart, with the points in contact and the way out"},
       Effect{SceneEffects::growth, "growth"},
       time_of_impact_effect(),
       clearance_effect(),

@@ -13,7 +13,7 @@ namespace raygauge {
 namespace {
 
 constexpr SceneEffects kDistanceEffects =
-    SceneEffects::distance | SceneEffects::closest_points | SceneEffects::gradient;
+    SceneEffects::distance | SceneEffects::closest_points | SceneEffects::gradient | SceneEffects::depth;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -48,6 +48,7 @@ void InstantRun::study_queries() {
     const SceneQuery& query = scene_.queries[static_cast<std::size_t>(q)];
     closest_points_ |= has_effect(query.effects, SceneEffects::closest_points);
     gradient_ |= has_effect(query.effects, SceneEffects::gradient);
+    depth_ |= has_effect(query.effects, SceneEffects::depth);
     growth_ |= has_effect(query.effects, SceneEffects::growth);
     any_separation_ |= has_effect(query.effects, SceneEffects::separated);
     every_instant_ |= query.every_instant;
@@ -161,8 +162,9 @@ void InstantRun::solve(std::size_t k) {
   const std::int64_t before = solver_.counters().solves();
   const bool follows = scene_.queries[static_cast<std::size_t>(task_.queries.front())].metric.body >= 0;
   if (any_distance_) {
-    const PairAnswer& answer =
-        solver_.distance(memory_, exact_ ? kInfinity : enough_, closest_points_, gradient_);
+    const double enough = exact_ ? kInfinity : enough_;
+    const PairAnswer& answer = depth_ ? solver_.signed_distance(memory_, enough)
+                                      : solver_.distance(memory_, enough, closest_points_, gradient_);
     known_.answer = &answer;
     known_.status = status_of(answer);
     if (!exact_ && answer.lower > enough_) {

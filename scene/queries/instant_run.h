@@ -63,6 +63,7 @@ class InstantRun {
   bool closest_points_ = false;
   bool gradient_ = false;
   bool growth_ = false;
+  bool depth_ = false;
   bool every_instant_ = false;
   double enough_ = 0;  ///< nobody cares how much farther than this the pair is
 

@@ -24,7 +24,8 @@ struct Found {
   std::int64_t solves = 0;
 
   friend bool operator<(const Found& x, const Found& y) {
-    return x.answer.value != y.answer.value ? x.answer.value < y.answer.value : x.pair < y.pair;
+    const double p = x.answer.signed_value(), q = y.answer.signed_value();
+    return p != q ? p < q : x.pair < y.pair;
   }
 };
 
@@ -114,9 +115,12 @@ class NearestRun {
     const std::int64_t before = solver_.counters().solves();
     Found found;
     found.pair = pair;
+    PairMemory& memory = memories_[pair];
     found.answer =
-        solver_.distance(memories_[pair], kInfinity, has_effect(query_.effects, SceneEffects::closest_points),
-                         has_effect(query_.effects, SceneEffects::gradient));
+        has_effect(query_.effects, SceneEffects::depth)
+            ? solver_.signed_distance(memory, kInfinity)
+            : solver_.distance(memory, kInfinity, has_effect(query_.effects, SceneEffects::closest_points),
+                               has_effect(query_.effects, SceneEffects::gradient));
     found.solves = solver_.counters().solves() - before;
     found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     found_.insert(std::upper_bound(found_.begin(), found_.end(), found), found);

@@ -3,6 +3,7 @@
 #include "scene/queries/pair_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
@@ -14,6 +15,7 @@ namespace {
 void begin(PairAnswer& answer, int a, int b) noexcept {
   answer.lower = answer.value = answer.rate = 0;
   answer.upper = kInfinity;
+  answer.depth_lower = answer.depth_upper = SceneRecord::kNone;
   answer.status = DistanceStatus::optimal;
   answer.part_a = a;
   answer.part_b = b;
@@ -36,6 +38,22 @@ void PairSolver::Nearest::take_next() {
   if (next_->upper < best_->upper || next_->intersecting()) std::swap(best_, next_);
   best_->lower = lower;
   best_->rate = rate;
+}
+
+// The same of signed distances: the deepest, with bounds on the depth of all.
+void PairSolver::Nearest::take_deeper() {
+  if (best_->part_a < 0) return std::swap(best_, next_);
+  const double lower = std::min(best_->lower, next_->lower);
+  const double rate = std::max(best_->rate, next_->rate);
+  const double depth_lower = std::fmax(best_->depth_lower, next_->depth_lower);
+  const double depth_upper = std::fmax(best_->depth_upper, next_->depth_upper);
+  if (next_->signed_value() < best_->signed_value() || (next_->intersecting() && !best_->intersecting())) {
+    std::swap(best_, next_);
+  }
+  best_->lower = lower;
+  best_->rate = rate;
+  best_->depth_lower = depth_lower;
+  best_->depth_upper = depth_upper;
 }
 
 void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
@@ -123,6 +141,17 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
     nearest_.take_next();
     if (nearest_.best().intersecting()) break;
   }
+  conclude(beyond, beyond_rate);
+  PairAnswer& best = nearest_.best();
+  if (gradient && best.normal.size() == placed_.dimension() && best.lower > 0) {
+    best.gradient = best.normal;  // body a is moved: A1 of d_Q(A2 - A1)
+    ++counters_.gradients;
+  }
+  return best;
+}
+
+// Parts that were not solved are farther than `beyond`.
+const PairAnswer& PairSolver::conclude(double beyond, double beyond_rate) {
   PairAnswer& best = nearest_.best();
   if (best.part_a < 0) {
     begin(best, -1, -1);
@@ -132,11 +161,28 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
     best.value = std::clamp(best.value, best.lower, best.upper);
   }
   best.rate = std::max(best.rate, beyond_rate);
-  if (gradient && best.normal.size() == placed_.dimension() && best.lower > 0) {
-    best.gradient = best.normal;  // body a is moved: A1 of d_Q(A2 - A1)
-    ++counters_.gradients;
-  }
   return best;
+}
+
+// Parts whose balls meet may overlap deeper than those that were solved.
+const PairAnswer& PairSolver::signed_distance(PairMemory& memory, double enough) {
+  memory.resize(candidates_.size());
+  sort_candidates();
+  nearest_.clear();
+  double beyond = kInfinity, beyond_rate = 0;
+  for (const auto& [parts, ball_bound] : candidates_) {
+    const bool solved = nearest_.best().part_a >= 0;
+    if (solved && ball_bound > 0 && ball_bound >= nearest_.best().upper) break;
+    if (ball_bound > enough) {
+      beyond = ball_bound;
+      beyond_rate = ball_rate();
+      break;
+    }
+    placed_.check_placements();
+    solver_.signed_distance(placed_, parts, memory[memory_index(parts)], nearest_.next(parts), counters_);
+    nearest_.take_deeper();
+  }
+  return conclude(beyond, beyond_rate);
 }
 
 Separation PairSolver::separation(PairMemory& memory) {

@@ -45,6 +45,11 @@ class PairSolver {
   /// needed. The answer belongs to the solver and lives until the next distance.
   const PairAnswer& distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
 
+  /// The same with closest points and gradient, and of bodies that are not proven to be apart the depth: the
+  /// greatest over all pairs of parts, with the points in contact and the gradient of the deepest. No shorter
+  /// translation separates the bodies; of bodies of one part each it does.
+  const PairAnswer& signed_distance(PairMemory& memory, double enough);
+
   /// Whether they are apart.
   Separation separation(PairMemory& memory);
 
@@ -67,6 +72,7 @@ class PairSolver {
     PairAnswer& best() noexcept { return *best_; }
     PairAnswer& next(PartNumbers parts) noexcept;
     void take_next();
+    void take_deeper();
 
    private:
     PairAnswer answers_[2];
@@ -76,6 +82,7 @@ class PairSolver {
 
   std::size_t memory_index(PartNumbers parts) const;
   void sort_candidates();
+  const PairAnswer& conclude(double beyond, double beyond_rate);
 
   PlacedPair placed_;
   PartSolver solver_;

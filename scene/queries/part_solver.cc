@@ -101,9 +101,15 @@ void PartSolver::distance(PlacedPair& pair, PartNumbers parts, bool closest_poin
   ++counters.distance_solves;
   if (still_overlap(pair, parts, memory, counters)) return say_overlap(answer);
   if (distance_by_fixed_code(pair, parts, closest_points, memory, answer, counters)) return;
+  solve(pair, parts, closest_points ? ObjectEffects::closest_points : ObjectEffects::none, memory, answer,
+        counters);
+}
+
+// By the general solver.
+const ObjectDistance& PartSolver::solve(PlacedPair& pair, PartNumbers parts, ObjectEffects effects,
+                                        PartMemory& memory, PairAnswer& answer, SceneCounters& counters) {
   const ObjectDistance& found =
-      distance_.solve(pair.posed_a(parts), pair.posed_b(parts), pair.unit_ball(),
-                      closest_points ? ObjectEffects::closest_points : ObjectEffects::none, &memory.distance);
+      distance_.solve(pair.posed_a(parts), pair.posed_b(parts), pair.unit_ball(), effects, &memory.distance);
   const DistanceResult& distance = found.distance;
   counters.closest_points += found.closest_point_evaluations;
   counters.support_queries += distance.counters.support_queries;
@@ -114,10 +120,29 @@ void PartSolver::distance(PlacedPair& pair, PartNumbers parts, bool closest_poin
   answer.status = distance.status;
   answer.point_a = found.closest_point_1;
   answer.point_b = found.closest_point_2;
-  if (!(distance.lower > 0)) return;
+  if (!(distance.lower > 0)) return found;
   answer.rate = distance.normal.norm() * kOutward;
   answer.normal = distance.normal;
   if (distance.normal.size() == pair.dimension()) memory.normal = distance.normal;
+  return found;
+}
+
+void PartSolver::signed_distance(PlacedPair& pair, PartNumbers parts, PartMemory& memory, PairAnswer& answer,
+                                 SceneCounters& counters) {
+  ++counters.distance_solves;
+  const ObjectDistance& found =
+      solve(pair, parts, ObjectEffects::closest_points | ObjectEffects::gradient | ObjectEffects::depth,
+            memory, answer, counters);
+  counters.gradients += found.gradient_evaluations;
+  answer.gradient = found.gradient_1;
+  const ObjectDepth& depth = found.depth;
+  if (depth.evaluations == 0) return;
+  ++counters.depths;
+  counters.support_queries += depth.support_queries;
+  answer.depth_lower = depth.lower;
+  answer.depth_upper = depth.upper;
+  answer.point_a = depth.point_1;
+  answer.point_b = depth.point_2;
 }
 
 Separation PartSolver::separation(PlacedPair& pair, PartNumbers parts, PartMemory& memory,

@@ -35,6 +35,10 @@ class PartSolver {
   void distance(PlacedPair& pair, PartNumbers parts, bool closest_points, PartMemory& memory,
                 PairAnswer& answer, SceneCounters& counters);
 
+  /// The same with closest points, gradient, and the depth of parts that are not proven to be apart.
+  void signed_distance(PlacedPair& pair, PartNumbers parts, PartMemory& memory, PairAnswer& answer,
+                       SceneCounters& counters);
+
   /// Whether they are apart.
   Separation separation(PlacedPair& pair, PartNumbers parts, PartMemory& memory, SceneCounters& counters);
 
@@ -46,6 +50,8 @@ class PartSolver {
   SpatialSolve* fixed_solve(const PlacedPair& pair, PartNumbers parts);
   bool distance_by_fixed_code(const PlacedPair& pair, PartNumbers parts, bool closest_points,
                               PartMemory& memory, PairAnswer& answer, SceneCounters& counters);
+  const ObjectDistance& solve(PlacedPair& pair, PartNumbers parts, ObjectEffects effects, PartMemory& memory,
+                              PairAnswer& answer, SceneCounters& counters);
   bool still_overlap(PlacedPair& pair, PartNumbers parts, PartMemory& memory, SceneCounters& counters);
 
   double tolerance_;

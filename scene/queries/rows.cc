@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/queries/rows.h"
 
+#include <cmath>
+
 namespace raygauge {
 
 SceneRecord begin_row(const Scene& scene, int query, BodyPair pair, std::int64_t k) {
@@ -40,10 +42,20 @@ void take_growth(const PairAnswer& growth, SceneRecord& row) {
   row.growth_upper = growth.upper;
 }
 
+// Bodies that are proven to be apart have none.
+void take_depth(const PairAnswer& answer, SceneRecord& row) {
+  const bool apart = answer.lower > 0;
+  row.depth = row.depth_upper = apart ? 0 : answer.depth_upper;
+  row.depth_lower = apart ? 0 : answer.depth_lower;
+}
+
 void take_asked(const PairAnswer& answer, SceneEffects effects, SceneRecord& row) {
   take_distance(answer, row);
-  if (has_effect(effects, SceneEffects::closest_points)) take_points(answer, row);
-  if (has_effect(effects, SceneEffects::gradient)) row.gradient = answer.gradient;
+  const bool whole = has_effect(effects, SceneEffects::depth);
+  const bool apart = std::isnan(answer.depth_upper);  // else points and gradient are those of the depth
+  if (whole) take_depth(answer, row);
+  if (whole || (apart && has_effect(effects, SceneEffects::closest_points))) take_points(answer, row);
+  if (whole || (apart && has_effect(effects, SceneEffects::gradient))) row.gradient = answer.gradient;
 }
 
 }  // namespace raygauge

@@ -17,8 +17,9 @@ SceneStatus status_of(const PairAnswer& answer);
 void take_distance(const PairAnswer& answer, SceneRecord& row);
 void take_points(const PairAnswer& answer, SceneRecord& row);
 void take_growth(const PairAnswer& growth, SceneRecord& row);
+void take_depth(const PairAnswer& answer, SceneRecord& row);
 
-/// The distance, and of points and gradient what the query asks for.
+/// The distance, and of depth, points and gradient what the query asks for.
 void take_asked(const PairAnswer& answer, SceneEffects effects, SceneRecord& row);
 
 }  // namespace raygauge

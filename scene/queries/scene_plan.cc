@@ -115,8 +115,8 @@ std::string means_at_instants(const SceneQuery& query) {
   }
   if (query.effects == SceneEffects::separated)
     return "separated: one test where neither balls nor a plane of before prove it; no distance";
-  const bool measured = has_effect(
-      query.effects, SceneEffects::distance | SceneEffects::closest_points | SceneEffects::gradient);
+  const bool measured = has_effect(query.effects, SceneEffects::distance | SceneEffects::closest_points |
+                                                      SceneEffects::gradient | SceneEffects::depth);
   return measured ? "distance: one solve an instant for each pair that has moved" : "";
 }
 

@@ -67,11 +67,14 @@ std::span<const SceneField> scene_fields() noexcept {
     SceneField{&R::growth, "growth", "1", "growth distance about the centres; below 1: the bodies overlap; nan: not asked for"},
     SceneField{&R::growth_lower, "growth_lower", "1", "certified lower bound of the growth distance"},
     SceneField{&R::growth_upper, "growth_upper", "1", "certified upper bound of the growth distance"},
+    SceneField{&R::depth, "depth", "1", "how deep the bodies overlap, in the metric of the query; 0: they are apart; nan: not asked for", true},
+    SceneField{&R::depth_lower, "depth_lower", "1", "certified lower bound of the depth", true},
+    SceneField{&R::depth_upper, "depth_upper", "1", "certified upper bound of the depth", true},
     SceneField{&R::solves, "solves", "1", "pairs of convex parts solved for the row"},
     SceneField{&R::seconds, "seconds", "s", "wall time of those solves"},
-    SceneField{&R::point_a, "point_a", "1", "closest point of body_a, one coordinate; nan: not asked for"},
-    SceneField{&R::point_b, "point_b", "1", "closest point of body_b, one coordinate; nan: not asked for"},
-    SceneField{&R::gradient, "gradient", "1", "gradient of the distance as body_a is translated, one coordinate; nan: not asked for"},
+    SceneField{&R::point_a, "point_a", "1", "closest point of body_a, or with a depth its point in contact, one coordinate; nan: not asked for"},
+    SceneField{&R::point_b, "point_b", "1", "closest point of body_b, or with a depth its point in contact, one coordinate; nan: not asked for"},
+    SceneField{&R::gradient, "gradient", "1", "gradient of the distance as body_a is translated, or with a depth its way out, one coordinate; nan: not asked for"},
   };
   return kFields;
 }
@@ -109,6 +112,7 @@ SceneCounters& SceneCounters::operator+=(const SceneCounters& other) {
   distance_solves += other.distance_solves;
   separation_solves += other.separation_solves;
   growth_solves += other.growth_solves;
+  depths += other.depths;
   closest_points += other.closest_points;
   gradients += other.gradients;
   plane_tests += other.plane_tests;

@@ -24,6 +24,16 @@ class Scenes(unittest.TestCase):
         scene.add_body("box", [rg.Box([-0.5] * 3, [0.5] * 3), rg.Ball([9, 9, 9])], groups=["fixed"])
         return scene
 
+    def test_depth_is_that_of_the_ball_in_the_box(self):
+        scene = self.approach()
+        scene.add_query(["depth"], between=("moving", "fixed"))
+        answers = scene.run()
+        gap = np.abs(-3.5 + answers["time"]) - 1.5
+        signed = np.where(answers["depth"] > 0, -answers["depth"], answers["distance"])
+        np.testing.assert_allclose(signed, gap, atol=1e-9)
+        self.assertTrue(np.all(answers["depth_lower"] <= answers["depth"]))
+        np.testing.assert_allclose(answers["gradient"][gap != 0, 0], -1, atol=1e-6)
+
     def test_distances_at_instants_and_the_time_of_impact(self):
         scene = self.approach()
         scene.add_query(["distance", "closest_points", "gradient"], between=("moving", "fixed"), name="gap")

@@ -21,12 +21,17 @@ struct PairAnswer {
   DistanceStatus status = DistanceStatus::optimal;
   int part_a = -1, part_b = -1;  ///< the nearest parts; -1: not looked for
   SmallVector normal;            ///< empty: none
-  SmallVector point_a, point_b;  ///< closest points; empty: none, or not asked for
-  SmallVector gradient;          ///< of the distance, when body a is translated
+  SmallVector point_a, point_b;  ///< closest points, or those in contact; empty: none, or not asked for
+  SmallVector gradient;          ///< of the distance, or of minus the depth, when body a is translated
+  double depth_lower = SceneRecord::kNone;  ///< of the depth; NaN: not asked for
+  double depth_upper = SceneRecord::kNone;  ///< that `gradient` proves
   double rate = 0;  ///< the lower bound falls by at most rate × (distance that points of both bodies move)
 
   /// Common points are proven.
   bool intersecting() const noexcept { return status == DistanceStatus::contains_origin; }
+
+  /// The distance; minus the depth of bodies that meet, where it is known.
+  double signed_value() const noexcept { return depth_upper > 0 && intersecting() ? -depth_upper : value; }
 };
 
 /// The first contact of two bodies over an interval of time, proven between the instants too.

@@ -22,6 +22,7 @@ enum class SceneEffects : std::uint8_t {
   growth = 16,          ///< growth distance about the centres: below 1 for bodies that overlap
   time_of_impact = 32,  ///< the first contact, at any moment
   clearance = 64,       ///< the least distance, at any moment
+  depth = 128,  ///< the distance with its points and gradient; of bodies that meet, how deep they overlap
 };
 
 constexpr SceneEffects operator|(SceneEffects a, SceneEffects b) noexcept {
@@ -42,7 +43,7 @@ SceneEffects effect_named(const std::string& name, const std::string& place = ""
 
 inline constexpr SceneEffects kInstantEffects = SceneEffects::separated | SceneEffects::distance |
                                                 SceneEffects::closest_points | SceneEffects::gradient |
-                                                SceneEffects::growth;
+                                                SceneEffects::growth | SceneEffects::depth;
 inline constexpr SceneEffects kContinuousEffects = SceneEffects::time_of_impact | SceneEffects::clearance;
 
 /// The unit ball Q of a distance, 0 in its interior; d(a, b) = gauge_Q(b - a).

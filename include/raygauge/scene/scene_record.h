@@ -52,9 +52,15 @@ struct SceneRecord {
   SceneDecision decided = SceneDecision::solved;
   double distance = kNone, lower = kNone, upper = kNone;
   double growth = kNone, growth_lower = kNone, growth_upper = kNone;
+  double depth = kNone, depth_lower = kNone, depth_upper = kNone;
   SmallVector point_a, point_b, gradient;  ///< empty: none
   std::int64_t solves = 0;  ///< pairs of convex parts solved for this row, and for rows that share its solve
   double seconds = 0;       ///< of those solves
+
+  /// The distance; minus the depth of bodies that meet, where it was asked for.
+  double signed_distance() const noexcept { return depth_lower > 0 ? -depth : distance; }
+  double signed_lower() const noexcept { return depth_upper > 0 ? -depth_upper : lower; }
+  double signed_upper() const noexcept { return depth_lower > 0 ? -depth_lower : upper; }
 
   bool at_instant() const noexcept { return kind == SceneEffects::none; }
 };
@@ -68,6 +74,7 @@ struct SceneField {
   std::string_view name;
   std::string_view unit;  ///< "1" of a number without one, "" of a text
   std::string_view text;  ///< what it means, in one line
+  bool later = false;     ///< results files of earlier versions lack it
 };
 
 std::span<const SceneField> scene_fields() noexcept;
@@ -97,6 +104,7 @@ struct SceneCounters {
   std::int64_t distance_solves = 0;    ///< distances of two convex parts
   std::int64_t separation_solves = 0;  ///< separation tests of two convex parts
   std::int64_t growth_solves = 0;      ///< growth distances of two convex parts
+  std::int64_t depths = 0;             ///< depths of two convex parts that are not proven to be apart
   std::int64_t closest_points = 0;     ///< pairs of closest points
   std::int64_t gradients = 0;
   std::int64_t plane_tests = 0;      ///< tests whether an earlier separating plane still separates two parts

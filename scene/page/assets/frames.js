@@ -58,6 +58,6 @@ page.showLegend = (gridStep) => {
     legend.append(entry(patch('linear-gradient(to right,' + stops + ')', 'scale'), 'distance 0 … ' + page.digits(page.farthest) + unit));
   }
   legend.append(entry(patch(page.kUnasked), page.farthest > 0 ? 'no distance asked at this time' : 'apart, or not asked'));
-  if (page.records.some((r) => r.pa)) legend.append(entry(patch('var(--mark)'), 'closest points'));
+  if (page.records.some((r) => r.pa)) legend.append(entry(patch('var(--mark)'), page.records.some((r) => r.depth > 0) ? 'closest points, or points in contact' : 'closest points'));
   legend.append(entry(patch('var(--grid)'), (page.drawing.dimension === 3 ? 'ground' : 'grid') + ': squares of ' + page.digits(gridStep) + ' m'));
 };

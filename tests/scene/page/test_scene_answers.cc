@@ -86,6 +86,25 @@ TEST(SceneVerdict, ClaimsNoSafetyThatWasNotAskedOrIsNotDecided) {
   EXPECT_EQ(verdict_of(file_with({})).state, "open");
 }
 
+SceneRecord overlap(std::int64_t number, double time, double depth) {
+  SceneRecord row = instant(number, time, 0);
+  row.depth = row.depth_upper = depth;
+  row.depth_lower = depth * (1 - 1e-9);
+  return row;
+}
+
+TEST(SceneVerdict, SaysHowDeepTheyOverlap) {
+  const SceneFile file =
+      file_with({instant(0, 0, 1), overlap(1, 3, 0.125), overlap(2, 4, 0.25), impact(2.8295, 2.8296)});
+  EXPECT_EQ(verdict_of(file).text,
+            "not safe: bunny meets hand at 2.8296 s, at least 0.249999 m deep at the instant 4 s");
+  const auto events = events_of(file);
+  EXPECT_EQ(events[1].text, "contact at instant 1, 3 s, at least 0.124999 m deep");
+  EXPECT_EQ(events[2].kind, EventKind::near);
+  EXPECT_EQ(events[2].value, -0.25);
+  EXPECT_EQ(events[2].text, "overlap: at least 0.249999 m deep at the instant 4 s");
+}
+
 TEST(SceneVerdict, HasNoUnitInAnotherMetric) {
   SceneFile file = file_with({clearance(0.5, 0.5, 1)});
   file.queries[0].metric = "p_norm_ball";
