@@ -1,4 +1,4 @@
-# The manual, and what `cpack -G DEB` makes: libraygauge0.1, libraygauge-dev, raygauge,
+# The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, raygauge,
 # raygauge-mpi, python3-raygauge.
 
 # The manual and the completion are made from the program's own help, where help2man is installed.

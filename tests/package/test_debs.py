@@ -50,9 +50,9 @@ class Packages(unittest.TestCase):
                 "PATH": f"{self.root / 'usr/bin'}:{os.environ['PATH']}"}
 
     def test_1_each_part_is_a_package_that_says_what_it_needs(self):
-        self.assertLessEqual({"libraygauge0.1", "libraygauge-dev", "raygauge"}, set(self.packages))
+        self.assertLessEqual({"libraygauge0.2", "libraygauge-dev", "raygauge"}, set(self.packages))
         self.assertRegex(field(self.packages["raygauge"], "Depends"), r"libhdf5.*libstdc\+\+6")
-        self.assertIn("libgomp1", field(self.packages["libraygauge0.1"], "Depends"))
+        self.assertIn("libgomp1", field(self.packages["libraygauge0.2"], "Depends"))
         self.assertNotIn("mpi", field(self.packages["raygauge"], "Depends"))
         if "raygauge-mpi" in self.packages:
             self.assertRegex(field(self.packages["raygauge-mpi"], "Depends"), r"raygauge \(= .*libopenmpi")
@@ -97,9 +97,9 @@ class Packages(unittest.TestCase):
         self.assertTrue(offered.startswith("--resume\tContinue a run"), msg=offered)
 
     def test_4_the_shared_library_shows_its_own_names_alone(self):
-        library = self.root / "usr/lib/libraygauge.so.0.1"
+        library = self.root / "usr/lib/libraygauge.so.0.2"
         self.assertNotIn("not found", run("ldd", library))
-        self.assertIn("libraygauge.so.0.1", run("objdump", "-p", library))
+        self.assertIn("libraygauge.so.0.2", run("objdump", "-p", library))
         names = [line.split(maxsplit=2)[2] for line in
                  run("nm", "--dynamic", "--defined-only", "--demangle", library).splitlines()]
         own = re.compile(r"(?:(?:vtable|typeinfo|typeinfo name|guard variable) for |non-virtual thunk to )?raygauge::")
@@ -112,7 +112,7 @@ class Packages(unittest.TestCase):
         include = self.root / "usr/include"
         run(COMPILER, "-std=c++20", f"-I{include}",
             f"-I{include}/raygauge", "-I/usr/include/eigen3", source, "-o", program, f"-L{self.root / 'usr/lib'}", "-lraygauge", "-lqhullcpp", "-lqhull_r")
-        self.assertIn("libraygauge.so.0.1", run("ldd", program, env=self.environment()))
+        self.assertIn("libraygauge.so.0.2", run("ldd", program, env=self.environment()))
         self.assertIn("distance 2,", run(program, env=self.environment()))
 
     def test_6_the_python_package_answers(self):
