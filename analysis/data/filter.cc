@@ -12,9 +12,7 @@
 #include "analysis/data/columns.h"
 #include "analysis/data/filter_tokens.h"
 #include "analysis/data/parameter_columns.h"
-#include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {
@@ -194,11 +192,8 @@ class Parser {
 
   static Predicate text_comparison(const AnalysisColumn& column, const std::string& symbol,
                                    const std::string& text) {
-    const bool is_method = column.name == "method" || column.name == "method_name";
-    const std::string current = is_method ? current_method_name(text) : with_current_numbers(text);
-    return [get = column.get, symbol, text, current](const Record& record) {
-      const std::string value = std::get<std::string>(get(record));
-      return compare(symbol, value, value == text ? text : current);
+    return [get = column.get, symbol, text](const Record& record) {
+      return compare(symbol, std::get<std::string>(get(record)), text);
     };
   }
 

@@ -11,7 +11,6 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge::cli {
 namespace {
@@ -106,8 +105,7 @@ BetweenReport answer_between(const DistanceQuery& query, bool is_signed,
   if (is_signed) effects = effects | ObjectEffects::depth;
   ObjectDistanceSolver solver(options);
   const auto start = std::chrono::steady_clock::now();
-  const auto first = query.prepared ? prepared(A1) : A1, second = query.prepared ? prepared(A2) : A2;
-  report.answer = solver.solve(*first, *second, *Q, effects);
+  report.answer = solver.solve(*A1, *A2, *Q, effects);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

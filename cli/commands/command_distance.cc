@@ -207,7 +207,7 @@ void add_sets_and_output(Command& command, DistanceArguments& arguments) {
       .add_option("--method", arguments.query.method,
                   "automatic (newton where Q is smooth, column_generation otherwise) or one of " +
                       joined(all_methods().names()) +
-                      "; glpk stands for glpk_dual; any set: column_generation (once called direct), "
+                      "; glpk stands for glpk_dual; any set: column_generation, "
                       "newton, zheng_yamane")
       .type_name("NAME");
   command.add_flag("--skip-header", arguments.format.skip_header,
@@ -247,10 +247,7 @@ std::vector<Option> add_limits_and_engine_options(Command& command, DistanceArgu
           .add_option("--threads", options.threads,
                       "Threads of the solve; column_generation shares its passes over large point sets")
           .type_name("K");
-  const Option prepared =
-      command.add_flag("--prepared", arguments.query.prepared,
-                       "Prepare sets of points first, as for many queries; the seconds include it");
-  return {iterations, stop_rule, instruction_set, threads, prepared};
+  return {iterations, stop_rule, instruction_set, threads};
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "engine/sweep/limited_load.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge::cli {
 namespace {
@@ -37,11 +36,7 @@ void solve_by_engine(const DistanceQuery& query, DistanceMethod method, const In
   options.method = method;
   DistanceSolver solver(options);
   const Effects effects = query.witness ? Effects::witness : Effects::none;
-  report.seconds = seconds_of([&] {
-    const auto A = query.prepared ? prepared(instance.A) : instance.A;
-    const auto Q = query.prepared ? prepared(instance.Q) : instance.Q;
-    report.result = solver.solve(*A, *Q, effects);
-  });
+  report.seconds = seconds_of([&] { report.result = solver.solve(*instance.A, *instance.Q, effects); });
 }
 
 void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const Instance& instance,
@@ -53,8 +48,7 @@ void solve_by_baseline(const DistanceQuery& query, SolveMethod& method, const In
   }
   if (query.engine_options_set) {
     throw InvalidParameterError(
-        "--max-iterations, --stop-rule, --instruction-set, --threads and --prepared are for "
-        "column_generation, "
+        "--max-iterations, --stop-rule, --instruction-set and --threads are for column_generation, "
         "zheng_yamane and newton; " +
         name + " has no such options");
   }

@@ -16,7 +16,6 @@ struct DistanceQuery {
   DistanceOptions options;           ///< `method` of it is set from the name
   bool engine_options_set = false;   ///< whether an option was chosen that only the engine's methods have
   bool witness = false;
-  bool prepared = false;  ///< sets of points are prepared first, in the seconds of the solve
 };
 
 /// Answers the query for A and Q of `instance`. Throws UnknownNameError for a method that is not in

@@ -11,7 +11,6 @@
 #include "cli/input/input_file.h"
 #include "cli/input/toml_keys.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sweep/method.h"
 
 namespace raygauge::cli {
 namespace {
@@ -107,9 +106,7 @@ toml::table override_value(const std::string& text, const std::string& mark) {
 }
 
 bool is_called(const toml::table& entry, const std::string& name) {
-  const std::optional<std::string> own = entry["name"].value<std::string>();
-  return (own && current_method_name(*own) == current_method_name(name)) ||
-         entry["label"].value<std::string>() == name;
+  return entry["name"].value<std::string>() == name || entry["label"].value<std::string>() == name;
 }
 
 /// The entry of an array of tables that the rest of a key speaks of; `next` moves past a part that chose it.

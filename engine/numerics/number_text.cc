@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/numerics/number_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <string_view>
 
 namespace raygauge {
 namespace {
@@ -38,33 +36,6 @@ std::string to_chars_text(double value, Format... format) {
 }
 
 bool is_below_plain(double value) { return value != 0 && std::abs(value) < kSmallestPlain; }
-
-bool ends_token(char c) { return std::string_view(" ,[]{}=\n\"").find(c) != std::string_view::npos; }
-
-/// Where the value begins that may stand at `i`: behind "=", "[", ",", "= " or ", ".
-bool begins_value(const std::string& text, std::size_t i) {
-  const auto opens = [](char c) { return c == '=' || c == '[' || c == ','; };
-  if (i == 0) return false;
-  if (opens(text[i - 1])) return true;
-  return i > 1 && text[i - 1] == ' ' && (text[i - 2] == '=' || text[i - 2] == ',');
-}
-
-/// One past the closing quote of the text that begins at `i`.
-std::size_t end_of_quoted(const std::string& text, std::size_t i) {
-  for (++i; i < text.size() && text[i] != '"'; ++i) {
-    if (text[i] == '\\') ++i;
-  }
-  return std::min(i + 1, text.size());
-}
-
-/// A real number as std::to_chars writes it becomes one of ours; integers and anything else stay.
-std::string current_number(const std::string& token) {
-  if (token.find_first_of(".e") == std::string::npos) return token;
-  double value = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  const bool whole = error == std::errc() && end == token.data() + token.size();
-  return whole && to_chars_text(value) == token ? shortest_text(value) : token;
-}
 
 }  // namespace
 
@@ -95,25 +66,6 @@ std::string rounded_text(double value, int digits) {
   std::size_t end = text.find('.') == std::string::npos ? e : text.find_last_not_of('0', e - 1) + 1;
   if (text[end - 1] == '.') --end;
   return short_exponent(text.erase(end, e - end));
-}
-
-std::string with_current_numbers(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    std::size_t end = i + 1;
-    if (!begins_value(text, i)) {
-      result += text[i];
-    } else if (text[i] == '"') {
-      end = end_of_quoted(text, i);
-      result += text.substr(i, end - i);
-    } else {
-      for (end = i; end < text.size() && !ends_token(text[end]);) ++end;
-      result += current_number(text.substr(i, end - i));
-      if (end == i) result += text[end++];
-    }
-    i = end;
-  }
-  return result;
 }
 
 }  // namespace raygauge

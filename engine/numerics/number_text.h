@@ -16,9 +16,4 @@ std::string rounded_text(double value, int digits);
 /// "1.2e-07" becomes "1.2e-7".
 std::string short_exponent(const std::string& text);
 
-/// `text`, parameters as name=value or the identity of an experiment, with its numbers as shortest_text()
-/// writes them. Earlier versions wrote 1e-08, 0.001 and 1e+05, as std::to_chars does; what is in quotes
-/// stays.
-std::string with_current_numbers(const std::string& text);
-
 }  // namespace raygauge

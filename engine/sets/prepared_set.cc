@@ -112,10 +112,4 @@ const PointSet* as_point_set(const ConvexSet& S) noexcept {
   return typeid(S) == typeid(PreparedSet) ? &static_cast<const PreparedSet&>(S).points() : nullptr;
 }
 
-std::shared_ptr<const ConvexSet> prepared(std::shared_ptr<const ConvexSet> S) {
-  const auto* points = dynamic_cast<const PointSet*>(S.get());
-  if (points == nullptr) return S;
-  return std::make_shared<PreparedSet>(*points);
-}
-
 }  // namespace raygauge

@@ -5,25 +5,19 @@
 #include <string>
 
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/prepared_set.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {
 
-constexpr const char* kColumnGeneration = "column_generation";
-constexpr const char* kFormerName = "direct";  // of column_generation
-
-/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets, or
-/// prepares them.
+/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets.
 class EngineMethod final : public SolveMethod {
  public:
-  EngineMethod(const DistanceOptions& options, bool prepares)
-      : options_(options), solver_(options), prepares_(prepares) {}
+  explicit EngineMethod(const DistanceOptions& options) : options_(options), solver_(options) {}
 
   void load(const Instance& instance) override {
-    A_ = prepares_ ? prepared(instance.A) : instance.A;
-    Q_ = prepares_ ? prepared(instance.Q) : instance.Q;
+    A_ = instance.A;
+    Q_ = instance.Q;
     result_ = nullptr;
   }
 
@@ -44,7 +38,6 @@ class EngineMethod final : public SolveMethod {
  private:
   DistanceOptions options_;
   DistanceSolver solver_;
-  bool prepares_;
   std::shared_ptr<const ConvexSet> A_, Q_;
   const DistanceResult* result_ = nullptr;
 };
@@ -65,19 +58,18 @@ std::vector<std::string> names_of(const std::map<std::string, T>& choices) {
 }
 
 std::vector<ParameterInfo> common_parameters() {
-  return {
-      {"instruction_set",
-       std::string("automatic"),
-       {},
-       {},
-       "instruction set of the vector kernels",
-       names_of(kInstructionSets)},
-      {"max_iterations", std::int64_t{0}, 0.0, 9e15, "largest number of basis changes; 0: chosen from n", {}},
-      {"prepared", false, {}, {}, "sets of points are prepared before the solves that are timed", {}}};
-}
-
-std::unique_ptr<SolveMethod> make_method(const DistanceOptions& options, const Parameters& parameters) {
-  return std::make_unique<EngineMethod>(options, boolean_parameter(parameters, "prepared"));
+  return {{"instruction_set",
+           std::string("automatic"),
+           {},
+           {},
+           "instruction set of the vector kernels",
+           names_of(kInstructionSets)},
+          {"max_iterations",
+           std::int64_t{0},
+           0.0,
+           9e15,
+           "largest number of basis changes; 0: chosen from n",
+           {}}};
 }
 
 DistanceOptions options_from(DistanceMethod method, const Parameters& parameters) {
@@ -90,10 +82,6 @@ DistanceOptions options_from(DistanceMethod method, const Parameters& parameters
 
 }  // namespace
 
-std::string current_method_name(const std::string& name) {
-  return name == kFormerName ? kColumnGeneration : name;
-}
-
 void register_engine_methods(MethodRegistry& registry) {
   std::vector<ParameterInfo> of_column_generation = common_parameters();
   of_column_generation.push_back({"threads",
@@ -102,22 +90,17 @@ void register_engine_methods(MethodRegistry& registry) {
                                   static_cast<double>(kMostThreads),
                                   "threads of one solve, for its passes over very large point sets",
                                   {}});
-  registry.add({kColumnGeneration,
+  registry.add({"column_generation",
                 "the linear program of Example 2 by column generation over support mappings",
-                std::move(of_column_generation),
-                [](const Parameters& parameters) {
+                std::move(of_column_generation), [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::column_generation, parameters);
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
-                  return make_method(options, parameters);
-                },
-                true,
-                Role::engine,
-                {},
-                {kFormerName}});
+                  return std::make_unique<EngineMethod>(options);
+                }});
   registry.add({"newton",
                 "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
                 common_parameters(), [](const Parameters& parameters) {
-                  return make_method(options_from(DistanceMethod::newton, parameters), parameters);
+                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::newton, parameters));
                 }});
   std::vector<ParameterInfo> published = common_parameters();
   published.push_back(
@@ -131,7 +114,7 @@ void register_engine_methods(MethodRegistry& registry) {
                 [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::zheng_yamane, parameters);
                   options.stop_rule = kStopRules.at(string_parameter(parameters, "stop_rule"));
-                  return make_method(options, parameters);
+                  return std::make_unique<EngineMethod>(options);
                 }});
 }
 

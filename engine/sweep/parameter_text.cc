@@ -6,8 +6,6 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/numerics/number_text.h"
-
 namespace raygauge {
 namespace {
 
@@ -40,8 +38,7 @@ std::string take_quoted(const std::string& text, std::size_t& position) {
 }  // namespace
 
 std::string quoted_where_needed(const std::string& text) {
-  const bool is_plain = text.find_first_of(" \"\\\n\r\t") == std::string::npos;
-  if (is_plain && with_current_numbers("=" + text) == "=" + text) return text;
+  if (text.find_first_of(" \"\\\n\r\t") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) {
     char letter = 0;

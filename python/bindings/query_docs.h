@@ -11,7 +11,7 @@ inline constexpr const char* kDistanceDoc =
 
 A, Q: sets, or arrays of points of shape (N, n), of the same n; Q is to have the origin in its interior.
 tolerance: the solve ends when upper - lower <= tolerance * upper; in (0, 1).
-method: automatic (newton where Q is smooth, column_generation otherwise), column_generation (once called direct), newton (smooth sets, many digits) or zheng_yamane (the paper's algorithm).
+method: automatic (newton where Q is smooth, column_generation otherwise), column_generation, newton (smooth sets, many digits) or zheng_yamane (the paper's algorithm).
 pose_A, pose_Q: homogeneous matrices of shape (n+1, n+1), rigid motions of the sets, which are not copied.
 warm: a WarmStart that the pair keeps from query to query.
 witness: also compute a contact point. time_limit: seconds. max_iterations: basis changes, 0 for the engine's own limit.

@@ -8,7 +8,6 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/validate.h"
-#include "raygauge/sweep/method.h"
 
 namespace raygauge::python {
 namespace {
@@ -22,11 +21,9 @@ DistanceMethod method_of(std::string_view name) {
   for (const DistanceMethod method : kMethods) {
     if (name == to_string(method)) return method;
   }
-  const std::string current = current_method_name(std::string(name));
-  if (current != name) return method_of(current);
   std::vector<std::string> names;
   for (const DistanceMethod method : kMethods) names.emplace_back(to_string(method));
-  throw UnknownNameError("method", current, names);
+  throw UnknownNameError("method", std::string(name), names);
 }
 
 DistanceOptions options_of(std::string_view method, double tolerance, double time_limit) {

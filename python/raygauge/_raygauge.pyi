@@ -12,7 +12,7 @@ __version__: str
 
 Array: TypeAlias = NDArray[np.float64]
 SetLike: TypeAlias = ConvexSet | ArrayLike
-Method: TypeAlias = Literal["automatic", "column_generation", "direct", "newton", "zheng_yamane"]
+Method: TypeAlias = Literal["automatic", "column_generation", "newton", "zheng_yamane"]
 
 class Error(ValueError): ...
 class DimensionMismatchError(Error): ...

@@ -22,9 +22,8 @@ def open(path: str | os.PathLike[str]) -> Results:
 
     Every variable has its `units` and `description`; texts are real strings. `attrs` holds the experiment's TOML
     text, the program's version and the schema version. `to_dataframe()` gives texts as categories. A run that has not
-    been finished is opened after `raygauge run --resume`. Files of earlier versions have today's columns and names, by the
-    rules of docs/file-format.md. Of a scene's results the rows are its answers, with the names of bodies and queries;
-    `attrs["scene"]` is the scene file.
+    been finished is opened after `raygauge run --resume`. Of a scene's results the rows are its answers, with the names
+    of bodies and queries; `attrs["scene"]` is the scene file.
 
     Needs python3-h5py and python3-xarray. Raises ResultsError.
 

@@ -13,7 +13,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from . import older_files
 from .files import ResultsError
 
 
@@ -29,7 +28,9 @@ class Results(xr.Dataset):  # type: ignore[no-untyped-call]
         return frame.astype({name: "category" for name in texts})
 
 
-_LAST_WITHOUT_HOSTS = 2
+# The schema versions whose files are read: from those of release 0.2 on (docs/file-format.md).
+_FIRST_VERSIONS = {"raygauge-results": 3, "raygauge-scene": 2}
+_LAST_VERSIONS = {"raygauge-results": 3, "raygauge-scene": 2}
 
 
 def _values(dataset: h5py.Dataset) -> np.ndarray[Any, Any]:
@@ -47,14 +48,15 @@ def _variable(dataset: h5py.Dataset) -> Any:
     return make(("record",), _values(dataset), attributes)
 
 
-def _complete(variables: dict[str, Any], completed: dict[str, Any]) -> None:
-    make: Any = xr.Variable
-    for name, values in completed.items():
-        if name in variables:
-            variables[name] = make(("record",), values, variables[name].attrs)
-        else:
-            unit, description = older_files.COLUMNS[name]
-            variables[name] = make(("record",), values, {"units": unit, "description": description})
+def _check_version(file: h5py.File, path: str, kind: str) -> None:
+    """Raises ResultsError where the program does not read this schema version, in the program's words."""
+    version, first, last = int(file.attrs["schema_version"]), _FIRST_VERSIONS[kind], _LAST_VERSIONS[kind]
+    found = f"{path}: {'a scene: ' if kind == 'raygauge-scene' else ''}schema version {version}"
+    if version < first:
+        raise ResultsError(f"{found}, from before the first release (0.2), is not read: measure anew")
+    if version > last:
+        known = f"version {last}" if first == last else f"versions {first} to {last}"
+        raise ResultsError(f"{found}, this raygauge reads {known}")
 
 
 def _scene(file: h5py.File) -> Results:
@@ -93,25 +95,17 @@ def _check(name: str) -> None:
 
 
 def _dataset(file: h5py.File, path: str) -> Results:
-    if file.attrs.get("format") == "raygauge-scene":
-        return _scene(file)
-    if file.attrs.get("format") != "raygauge-results":
+    kind = str(file.attrs.get("format"))
+    if kind not in _FIRST_VERSIONS:
         raise ResultsError(f"{path}: no results file of raygauge")
+    _check_version(file, path, kind)
+    if kind == "raygauge-scene":
+        return _scene(file)
     variables = {name: _variable(column) for name, column in file["records"].items()}
-    for name in ("generator_parameters", "method_parameters"):
-        texts = variables[name].values
-        current = {text: older_files.with_current_numbers(text) for text in set(texts)}
-        texts[:] = [current[text] for text in texts]
-    schema_version = int(file.attrs["schema_version"])
-    if schema_version == 1:
-        columns = {name: variable.values for name, variable in variables.items()}
-        _complete(variables, older_files.completed(columns, file["provenance/identity"].asstr()[()]))
-    if schema_version <= _LAST_WITHOUT_HOSTS:
-        _complete(variables, older_files.hosts(variables["session"].values, _values(file["provenance/sessions/hostname"])))
     attributes = {
         "experiment": file["provenance/experiment"].asstr()[()],
         "raygauge_version": str(file.attrs["raygauge_version"]),
-        "schema_version": schema_version,
+        "schema_version": int(file.attrs["schema_version"]),
     }
     return Results(variables, attrs=attributes)
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -79,15 +80,14 @@ CsvColumns take_head(std::string_view& text, const std::string& file) {
   std::string_view rest = text.substr(std::min(mark.size(), text.size()));
   const auto version = text.starts_with(mark) ? take_number(rest) : std::nullopt;
   if (!version || !rest.starts_with('\n')) throw ResultsError(file + ": not a journal of raygauge's cells");
-  if (*version < 1 || *version > static_cast<std::uint64_t>(kSchemaVersion)) {
-    refuse_schema_version(file, static_cast<std::int64_t>(*version));
-  }
+  constexpr std::uint64_t kLargest = std::numeric_limits<std::int64_t>::max();
+  require_schema_version(file, static_cast<std::int64_t>(std::min(*version, kLargest)), kReadSchemas);
   rest.remove_prefix(1);
   const std::string_view header = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
   rest.remove_prefix(header.size());
   text = rest;
   try {
-    return csv_columns(header);
+    return csv_columns(header, record_columns());
   } catch (const ResultsError& error) {
     throw ResultsError(file + ": has other columns than a journal of cells: " + error.what());
   }

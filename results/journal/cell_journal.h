@@ -14,7 +14,7 @@ namespace raygauge {
 /// The cells that one session has finished, in that order: CSV (see csv.h), each cell after a line that tells
 /// where it ends.
 ///
-///     # raygauge-results, schema version 1
+///     # raygauge-results, schema version 3
 ///     cell,session,generator,…
 ///     # cell 12: 31234 bytes, CRC-32 1a2b3c4d
 ///     12,0,example2,…

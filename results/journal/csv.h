@@ -35,8 +35,8 @@ struct CsvColumns {
   std::vector<const Column<Record>*> absent;   ///< added by later versions: they get Column::absent
 };
 
-/// Throws ResultsError for a header line that no version wrote.
-CsvColumns csv_columns(std::string_view header);
+/// Which of `columns` a file with this header line has. Throws ResultsError for one that no version wrote.
+CsvColumns csv_columns(std::string_view header, const std::vector<Column<Record>>& columns);
 std::vector<Record> read_csv_rows(std::string_view rows, const CsvColumns& columns);
 
 }  // namespace raygauge

@@ -88,9 +88,9 @@ Value value_of(std::string field, ValueType type) {
 
 }  // namespace
 
-CsvColumns csv_columns(std::string_view header) {
+CsvColumns csv_columns(std::string_view header, const std::vector<Column<Record>>& known) {
   CsvColumns columns;
-  for (const Column<Record>& column : record_columns()) {
+  for (const Column<Record>& column : known) {
     // Columns are only ever added, so those of an older file stand in the order of today's.
     const std::string_view name = header.substr(0, header.find_first_of(",\n"));
     if (name == column.name) {
@@ -127,7 +127,7 @@ std::vector<Record> read_csv_rows(std::string_view rows, const CsvColumns& colum
 }
 
 std::vector<Record> read_csv_rows(std::string_view rows) {
-  static const CsvColumns kColumns = csv_columns(csv_header());
+  static const CsvColumns kColumns = csv_columns(csv_header(), record_columns());
   return read_csv_rows(rows, kColumns);
 }
 

@@ -66,7 +66,7 @@ class Merge {
       add_provenance(path, decode_provenance(path));
       reader_.add_file(path, part, first_session);
     } else {
-      ResultsFile results = read_results(path.string());  // unfinished, or of an earlier version
+      ResultsFile results = read_results(path.string());  // unfinished, changed, or of an earlier release
       add_provenance(path, std::move(results.provenance));
       reader_.add_records(results.records, part, first_session);
     }

@@ -63,8 +63,7 @@ struct Provenance {
 };
 
 /// What readers say of a file without one.
-inline constexpr const char* kNoChecksum =
-    "no checksum: written by an earlier version, or changed by another program; damage may go unnoticed";
+inline constexpr const char* kNoChecksum = "no checksum: changed by another program; damage may go unnoticed";
 
 /// The current time in ISO 8601, UTC, to the second.
 std::string utc_now();

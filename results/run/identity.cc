@@ -104,7 +104,7 @@ std::string experiment_identity(const Experiment& experiment) {
       {"generators", text_of(experiment.generators)},
       {"methods", text_of(experiment.methods)},
   };
-  // Absent where it is off, as in files that are older than these keys.
+  // Absent where it is off.
   if (experiment.stop_when_within > 0) {
     lines.emplace_back("min_repetitions", text_of(experiment.min_repetitions));
     lines.emplace_back("stop_when_within", text_of(experiment.stop_when_within));

@@ -15,8 +15,6 @@
 #include "results/run/run_directory.h"
 #include "results/run/stored_cells.h"
 #include "results/schema/encoding.h"
-#include "results/schema/older_files.h"
-#include "results/schema/session_tables.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -62,8 +60,6 @@ ResultsFile read_once(const fs::path& path) {
   if (fs::exists(path) || parts.sessions.empty()) results = decode_results(path);
   add_sessions(results.provenance, parts);
   add_cells(results, parts);
-  complete_older_records(results.records, results.provenance.identity);
-  complete_hosts(results.records, results.provenance.sessions);
   sort_by_cell(results.records);
   return results;
 }

@@ -78,8 +78,6 @@ struct Column : ColumnInfo {
   /// The entry of every row of a file that lacks the column; nothing for a column that every file has had.
   std::optional<Value> absent = {};
 
-  std::string former_name = {};  ///< in files of earlier versions; empty where it is today's
-
   /// What `set` does, for a row from each of the entries; where it is empty, `set` is called for each.
   std::function<void(std::span<Row>, const StoredEntries&)> set_all = {};
 };
@@ -107,7 +105,6 @@ Column<Row> column(std::string name, std::string unit, std::string description, 
           [member](const Row& row) { return Value(row.*member); },
           [member](Row& row, const Value& value) { row.*member = std::get<T>(value); },
           {},
-          {},
           setter_of_all<Row, T>([member](Row& row) -> T& { return row.*member; })};
 }
 
@@ -117,7 +114,6 @@ Column<Row> column(std::string name, std::string unit, std::string description, 
   return {{std::move(name), std::move(unit), std::move(description), value_type<T>()},
           [part, member](const Row& row) { return Value(row.*part.*member); },
           [part, member](Row& row, const Value& value) { row.*part.*member = std::get<T>(value); },
-          {},
           {},
           setter_of_all<Row, T>([part, member](Row& row) -> T& { return row.*part.*member; })};
 }
@@ -132,7 +128,6 @@ Column<Row> column_of_words(std::string name, std::string description, T Row::*m
             row.*member = value_of(std::get<std::string>(value));
           },
           {},
-          {},
           [member, value_of](std::span<Row> rows, const StoredEntries& entries) {
             std::string before;
             T value{};
@@ -144,17 +139,10 @@ Column<Row> column_of_words(std::string name, std::string description, T Row::*m
           }};
 }
 
-/// A column that files of earlier versions lack: `absent` stands for its entries there.
+/// A column that files of earlier releases lack: `absent` stands for its entries there.
 template <class Row>
 Column<Row> later(Column<Row> column, Value absent) {
   column.absent = std::move(absent);
-  return column;
-}
-
-/// A column that files of earlier versions call `name`.
-template <class Row>
-Column<Row> formerly(std::string name, Column<Row> column) {
-  column.former_name = std::move(name);
   return column;
 }
 

@@ -5,12 +5,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "engine/numerics/number_text.h"
-#include "raygauge/sweep/method.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/schema/column_io.h"
-#include "results/schema/older_files.h"
 #include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
 #include "results/schema/table_reader.h"
@@ -31,13 +28,13 @@ bool has_own_format(const H5::Group& root, const std::string& file) {
   return root.attrExists("format") && hdf5::read_text_attribute(root, "format", file) == kFormatName;
 }
 
-/// The schema version of the file.
+/// The schema version of the file, which is among those that are read.
 std::int64_t check_head(const H5::Group& root, const std::string& file) {
   if (!has_own_format(root, file)) {
     throw ResultsError(file + ": an HDF5 file, but not one of raygauge's results");
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
-  if (version < 1 || version > kSchemaVersion) refuse_schema_version(file, version);
+  require_schema_version(file, version, kReadSchemas);
   return version;
 }
 
@@ -68,21 +65,19 @@ Session& session_of(Provenance& provenance, std::int32_t number, const std::stri
   return provenance.sessions[static_cast<std::size_t>(number)];
 }
 
-Provenance read_provenance(const H5::Group& root, const std::string& file, std::int64_t version) {
+Provenance read_provenance(const H5::Group& root, const std::string& file) {
   const H5::Group group = hdf5::open_group(root, "provenance", file + ": ");
   const std::string place = file + ": /provenance";
   Provenance provenance;
   provenance.experiment_text = hdf5::read_text(group, "experiment", place);
-  provenance.identity = with_current_numbers(hdf5::read_text(group, "identity", place));
-  if (version == 1) provenance.identity = current_identity(provenance.identity);
+  provenance.identity = hdf5::read_text(group, "identity", place);
   provenance.cell_count =
       static_cast<std::uint64_t>(hdf5::read_integer_attribute(group, "cell_count", place));
   provenance.sessions = read_sessions(group, place);
   for (const CalibrationRow& row : hdf5::read_table(group, "calibration", calibration_columns(), place)) {
     Calibration& calibration = session_of(provenance, row.session, place + "/calibration").calibration;
     calibration.threads = row.threads;
-    const std::string label = version == 1 ? current_method_name(row.method) : row.method;
-    calibration.entries.push_back({label, row.serial_seconds, row.parallel_seconds, row.slowdown,
+    calibration.entries.push_back({row.method, row.serial_seconds, row.parallel_seconds, row.slowdown,
                                    row.slowdown_lower, row.slowdown_upper});
   }
   return provenance;
@@ -124,9 +119,9 @@ ResultsFile decode_results(const std::filesystem::path& path) {
   ResultsFile results;
   hdf5::StoredTable<Record> records;
   const bool has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
-    const std::int64_t version = check_head(root, path.string());
+    check_head(root, path.string());
     records = hdf5::StoredTable<Record>(root, "records", record_columns(), path.string() + ": ");
-    results.provenance = read_provenance(root, path.string(), version);
+    results.provenance = read_provenance(root, path.string());
   });
   results.records = in_memory(records, path.string());
   results.provenance.has_checksum = has_checksum;
@@ -136,8 +131,8 @@ ResultsFile decode_results(const std::filesystem::path& path) {
 Provenance decode_provenance(const std::filesystem::path& path) {
   Provenance provenance;
   const bool has_checksum = hdf5::read_own_file(path, [&](H5::Group& root) {
-    const std::int64_t version = check_head(root, path.string());
-    provenance = read_provenance(root, path.string(), version);
+    check_head(root, path.string());
+    provenance = read_provenance(root, path.string());
   });
   provenance.has_checksum = has_checksum;
   return provenance;

@@ -3,7 +3,6 @@
 #include "results/schema/schema.h"
 
 #include <array>
-#include <limits>
 
 #include "engine/methods/counters.h"
 #include "results/exceptions.h"
@@ -19,9 +18,8 @@ Column<Record> status_column() {
 }
 
 Column<Record> role_column() {
-  return later(column_of_words("role", "whose the method is: engine, baseline or oracle", &Record::role,
-                               role_from_string),
-               std::string(to_string(Role::engine)));
+  return column_of_words("role", "whose the method is: engine, baseline or oracle", &Record::role,
+                         role_from_string);
 }
 
 }  // namespace
@@ -32,9 +30,16 @@ std::string_view to_string(ValueType type) noexcept {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-void refuse_schema_version(const std::string& file, std::int64_t version) {
-  throw SchemaVersionError(file + ": schema version " + std::to_string(version) +
-                           ", this raygauge reads versions 1 to " + std::to_string(kSchemaVersion));
+void require_schema_version(const std::string& place, std::int64_t version, SchemaVersions read) {
+  if (version >= read.first && version <= read.last) return;
+  const std::string found = place + ": schema version " + std::to_string(version);
+  if (version < read.first)
+    throw SchemaVersionError(found + ", from before the first release (0.2), is not read: measure anew");
+  const std::string first = std::to_string(read.first);
+  const std::string last = std::to_string(read.last);
+  throw SchemaVersionError(
+      found + ", this raygauge reads " +
+      (read.first == read.last ? "version " + last : "versions " + first + " to " + last));
 }
 
 // clang-format off
@@ -48,7 +53,7 @@ std::vector<Column<Record>> columns_before_counters() {
     column("generator_parameters", "", "every parameter of the generator as name=value, separated by blanks", &Record::generator_parameters),
     column("method", "", "label of the method in the experiment", &Record::method),
     column("method_parameters", "", "every parameter of the method as name=value, separated by blanks", &Record::method_parameters),
-    later(column("method_name", "", "registered name of the method", &Record::method_name), std::string()),
+    column("method_name", "", "registered name of the method", &Record::method_name),
     role_column(),
     column("n", "1", "dimension of the space", &Record::n),
     column("N", "1", "number of points in each set", &Record::N),
@@ -62,9 +67,9 @@ std::vector<Column<Record>> columns_before_counters() {
     column("lower", "1", "certified lower bound of the distance; nan where nothing could be certified", &Record::lower),
     column("upper", "1", "certified upper bound of the distance; nan where nothing could be certified", &Record::upper),
     column("exact_distance", "1", "distance that the generator knows from its construction; nan where it knows none", &Record::exact_distance),
-    later(column("exact_distance_rounding", "1", "relative rounding error of exact_distance; 0 where exact_distance is exact for the stored coordinates", &Record::exact_distance_rounding), 0.0),
-    later(column("hardness_label", "", "what hardness is, as in 1/δ; empty where the generator has no such parameter", &Record::hardness_label), std::string()),
-    later(column("hardness", "1", "how hard the generator's parameters make the instance; nan where it has no such parameter", &Record::hardness), std::numeric_limits<double>::quiet_NaN()),
+    column("exact_distance_rounding", "1", "relative rounding error of exact_distance; 0 where exact_distance is exact for the stored coordinates", &Record::exact_distance_rounding),
+    column("hardness_label", "", "what hardness is, as in 1/δ; empty where the generator has no such parameter", &Record::hardness_label),
+    column("hardness", "1", "how hard the generator's parameters make the instance; nan where it has no such parameter", &Record::hardness),
     status_column(),
     column("agrees", "", "whether the method agrees with all others on the instance; times of records that do not are not to be averaged", &Record::agrees),
   };
@@ -72,8 +77,8 @@ std::vector<Column<Record>> columns_before_counters() {
 
 std::vector<Column<Record>> columns_after_counters() {
   return {
-    later(column("host", "", "name of the machine that ran the cell", &Record::host), std::string()),
-    later(column("rank", "1", "MPI rank that ran the cell; 0 without MPI", &Record::rank), std::int32_t{0}),
+    column("host", "", "name of the machine that ran the cell", &Record::host),
+    column("rank", "1", "MPI rank that ran the cell; 0 without MPI", &Record::rank),
     column("thread", "1", "OpenMP thread that ran the cell", &Record::thread),
     column("concurrency", "1", "threads that were solving during this run", &Record::concurrency),
     column("started_at", "s", "start of the solve, counted from the start of its session", &Record::started_at),
@@ -124,8 +129,8 @@ const std::vector<Column<Session>>& session_columns() {
     column("compiler", "", "compiler and its version", &Session::build, &BuildInfo::compiler),
     column("compiler_flags", "", "flags of the compiler", &Session::build, &BuildInfo::compiler_flags),
     column("build_type", "", "CMake build type", &Session::build, &BuildInfo::build_type),
-    later(column("machine", "1", "row of /provenance/machines", &Session::machine_row), std::int32_t{-1}),
-    later(column("rank", "1", "MPI rank of the process; 0 without MPI", &Session::rank), std::int32_t{0}),
+    column("machine", "1", "row of /provenance/machines", &Session::machine_row),
+    column("rank", "1", "MPI rank of the process; 0 without MPI", &Session::rank),
     column("cores", "1", "logical cores that the process could use", &Session::machine, &MachineInfo::cores),
   };
   return kColumns;
@@ -147,9 +152,9 @@ const std::vector<Column<CalibrationRow>>& calibration_columns() {
     column("method", "", "label of the method", &CalibrationRow::method),
     column("serial_seconds", "s", "median time of a solve alone", &CalibrationRow::serial_seconds),
     column("parallel_seconds", "s", "median time of a solve with all threads busy", &CalibrationRow::parallel_seconds),
-    formerly("inflation", column("slowdown", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::slowdown)),
-    later(column("slowdown_lower", "1", "lower end of the 95 % interval of slowdown; 0 where there are fewer than 6 instances", &CalibrationRow::slowdown_lower), std::numeric_limits<double>::quiet_NaN()),
-    later(column("slowdown_upper", "1", "its upper end; inf where there are fewer than 6 instances", &CalibrationRow::slowdown_upper), std::numeric_limits<double>::quiet_NaN()),
+    column("slowdown", "1", "median ratio of the time with all threads busy to the time alone", &CalibrationRow::slowdown),
+    column("slowdown_lower", "1", "lower end of the 95 % interval of slowdown; 0 where there are fewer than 6 instances", &CalibrationRow::slowdown_lower),
+    column("slowdown_upper", "1", "its upper end; inf where there are fewer than 6 instances", &CalibrationRow::slowdown_upper),
   };
   return kColumns;
 }

@@ -15,15 +15,22 @@ namespace raygauge {
 
 /// Version of the layout of a results file. It rises with every change of a column: added, removed, renamed,
 /// or of another type, unit or meaning.
-/// Files of every earlier version are read: columns that they lack have defaults (Column::absent,
-/// complete_older_records()).
 inline constexpr std::int32_t kSchemaVersion = 3;
+
+/// The schema versions whose files are read: from that of the first release, 0.2, on. Columns that files of
+/// an earlier release lack have defaults (Column::absent).
+struct SchemaVersions {
+  std::int64_t first;
+  std::int64_t last;
+};
+inline constexpr SchemaVersions kReadSchemas = {3, kSchemaVersion};
 
 /// The root attribute `format` of every results file, and how a journal of cells begins.
 inline constexpr const char* kFormatName = "raygauge-results";
 
-/// Throws the SchemaVersionError of a file of a version that this program does not know.
-[[noreturn]] void refuse_schema_version(const std::string& file, std::int64_t version);
+/// Throws SchemaVersionError for a version that is not among those `read`; `place` is the file, or "FILE: a
+/// scene".
+void require_schema_version(const std::string& place, std::int64_t version, SchemaVersions read);
 
 /// A row of /provenance/versions.
 struct VersionRow {

@@ -35,18 +35,10 @@ void set_machine(Session& session, const MachineInfo& machine) {
 }
 
 void read_machines(const H5::Group& group, const std::string& place, std::vector<Session>& sessions) {
-  if (group.nameExists("machines")) {
-    std::vector<MachineInfo> machines = hdf5::read_table(group, "machines", machine_columns(), place);
-    for (Session& session : sessions) {
-      set_machine(session, row_of(machines, session.machine_row, place + "/sessions", "machines"));
-    }
-    return;
+  std::vector<MachineInfo> machines = hdf5::read_table(group, "machines", machine_columns(), place);
+  for (Session& session : sessions) {
+    set_machine(session, row_of(machines, session.machine_row, place + "/sessions", "machines"));
   }
-  std::vector<MachineInfo> machines = hdf5::read_table(group, "sessions", machine_columns(), place);
-  for (std::size_t i = 0; i < sessions.size(); ++i) {
-    set_machine(sessions[i], row_of(machines, static_cast<std::int32_t>(i), place, "sessions"));
-  }
-  distinct_machines(sessions);
 }
 
 }  // namespace
@@ -84,13 +76,6 @@ std::vector<Session> read_sessions(const H5::Group& group, const std::string& pl
         .versions.push_back({row.name, row.version});
   }
   return sessions;
-}
-
-void complete_hosts(std::vector<Record>& records, const std::vector<Session>& sessions) {
-  for (Record& record : records) {
-    const auto session = static_cast<std::size_t>(record.session);
-    if (record.host.empty() && session < sessions.size()) record.host = sessions[session].machine.hostname;
-  }
 }
 
 }  // namespace raygauge

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/sweep/record.h"
 #include "results/provenance/provenance.h"
 
 namespace H5 {
@@ -21,11 +20,7 @@ std::vector<MachineInfo> distinct_machines(std::vector<Session>& sessions);
 /// Writes the tables `sessions`, `machines` and `versions` of a group.
 void write_sessions(H5::Group& group, std::vector<Session> sessions);
 
-/// The inverse. A file without `machines`, of an earlier version, has their columns in `sessions`. `place`
-/// names the group in messages. Throws ResultsError.
+/// The inverse. `place` names the group in messages. Throws ResultsError.
 std::vector<Session> read_sessions(const H5::Group& group, const std::string& place);
-
-/// Records without a host, of a file of an earlier version, get that of their session.
-void complete_hosts(std::vector<Record>& records, const std::vector<Session>& sessions);
 
 }  // namespace raygauge

@@ -23,12 +23,9 @@ Value value_at(ValueType type, const StoredEntries& entries, std::size_t i) {
 }
 
 std::unique_ptr<StoredColumn> stored_column(const H5::Group& group, const ColumnInfo& info,
-                                            const std::string& former_name, bool may_be_absent,
-                                            const std::string& place) {
-  ColumnInfo stored = info;
-  if (!group.nameExists(stored.name) && !former_name.empty()) stored.name = former_name;
-  if (may_be_absent && !group.nameExists(stored.name)) return nullptr;
-  return std::make_unique<StoredColumn>(group, stored, place);
+                                            bool may_be_absent, const std::string& place) {
+  if (may_be_absent && !group.nameExists(info.name)) return nullptr;
+  return std::make_unique<StoredColumn>(group, info, place);
 }
 
 }  // namespace raygauge::hdf5

@@ -23,11 +23,9 @@ namespace raygauge::hdf5 {
 /// The entry as a Value.
 Value value_at(ValueType type, const StoredEntries& entries, std::size_t i);
 
-/// The column under today's name or an earlier one; nothing where the file lacks it and has its default.
-/// Throws ResultsError where it must not lack it, and like StoredColumn().
+/// The column; nothing where the file may lack it and does. Throws like StoredColumn().
 std::unique_ptr<StoredColumn> stored_column(const H5::Group& group, const ColumnInfo& info,
-                                            const std::string& former_name, bool may_be_absent,
-                                            const std::string& place);
+                                            bool may_be_absent, const std::string& place);
 
 /// A table of a file whose bytes have been fetched: what is left to do needs no HDF5.
 template <class Row>
@@ -42,7 +40,7 @@ class StoredTable {
       : columns_(&columns), place_(place + "/" + name) {
     const H5::Group group = open_group(parent, name, place);
     for (const Column<Row>& column : columns) {
-      stored_.push_back(stored_column(group, column, column.former_name, column.absent.has_value(), place_));
+      stored_.push_back(stored_column(group, column, column.absent.has_value(), place_));
       const StoredColumn* last = stored_.back().get();
       if (last == nullptr || last->rows() == size()) continue;
       throw ResultsError(place_ + "/" + column.name + ": " + std::to_string(last->rows()) + " entries, but " +

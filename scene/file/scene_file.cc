@@ -16,7 +16,6 @@
 #include "results/hdf5/hdf5_library.h"
 #include "results/run/run_directory.h"
 #include "results/schema/column_io.h"
-#include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
 #include "results/schema/table_reader.h"
 #include "results/text/language.h"
@@ -35,9 +34,7 @@ void check_format(const H5::Group& root, const std::string& file) {
     throw ResultsError(file + ": an HDF5 file, but not the results of a scene");
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
-  if (version >= 1 && version <= kSceneSchemaVersion) return;
-  throw SchemaVersionError(file + ": a scene of schema version " + std::to_string(version) +
-                           ", this raygauge reads versions 1 to " + std::to_string(kSceneSchemaVersion));
+  require_schema_version(file + ": a scene", version, kReadSceneSchemas);
 }
 
 std::string field_of(const Value& value) {

@@ -10,11 +10,13 @@
 #include "raygauge/scene/scene_run.h"
 #include "results/provenance/provenance.h"
 #include "results/schema/column.h"
+#include "results/schema/schema.h"
 
 namespace raygauge {
 
 /// Version of the layout of a scene's results; rises with every change of a column.
 inline constexpr std::int32_t kSceneSchemaVersion = 2;
+inline constexpr SchemaVersions kReadSceneSchemas = {2, kSceneSchemaVersion};  ///< from release 0.2 on
 
 /// A row of /records.
 struct SceneRow {

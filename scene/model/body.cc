@@ -68,7 +68,7 @@ std::shared_ptr<const ConvexSet> prepared_if_it_pays(const std::shared_ptr<const
   constexpr std::ptrdiff_t kFewest = 1000;
   const auto* points = dynamic_cast<const PointSet*>(S.get());
   const bool pays = points != nullptr && points->size() >= kFewest && PreparedSet::has_hulls();
-  return pays ? prepared(S) : S;
+  return pays ? std::make_shared<PreparedSet>(*points) : S;
 }
 
 }  // namespace

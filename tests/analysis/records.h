@@ -7,19 +7,29 @@
 #include <vector>
 
 #include "raygauge/sweep/record.h"
-#include "results/schema/older_files.h"
 
 namespace raygauge::testing {
 
-/// With the registered name, role and measures of hardness that its names stand for.
+/// With the facts that a run would store of such names: the registered name and the role of the method whose
+/// name the label begins with, the rounding of Example 1, and `aspect` or `offset` for the hardness.
 inline Record with_facts(Record record) {
-  const std::string label = record.method;
-  std::vector<Record> records = {std::move(record)};
-  records.front().method_name.clear();
-  records.front().exact_distance_rounding = 0;
-  complete_older_records(records, "");
-  records.front().method = label;
-  return records.front();
+  record.method_name = record.method;
+  record.role = Role::engine;
+  for (const char* name : {"column_generation", "newton", "zheng_yamane"})
+    if (record.method.starts_with(name)) record.method_name = name;
+  for (const char* name : {"clp_dual", "fcl_libccd", "glpk_dual", "glpk_primal", "nlopt_slsqp"})
+    if (record.method.starts_with(name)) record.method_name = name;
+  for (const char* library : {"clp", "command", "fcl", "glpk", "nlopt"})
+    if (record.method.starts_with(library)) record.role = Role::baseline;
+  if (record.method == "exact") record.role = Role::oracle;
+  record.exact_distance_rounding = record.generator == "example1" ? 0x1p-45 : 0;
+  for (const char* name : {"aspect", "offset"}) {
+    const std::string mark = std::string(name) + "=";
+    if (!record.generator_parameters.starts_with(mark)) continue;
+    record.hardness_label = name;
+    record.hardness = std::stod(record.generator_parameters.substr(mark.size()));
+  }
+  return record;
 }
 
 /// A solved record of generator example2 at tolerance 1e-6, certified to half of that.

@@ -24,7 +24,7 @@ std::vector<Record> grid() {
   for (const int n : {3, 4}) {
     for (const int N : {200, 400, 800}) {
       const double ms = n * N / 1000.0;
-      add_records(records, "direct", n, N, {0.9 * ms, ms, 1.1 * ms});
+      add_records(records, "column_generation", n, N, {0.9 * ms, ms, 1.1 * ms});
       add_records(records, "zheng_yamane", n, N, {2 * ms, 3 * ms, 4 * ms});
       add_records(records, "glpk_dual", n, N, {9 * ms, 10 * ms, 11 * ms});
     }
@@ -55,8 +55,8 @@ std::ptrdiff_t markers(const std::string& picture) {
 TEST(TimeVsN, DrawsEveryPointLabelsEveryPanelAndNamesEveryMethodOnce) {
   const std::string picture = svg("time_vs_N", grid());
   const std::multiset<std::string> texts = labels(picture);
-  for (const char* once : {"n = 3", "n = 4", "direct", "zheng_yamane", "glpk_dual", "N, points in each set",
-                           "median time of a solve (ms)"})
+  for (const char* once : {"n = 3", "n = 4", "column_generation", "zheng_yamane", "glpk_dual",
+                           "N, points in each set", "median time of a solve (ms)"})
     EXPECT_EQ(texts.count(once), 1U) << once;
   // A marker for each point of 2 panels × 3 sizes × 3 methods, and one for each method in the legend.
   EXPECT_EQ(markers(picture), 2 * 3 * 3 + 3);
@@ -65,7 +65,7 @@ TEST(TimeVsN, DrawsEveryPointLabelsEveryPanelAndNamesEveryMethodOnce) {
 TEST(TimeVsN, IsFilteredAndLeavesUnsolvedAndDisagreeingOut) {
   std::vector<Record> records = grid();
   for (Record& record : records) {
-    if (record.method == "direct" && record.N == 800) record.agrees = false;
+    if (record.method == "column_generation" && record.N == 800) record.agrees = false;
     if (record.method == "glpk_dual" && record.N == 800) record.status = DistanceStatus::time_limit;
   }
   FigureOptions options;
@@ -82,7 +82,7 @@ TEST(TimeVsN, CrossesPointsBehindWhichAnswersAreWrongOrMissing) {
                         [&](const Record& each) { return each.method == method; });
   };
   of_one("glpk_dual")->agrees = false;
-  of_one("direct")->status = DistanceStatus::time_limit;
+  of_one("column_generation")->status = DistanceStatus::time_limit;
   const std::string picture = svg("time_vs_N", records);
   EXPECT_EQ(labels(picture).count("some answers wrong or missing"), 1U);
   EXPECT_EQ(markers(picture), 2 * 3 * 3 + 3 + 2 + 1);
@@ -90,7 +90,7 @@ TEST(TimeVsN, CrossesPointsBehindWhichAnswersAreWrongOrMissing) {
 
 TEST(TimeVsN, LabelsTheLastSizeAndDrawsNoPanelOfOneSize) {
   std::vector<Record> records = grid();
-  add_records(records, "direct", 7, 200, {1, 2, 3});
+  add_records(records, "column_generation", 7, 200, {1, 2, 3});
   const std::multiset<std::string> texts = labels(svg("time_vs_N", records));
   EXPECT_EQ(texts.count("800"), 2U) << "below each panel";
   EXPECT_EQ(texts.count("n = 7"), 0U);
@@ -114,14 +114,15 @@ TEST(TimeVsDimension, HasAPanelForEachNumberOfPoints) {
 
 TEST(PerformanceProfileFigure, NamesEveryMethodAndDrawsTheShareFromZeroToOne) {
   const std::multiset<std::string> texts = labels(svg("performance_profile", grid()));
-  for (const char* once : {"direct", "zheng_yamane", "glpk_dual", "share of instances solved"})
+  for (const char* once : {"column_generation", "zheng_yamane", "glpk_dual", "share of instances solved"})
     EXPECT_EQ(texts.count(once), 1U) << once;
 }
 
 TEST(CrossoverFigure, WritesTheLeadIntoEachCellAndNamesTheWinner) {
   const std::multiset<std::string> texts = labels(svg("crossover", grid()));
-  EXPECT_EQ(texts.count("3.0"), 6U) << "direct leads zheng_yamane by the median of 2.2, 3 and 3.6 times";
-  EXPECT_EQ(texts.count("direct"), 1U) << "in the key";
+  EXPECT_EQ(texts.count("3.0"), 6U)
+      << "column_generation leads zheng_yamane by the median of 2.2, 3 and 3.6 times";
+  EXPECT_EQ(texts.count("column_generation"), 1U) << "in the key";
   EXPECT_EQ(texts.count("glpk_dual"), 0U) << "wins nowhere";
 }
 
@@ -143,28 +144,28 @@ TEST(CrossoverFigure, TellsSeveralWinnersApartByLetters) {
     if (record.method == "glpk_dual" && record.N == 800) record.seconds = 1e-6;
   const std::multiset<std::string> texts = labels(svg("crossover", records));
   EXPECT_EQ(texts.count("a 3.0"), 4U);
-  EXPECT_EQ(texts.count("a direct"), 1U);
+  EXPECT_EQ(texts.count("a column_generation"), 1U);
   EXPECT_EQ(texts.count("b glpk_dual"), 1U);
 }
 
 TEST(RatioHeatmap, WritesThePercentageIntoEachCell) {
   const std::string picture = svg("ratio_heatmap", grid());
   const std::multiset<std::string> texts = labels(picture);
-  EXPECT_EQ(texts.count("10"), 6U + 1) << "six cells of direct, and a tick of the scale";
+  EXPECT_EQ(texts.count("10"), 6U + 1) << "six cells of column_generation, and a tick of the scale";
   EXPECT_EQ(texts.count("30"), 6U) << "six cells of zheng_yamane";
-  EXPECT_EQ(texts.count("direct"), 1U);
+  EXPECT_EQ(texts.count("column_generation"), 1U);
   EXPECT_EQ(texts.count("zheng_yamane"), 1U);
   EXPECT_EQ(texts.count("time, % of glpk_dual"), 1U);
 }
 
-/// Two families with a parameter that makes them harder, one without; direct is right, glpk_dual is off by
-/// the parameter's millionth, and by an infinity once.
+/// Two families with a parameter that makes them harder, one without; column_generation is right, glpk_dual
+/// is off by the parameter's millionth, and by an infinity once.
 std::vector<Record> hard_records() {
   std::vector<Record> records;
   for (const char* family : {"thin aspect", "big offset", "plain kind"}) {
     const std::string words = family;
     for (const double value : {1.0, 100.0, 10000.0}) {
-      add_records(records, "direct", 3, 200, {1});
+      add_records(records, "column_generation", 3, 200, {1});
       add_records(records, "glpk_dual", 3, 200, {1});
       add_records(records, "exact", 3, 200, {1});
       records.end()[-2].distance = 2 + 1e-6 * value;
@@ -182,7 +183,8 @@ std::vector<Record> hard_records() {
 TEST(TrueError, HasAPanelForEachFamilyWithAConditioningAndACurveForEachMethodButExact) {
   const std::string picture = svg("true_error", hard_records());
   const std::multiset<std::string> texts = labels(picture);
-  for (const char* once : {"big: offset", "thin: aspect", "direct", "glpk_dual", "largest true error"})
+  for (const char* once :
+       {"big: offset", "thin: aspect", "column_generation", "glpk_dual", "largest true error"})
     EXPECT_EQ(texts.count(once), 1U) << once;
   EXPECT_EQ(texts.count("exact"), 0U);
   // A marker for each point of 2 panels × 2 methods × 3 values, and one for each method in the legend.
@@ -218,7 +220,7 @@ TEST(TrueError, HasPanelsForEachTolerance) {
 TEST(RatioHeatmap, TheScaleOfSimilarRatiosHasTwoNumbers) {
   std::vector<Record> records;
   for (const int N : {200, 400}) {
-    add_records(records, "direct", 3, N, {N == 200 ? 0.331 : 0.497});
+    add_records(records, "column_generation", 3, N, {N == 200 ? 0.331 : 0.497});
     add_records(records, "glpk_dual", 3, N, {1});
   }
   const std::multiset<std::string> texts = labels(svg("ratio_heatmap", records));
@@ -232,7 +234,7 @@ TEST(Figures, SayWhatTheyNeed) {
     return message_of<FigureNeedsError>([&] { svg(figure, records, options); });
   };
   std::vector<Record> records;
-  add_records(records, "direct", 3, 200, {1, 2, 3});
+  add_records(records, "column_generation", 3, 200, {1, 2, 3});
   EXPECT_EQ(complaint("time_vs_N", records),
             "figure time_vs_N needs solved records at two or more values of N");
   EXPECT_EQ(complaint("ratio_heatmap", records),
@@ -314,14 +316,14 @@ TEST(Figures, SayWhatTheyShowAndHowLargeTheyAre) {
 TEST(Figures, ThatAreHigherThanAPageGoOnOnTheNext) {
   std::vector<Record> records;
   for (int n = 3; n < 60; ++n)
-    for (const int N : {200, 400}) add_records(records, "direct", n, N, {1, 2, 3});
+    for (const int N : {200, 400}) add_records(records, "column_generation", n, N, {1, 2, 3});
   const std::vector<std::string> pages = draw(figure_named("time_vs_N"), records, {}, ImageFormat::svg);
   ASSERT_GE(pages.size(), 2U);
   EXPECT_NE(pages[1].find(", page 2 of "), std::string::npos);
   std::size_t panels = 0;
   for (const std::string& page : pages) {
     for (const std::string& text : labels(page)) panels += text.starts_with("n = ") ? 1 : 0;
-    EXPECT_EQ(labels(page).count("direct"), 1U);
+    EXPECT_EQ(labels(page).count("column_generation"), 1U);
   }
   EXPECT_EQ(panels, 57U);
 }

@@ -194,7 +194,6 @@ OPTIONS = {
         "--stop-rule": (DISTANCE + ["--stop-rule", "published_sigma"], NO_EFFECT, says("published_sigma")),
         "--instruction-set": (DISTANCE + ["--instruction-set", "none"], NO_EFFECT, says("instruction set")),
         "--threads": (DISTANCE + ["--threads", "2", "--method", "glpk_dual"], NO_EFFECT, says("--threads")),
-        "--prepared": (DISTANCE + ["--prepared", "--method", "glpk_dual"], NO_EFFECT, says("--prepared")),
         "--between": (DISTANCE + ["--between"], 0, says("distance")),
         "--metric": (DISTANCE + ["--metric", "Q.csv"], NO_EFFECT, says("--between")),
         "--signed": (DISTANCE + ["--signed"], NO_EFFECT, says("--between")),

@@ -61,7 +61,7 @@ repetitions = 2
 [[generator]]
 name = "example2"
 [[method]]
-name = "direct"
+name = "column_generation"
 [[method]]
 name = "glpk_dual"
 [run]
@@ -260,8 +260,8 @@ class HostileNames(unittest.TestCase):
                 self.text("scene", "run", "s.toml", "-o", "s.h5", "--force")
                 self.assertIn(printable(name), self.picture("s.h5"))
                 (self.folder / "e.toml").write_text(
-                    EXPERIMENT.replace('"e"', '"e"\ndescription = ' + text).replace('name = "direct"',
-                                                                                  f'name = "direct"\nlabel = {text}'))
+                    EXPERIMENT.replace('"e"', '"e"\ndescription = ' + text).replace('name = "column_generation"',
+                                                                                  f'name = "column_generation"\nlabel = {text}'))
                 self.text("run", "e.toml", "--dry-run", statuses=(0, 2))
                 self.text("run", "e.toml", "-o", "e.h5", "--force", statuses=(0, 2))
 

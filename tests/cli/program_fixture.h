@@ -19,12 +19,12 @@ inline constexpr const char* kSquare = "1 1\n1 -1\n-1 1\n-1 -1\n";
 /// The unit ball of the 1-norm in the plane.
 inline constexpr const char* kDiamond = "1 0\n-1 0\n0 1\n0 -1\n";
 
-/// An experiment file: `head`, then `sweep` in the table [sweep], over Example 2 by direct and zheng_yamane,
-/// then `tail`.
+/// An experiment file: `head`, then `sweep` in the table [sweep], over Example 2 by column_generation and
+/// zheng_yamane, then `tail`.
 inline std::string example2_experiment(const std::string& head, const std::string& sweep,
                                        const std::string& tail = "") {
   return head + "[sweep]\n" + sweep +
-         "[[generator]]\nname = \"example2\"\n[[method]]\nname = \"direct\"\n[[method]]\nname = "
+         "[[generator]]\nname = \"example2\"\n[[method]]\nname = \"column_generation\"\n[[method]]\nname = "
          "\"zheng_yamane\"\n" +
          tail;
 }

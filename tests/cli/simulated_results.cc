@@ -25,7 +25,7 @@ struct SimulatedMethod {
   double n_exponent;
 };
 
-constexpr SimulatedMethod kMethods[] = {{"direct", 30, 0.6, 1.2},
+constexpr SimulatedMethod kMethods[] = {{"column_generation", 30, 0.6, 1.2},
                                         {"zheng_yamane", 120, 1.0, 1.5},
                                         {"glpk_primal", 900, 1.1, 0.9},
                                         {"glpk_dual", 700, 1.2, 1.0}};
@@ -35,6 +35,7 @@ Record simulated(const SimulatedMethod& method, const Record& cell, int repetiti
   std::uniform_real_distribution<double> uniform;
   Record record = cell;
   record.method = method.name;
+  record = testing::with_facts(record);
   record.repetition = repetition;
   const double size = std::pow(cell.N / 200.0, method.N_exponent) * std::pow(cell.n / 3.0, method.n_exponent);
   const double digits = -std::log10(cell.tolerance);

@@ -23,7 +23,7 @@ class AnalysisCommands : public testing::ProgramTest {
   void SetUp() override {
     ResultsFile results;
     for (const int N : {200, 400}) {
-      testing::add_records(results.records, "direct", 3, N, {1, 2, 3});
+      testing::add_records(results.records, "column_generation", 3, N, {1, 2, 3});
       testing::add_records(results.records, "glpk_dual", 3, N, {10, 20, 30});
     }
     for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 6;
@@ -62,11 +62,11 @@ TEST_F(AnalysisCommands, TablePrintsTheTableOfThePaper) {
 }
 
 TEST_F(AnalysisCommands, TableSaysHowStableTheMethodsAre) {
-  const ProgramResult outcome =
-      run_raygauge({"table", "r.h5", "--stability", "--where", "method==direct", "--format", "csv"});
+  const ProgramResult outcome = run_raygauge(
+      {"table", "r.h5", "--stability", "--where", "method==column_generation", "--format", "csv"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\n1e-6,example2,direct,6,6,1,"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\n1e-6,all,direct,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1e-6,example2,column_generation,6,6,1,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1e-6,all,column_generation,6,6,1,"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("glpk"), std::string::npos);
 }
 
@@ -75,7 +75,7 @@ TEST_F(AnalysisCommands, TableWritesAFileInTheFormatAskedFor) {
                                               "--where", "N==200", "--format", "csv", "-o", "t.csv"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(read("t.csv"), "method,N,max milliseconds\ndirect,200,3\nglpk_dual,200,30\n");
+  EXPECT_EQ(read("t.csv"), "method,N,max milliseconds\ncolumn_generation,200,3\nglpk_dual,200,30\n");
 }
 
 TEST_F(AnalysisCommands, TableKeepsTheIntervalsInCsv) {
@@ -87,7 +87,7 @@ TEST_F(AnalysisCommands, TableKeepsTheIntervalsInCsv) {
   EXPECT_EQ(csv.status, 0) << csv.err;
   EXPECT_EQ(csv.out,
             "method,median milliseconds,median milliseconds lower,median milliseconds upper\n"
-            "direct,2,1,3\nglpk_dual,20,10,30\n");
+            "column_generation,2,1,3\nglpk_dual,20,10,30\n");
 }
 
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
@@ -120,8 +120,8 @@ TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
 }
 
 TEST_F(AnalysisCommands, ExportWritesTheRecordsThatPass) {
-  const ProgramResult outcome =
-      run_raygauge({"export", "r.h5", "--csv", "out.csv", "--where", "method==direct && repetition<2"});
+  const ProgramResult outcome = run_raygauge(
+      {"export", "r.h5", "--csv", "out.csv", "--where", "method==column_generation && repetition<2"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::string csv = read("out.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
@@ -218,7 +218,7 @@ class CompareCommand : public testing::ProgramTest {
       for (int i = 0; i < 20; ++i) times.push_back((1 + 0.1 * i) * N / 200 * (1 + 0.01 * ((i * 7) % 5 - 2)));
       testing::add_records(results.records, "glpk_dual", 3, N, times);
       for (double& time : times) time *= factor;
-      testing::add_records(results.records, "direct", 3, N, times);
+      testing::add_records(results.records, "column_generation", 3, N, times);
     }
     for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 40;
     results.provenance.cell_count = 4;
@@ -233,7 +233,8 @@ TEST_F(CompareCommand, EndsWithOneWhereAMethodGotSlower) {
   write_run("new.h5", 3, "another processor");
   const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("\nREGRESSION: of 8 cells 4 slower, 0 faster; direct slower over all cells\n"),
+  EXPECT_NE(outcome.out.find(
+                "\nREGRESSION: of 8 cells 4 slower, 0 faster; column_generation slower over all cells\n"),
             std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.out.find("warning: processor: a processor; now another processor"), std::string::npos)
@@ -247,8 +248,9 @@ TEST_F(CompareCommand, SuspectsWhatMayBeTheMachine) {
   const ProgramResult outcome = run_raygauge({"compare", "base.h5", "new.h5"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(
-      outcome.out.find("\nsuspected regression: of 8 cells 0 slower, 0 faster, 4 suspected slower; direct "
-                       "suspected slower over all cells\n"),
+      outcome.out.find(
+          "\nsuspected regression: of 8 cells 0 slower, 0 faster, 4 suspected slower; column_generation "
+          "suspected slower over all cells\n"),
       std::string::npos)
       << outcome.out;
 }
@@ -269,7 +271,7 @@ TEST_F(CompareCommand, TakesSeveralFilesASide) {
   };
   const ProgramResult outcome = compare(base, fresh);
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("direct slower over all cells"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("column_generation slower over all cells"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("4 runs of BASE, 4 runs of NEW"), std::string::npos) << outcome.out;
   EXPECT_EQ(compare(base, base).status, 0);
   expect_complaint(compare({"base0.h5", "base0.h5"}, fresh),
@@ -280,7 +282,7 @@ TEST_F(CompareCommand, RunsTwoBuildsInTurn) {
   const std::string program = RAYGAUGE_PROGRAM;
   write("e.toml",
         "name = 'e'\n[sweep]\nn = [2, 3]\nN = 20\nrepetitions = 3\n[[generator]]\nname = 'example2'\n"
-        "[[method]]\nname = 'direct'\n");
+        "[[method]]\nname = 'column_generation'\n");
   const ProgramResult outcome = run_raygauge({"compare", "--rerun", "e.toml", "--base-program", program,
                                               "--new-program", program, "--pairs", "2", "--json"});
   EXPECT_TRUE(outcome.status == 0 || outcome.status == 1)
@@ -350,7 +352,7 @@ TEST_F(AnalysisCommands, ReportWritesNothingWhereItHasNothingToSay) {
   expect_complaint(run_raygauge({"report", "r.h5", "-o", "r.html", "--where", "n==9"}),
                    "raygauge: no record passes the filter 'n==9'");
   expect_complaint(run_raygauge({"report", "r.h5", "-o", "r.html", "--baseline", "simplex"}),
-                   "raygauge: unknown baseline 'simplex' (known: direct glpk_dual)");
+                   "raygauge: unknown baseline 'simplex' (known: column_generation glpk_dual)");
   EXPECT_FALSE(exists("r.html"));
 }
 

@@ -62,8 +62,7 @@ TEST_F(DistanceBetween, TakesASetForTheMetric) {
 }
 
 TEST_F(DistanceBetween, SaysInWordsWhereToGo) {
-  const ProgramResult result =
-      run_raygauge({"distance", "ball.toml", "square.csv", "--between", "--signed", "--prepared"});
+  const ProgramResult result = run_raygauge({"distance", "ball.toml", "square.csv", "--between", "--signed"});
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.out.find("distance   -1.25"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("the objects overlap"), std::string::npos) << result.out;

@@ -151,7 +151,7 @@ TEST_F(DistanceCommand, ContactIsNotClaimedOfBoundsThatMissOne) {
 }
 
 TEST_F(DistanceCommand, AnIterationLimitEndsWithStatusThreeAndBounds) {
-  for (const char* method : {"direct", "zheng_yamane"}) {
+  for (const char* method : {"column_generation", "zheng_yamane"}) {
     const ProgramResult outcome =
         run(cloud(1, 5), cloud(2, 0), {"--method", method, "--max-iterations", "1", "--json"});
     EXPECT_EQ(outcome.status, 3) << method << outcome.err;
@@ -162,7 +162,7 @@ TEST_F(DistanceCommand, AnIterationLimitEndsWithStatusThreeAndBounds) {
 }
 
 TEST_F(DistanceCommand, ATimeLimitOfZeroEndsWithStatusThree) {
-  // `direct` answers this within the pivots that it makes before it first looks at the clock.
+  // `column_generation` answers this within the pivots that it makes before it first looks at the clock.
   const ProgramResult outcome =
       run(cloud(1, 5), cloud(2, 0), {"--method", "zheng_yamane", "--time-limit", "0"});
   EXPECT_EQ(outcome.status, 3) << outcome.err;
@@ -183,17 +183,6 @@ TEST_F(DistanceCommand, GlpkStandsForItsDualSimplex) {
   EXPECT_EQ(run_json(kBox, kSquare, {"--method", "glpk"})["method"], "glpk_dual");
 }
 #endif
-
-TEST_F(DistanceCommand, PreparedSetsOfPointsHaveTheSameAnswer) {
-  const std::string cube = "2 -1 -1\n2 1 -1\n2 -1 1\n2 1 1\n4 -1 -1\n4 1 -1\n4 -1 1\n4 1 1\n3 0 0\n";
-  const std::string octahedron = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n0 0 0\n";
-  for (const char* method : {"column_generation", "newton", "zheng_yamane"}) {
-    const Json json = run_json(cube, octahedron, {"--method", method, "--prepared"});
-    expect_answer(json, 2);
-    EXPECT_EQ(json["n_points_A"], 9);
-  }
-  expect_answer(run_json(kBox, kSquare, {"--prepared"}), 3);
-}
 
 TEST_F(DistanceCommand, ThePublishedStopRuleAndEveryKernelAnswer) {
   expect_answer(run_json(kBox, kSquare, {"--method", "zheng_yamane", "--stop-rule", "published_sigma"}), 3);

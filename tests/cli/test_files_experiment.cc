@@ -36,7 +36,7 @@ class FilesExperiment : public testing::ProgramTest {
 
   void write_experiment(const std::string& generator, const std::string& rest = "") const {
     write("own.toml", "name = \"own\"\n[sweep]\nrepetitions = 2\n[[generator]]\nname = \"files\"\n" +
-                          generator + "\n[[method]]\nname = \"direct\"\n" + rest);
+                          generator + "\n[[method]]\nname = \"column_generation\"\n" + rest);
   }
 
   ProgramResult run(const std::vector<std::string>& options = {}) const {

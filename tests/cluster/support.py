@@ -20,7 +20,7 @@ repetitions = 6
 [[generator]]
 name = "example2"
 [[method]]
-name = "direct"
+name = "column_generation"
 [[method]]
 name = "zheng_yamane"
 [run]

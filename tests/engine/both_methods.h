@@ -22,7 +22,7 @@ inline void expect_same_bits(const DistanceResult& one, const DistanceResult& ot
   EXPECT_EQ(one.counters, other.counters);
 }
 
-/// Fixture of what must hold for `direct` and for `zheng_yamane` alike.
+/// Fixture of what must hold for `column_generation` and for `zheng_yamane` alike.
 class BothMethods : public ::testing::TestWithParam<DistanceMethod> {
  protected:
   static DistanceOptions options(double tolerance) {

@@ -22,7 +22,7 @@ N = {from = 10, to = 40, factor = 2.0}
 name = "example2"
 separation = [1.0, 2.0]
 [[method]]
-name = "direct"
+name = "column_generation"
 [[method]]
 name = "glpk_dual"
 label = "dual"

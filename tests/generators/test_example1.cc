@@ -54,8 +54,8 @@ TEST(Example1, HasTheDistanceThatItClaims) {
   }
 }
 
-// On these, `direct` once met the same support points for ever: reduced costs made of rounding, at bounds on
-// the normal that were never raised.
+// On these, `column_generation` once met the same support points for ever: reduced costs made of rounding, at
+// bounds on the normal that were never raised.
 TEST(Example1, DirectClosesTheGapWhereItOnceStalled) {
   DistanceOptions options;
   options.tolerance = 1e-8;

@@ -74,7 +74,7 @@ void solve_everything(const HardCase& tested, DistanceMethod method) {
   }
 }
 
-TEST_P(NoFalseCertificate, ComesFromDirect) {
+TEST_P(NoFalseCertificate, ComesFromColumnGeneration) {
   solve_everything(GetParam(), DistanceMethod::column_generation);
 }
 

@@ -81,7 +81,7 @@ class Promises(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "one.h5")
             rg.run({"sweep": {"n": [2], "N": [9], "repetitions": 1}, "generator": [{"name": "example2"}],
-                    "method": [{"name": "direct"}]}, path)
+                    "method": [{"name": "column_generation"}]}, path)
             with h5py.File(path) as file:
                 self.assert_columns("The results file", file["records"])
 

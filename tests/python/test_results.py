@@ -4,6 +4,7 @@
 import csv
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -12,7 +13,6 @@ import h5py
 import numpy as np
 
 import raygauge as rg
-from raygauge.older_files import completed, with_current_numbers
 from raygauge.sweeps import toml_text
 
 EXPERIMENT = {
@@ -25,7 +25,7 @@ EXPERIMENT = {
 
 
 FILES = pathlib.Path(os.environ["RAYGAUGE_SOURCE"], "tests/results/files")
-OLDER_FILES = sorted([*FILES.glob("*_v1.h5"), *FILES.glob("*_v2.h5")])
+RELEASED_FILES = sorted(FILES.glob("*.h5"))
 
 
 def exported(path, folder):
@@ -37,12 +37,20 @@ def exported(path, folder):
         return list(csv.DictReader(file))
 
 
-class OlderFiles(unittest.TestCase):
-    def test_older_files_have_the_columns_and_values_that_the_program_gives_them(self):
-        self.assertGreaterEqual(len(OLDER_FILES), 3)
-        for path in OLDER_FILES:
+def changed(path, folder, version):
+    """A copy of the file that claims to be of another schema version."""
+    copy = pathlib.Path(folder, f"{path.stem}_of_{version}.h5")
+    shutil.copyfile(path, copy)
+    with h5py.File(copy, "r+") as file:
+        file.attrs["schema_version"] = np.int64(version)
+    return copy
+
+
+class ReleasedFiles(unittest.TestCase):
+    def test_they_have_the_columns_and_values_that_the_program_gives_them(self):
+        self.assertGreaterEqual(len(RELEASED_FILES), 2)
+        for path in RELEASED_FILES:
             results = rg.open(path)
-            self.assertEqual(results.attrs["schema_version"], int(path.stem[-1]))
             with tempfile.TemporaryDirectory() as folder:
                 rows = exported(path, folder)
             self.assertEqual(set(rows[0]), set(results.variables))
@@ -53,40 +61,31 @@ class OlderFiles(unittest.TestCase):
                 elif values.dtype.kind == "O":
                     self.assertEqual(list(values.values), expected, name)
 
-    def test_columns_added_later_are_described_as_in_a_file_of_today(self):
+    def test_a_killed_run_is_resumed_to_the_end(self):
         with tempfile.TemporaryDirectory() as folder:
-            today = rg.run(EXPERIMENT, pathlib.Path(folder, "today.h5"))
-        for path in OLDER_FILES:
-            with h5py.File(path) as file:
-                stored = set(file["records"])
-            older = rg.open(path)
-            later = set(older.variables) - stored
-            self.assertGreaterEqual(len(later), 2, path.name)
-            for name in later:
-                self.assertEqual(older[name].attrs, today[name].attrs, name)
+            path, experiment = pathlib.Path(folder, "killed.h5"), pathlib.Path(folder, "killed.toml")
+            shutil.copytree(FILES / "killed_0.2.h5.parts", f"{path}.parts")
+            with h5py.File(f"{path}.parts/session-0000.h5") as session:
+                experiment.write_text(session["provenance/experiment"].asstr()[()], encoding="utf-8")
+                cells = int(session["provenance"].attrs["cell_count"])
+            subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "run", experiment, "-o", path, "--resume", "-q"], check=True)
+            results = rg.open(path)
+            self.assertEqual(results.sizes["record"], 2 * cells)
+            self.assertEqual(set(results.session.values), {0, 1})
 
-    def test_labels_of_the_user_stay_and_direct_is_column_generation(self):
-        identity = "seed = 1\nmethods = [direct as a {x=1, y=2}, glpk_dual as direct, direct]\nn = [3]\n"
-        columns = {"method": ["a", "direct", "column_generation", "clp_dual_2"], "generator": ["example2"] * 4,
-                   "generator_parameters": ["", "delta=0.25 aspect=8", "delta=0.25", "exponent=3"]}
-        values = completed(columns, identity)
-        self.assertEqual(list(values["method"]), ["a", "direct", "column_generation", "clp_dual_2"])
-        self.assertEqual(list(values["method_name"]), ["column_generation", "glpk_dual", "column_generation", "clp_dual"])
-        self.assertEqual(list(values["role"]), ["engine", "baseline", "engine", "baseline"])
-        self.assertEqual(list(values["hardness_label"]), ["", "aspect", "1/δ", "scale"])
-        np.testing.assert_array_equal(values["hardness"], [np.nan, 8, 4, 8])
-
-
-    def test_numbers_among_parameters_are_written_as_today(self):
-        for text, expected in {
-            "delta=1e-08 k=3 lambda=0.001 size=1e+05 x=1.5": "delta=1e-8 k=3 lambda=1e-3 size=100000 x=1.5",
-            "a=-0.0025 b=1.25e-10 c=0.0 d=0.01": "a=-2.5e-3 b=1.25e-10 c=0.0 d=0.01",
-            "pose={rpy=[0,0,0.001]}": "pose={rpy=[0,0,1e-3]}",
-            'name="1e-08" file=finger-1e-05.off n=100000 on=true': 'name="1e-08" file=finger-1e-05.off n=100000 on=true',
-            "program=./solve 1e-08": "program=./solve 1e-08",
-        }.items():
-            self.assertEqual(with_current_numbers(text), expected)
-            self.assertEqual(with_current_numbers(expected), expected)
+    def test_other_schema_versions_are_refused_in_the_programs_words(self):
+        for path in RELEASED_FILES:
+            version = rg.open(path).attrs["schema_version"]
+            for other in (version - 1, version + 1):
+                with tempfile.TemporaryDirectory() as folder:
+                    copy = changed(path, folder, other)
+                    program = subprocess.run([os.environ["RAYGAUGE_PROGRAM"], "info", copy], capture_output=True, text=True)
+                    with self.assertRaises(rg.ResultsError) as refused:
+                        rg.open(copy)
+                self.assertEqual(program.returncode, 2)
+                self.assertEqual(program.stderr, f"raygauge: {refused.exception}\n")
+                self.assertIn(f"schema version {other}", program.stderr)
+                self.assertIn("measure anew" if other < version else f"reads version {version}", program.stderr)
 
 
 class Results(unittest.TestCase):

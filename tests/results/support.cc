@@ -88,7 +88,7 @@ CellResult cell_result(const Experiment& experiment, std::uint64_t cell) {
 
 Session sample_session() {
   Session session;
-  session.build = {"0.1.0", "0123456789abcdef", true, "GNU 12.2.0", "-O3 -DNDEBUG", "Release"};
+  session.build = {"0.2.0", "0123456789abcdef", true, "GNU 12.2.0", "-O3 -DNDEBUG", "Release"};
   session.machine = {"A processor",         2,          49152,     2 << 20, 0,
                      std::int64_t{8} << 30, "An OS 12", "Linux 6", "host"};
   session.threads = 2;

@@ -67,7 +67,17 @@ TEST_F(DamagedFile, AnotherSchemaVersionIsRefused) {
     file.openGroup("/").openAttribute("schema_version").write(H5::PredType::NATIVE_INT64, &newer);
   });
   EXPECT_THROW(read_results(path_), SchemaVersionError);
-  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads versions 1 to 3");
+  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads version 3");
+}
+
+TEST_F(DamagedFile, ASchemaVersionFromBeforeTheFirstReleaseIsRefused) {
+  change([](H5::H5File& file) {
+    const std::int64_t older = 2;
+    file.openGroup("/").openAttribute("schema_version").write(H5::PredType::NATIVE_INT64, &older);
+  });
+  EXPECT_THROW(read_results(path_), SchemaVersionError);
+  EXPECT_EQ(error(),
+            path_ + ": schema version 2, from before the first release (0.2), is not read: measure anew");
 }
 
 TEST_F(DamagedFile, AnHdf5FileOfAnotherProgramIsRefused) {

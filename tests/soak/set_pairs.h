@@ -21,9 +21,9 @@ struct SetPairTally {
       by_status;  ///< by method, in the order of DistanceStatus
 };
 
-/// Random pairs of convex sets of every kind (draw_set) solved by `newton`, `direct` and `zheng_yamane`, in
-/// solvers that remember the pairs before. Nobody knows the distances; but all bounds are proven, so no lower
-/// bound of one method may exceed an upper bound of another.
+/// Random pairs of convex sets of every kind (draw_set) solved by `newton`, `column_generation` and
+/// `zheng_yamane`, in solvers that remember the pairs before. Nobody knows the distances; but all bounds are
+/// proven, so no lower bound of one method may exceed an upper bound of another.
 class SetPairs {
  public:
   explicit SetPairs(std::uint64_t seed);

@@ -43,7 +43,7 @@ std::string head(const std::string& what) {
   std::array<char, 256> line{};
   std::snprintf(line.data(), line.size(), "%-26s %9s %11s %9s %8s %8s %10s %10s %11s %9s %7s %8s %9s %9s\n",
                 what.c_str(), "bases", "solves", "certif. %", "precis.", "limits", "contains 0",
-                "unreachable", "exact", "short n", "oracle", "width", "direct us", "z.y. us");
+                "unreachable", "exact", "short n", "oracle", "width", "c.g. us", "z.y. us");
   return line.data();
 }
 

@@ -86,7 +86,7 @@ std::optional<Violation> Worker::solve_variant(const ProvenInstance& base, Rando
   const PointSet A(variant_.A()), Q(variant_.Q());
   const Truth truth = truth_of(base.truth, variant_.shift());
   DistanceSolver& solver =
-      request.options.method == DistanceMethod::column_generation ? direct_ : zheng_yamane_;
+      request.options.method == DistanceMethod::column_generation ? column_generation_ : zheng_yamane_;
   solver.set_options(request.options);
   FamilyTally counts;
   const auto begin = std::chrono::steady_clock::now();

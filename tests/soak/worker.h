@@ -57,7 +57,7 @@ class Worker {
   const GeneratorRegistry& registry_;
   std::vector<std::string> names_;
   std::uint64_t seed_;
-  DistanceSolver direct_;
+  DistanceSolver column_generation_;
   DistanceSolver zheng_yamane_;
   Variant variant_;
   Tally tally_;

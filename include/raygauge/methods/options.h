@@ -17,7 +17,6 @@ enum class DistanceMethod : std::uint8_t {
   zheng_yamane,       ///< Algorithm 1 as published: scale Q by (10), shoot a ray, warm-start as in Fig. 3c
   newton,  ///< Newton steps on the dual with the Hessians of the support functions, Wolfe's steps where A is
            ///< a polytope and Q a ball about the origin; column generation where there are none
-  direct = column_generation,  ///< the name in earlier versions
 };
 
 std::string_view to_string(DistanceMethod method) noexcept;

@@ -61,7 +61,4 @@ class PreparedSet final : public ConvexSet {
   SpatialShape shape_;  // for n = 3
 };
 
-/// A PreparedSet of the points of S if S is a PointSet, otherwise S itself.
-std::shared_ptr<const ConvexSet> prepared(std::shared_ptr<const ConvexSet> S);
-
 }  // namespace raygauge

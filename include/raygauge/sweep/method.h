@@ -43,10 +43,6 @@ class SolveMethod {
 
 using MethodRegistry = Registry<SolveMethod>;
 
-/// The registered name of a method that had `name` in an earlier version; `name` itself for all others.
-/// `column_generation` was `direct`, which to users of NLopt is another algorithm (DIRECT).
-std::string current_method_name(const std::string& name);
-
 /// Adds `column_generation`, `newton` and `zheng_yamane`.
 void register_engine_methods(MethodRegistry& registry);
 

@@ -95,8 +95,7 @@ struct Component {
   bool point_sets = true;
   Role role = Role::engine;
   GeneratorPromises promises = {};
-  std::vector<std::string> aliases =
-      {};  ///< other names that find() takes: of earlier versions, or shorter ones
+  std::vector<std::string> aliases = {};  ///< shorter names that find() takes
 };
 
 /// Components by name. Each library registers its components with one function (register_generators,

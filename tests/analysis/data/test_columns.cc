@@ -33,7 +33,7 @@ TEST(Columns, HoldAllOfTheFileAndNoNameTwice) {
 }
 
 TEST(Columns, DeriveWhatTheirDescriptionsSay) {
-  Record r = record("direct", 3, 200, 0, 2.5);
+  Record r = record("column_generation", 3, 200, 0, 2.5);
   r.lower = 1.5;
   r.upper = 2;
   r.distance = 1.75;
@@ -55,7 +55,7 @@ TEST(Columns, DeriveWhatTheirDescriptionsSay) {
 }
 
 TEST(Columns, HaveNoGapAtZeroAndAtInfinityAndNoneWithoutBounds) {
-  Record r = record("direct", 3, 200, 0, 1);
+  Record r = record("column_generation", 3, 200, 0, 1);
   r.lower = r.upper = r.distance = r.exact_distance = std::numeric_limits<double>::infinity();
   EXPECT_EQ(value("gap", r), 0);
   EXPECT_EQ(value("relative_gap", r), 0);
@@ -67,7 +67,7 @@ TEST(Columns, HaveNoGapAtZeroAndAtInfinityAndNoneWithoutBounds) {
 }
 
 TEST(Columns, GiveAnUnsolvedRecordAnInfiniteTimeAndKeepItsOtherValues) {
-  Record r = record("direct", 3, 200, 0, 1);
+  Record r = record("column_generation", 3, 200, 0, 1);
   r.status = DistanceStatus::time_limit;
   EXPECT_TRUE(std::isinf(value("milliseconds", r)));
   EXPECT_TRUE(std::isinf(value("seconds", r)));
@@ -97,7 +97,7 @@ TEST(Columns, ShowValuesAsShortText) {
   EXPECT_EQ(text_of(Value(1e-6)), "1e-6");
   EXPECT_EQ(text_of(Value(true)), "true");
   EXPECT_EQ(text_of(Value(std::int32_t{-4})), "-4");
-  EXPECT_EQ(text_of(Value(std::string("direct"))), "direct");
+  EXPECT_EQ(text_of(Value(std::string("column_generation"))), "column_generation");
 }
 
 }  // namespace

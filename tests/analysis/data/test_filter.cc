@@ -19,7 +19,7 @@ using testing::record;
 bool passes(const std::string& expression, const Record& record) { return Filter(expression)(record); }
 
 Record sample() {
-  Record r = record("direct", 5, 200, 3, 2);
+  Record r = record("column_generation", 5, 200, 3, 2);
   r.seed = std::numeric_limits<std::uint64_t>::max();
   return r;
 }
@@ -46,10 +46,10 @@ TEST(Filter, ComparesIntegersOf64BitsExactly) {
 
 TEST(Filter, ComparesTextsBareAndQuoted) {
   const Record r = sample();
-  EXPECT_TRUE(passes("method==direct", r));
-  EXPECT_TRUE(passes("method=='direct'", r));
-  EXPECT_TRUE(passes("method==\"direct\"", r));
-  EXPECT_FALSE(passes("method!=direct", r));
+  EXPECT_TRUE(passes("method==column_generation", r));
+  EXPECT_TRUE(passes("method=='column_generation'", r));
+  EXPECT_TRUE(passes("method==\"column_generation\"", r));
+  EXPECT_FALSE(passes("method!=column_generation", r));
   EXPECT_TRUE(passes("generator_parameters=='separation=1.5'", r));
   EXPECT_TRUE(passes("status==optimal", r));
   EXPECT_FALSE(passes("method==n", r))
@@ -113,11 +113,11 @@ TEST(Filter, RefusesEndlessNestingAndTakesEndlessChains) {
 
 TEST(Filter, ListsTheKnownColumnsForAnUnknownOne) {
   const std::string message =
-      message_of<UnknownNameError>([] { filtered({Record()}, Filter("n==3 && metod==direct")); });
-  EXPECT_EQ(
-      message.rfind(
-          "filter 'n==3 && metod==direct', character 9: unknown column 'metod'; did you mean 'method'?", 0),
-      0U)
+      message_of<UnknownNameError>([] { filtered({Record()}, Filter("n==3 && metod==column_generation")); });
+  EXPECT_EQ(message.rfind("filter 'n==3 && metod==column_generation', character 9: unknown column 'metod'; "
+                          "did you mean 'method'?",
+                          0),
+            0U)
       << message;
   EXPECT_NE(message.find("(known: cell session generator"), std::string::npos) << message;
 }
@@ -145,7 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"", "character 1: expected a column, found the end"},
                       Mistake{"(n==3", "character 1: the parenthesis that opens here is never closed"},
                       Mistake{"n==3)", "character 5: expected && or ||, found ')'"},
-                      Mistake{"method=='direct", "character 9: the quote that opens here is never closed"},
+                      Mistake{"method=='column_generation",
+                              "character 9: the quote that opens here is never closed"},
                       Mistake{"n", "character 1: 'n' is not a truth; compare it, as in n == VALUE"},
                       Mistake{"n==three", "character 4: 'n' is a number, 'three' is not"},
                       Mistake{"n=='3'", "character 4: 'n' is a number, '3' is not"},

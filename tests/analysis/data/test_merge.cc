@@ -58,14 +58,15 @@ TEST_F(Merge, NotesWhatItsReadersShouldKnow) {
   session.timing = "parallel";
   session.threads = 4;
   session.calibration.threads = 4;
-  session.calibration.entries = {{"direct", 1, 1.25, 1.25}};
+  session.calibration.entries = {{"column_generation", 1, 1.25, 1.25}};
   ResultsFile second = run("2026-01-02T00:00:00Z");
   second.provenance.sessions[0].machine.cpu_model = "another processor";
   const std::string a = write("a.h5", first);
   const MergedResults merged = read_merged({a, write("b.h5", second)});
   ASSERT_EQ(merged.notes.size(), 3U);
   EXPECT_EQ(merged.notes[0], a + ": unfinished, 4 of 5 cells");
-  EXPECT_EQ(merged.notes[1], a + ": timed with 4 threads at once; slowdown of single solves: direct 1.25");
+  EXPECT_EQ(merged.notes[1],
+            a + ": timed with 4 threads at once; slowdown of single solves: column_generation 1.25");
   EXPECT_TRUE(merged.notes[2].starts_with("times from different processors are mixed: ")) << merged.notes[2];
 }
 
@@ -73,7 +74,7 @@ TEST_F(Merge, NotesThatTimesComeFromDifferentMachines) {
   ResultsFile results = run("2026-01-01T00:00:00Z");
   Session& first = results.provenance.sessions[0];
   first.timing = "parallel";
-  first.calibration = {2, {{"direct", 1, 1.25, 1.25}}};
+  first.calibration = {2, {{"column_generation", 1, 1.25, 1.25}}};
   Session second = first;
   second.machine.hostname = "other";
   second.calibration.entries[0].slowdown = 1.5;
@@ -83,7 +84,7 @@ TEST_F(Merge, NotesThatTimesComeFromDifferentMachines) {
   ASSERT_EQ(merged.notes.size(), 2U);
   EXPECT_EQ(merged.notes[0], path +
                                  ": timed with 2 threads at once; slowdown of single solves: "
-                                 "on host direct 1.25; on other direct 1.50");
+                                 "on host column_generation 1.25; on other column_generation 1.50");
   EXPECT_EQ(merged.notes[1], "times from different machines are mixed: host, other, each with A processor");
 }
 

@@ -10,7 +10,7 @@ namespace {
 std::string generator_part(const std::vector<GeneratorSpec>& generators) {
   Experiment experiment;
   experiment.generators = generators;
-  experiment.methods = {{"direct", "", {}}};
+  experiment.methods = {{"column_generation", "", {}}};
   const std::string text = dry_run_text(experiment, {});
   const std::size_t first = text.find("  generators");
   return text.substr(first, text.find("  methods") - first);
@@ -49,7 +49,7 @@ TEST(DryRun, ClaimsNoCombinationThatIsNotThere) {
 TEST(DryRun, WritesRanges) {
   Experiment experiment;
   experiment.generators = {spec("example2", {})};
-  experiment.methods = {{"direct", "", {}}};
+  experiment.methods = {{"column_generation", "", {}}};
   experiment.n = {2, 3, 4, 5, 7, 9, 11, 13, 20};
   experiment.N = {200, 400, 600, 800, 1000};
   const std::string text = dry_run_text(experiment, {});
@@ -60,7 +60,7 @@ TEST(DryRun, WritesRanges) {
 TEST(DryRun, SaysWhatMemoryTheLargestCellNeeds) {
   Experiment experiment;
   experiment.generators = {spec("example2", {})};
-  experiment.methods = {{"direct", "", {}}};
+  experiment.methods = {{"column_generation", "", {}}};
   SweepEstimate estimate;
   estimate.threads = 4;
   estimate.largest = {0, 0, 100, 30000, 1e-6};
@@ -76,7 +76,7 @@ TEST(DryRun, SaysWhatMemoryTheLargestCellNeeds) {
 TEST(DryRun, ShortensListsWithoutAPattern) {
   Experiment experiment;
   experiment.generators = {spec("example2", {})};
-  experiment.methods = {{"direct", "", {}}};
+  experiment.methods = {{"column_generation", "", {}}};
   experiment.n.clear();
   for (int i = 0; i < 1000; ++i) experiment.n.push_back(2 + i * i);
   EXPECT_NE(

@@ -66,7 +66,7 @@ class Outputs : public testing::ProgramTest, public ::testing::WithParamInterfac
   void write_measurements(const std::string& name, double factor) const {
     ResultsFile results;
     for (const int N : {200, 400}) {
-      testing::add_records(results.records, "direct", 3, N, {factor, 2, 3});
+      testing::add_records(results.records, "column_generation", 3, N, {factor, 2, 3});
       testing::add_records(results.records, "glpk_dual", 3, N, {10, 20, 30});
     }
     for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 6;
@@ -288,7 +288,7 @@ TEST_F(FigurePages, AreAllDecidedBeforeTheFirstIsWritten) {
   for (const double tolerance : {1e-6, 1e-9}) {
     const std::size_t first = results.records.size();
     for (const int N : {200, 400}) {
-      testing::add_records(results.records, "direct", 3, N, {1, 2, 3});
+      testing::add_records(results.records, "column_generation", 3, N, {1, 2, 3});
       testing::add_records(results.records, "glpk_dual", 3, N, {10, 20, 30});
     }
     for (std::size_t i = first; i < results.records.size(); ++i) results.records[i].tolerance = tolerance;

@@ -42,28 +42,5 @@ TEST(NumberText, SurvivesARoundTrip) {
     EXPECT_EQ(std::strtod(shortest_text(value).c_str(), nullptr), value);
 }
 
-TEST(CurrentNumbers, AreThoseOfEarlierVersionsWrittenAsToday) {
-  EXPECT_EQ(with_current_numbers("delta=1e-08 k=3 lambda=0.001 size=1e+05 x=1.5"),
-            "delta=1e-8 k=3 lambda=1e-3 size=100000 x=1.5");
-  EXPECT_EQ(with_current_numbers("seed = 1\ntolerance = [1e-06, 0.001]\nmin_seconds = 2e-05\n"
-                                 "generators = [hard {delta=1e-08}, hard {pose={rpy=[0,0,0.001]}}]\n"),
-            "seed = 1\ntolerance = [1e-6, 1e-3]\nmin_seconds = 2e-5\n"
-            "generators = [hard {delta=1e-8}, hard {pose={rpy=[0,0,1e-3]}}]\n");
-}
-
-TEST(CurrentNumbers, LeaveTextsAndIntegersAlone) {
-  for (const char* text : {"", "=", "a=", "kind=plain", "name=\"1e-08\" k=1", "file=finger-1e-05.off",
-                           "program=./solve 1e-08", "seed = 1152921504606846976", "n = [100000]", "on=true",
-                           "label as 1e-08", "a=1e-8 b=5e-3", "a=\"x\\"})
-    EXPECT_EQ(with_current_numbers(text), text);
-}
-
-TEST(CurrentNumbers, AreWhatParametersAreWrittenWith) {
-  const Parameters parameters = {{"delta", 1e-8}, {"name", std::string("1e-08")}, {"size", 1e5}};
-  const std::string text = to_string(parameters);
-  EXPECT_EQ(text, "delta=1e-8 name=\"1e-08\" size=100000");
-  EXPECT_EQ(with_current_numbers(text), text);
-}
-
 }  // namespace
 }  // namespace raygauge::test_number_text

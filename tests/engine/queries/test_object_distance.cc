@@ -100,8 +100,8 @@ TEST_P(ObjectDistances, OfPNormBallsAreProvenByTheClosestPoints) {
                      std::to_string(i));
         EXPECT_EQ(result.distance.status, DistanceStatus::optimal) << to_string(result.distance.status);
         if (GetParam() == DistanceMethod::newton &&
-            p < 1e3) {  // beyond, only `direct` finds corners of cubes
-          EXPECT_EQ(result.distance.counters.points_priced, 0) << "handed over to direct";
+            p < 1e3) {  // beyond, only `column_generation` finds corners of cubes
+          EXPECT_EQ(result.distance.counters.points_priced, 0) << "handed over to column_generation";
         }
         ASSERT_EQ(result.closest_point_1.size(), n);
         EXPECT_LE(norm(result.closest_point_1.cwiseQuotient(axes_1), p), 1 + kAccuracy);

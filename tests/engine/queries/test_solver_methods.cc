@@ -22,12 +22,12 @@ void expect_agreement(int n, int N, Random& random) {
   a.colwise() += 3 * sphere_points(n, 1, random).col(0);
   const PointSet A(a);
   const PointSet Q(sphere_points(n, N, random));
-  const DistanceResult direct = solve(DistanceMethod::column_generation, A, Q);
+  const DistanceResult column_generation = solve(DistanceMethod::column_generation, A, Q);
   const DistanceResult published = solve(DistanceMethod::zheng_yamane, A, Q);
-  RC_ASSERT(direct.status == published.status);
-  RC_ASSERT(direct.lower <= published.upper);
-  RC_ASSERT(published.lower <= direct.upper);
-  if (direct.status == DistanceStatus::optimal)
+  RC_ASSERT(column_generation.status == published.status);
+  RC_ASSERT(column_generation.lower <= published.upper);
+  RC_ASSERT(published.lower <= column_generation.upper);
+  if (column_generation.status == DistanceStatus::optimal)
     RC_ASSERT(published.upper - published.lower <= 1e-9 * published.upper);
 }
 

@@ -193,7 +193,8 @@ TEST(PreparedSet, OfManyPointsHasTheDistancesOfPlainOnes) {
     if (n != 3) {
       EXPECT_NE(prepared_A.points().tree(), nullptr) << n;
     }
-    for (const auto method : {DistanceMethod::direct, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
+    for (const auto method :
+         {DistanceMethod::column_generation, DistanceMethod::zheng_yamane, DistanceMethod::newton}) {
       DistanceOptions options;
       options.method = method;
       DistanceSolver one(options), two(options);

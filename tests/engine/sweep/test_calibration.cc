@@ -131,7 +131,7 @@ TEST(CalibrationOf, WhatCannotBeToldFromNoSlowdownIsNoise) {
   EXPECT_FALSE(slower.is_noise());
   EXPECT_EQ(slower.slowdown_lower, 1.1);
   EXPECT_EQ(slower.slowdown_upper, 1.4);
-  EXPECT_FALSE(Calibration::Entry().is_noise()) << "of an older file nothing is known";
+  EXPECT_FALSE(Calibration::Entry().is_noise()) << "nothing was measured";
 }
 
 TEST(CalibrationOf, IsEmptyWhereTheRuntimeGrantedOneThread) {

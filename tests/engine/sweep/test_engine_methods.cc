@@ -5,11 +5,9 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <random>
 
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/prepared_set.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge::test_engine_methods {
@@ -89,38 +87,17 @@ TEST_F(EngineMethods, TakeTheirParameters) {
   EXPECT_NEAR(published->result().distance, 3, 3e-6);
 }
 
-TEST_F(EngineMethods, PrepareSetsOfPointsInSpaceWhereTheyAreTold) {
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  Eigen::MatrixXd A(3, 300), Q(3, 300);
-  for (double& x : A.reshaped()) x = normal(random);
-  for (double& x : Q.reshaped()) x = normal(random);
-  A.row(0).array() += 12;
-  const Instance instance{std::make_shared<PointSet>(A), std::make_shared<PointSet>(Q), std::nullopt};
-  for (const std::string& name : registry_.names()) {
-    const auto plain = registry_.make(name, {}), prepares = registry_.make(name, {{"prepared", true}});
-    for (SolveMethod* method : {plain.get(), prepares.get()}) {
-      method->load(instance);
-      method->solve({});
-      EXPECT_EQ(method->result().status, DistanceStatus::optimal) << name;
-    }
-    EXPECT_LE(plain->result().lower, prepares->result().upper) << name;
-    EXPECT_LE(prepares->result().lower, plain->result().upper) << name;
-  }
-  const auto kept = std::dynamic_pointer_cast<const PreparedSet>(prepared(instance.A));
-  ASSERT_NE(kept, nullptr);
-  EXPECT_EQ(prepared(kept), kept);
-  EXPECT_EQ(prepared(segment_and_square().A)->dimension(), 2);
-}
-
 TEST_F(EngineMethods, RejectWhatTheyDoNotKnow) {
-  EXPECT_THROW(registry_.make("direct", {{"stop_rule", std::string("published_sigma")}}), UnknownNameError);
-  EXPECT_THROW(registry_.make("direct", {{"instruction_set", std::string("mmx")}}), UnknownNameError);
-  EXPECT_THROW(registry_.make("direct", {{"max_iterations", std::int64_t{-1}}}), InvalidParameterError);
+  EXPECT_THROW(registry_.make("column_generation", {{"stop_rule", std::string("published_sigma")}}),
+               UnknownNameError);
+  EXPECT_THROW(registry_.make("column_generation", {{"instruction_set", std::string("mmx")}}),
+               UnknownNameError);
+  EXPECT_THROW(registry_.make("column_generation", {{"max_iterations", std::int64_t{-1}}}),
+               InvalidParameterError);
 }
 
 TEST_F(EngineMethods, AResultNobodySolvedForIsAnError) {
-  const auto method = registry_.make("direct", {});
+  const auto method = registry_.make("column_generation", {});
   EXPECT_THROW(method->result(), Error);
 }
 

@@ -29,9 +29,10 @@ TEST(ParameterText, ComesBackWhateverTheTextsHold) {
 TEST(ParameterText, IsPlainWhereNothingNeedsQuotes) {
   EXPECT_EQ(to_string(Parameters{{"kind", std::string("plain")}, {"separation", 1.5}}),
             "kind=plain separation=1.5");
+  EXPECT_EQ(to_string(Parameters{{"delta", 1e-8}, {"size", 1e5}}), "delta=1e-8 size=100000");
 }
 
-TEST(ParameterText, TakesWordsOfEarlierVersionsForPartsOfAValue) {
+TEST(ParameterText, TakesWordsWithoutANameForPartsOfTheValueBefore) {
   EXPECT_EQ(split_parameters("program=./solve --fast now k=1"),
             (Split{{"program", "./solve --fast now"}, {"k", "1"}}));
 }

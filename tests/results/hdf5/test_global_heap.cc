@@ -50,7 +50,7 @@ TEST_F(GlobalHeap, WithAnObjectWhoseSizeOverflowsIsDamaged) {
 TEST_F(GlobalHeap, WithFreeSpaceOfNoExtentIsRefused) {
   free_first_object();
   set_first_size(std::string(8, '\0'));
-  bytes_.resize(bytes_.size() - hdf5::checksum_line("").size());  // as files of earlier versions
+  bytes_.resize(bytes_.size() - hdf5::checksum_line("").size());  // as where another program changed it
   testing::write_bytes(path_, bytes_);
   EXPECT_EQ(testing::error_of([this] { read_results(path_); }),
             path_ + ": truncated or damaged: a text does not lie within its heap");

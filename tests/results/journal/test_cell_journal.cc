@@ -137,14 +137,20 @@ TEST_F(CellJournalTest, WhatIsNoJournalIsRefused) {
     write_bytes(path_, bytes);
     EXPECT_EQ(error(), path_ + ": not a journal of raygauge's cells");
   }
-  write_bytes(path_, "# raygauge-results, schema version 1\ncell,session\n");
+  write_bytes(path_, "# raygauge-results, schema version 3\ncell,session\n");
   EXPECT_EQ(error(), path_ + ": has other columns than a journal of cells: column generator is missing");
 }
 
 TEST_F(CellJournalTest, AnotherSchemaVersionIsRefused) {
   write_bytes(path_, "# raygauge-results, schema version 4\n");
   EXPECT_THROW(read_cell_journal(path_), SchemaVersionError);
-  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads versions 1 to 3");
+  EXPECT_EQ(error(), path_ + ": schema version 4, this raygauge reads version 3");
+  write_bytes(path_, "# raygauge-results, schema version 18446744073709551615\n");
+  EXPECT_EQ(error(), path_ + ": schema version 9223372036854775807, this raygauge reads version 3");
+  write_bytes(path_, "# raygauge-results, schema version 2\ncell,session\n");
+  EXPECT_THROW(read_cell_journal(path_), SchemaVersionError);
+  EXPECT_EQ(error(),
+            path_ + ": schema version 2, from before the first release (0.2), is not read: measure anew");
 }
 
 TEST_F(CellJournalTest, ACellOfAnotherNumberThanItsRecordsIsRefused) {

@@ -104,6 +104,30 @@ TEST_F(Csv, RowsAreReadBackBitForBit) {
   EXPECT_TRUE(read_csv_rows("").empty());
 }
 
+TEST_F(Csv, AColumnThatAFileOfAnEarlierReleaseLacksHasItsDocumentedValue) {
+  std::vector<Column<Record>> columns = record_columns();
+  const std::size_t host = position_of("host");
+  columns[host] = later(columns[host], std::string("unknown"));
+  const std::vector<std::string> names = split(split(csv_header(), '\n').at(0), ',');
+  const auto without_host = [host](const std::vector<std::string>& fields) {
+    std::string line;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (i != host) line += (line.empty() ? "" : ",") + fields[i];
+    return line + "\n";
+  };
+  Record record;
+  record.generator = "sphere";
+  record.host = "known";
+  record.thread = 7;
+  const std::vector<Record> read =
+      read_csv_rows(without_host(fields_of(record)), csv_columns(without_host(names), columns));
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].generator, "sphere");
+  EXPECT_EQ(read[0].host, "unknown");
+  EXPECT_EQ(read[0].thread, 7);
+  EXPECT_EQ(error_of([&] { csv_columns(without_host(names), record_columns()); }), "column host is missing");
+}
+
 TEST_F(Csv, ARowThatIsNoneIsNamed) {
   const std::string rows = csv_rows({Record(), Record()});
   const auto error_with = [&rows](const std::string& column, const std::string& field) {

@@ -35,7 +35,7 @@ std::vector<Record> small_grid() {
   for (const int n : {3, 4, 5}) {
     for (const int N : {200, 400, 800}) {
       const double ms = 1e-3 * n * N;
-      add_records(records, "direct", n, N, {ms, 1.1 * ms, 0.9 * ms});
+      add_records(records, "column_generation", n, N, {ms, 1.1 * ms, 0.9 * ms});
       add_records(records, "glpk_dual", n, N, {4 * ms, 4.4 * ms, 3.6 * ms});
     }
   }
@@ -61,7 +61,7 @@ TEST(Report, HasTheSectionsThatTheRecordsHaveTheDataOf) {
             (std::vector<std::string>{"summary", "stability", "ratios", "scaling", "profiles", "crossover",
                                       "provenance", "records"}));
   std::vector<Record> one_method;
-  add_records(one_method, "direct", 3, 200, {1, 2});
+  add_records(one_method, "column_generation", 3, 200, {1, 2});
   for (Record& record : one_method) record.exact_distance = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(section_ids(report::make_page(results_of(one_method), {}, {})),
             (std::vector<std::string>{"summary", "provenance", "records"}));
@@ -96,11 +96,12 @@ TEST(Report, SaysInThreeLinesWhatCameOut) {
   const Json verdict = data["sections"][0]["blocks"][1]["paragraphs"];
   ASSERT_EQ(verdict.size(), 3U);
   EXPECT_EQ(verdict[1], "Answers: all methods agree on every instance; everything was solved.");
-  EXPECT_EQ(
-      verdict[0],
-      "Speed: direct is 4 times faster than the best baseline (geometric mean of 9 cells; at worst 4 times "
-      "faster), significantly faster in 9.");
-  EXPECT_EQ(verdict[2].get<std::string>().find("Precision: direct certified 27 of 27 distances"), 0U);
+  EXPECT_EQ(verdict[0],
+            "Speed: column_generation is 4 times faster than the best baseline (geometric mean of 9 cells; "
+            "at worst 4 times "
+            "faster), significantly faster in 9.");
+  EXPECT_EQ(verdict[2].get<std::string>().find("Precision: column_generation certified 27 of 27 distances"),
+            0U);
 }
 
 /// The three lines of the summary.
@@ -119,7 +120,7 @@ Json picture_of(const std::vector<Record>& records) {
 TEST(Report, BeginsWithAPictureOfWhoIsFastestWhere) {
   std::vector<Record> records = small_grid();
   for (Record& record : records) {
-    if (record.n == 5 && record.method == "direct") record.seconds *= 8;
+    if (record.n == 5 && record.method == "column_generation") record.seconds *= 8;
     if (record.n == 3 && record.N == 200 && record.method == "glpk_dual" && record.repetition == 0)
       record.agrees = false;
   }
@@ -128,7 +129,7 @@ TEST(Report, BeginsWithAPictureOfWhoIsFastestWhere) {
   EXPECT_EQ(picture["column"], "N");
   EXPECT_EQ(picture["columns"], (Json{"200", "400", "800"}));
   ASSERT_EQ(picture["cells"].size(), 9U);
-  EXPECT_EQ(picture["cells"][0]["group"], "direct");
+  EXPECT_EQ(picture["cells"][0]["group"], "column_generation");
   EXPECT_EQ(picture["cells"][0]["text"].get<std::string>().back(), '!');
   EXPECT_NE(picture["cells"][0]["remark"].get<std::string>().find("1 answers of glpk_dual are refuted"),
             std::string::npos);
@@ -140,7 +141,7 @@ TEST(Report, BeginsWithAPictureOfWhoIsFastestWhere) {
 TEST(Report, PutsWhatVariesMostOnTheAxesOfItsPicture) {
   std::vector<Record> records;
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    for (const char* method : {"direct", "glpk_dual"}) {
+    for (const char* method : {"column_generation", "glpk_dual"}) {
       add_records(records, method, 3, 200, {1, 2});
       for (auto record = records.end() - 2; record != records.end(); ++record) record->tolerance = tolerance;
     }
@@ -153,14 +154,15 @@ TEST(Report, SaysWhoseAnswersDisagreeAndThatTimesAreEqual) {
   std::vector<Record> records = small_grid();
   records[3].agrees = records[4].agrees = false;
   for (Record& record : records)
-    if (record.method == "direct") record.seconds *= 4.05;
+    if (record.method == "column_generation") record.seconds *= 4.05;
   records[0].status = DistanceStatus::time_limit;
   const Json verdict = verdict_on(records);
   EXPECT_EQ(
       verdict[1],
       "Answers: disagree with other methods' proofs or the known distance: 2 of glpk_dual; stopped at a "
-      "limit: 1 of direct.");
-  EXPECT_NE(verdict[0].get<std::string>().find("direct is as fast as the best baseline"), std::string::npos)
+      "limit: 1 of column_generation.");
+  EXPECT_NE(verdict[0].get<std::string>().find("column_generation is as fast as the best baseline"),
+            std::string::npos)
       << verdict[0];
 }
 
@@ -168,7 +170,7 @@ TEST(Report, LeavesRecordsOutThatAreTooManyForAPageAndPacksItsData) {
   std::vector<Record> records;
   for (int n = 3; n < 14; ++n)
     for (int N = 10; N < 110; ++N)
-      for (const char* method : {"direct", "glpk_dual"})
+      for (const char* method : {"column_generation", "glpk_dual"})
         add_records(records, method, n, N, std::vector<double>(10, 1.0 + 0.001 * N));
   ASSERT_GT(records.size(), 20000U);
   const std::string page = report::make_page(results_of(records), {}, {});
@@ -180,29 +182,30 @@ TEST(Report, LeavesRecordsOutThatAreTooManyForAPageAndPacksItsData) {
 }
 
 TEST(Report, SaysNothingOfAgreementWhereThereIsOneMethod) {
-  EXPECT_EQ(verdict_on(small_grid(), Filter("method==direct"))[1], "Answers: everything was solved.");
+  EXPECT_EQ(verdict_on(small_grid(), Filter("method==column_generation"))[1],
+            "Answers: everything was solved.");
 }
 
 TEST(Report, SaysInHowManyCellsAMethodIsUnsolved) {
   std::vector<Record> records = small_grid();
   for (Record& record : records)
-    if (record.method == "direct" && record.n == 3) record.status = DistanceStatus::time_limit;
-  EXPECT_EQ(
-      verdict_on(records)[0],
-      "Speed: direct is 4 times faster than the best baseline (geometric mean of 6 cells; at worst 4 times "
-      "faster), significantly faster in 6, unsolved in 3 cells.");
+    if (record.method == "column_generation" && record.n == 3) record.status = DistanceStatus::time_limit;
+  EXPECT_EQ(verdict_on(records)[0],
+            "Speed: column_generation is 4 times faster than the best baseline (geometric mean of 6 cells; "
+            "at worst 4 times "
+            "faster), significantly faster in 6, unsolved in 3 cells.");
   for (Record& record : records)
-    if (record.method == "direct") record.status = DistanceStatus::time_limit;
-  EXPECT_EQ(verdict_on(records)[0], "Speed: direct is unsolved in 9 cells.");
+    if (record.method == "column_generation") record.status = DistanceStatus::time_limit;
+  EXPECT_EQ(verdict_on(records)[0], "Speed: column_generation is unsolved in 9 cells.");
 }
 
 TEST(Report, CountsAsCertifiedOnlyWhatIsSolvedAndBounded) {
   std::vector<Record> records = small_grid();
   records[0].status = DistanceStatus::precision_limit;
   records[1].lower = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(
-      verdict_on(records)[2],
-      "Precision: direct certified 25 of 27 distances to the tolerance asked for (some without a bound).");
+  EXPECT_EQ(verdict_on(records)[2],
+            "Precision: column_generation certified 25 of 27 distances to the tolerance asked for (some "
+            "without a bound).");
 }
 
 /// One section of a page.
@@ -213,11 +216,12 @@ Json section_of(const std::vector<Record>& records, const std::string& id) {
   return nullptr;
 }
 
-/// direct at two tolerances: off by ε / 2 and proven to ε, in 1 and 4 ms, K = 2 and 6.
+/// column_generation at two tolerances: off by ε / 2 and proven to ε, in 1 and 4 ms, K = 2 and 6.
 std::vector<Record> two_tolerances() {
   std::vector<Record> records;
   for (const double tolerance : {0.25, 0.0625}) {
-    add_records(records, "direct", 3, 200, tolerance == 0.25 ? std::vector{1.0, 1.0} : std::vector{4.0, 4.0});
+    add_records(records, "column_generation", 3, 200,
+                tolerance == 0.25 ? std::vector{1.0, 1.0} : std::vector{4.0, 4.0});
     for (auto record = records.end() - 2; record != records.end(); ++record) {
       record->tolerance = tolerance;
       record->distance = record->upper = 2 * (1 + tolerance / 2);
@@ -256,7 +260,7 @@ TEST(Report, DrawsTheShareOfRightAnswersOfEachFamily) {
   records[0].distance = 17;
   const Json picture = section_of(records, "stability")["blocks"][0];
   EXPECT_EQ(picture["rows"], (Json{"example2"}));
-  EXPECT_EQ(picture["columns"], (Json{"direct", "glpk_dual"}));
+  EXPECT_EQ(picture["columns"], (Json{"column_generation", "glpk_dual"}));
   EXPECT_EQ(picture["cells"][0]["text"], "96 %!");
   EXPECT_EQ(picture["cells"][1]["text"], "100 %");
   EXPECT_EQ(picture["log"], false);
@@ -265,12 +269,12 @@ TEST(Report, DrawsTheShareOfRightAnswersOfEachFamily) {
 TEST(Report, DrawsProfilesAndCrossover) {
   const Json profiles = section_of(small_grid(), "profiles")["blocks"][0]["series"];
   ASSERT_EQ(profiles.size(), 2U);
-  EXPECT_EQ(profiles[0]["points"][0], (Json{1, 1})) << "direct is fastest everywhere";
+  EXPECT_EQ(profiles[0]["points"][0], (Json{1, 1})) << "column_generation is fastest everywhere";
   EXPECT_EQ(profiles[1]["points"][0], (Json{1, 0}));
   EXPECT_EQ(profiles[1]["points"].back()[1], 1);
   const Json cells = section_of(small_grid(), "crossover")["blocks"][0]["cells"];
   ASSERT_EQ(cells.size(), 9U);
-  EXPECT_EQ(cells[0]["group"], "direct");
+  EXPECT_EQ(cells[0]["group"], "column_generation");
   EXPECT_EQ(cells[0]["text"], "4.0×");
 }
 
@@ -282,14 +286,14 @@ TEST(Report, ShowsTheTablesOfExample1BesideThePapers) {
   }
   const Json blocks = section_of(records, "example1")["blocks"];
   ASSERT_EQ(blocks.size(), 2U);
-  EXPECT_EQ(blocks[0]["title"], "Table II, direct");
+  EXPECT_EQ(blocks[0]["title"], "Table II, column_generation");
 }
 
 TEST(Report, DrawsTheNumbersOfTheStatistics) {
   const Json data = data_of(report::make_page(results_of(small_grid()), Filter("n==3"), {}));
   const Json chart = data["sections"][3]["blocks"][0];
   EXPECT_EQ(chart["series"].size(), 2U);
-  EXPECT_EQ(chart["series"][0]["name"], "direct (exponent 1.0)");
+  EXPECT_EQ(chart["series"][0]["name"], "column_generation (exponent 1.0)");
   EXPECT_EQ(chart["series"][0]["points"][0][0], 200);
   EXPECT_EQ(chart["series"][0]["points"][0][1], 0.6);
   EXPECT_EQ(chart["series"][0]["points"][0][2], 0.54);

@@ -35,8 +35,9 @@ std::vector<AccuracyCurve> curves_of(const std::vector<Record>& records) {
 }
 
 TEST(Accuracy, AveragesOverTheSolvesOfEachTolerance) {
-  std::vector<Record> records = {solve("direct", 1e-2, 0.25, 0.5, 2), solve("direct", 1e-2, 0.75, 1, 4),
-                                 solve("direct", 1e-4, 0, 0, 10)};
+  std::vector<Record> records = {solve("column_generation", 1e-2, 0.25, 0.5, 2),
+                                 solve("column_generation", 1e-2, 0.75, 1, 4),
+                                 solve("column_generation", 1e-4, 0, 0, 10)};
   records[0].counters.outer_iterations = 1;
   records[1].counters.outer_iterations = 2;
   records[0].counters.ray_iterations = records[1].counters.ray_iterations = 7;
@@ -60,7 +61,8 @@ TEST(Accuracy, AveragesOverTheSolvesOfEachTolerance) {
 }
 
 TEST(Accuracy, CountsErrorsBeyondTheGapAndSolvesWithoutBounds) {
-  std::vector<Record> records = {solve("direct", 1e-2, 0.5, 0.25, 1), solve("nlopt_slsqp", 1e-2, 0.5, 0, 1)};
+  std::vector<Record> records = {solve("column_generation", 1e-2, 0.5, 0.25, 1),
+                                 solve("nlopt_slsqp", 1e-2, 0.5, 0, 1)};
   records[1].lower = records[1].upper = kMissing;
   const std::vector<AccuracyCurve> curves = curves_of(records);
   EXPECT_EQ(curves[0].points[0].beyond_gap, 1U);
@@ -94,7 +96,7 @@ TEST(Accuracy, IsThatOfTheAnswersWhereSomeSolvesFailed) {
 }
 
 TEST(Accuracy, TakesTheTruthFromTheExactMethodWhereTheGeneratorHasNone) {
-  Record approximate = solve("direct", 1e-2, 0.5, 0.5, 1);
+  Record approximate = solve("column_generation", 1e-2, 0.5, 0.5, 1);
   Record exact = approximate;
   exact.method = "exact";
   exact.role = Role::oracle;
@@ -105,7 +107,7 @@ TEST(Accuracy, TakesTheTruthFromTheExactMethodWhereTheGeneratorHasNone) {
 }
 
 TEST(Accuracy, AllowsTheTruthItsOwnRounding) {
-  Record solved = solve("direct", 1e-12, 0, 0, 1);
+  Record solved = solve("column_generation", 1e-12, 0, 0, 1);
   const auto beyond = [&](double distance, const char* generator) {
     solved.generator = generator;
     solved = testing::with_facts(solved);
@@ -119,8 +121,8 @@ TEST(Accuracy, AllowsTheTruthItsOwnRounding) {
 
 TEST(Accuracy, FindsWhereAMethodStopsGettingBetter) {
   const std::vector<Record> records = {
-      solve("direct", 1e-2, 1e-3, 1e-3, 10), solve("direct", 1e-4, 1e-5, 1e-5, 14),
-      solve("direct", 1e-6, 2e-9, 1e-9, 18), solve("direct", 1e-8, 1e-9, 1e-9, 30)};
+      solve("column_generation", 1e-2, 1e-3, 1e-3, 10), solve("column_generation", 1e-4, 1e-5, 1e-5, 14),
+      solve("column_generation", 1e-6, 2e-9, 1e-9, 18), solve("column_generation", 1e-8, 1e-9, 1e-9, 30)};
   const AccuracyFloor floor = accuracy_floor(curves_of(records)[0]);
   EXPECT_EQ(floor.reached.tolerance, 1e-6);
   EXPECT_FALSE(floor.still_improving);
@@ -129,25 +131,27 @@ TEST(Accuracy, FindsWhereAMethodStopsGettingBetter) {
 }
 
 TEST(Accuracy, SaysThatTheTightestToleranceStillHelped) {
-  const std::vector<Record> records = {solve("direct", 1e-2, 1e-2, 1e-1, 1),
-                                       solve("direct", 1e-4, 1e-4, 1e-1, 2)};
+  const std::vector<Record> records = {solve("column_generation", 1e-2, 1e-2, 1e-1, 1),
+                                       solve("column_generation", 1e-4, 1e-4, 1e-1, 2)};
   const AccuracyFloor floor = accuracy_floor(curves_of(records)[0]);
   EXPECT_TRUE(floor.still_improving);
   EXPECT_TRUE(std::isnan(floor.certified)) << "no gap is within its tolerance";
 }
 
 TEST(AccuracyTables, LeaveOutTheMethodThatTheTruthIsFrom) {
-  const std::vector<Record> records = {solve("exact", 1e-2, 0, 0, 1), solve("direct", 1e-2, 1e-3, 1e-3, 2)};
+  const std::vector<Record> records = {solve("exact", 1e-2, 0, 0, 1),
+                                       solve("column_generation", 1e-2, 1e-3, 1e-3, 2)};
   const std::vector<AccuracyGroup> groups = accuracy_groups(records);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].name, "example2, n = 3, N = 1");
   ASSERT_EQ(groups[0].curves.size(), 1U);
-  EXPECT_EQ(groups[0].curves[0].method, "direct");
+  EXPECT_EQ(groups[0].curves[0].method, "column_generation");
   EXPECT_THROW(accuracy_groups(records, Filter("n==4")), EmptySetError);
 }
 
 TEST(AccuracyTables, AverageOverNoParameterOfTheGenerator) {
-  std::vector<Record> records = {solve("direct", 1e-2, 1e-3, 1e-3, 1), solve("direct", 1e-2, 1e-3, 1e-3, 3)};
+  std::vector<Record> records = {solve("column_generation", 1e-2, 1e-3, 1e-3, 1),
+                                 solve("column_generation", 1e-2, 1e-3, 1e-3, 3)};
   records[0].generator_parameters = "clusters=16 separation=1.2";
   records[1].generator_parameters = "clusters=16 separation=3";
   const std::vector<AccuracyGroup> groups = accuracy_groups(records);
@@ -158,16 +162,17 @@ TEST(AccuracyTables, AverageOverNoParameterOfTheGenerator) {
 }
 
 TEST(AccuracyTables, SayThatOnlyTheExactMethodPassesAFilter) {
-  const std::vector<Record> records = {solve("direct", 1e-6, 0, 1e-9, 1), solve("exact", 1e-6, 0, 0, 1)};
+  const std::vector<Record> records = {solve("column_generation", 1e-6, 0, 1e-9, 1),
+                                       solve("exact", 1e-6, 0, 0, 1)};
   EXPECT_EQ(testing::message_of<EmptySetError>([&] { accuracy_groups(records, Filter("method==exact")); }),
             "accuracy of the method exact alone: it is where truths come from, and is not judged");
 }
 
 TEST(AccuracyTables, PriceTheNextDigit) {
-  const std::vector<Record> records = {solve("direct", 1e-2, 1e-3, 1e-3, 2),
-                                       solve("direct", 1e-4, 1e-5, 1e-5, 5)};
+  const std::vector<Record> records = {solve("column_generation", 1e-2, 1e-3, 1e-3, 2),
+                                       solve("column_generation", 1e-4, 1e-5, 1e-5, 5)};
   const std::string text = render(accuracy_tables(accuracy_groups(records)).front());
-  EXPECT_NE(text.find("direct  0.01  0.00050"), std::string::npos) << text;
+  EXPECT_NE(text.find("column_generation  0.01  0.00050"), std::string::npos) << text;
   EXPECT_NE(text.find(" 1.5 "), std::string::npos) << text;
 }
 

@@ -58,7 +58,7 @@ TEST(Example1Figures, HaveThePapersThreePanelsAndItsNumbers) {
 
 TEST(Example1Figures, NameEveryMethodInTheLegendHoweverLongTheNames) {
   std::vector<Record> records = solves("cone_ellipsoid");
-  for (const char* method : {"zheng_yamane_published", "newton", "direct", "clp_dual"}) {
+  for (const char* method : {"zheng_yamane_published", "newton", "column_generation", "clp_dual"}) {
     for (Record each : solves("cone_ellipsoid")) {
       each.method = method;
       records.push_back(each);

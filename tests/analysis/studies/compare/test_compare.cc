@@ -33,7 +33,7 @@ class SimulatedMachine {
   /// A run in which `slow_method` takes `factor` times as long.
   std::vector<Record> run(const std::string& slow_method = "", double factor = 1) {
     std::vector<Record> records;
-    for (const std::string method : {"direct", "zheng_yamane", "glpk_dual"}) {
+    for (const std::string method : {"column_generation", "zheng_yamane", "glpk_dual"}) {
       for (int cell = 0; cell < kCells; ++cell) {
         const double drift = std::exp(drift_ * normal_(bits_)) * (method == slow_method ? factor : 1);
         std::vector<double> times;
@@ -80,10 +80,10 @@ TEST(Compare, KeepsTheFamilyWiseLevelWithoutAThreshold) {
   EXPECT_LE(alarms, kMany / 20 + 5);  // 5 % and two standard errors
 }
 
-/// Whether the method `direct`, and no other, has the change.
-bool only_direct(const Comparison& comparison, Change change) {
+/// Whether the method `column_generation`, and no other, has the change.
+bool only_column_generation(const Comparison& comparison, Change change) {
   return std::all_of(comparison.methods.begin(), comparison.methods.end(), [&](const MethodChange& method) {
-    return (method.change == change) == (method.method == "direct");
+    return (method.change == change) == (method.method == "column_generation");
   });
 }
 
@@ -92,9 +92,9 @@ TEST(Compare, SuspectsASlowdownOfTenPercentInOneRunASideAndRaisesNoAlarm) {
   for (int attempt = 0; attempt < kTries; ++attempt) {
     SimulatedMachine machine(200 + attempt);
     const std::vector<Record> base = machine.run();
-    const Comparison comparison = compare_runs(base, machine.run("direct", 1.1));
+    const Comparison comparison = compare_runs(base, machine.run("column_generation", 1.1));
     EXPECT_FALSE(comparison.regressed());
-    suspected += only_direct(comparison, Change::suspected_slower) ? 1 : 0;
+    suspected += only_column_generation(comparison, Change::suspected_slower) ? 1 : 0;
   }
   EXPECT_GE(suspected, kEnough);
 }
@@ -105,7 +105,7 @@ std::pair<Runs, Runs> several_runs(SimulatedMachine& machine, int count, double 
   Runs fresh;
   for (int k = 0; k < count; ++k) {
     base.push_back(machine.run());
-    fresh.push_back(machine.run("direct", factor));
+    fresh.push_back(machine.run("column_generation", factor));
   }
   return {base, fresh};
 }
@@ -118,7 +118,7 @@ TEST(Compare, FindsASlowdownOfTenPercentInFivePairsIn19Of20Tries) {
     SimulatedMachine machine(300 + attempt, 0.04);
     const auto [base, fresh] = several_runs(machine, 5, 1.1);
     const Comparison comparison = compare_runs(base, fresh, options);
-    found += comparison.regressed() && only_direct(comparison, Change::slower) ? 1 : 0;
+    found += comparison.regressed() && only_column_generation(comparison, Change::slower) ? 1 : 0;
   }
   EXPECT_GE(found, kEnough);
 }
@@ -129,7 +129,7 @@ TEST(Compare, FindsASlowdownOfTenPercentInFourFilesASideIn19Of20Tries) {
     SimulatedMachine machine(400 + attempt, 0.04);
     const auto [base, fresh] = several_runs(machine, 4, 1.1);
     const Comparison comparison = compare_runs(base, fresh);
-    found += comparison.regressed() && only_direct(comparison, Change::slower) ? 1 : 0;
+    found += comparison.regressed() && only_column_generation(comparison, Change::slower) ? 1 : 0;
   }
   EXPECT_GE(found, kEnough);
 }
@@ -164,8 +164,10 @@ TEST(Compare, EstimatesTheSpreadBetweenRuns) {
 TEST(Compare, IsSureOfOneRunASideWhereNoMachineDriftsSoMuch) {
   SimulatedMachine machine(601);
   const std::vector<Record> base = machine.run();
-  EXPECT_TRUE(only_direct(compare_runs(base, machine.run("direct", 1.6)), Change::slower));
-  EXPECT_TRUE(only_direct(compare_runs(base, machine.run("direct", 1.4)), Change::suspected_slower));
+  EXPECT_TRUE(
+      only_column_generation(compare_runs(base, machine.run("column_generation", 1.6)), Change::slower));
+  EXPECT_TRUE(only_column_generation(compare_runs(base, machine.run("column_generation", 1.4)),
+                                     Change::suspected_slower));
 }
 
 TEST(Compare, TellsFasterFromSlower) {
@@ -204,7 +206,7 @@ TEST(Compare, RegressesWhereAnAnswerNewlyDisagrees) {
   EXPECT_FALSE(compare_runs(fresh, base).regressed());
 
   for (Record& record : fresh)
-    if (record.method == "direct" && record.n == 3 && record.N == 200) record.agrees = false;
+    if (record.method == "column_generation" && record.n == 3 && record.N == 200) record.agrees = false;
   const Comparison whole_cell = compare_runs(base, fresh);
   EXPECT_TRUE(whole_cell.regressed());
   EXPECT_EQ(whole_cell.base_only, 0U);
@@ -225,7 +227,7 @@ TEST(Compare, TellsTheParametersOfAGeneratorApart) {
   const std::vector<Record> base = machine.run();
   std::vector<Record> fresh = base;
   for (Record& record : fresh)
-    if (record.method == "direct") record.seconds *= 3;
+    if (record.method == "column_generation") record.seconds *= 3;
   const std::vector<Table> tables = comparison_tables(compare_runs(base, fresh), {}, 1);
   EXPECT_EQ(tables[1].rows[0].cells[0].text, "example2 (separation=1.5)");
 }

@@ -14,7 +14,7 @@ using raygauge::testing::add_records;
 
 std::vector<Record> four_instances() {
   std::vector<Record> records;
-  add_records(records, "direct", 3, 200, {1, 2, 3, 8});
+  add_records(records, "column_generation", 3, 200, {1, 2, 3, 8});
   add_records(records, "glpk_dual", 3, 200, {4, 2, 30, 4});
   return records;
 }
@@ -22,7 +22,7 @@ std::vector<Record> four_instances() {
 TEST(PerformanceProfile, IsTheShareSolvedWithinAMultipleOfTheFastest) {
   const std::vector<ProfileCurve> curves = performance_profiles(four_instances());
   ASSERT_EQ(curves.size(), 2U);
-  EXPECT_EQ(curves[0].method, "direct");
+  EXPECT_EQ(curves[0].method, "column_generation");
   EXPECT_EQ(curves[0].ratios, (std::vector<double>{1, 1, 1, 2}));
   EXPECT_EQ(curves[1].ratios, (std::vector<double>{1, 1, 4, 10}));
   EXPECT_DOUBLE_EQ(curves[0].rho(1), 0.75);
@@ -35,7 +35,7 @@ TEST(PerformanceProfile, CountsLimitsDisagreementsAndMissingSolvesAsUnsolved) {
   std::vector<Record> records = four_instances();
   records[1].status = DistanceStatus::time_limit;
   records[2].agrees = false;
-  records.erase(records.begin());  // direct on instance 0
+  records.erase(records.begin());  // column_generation on instance 0
   const std::vector<ProfileCurve> curves = performance_profiles(records);
   EXPECT_EQ(curves[0].instances, 4U);
   EXPECT_DOUBLE_EQ(curves[0].rho(1e9), 0.25);

@@ -17,14 +17,14 @@ namespace {
 using testing::add_records;
 using testing::message_of;
 
-/// direct and glpk_primal at n = 3, 10 and N = 200, 400; direct takes n·N/1000 ms ± 10 %, GLPK ten times
-/// that.
+/// column_generation and glpk_primal at n = 3, 10 and N = 200, 400; column_generation takes n·N/1000 ms ± 10
+/// %, GLPK ten times that.
 std::vector<Record> grid() {
   std::vector<Record> records;
   for (const int n : {10, 3}) {
     for (const int N : {200, 400}) {
       const double ms = n * N / 1000.0;
-      add_records(records, "direct", n, N, {0.9 * ms, ms, 1.1 * ms});
+      add_records(records, "column_generation", n, N, {0.9 * ms, ms, 1.1 * ms});
       add_records(records, "glpk_primal", n, N, {9 * ms, 10 * ms, 11 * ms});
     }
   }
@@ -46,7 +46,7 @@ double number(const Pivot& pivot, std::size_t row, std::size_t column) {
 }
 
 TEST(Pivot, AggregatesByRowsAndColumnsInNumericOrder) {
-  const Pivot pivot = make_pivot(grid(), options({"n"}, {"N"}, "median ms", "method==direct"));
+  const Pivot pivot = make_pivot(grid(), options({"n"}, {"N"}, "median ms", "method==column_generation"));
   ASSERT_EQ(pivot.row_keys.size(), 2U);
   EXPECT_EQ(std::get<std::int32_t>(pivot.row_keys[0][0]), 3);
   EXPECT_EQ(std::get<std::int32_t>(pivot.row_keys[1][0]), 10) << "as numbers, not as texts";
@@ -61,7 +61,7 @@ TEST(Pivot, IsSplitByWhatItsValueMustNotMix) {
   EXPECT_EQ(pivot.split_by, (std::vector<std::string>{"method"}));
   EXPECT_EQ(pivot.row_names, (std::vector<std::string>{"method", "n"}));
   ASSERT_EQ(pivot.row_keys.size(), 4U);
-  EXPECT_EQ(std::get<std::string>(pivot.row_keys[0][0]), "direct") << "in order of appearance";
+  EXPECT_EQ(std::get<std::string>(pivot.row_keys[0][0]), "column_generation") << "in order of appearance";
   EXPECT_DOUBLE_EQ(number(pivot, 2, 0), 6);
 }
 
@@ -88,7 +88,7 @@ TEST(Pivot, OfRatiosDividesByTheBaselineOfEachCell) {
 TEST(Pivot, AggregatesTheRatiosOfSeveralCells) {
   std::vector<Record> records = grid();
   for (Record& record : records)
-    if (record.method == "direct" && record.N == 400) record.seconds *= 4;
+    if (record.method == "column_generation" && record.N == 400) record.seconds *= 4;
   EXPECT_DOUBLE_EQ(number(make_pivot(records, options({"n"}, {}, "geomean ratio")), 0, 0), 0.2);
   EXPECT_DOUBLE_EQ(number(make_pivot(records, options({"method"}, {}, "max ratio")), 0, 0), 0.4);
   EXPECT_DOUBLE_EQ(number(make_pivot(records, options({"n"}, {}, "median ratio")), 0, 0), 0.25);
@@ -96,15 +96,16 @@ TEST(Pivot, AggregatesTheRatiosOfSeveralCells) {
 }
 
 TEST(Pivot, FindsTheBaselineThatTheFilterLeftOut) {
-  const Pivot pivot = make_pivot(grid(), options({"n"}, {"N"}, "median ratio", "method==direct && n==3"));
+  const Pivot pivot =
+      make_pivot(grid(), options({"n"}, {"N"}, "median ratio", "method==column_generation && n==3"));
   ASSERT_EQ(pivot.row_keys.size(), 1U);
   EXPECT_DOUBLE_EQ(number(pivot, 0, 1), 0.1);
 }
 
 TEST(Pivot, NeverAveragesDisagreeingRecordsInButCountsThem) {
   std::vector<Record> records = grid();
-  records[2].agrees = false;  // direct, n=10, N=200, the slowest
-  const Pivot pivot = make_pivot(records, options({"n"}, {"N"}, "max ms", "method==direct"));
+  records[2].agrees = false;  // column_generation, n=10, N=200, the slowest
+  const Pivot pivot = make_pivot(records, options({"n"}, {"N"}, "max ms", "method==column_generation"));
   EXPECT_DOUBLE_EQ(number(pivot, 1, 0), 2);
   EXPECT_EQ(pivot.cell(1, 0).disagreeing, 1U);
   EXPECT_EQ(number(make_pivot(records, options({}, {}, "disagreements")), 0, 0), 1);
@@ -117,12 +118,12 @@ TEST(Pivot, NeverAveragesDisagreeingRecordsInButCountsThem) {
 TEST(Pivot, CountsUnsolvedSolvesAsInfinitelySlow) {
   std::vector<Record> records = grid();
   records[0].status = DistanceStatus::time_limit;
-  Pivot pivot = make_pivot(records, options({"n"}, {"N"}, "median ms", "method==direct"));
+  Pivot pivot = make_pivot(records, options({"n"}, {"N"}, "median ms", "method==column_generation"));
   EXPECT_DOUBLE_EQ(number(pivot, 1, 0), 2.2) << "of 2, 2.2 and infinity";
   EXPECT_EQ(pivot_table(pivot).notes[0],
             "* 1 record unsolved (stopped at a limit), counted as infinitely slow: n=10 N=200 1 of 3");
   records[1].status = DistanceStatus::precision_limit;
-  pivot = make_pivot(records, options({"n"}, {"N"}, "median ms", "method==direct"));
+  pivot = make_pivot(records, options({"n"}, {"N"}, "median ms", "method==column_generation"));
   EXPECT_TRUE(std::isinf(number(pivot, 1, 0)));
   EXPECT_EQ(pivot_table(pivot).rows[1].cells[1].text, "unsolved*");
   EXPECT_EQ(number(make_pivot(records, options({}, {}, "failures")), 0, 0), 2);
@@ -130,8 +131,8 @@ TEST(Pivot, CountsUnsolvedSolvesAsInfinitelySlow) {
 
 TEST(Pivot, ShowsWhereNothingCanBeAggregated) {
   std::vector<Record> records;
-  add_records(records, "direct", 3, 200, {1, 2});
-  add_records(records, "direct", 4, 400, {1, 2});
+  add_records(records, "column_generation", 3, 200, {1, 2});
+  add_records(records, "column_generation", 4, 400, {1, 2});
   records[0].agrees = records[1].agrees = false;
   records[2].lower = records[3].lower = std::numeric_limits<double>::quiet_NaN();
   const Table table = pivot_table(make_pivot(records, options({"n"}, {"N"}, "max gap")));
@@ -155,7 +156,7 @@ TEST(Pivot, AsATableNamesColumnsAndGroups) {
 
 TEST(Pivot, ShowsIntervalsOfMedians) {
   const Table table =
-      pivot_table(make_pivot(grid(), options({"n"}, {"N"}, "median ms", "method==direct")), true);
+      pivot_table(make_pivot(grid(), options({"n"}, {"N"}, "median ms", "method==column_generation")), true);
   EXPECT_EQ(table.rows[0].cells[1].text, "0.600 [0.540, 0.660]");
 }
 

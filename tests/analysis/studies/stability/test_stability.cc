@@ -29,11 +29,12 @@ Record thin(const std::string& method, int repetition, double milliseconds) {
   return result;
 }
 
-/// direct: right and certified; stopped at a limit; right, but certified to 0.5 only. glpk_dual: off by 1/4,
-/// no bounds; off by 5e-6, within the allowance.
+/// column_generation: right and certified; stopped at a limit; right, but certified to 0.5 only. glpk_dual:
+/// off by 1/4, no bounds; off by 5e-6, within the allowance.
 std::vector<Record> sample() {
-  std::vector<Record> records = {thin("direct", 0, 1), thin("direct", 1, 3), thin("direct", 2, 2),
-                                 thin("glpk_dual", 0, 10), thin("glpk_dual", 1, 20)};
+  std::vector<Record> records = {thin("column_generation", 0, 1), thin("column_generation", 1, 3),
+                                 thin("column_generation", 2, 2), thin("glpk_dual", 0, 10),
+                                 thin("glpk_dual", 1, 20)};
   records[1].status = DistanceStatus::precision_limit;
   records[1].distance = 3.5;
   records[1].lower = 3;
@@ -50,16 +51,16 @@ TEST(Stability, SummarisesEachMethodOnEachFamily) {
   EXPECT_EQ(stability[0].tolerance, 1e-6);
   ASSERT_EQ(stability[0].rows.size(), 2U);
 
-  const StabilityRow& direct = stability[0].rows[0];
-  EXPECT_EQ(direct.family, "thin");
-  EXPECT_EQ(direct.method, "direct");
-  EXPECT_EQ(direct.solves, 3U);
-  EXPECT_EQ(direct.certified, 1U);
-  EXPECT_EQ(direct.worst_width, 0.5);
-  EXPECT_EQ(direct.worst_true_error, 0) << "a record that stopped at a limit claims no distance";
-  EXPECT_EQ(direct.wrong, 0U);
-  EXPECT_EQ(direct.failures, 1U);
-  EXPECT_EQ(direct.median_seconds, 2e-3) << "1 ms, 2 ms and one that never came to an answer";
+  const StabilityRow& column_generation = stability[0].rows[0];
+  EXPECT_EQ(column_generation.family, "thin");
+  EXPECT_EQ(column_generation.method, "column_generation");
+  EXPECT_EQ(column_generation.solves, 3U);
+  EXPECT_EQ(column_generation.certified, 1U);
+  EXPECT_EQ(column_generation.worst_width, 0.5);
+  EXPECT_EQ(column_generation.worst_true_error, 0) << "a record that stopped at a limit claims no distance";
+  EXPECT_EQ(column_generation.wrong, 0U);
+  EXPECT_EQ(column_generation.failures, 1U);
+  EXPECT_EQ(column_generation.median_seconds, 2e-3) << "1 ms, 2 ms and one that never came to an answer";
 
   const StabilityRow& glpk = stability[0].rows[1];
   EXPECT_EQ(glpk.certified, 1U);
@@ -71,7 +72,7 @@ TEST(Stability, SummarisesEachMethodOnEachFamily) {
 
 TEST(Stability, HasTotalsOverAllFamilies) {
   std::vector<Record> records = sample();
-  records.push_back(thin("direct", 0, 5));
+  records.push_back(thin("column_generation", 0, 5));
   records.back().generator = "flat";
   const Stability stability = make_stability(records);
   ASSERT_EQ(stability[0].rows.size(), 3U);
@@ -85,7 +86,7 @@ TEST(Stability, HasTotalsOverAllFamilies) {
 }
 
 TEST(Stability, KeepsTolerancesApart) {
-  std::vector<Record> records = {thin("direct", 0, 1), thin("direct", 0, 1)};
+  std::vector<Record> records = {thin("column_generation", 0, 1), thin("column_generation", 0, 1)};
   records[1].tolerance = 1e-12;
   const Stability stability = make_stability(records);
   ASSERT_EQ(stability.size(), 2U);
@@ -95,7 +96,8 @@ TEST(Stability, KeepsTolerancesApart) {
 }
 
 TEST(Stability, TakesTheTruthFromExactRecordsThatTheFilterLeavesOut) {
-  std::vector<Record> records = {thin("direct", 0, 1), thin("direct", 1, 1), thin("exact", 0, 1)};
+  std::vector<Record> records = {thin("column_generation", 0, 1), thin("column_generation", 1, 1),
+                                 thin("exact", 0, 1)};
   for (Record& record : records) record.exact_distance = kNaN;
   records[2].distance = 8;
   const Stability stability = make_stability(records, Filter("method!=exact"));
@@ -120,7 +122,7 @@ TEST(Stability, CallsAnAnswerWrongBeyondTenTimesTheTolerance) {
 }
 
 TEST(Stability, CallsBoundsThatExcludeTheTruthWrongWhateverTheStatus) {
-  Record record = thin("direct", 0, 1);
+  Record record = thin("column_generation", 0, 1);
   record.lower = std::nextafter(4.0, 5.0);
   EXPECT_TRUE(is_wrong(record, 4));
   record.status = DistanceStatus::time_limit;
@@ -141,20 +143,20 @@ TEST(Stability, NeedsRecords) {
 
 TEST(StabilityTables, ReadAsOneTableWithItsTotals) {
   std::vector<Record> records = sample();
-  records.push_back(thin("direct", 3, 4));
+  records.push_back(thin("column_generation", 3, 4));
   records.back().exact_distance = kNaN;
   const std::vector<Table> tables = stability_tables(make_stability(records));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(render(tables[0]),
             R"(Stability at tolerance 1e-6
 
-family        method     solves  certified  worst width  worst true error  wrong  failures  median ms
------------------------------------------------------------------------------------------------------
-thin          direct          4     50.0 %         0.50                 0      0         1       3.00
-              glpk_dual       2     50.0 %         none              0.25      1         0       15.0
+family        method             solves  certified  worst width  worst true error  wrong  failures  median ms
+-------------------------------------------------------------------------------------------------------------
+thin          column_generation       4     50.0 %         0.50                 0      0         1       3.00
+              glpk_dual               2     50.0 %         none              0.25      1         0       15.0
 
-all families  direct          4     50.0 %         0.50                 0      0         1       3.00
-              glpk_dual       2     50.0 %         none              0.25      1         0       15.0
+all families  column_generation       4     50.0 %         0.50                 0      0         1       3.00
+              glpk_dual               2     50.0 %         none              0.25      1         0       15.0
 
 certified: solved with proven bounds of relative width at most 1e-6; worst width: over all solves, none where a bound is missing
 wrong: an answer off by a relative error of more than 1e-5, or bounds that exclude the truth; failures: stopped at a limit without an answer
@@ -165,7 +167,7 @@ the truth is unknown for 1 of 6 solves, which therefore cannot be found wrong
 
 TEST(StabilityTables, RoundTheCertifiedShareDown) {
   std::vector<Record> records;
-  for (int i = 0; i < 3000; ++i) records.push_back(thin("direct", i, 1));
+  for (int i = 0; i < 3000; ++i) records.push_back(thin("column_generation", i, 1));
   records[7].status = DistanceStatus::time_limit;
   const std::string text = render(stability_tables(make_stability(records))[0]);
   EXPECT_NE(text.find("99.9 %"), std::string::npos) << text;
@@ -179,14 +181,14 @@ TEST(StabilityTables, AsCsvHaveARowForEachToleranceFamilyAndMethod) {
       render(stability_long_table(make_stability(sample())), options),
       "tolerance,family,method,solves,certified,certified_share,worst_width,truth_known,worst_true_error,"
       "wrong,failures,median_milliseconds\n"
-      "1e-6,thin,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
+      "1e-6,thin,column_generation,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
       "1e-6,thin,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n"
-      "1e-6,all,direct,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
+      "1e-6,all,column_generation,3,1,0.3333333333333333,0.5,3,0,0,1,2\n"
       "1e-6,all,glpk_dual,2,1,0.5,inf,2,0.25,1,0,15\n");
 }
 
 TEST(IsWrong, AllowsTheTruthItsOwnRounding) {
-  Record record = thin("direct", 0, 1);
+  Record record = thin("column_generation", 0, 1);
   const auto is_wrong_at = [&](double point, const char* generator) {
     record.generator = generator;
     record = testing::with_facts(record);

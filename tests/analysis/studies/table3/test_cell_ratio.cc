@@ -20,10 +20,10 @@ const std::vector<std::string> kGlpk = {"glpk_primal", "glpk_dual"};
 
 std::vector<Record> two_cells() {
   std::vector<Record> records;
-  add_records(records, "direct", 3, 200, {1, 2, 3});
+  add_records(records, "column_generation", 3, 200, {1, 2, 3});
   add_records(records, "glpk_primal", 3, 200, {20, 30, 40});
   add_records(records, "glpk_dual", 3, 200, {10, 20, 90});
-  add_records(records, "direct", 3, 400, {5, 5, 5});
+  add_records(records, "column_generation", 3, 400, {5, 5, 5});
   add_records(records, "glpk_primal", 3, 400, {50, 50, 50});
   add_records(records, "glpk_dual", 3, 400, {60, 60, 60});
   return records;
@@ -44,7 +44,7 @@ TEST(CellRatio, DividesMediansByThoseOfTheBetterBaselineOfEachCell) {
 
 TEST(CellRatio, LeavesOutTimesThatDisagreeAndCountsThem) {
   std::vector<Record> records = two_cells();
-  records[2].agrees = false;  // direct, N=200, 3 ms
+  records[2].agrees = false;  // column_generation, N=200, 3 ms
   const CellRatio ratio = cell_ratios(records, records, kGlpk).front();
   EXPECT_EQ(ratio.times.disagreeing, 1U);
   EXPECT_DOUBLE_EQ(ratio.ratio.ratio, 1.5 / 20);
@@ -52,7 +52,7 @@ TEST(CellRatio, LeavesOutTimesThatDisagreeAndCountsThem) {
 
 TEST(CellRatio, CountsUnsolvedAsInfinitelySlow) {
   std::vector<Record> records = two_cells();
-  records[0].status = DistanceStatus::time_limit;  // direct, N=200, 1 ms
+  records[0].status = DistanceStatus::time_limit;  // column_generation, N=200, 1 ms
   CellRatio ratio = cell_ratios(records, records, kGlpk).front();
   EXPECT_EQ(ratio.times.unsolved, 1U);
   EXPECT_DOUBLE_EQ(ratio.ratio.ratio, 3.0 / 20);
@@ -64,7 +64,7 @@ TEST(CellRatio, CountsUnsolvedAsInfinitelySlow) {
 TEST(CellRatio, HasNoneWhereNoBaselineIsSolved) {
   std::vector<Record> records = two_cells();
   for (Record& each : records)
-    if (each.N == 200 && each.method != "direct") each.status = DistanceStatus::time_limit;
+    if (each.N == 200 && each.method != "column_generation") each.status = DistanceStatus::time_limit;
   const std::vector<CellRatio> ratios = cell_ratios(records, records, kGlpk);
   EXPECT_TRUE(std::isnan(ratios[0].ratio.ratio));
   EXPECT_EQ(ratios[0].baseline, "");
@@ -73,7 +73,7 @@ TEST(CellRatio, HasNoneWhereNoBaselineIsSolved) {
 
 TEST(CellRatio, KeepsDifferentParametersOfAMethodApart) {
   std::vector<Record> records;
-  add_records(records, "direct", 3, 200, {1, 2});
+  add_records(records, "column_generation", 3, 200, {1, 2});
   records[1].method_parameters = "instruction_set=avx2";
   EXPECT_EQ(cell_times(records).size(), 2U);
 }
@@ -87,7 +87,8 @@ TEST(BaselineRecords, AreThoseThatPassTheFilter) {
 
 TEST(BaselineRecords, AreThoseOnTheSameInstancesWhereNonePasses) {
   const std::vector<Record> records = two_cells();
-  const auto kept = baseline_records(records, Filter("method==direct && N==400 && repetition<2"), kGlpk);
+  const auto kept =
+      baseline_records(records, Filter("method==column_generation && N==400 && repetition<2"), kGlpk);
   ASSERT_EQ(kept.size(), 4U);
   for (const Record& each : kept) {
     EXPECT_EQ(each.N, 400);
@@ -96,7 +97,7 @@ TEST(BaselineRecords, AreThoseOnTheSameInstancesWhereNonePasses) {
 }
 
 TEST(BaselineRecords, MustExist) {
-  const std::vector<Record> records = {record("direct", 3, 200, 0, 1)};
+  const std::vector<Record> records = {record("column_generation", 3, 200, 0, 1)};
   EXPECT_EQ(
       message_of<InvalidParameterError>([&] { baseline_records(records, {}, default_baselines(records)); }),
       "a ratio needs a baseline, and no method here is one; name one with --baseline");
@@ -107,12 +108,12 @@ TEST(BaselineRecords, MustExist) {
 
 TEST(DefaultBaselines, AreThoseOfThePaperWhateverTheirLabel) {
   EXPECT_EQ(default_baselines(two_cells()), kGlpk);
-  std::vector<Record> records = {record("direct", 3, 200, 0, 1), record("glpk_dual", 3, 200, 0, 1),
+  std::vector<Record> records = {record("column_generation", 3, 200, 0, 1), record("glpk_dual", 3, 200, 0, 1),
                                  record("clp_dual", 3, 200, 0, 1)};
   records[1].method = "lp";
   EXPECT_EQ(default_baselines(records), (std::vector<std::string>{"lp"}));
   EXPECT_TRUE(methods_of(records).is_competitor("lp"));
-  EXPECT_FALSE(methods_of(records).is_competitor("direct"));
+  EXPECT_FALSE(methods_of(records).is_competitor("column_generation"));
 }
 
 TEST(DefaultBaselines, AreAllBaselinesWhereThePapersAreMissing) {

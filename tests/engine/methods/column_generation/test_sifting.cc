@@ -8,7 +8,7 @@
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
 
-namespace raygauge::test_point_set_direct {
+namespace raygauge::test_sifting {
 namespace {
 
 // Both sets stretched along one direction: the map is linear, so the program is the round one's, but for
@@ -175,4 +175,4 @@ TEST(Sifting, ProvesWeightsToBeZeroInManyDimensions) {
 }
 
 }  // namespace
-}  // namespace raygauge::test_point_set_direct
+}  // namespace raygauge::test_sifting

@@ -125,7 +125,7 @@ TEST_P(Newton, NeedsFewEvaluationsAndHardlyMoreForMoreDigits) {
       DistanceSolver solver(newton(digits == 0 ? 1e-6 : 1e-10));
       const DistanceCounters& counters = solver.solve(*pair.A, *pair.Q).counters;
       EXPECT_EQ(counters.support_queries, 2 * counters.ray_iterations);
-      EXPECT_EQ(counters.points_priced, 0) << "handed over to direct";
+      EXPECT_EQ(counters.points_priced, 0) << "handed over to column_generation";
       evaluations[digits] += static_cast<double>(counters.ray_iterations) / kPairs;
     }
   }
@@ -200,9 +200,9 @@ TEST(NewtonMethod, IsDirectOnPointSets) {
   a.row(0).array() += 3;
   const PointSet A(a), Q(sphere_points(3, 50, random));
   const DistanceResult by_newton = DistanceSolver(newton(1e-9)).solve(A, Q);
-  DistanceOptions direct = newton(1e-9);
-  direct.method = DistanceMethod::column_generation;
-  EXPECT_EQ(by_newton.counters, DistanceSolver(direct).solve(A, Q).counters);
+  DistanceOptions column_generation = newton(1e-9);
+  column_generation.method = DistanceMethod::column_generation;
+  EXPECT_EQ(by_newton.counters, DistanceSolver(column_generation).solve(A, Q).counters);
 }
 
 }  // namespace

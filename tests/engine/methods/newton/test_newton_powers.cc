@@ -218,7 +218,7 @@ TEST(PowerSteps, AreFew) {
         DistanceSolver solver(options_of(DistanceMethod::newton));
         const DistanceResult& result = solver.solve(*A.set, *Q.set);
         EXPECT_EQ(result.status, DistanceStatus::optimal);
-        EXPECT_EQ(result.counters.points_priced, 0) << "handed over to direct";
+        EXPECT_EQ(result.counters.points_priced, 0) << "handed over to column_generation";
         queries += result.counters.support_queries;
       }
       EXPECT_LE(queries, most * kPairs) << "p = " << p_A << ", " << p_Q << ", n = " << n;
