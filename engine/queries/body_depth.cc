@@ -226,6 +226,7 @@ void BodyDepth::search(double tolerance, const double* start, const Stopwatch& w
   const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
+  source_ = Source::quick;
   DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch);
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
@@ -234,6 +235,7 @@ void BodyDepth::search(double tolerance, const double* start, const Stopwatch& w
     Vector3 world;
     pair_.to_world(quick_.normal(), &world.x);
     if (pair_.dimension() == 2) world.z = quick_.normal().z;
+    source_ = Source::precise;
     end = precise_.run(precise, raygauge::precise(world), {tolerance, floor_, ball_lower, ball_upper}, watch);
     take(precise_, true, answer);
     answer.support_queries += precise.queries();
@@ -247,6 +249,7 @@ void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& wa
                       BodyDepthAnswer& answer) {
   answer = {};
   has_points_ = false;
+  source_ = Source::none;
   floor_ = 0;
   if (tiny_ > 0) return bound_tiny(tolerance, answer);
   if (ball_upper_.high > 0 && solve_apart(tolerance, answer)) return;
@@ -262,6 +265,23 @@ void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& wa
     put_points(normal_, a1, a2, answer);
   }
   pair_.to_world(-normal_, &answer.normal.x);
+}
+
+// A search has outward normals of S1 - S2, in the frame of the first body or of the world.
+void BodyDepth::add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const {
+  if (source_ == Source::none) return;
+  const std::size_t first = normals.size();
+  if (source_ == Source::quick) {
+    quick_.add_near_normals(relative, angle, normals);
+  } else {
+    precise_.add_near_normals(relative, angle, normals);
+  }
+  for (std::size_t i = first; i < normals.size(); ++i) {
+    Vector3 world = -normals[i];
+    if (source_ == Source::quick) pair_.to_world(-normals[i], &world.x);
+    if (pair_.dimension() == 2) world.z = 0;
+    normals[i] = world;
+  }
 }
 
 }  // namespace raygauge

@@ -36,6 +36,9 @@ class BodyDepth {
   /// Of bodies that are not known to be apart. `start`: a direction of the world near the normal, or nullptr.
   void solve(double tolerance, const double* start, const Stopwatch& watch, BodyDepthAnswer& answer);
 
+  /// Of the last solve: other directions of the world that are as short, see DepthSearch::add_near_normals.
+  void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
+
  private:
   bool solve_apart(double tolerance, BodyDepthAnswer& answer);
   void bound_apart(BodyDepthAnswer& answer) const;
@@ -62,6 +65,7 @@ class BodyDepth {
   double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
   double floor_ = 0;         // proven of the depth of the cores
   bool has_points_ = false;  // of the answer
+  enum class Source : std::uint8_t { none, quick, precise } source_ = Source::none;  // searched last
 };
 
 }  // namespace raygauge

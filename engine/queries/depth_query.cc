@@ -17,19 +17,18 @@ namespace {
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Of a ball about the origin; 0 of every other set.
-double radius_of_ball(const ConvexSet& Q) {
-  SpatialShape shape;
-  if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
-  return length(shape.center) == 0 ? shape.radius : 0.0;
-}
-
 void put(const Vector3& v, int n, double scale, Vector& out) {
   if (out.size() != n) out.resize(n);
   for (int k = 0; k < n; ++k) out[k] = (&v.x)[k] * scale;
 }
 
 }  // namespace
+
+double radius_of_ball(const ConvexSet& Q) {
+  SpatialShape shape;
+  if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
+  return length(shape.center) == 0 ? shape.radius : 0.0;
+}
 
 bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
                               const double* start, ObjectDepth& result) {
@@ -109,7 +108,8 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   const double radius = radius_of_ball(Q);
   const bool fixed_size = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
   result.iterations = result.support_queries = 0;
-  if (!fixed_size || !(radius > 0) || !solve_bodies(A1, A2, radius, options, start, result)) {
+  by_bodies_ = fixed_size && radius > 0 && solve_bodies(A1, A2, radius, options, start, result);
+  if (!by_bodies_) {
     const InPose first(A1), second(A2);
     if (Q.dimension() <= 3) {
       solve_sets(first.set(), second.set(), Q, options.tolerance, start, result);
@@ -119,6 +119,18 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   }
   result.depth = result.upper;
   result.evaluations = 1;
+}
+
+// What is as near as the bounds tell, and far enough from the normal not to be the same minimum of a curved
+// surface.
+void DepthQuery::other_normals(const ObjectDepth& depth, std::vector<Vector3>& normals) const {
+  constexpr double kLeastGap = 1e-10, kCurved = 200;
+  normals.clear();
+  if (depth.evaluations == 0 || !(depth.lower > 0) || depth.normal.size() == 0) return;
+  const double relative = std::max(kLeastGap, 2 * (depth.upper - depth.lower) / depth.upper);
+  const double angle = std::min(1.0, std::sqrt(kCurved * relative));
+  if (by_bodies_) return bodies_.add_near_normals(relative, angle, normals);
+  search_.add_near_normals(relative, angle, normals);
 }
 
 }  // namespace raygauge

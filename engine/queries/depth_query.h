@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "engine/methods/bodies/depth_search.h"
 #include "engine/queries/body_depth.h"
@@ -10,6 +11,9 @@
 #include "raygauge/queries/object_distance.h"
 
 namespace raygauge {
+
+/// Of a ball about the origin; 0 of every other set.
+double radius_of_ball(const ConvexSet& Q);
 
 /// The depth of two objects of R^1 to R^3 in any metric: by BodyDepth where the metric is a ball about the
 /// origin and both have fixed-size code, else by their support mappings in doubles. In larger spaces there
@@ -21,6 +25,10 @@ class DepthQuery {
   void solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
              const std::function<bool()>& stop, const double* start, double seconds, ObjectDepth& result);
 
+  /// Of the last solve, whose answer is `depth`, in a ball: unit vectors along which A1 may be as near to the
+  /// outside, beside depth.normal. Replaces what is in `normals`.
+  void other_normals(const ObjectDepth& depth, std::vector<Vector3>& normals) const;
+
  private:
   bool solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
                     const double* start, ObjectDepth& result);
@@ -30,6 +38,7 @@ class DepthQuery {
                                ObjectDepth& result);
 
   BodyDepth bodies_;
+  bool by_bodies_ = false;
   BodyDepthAnswer answer_;
   DepthSearch<double> search_;
   Stopwatch watch_;

@@ -28,17 +28,20 @@ const DistanceResult& GrowthDistanceSolver::solve(const ConvexSet& A, const Conv
   return solve(Posed(A), Posed(Q));
 }
 
-const DistanceResult& GrowthDistanceSolver::solve(const Posed& A, const Posed& Q, WarmStart* warm) {
+const DistanceResult& GrowthDistanceSolver::solve(const Posed& A, const Posed& Q, WarmStart* warm,
+                                                  PoseGradient* gradient) {
   check_dimension("growth distance", "Q", Q.dimension(), A.dimension());
   Ask ask(Question::growth, Q, A, warm);
   ask.about_origin = true;
+  ask.pose_gradient = gradient;
   return ladder_->growth(ask);
 }
 
 const DistanceResult& GrowthDistanceSolver::solve_about_centers(const Posed& A1, const Posed& A2,
-                                                                WarmStart* warm) {
+                                                                WarmStart* warm, PoseGradient* gradient) {
   check_dimension("growth distance", "A2", A2.dimension(), A1.dimension());
   Ask ask(Question::growth, A1, A2, warm);
+  ask.pose_gradient = gradient;
   return ladder_->growth(ask);
 }
 

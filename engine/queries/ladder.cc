@@ -302,11 +302,26 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   } else if (had_depth || answer_.depth.evaluations > 0) {
     answer_.depth = ObjectDepth();
   }
+  answer_.pose_gradient_evaluations = 0;
+  if (has_effect(ask.object_effects, ObjectEffects::pose_gradient)) {
+    find_pose_gradient(ask);
+  } else {
+    answer_.pose_gradient.kind = GradientKind::none;
+  }
   return answer_;
+}
+
+// The bodies of a distance or a growth distance where fixed-size code has put them, if it was asked.
+const SpatialPair* Ladder::known_pair(const Ask& ask) const {
+  return Due::open_to_bodies(*this, ask) ? bodies_.pair() : nullptr;
 }
 
 const DistanceResult& Ladder::growth(Ask& ask) {
   answer<Question::growth>(ask);
+  if (ask.pose_gradient != nullptr) {
+    pose_gradients_.begin(ask.first, ask.second, known_pair(ask), options_.instruction_set);
+    pose_gradients_.of_growth(answer_.distance, ask.about_origin, *ask.pose_gradient);
+  }
   return answer_.distance;
 }
 

@@ -13,6 +13,7 @@
 #include "engine/queries/depth_query.h"
 #include "engine/queries/general_methods.h"
 #include "engine/queries/growth_body.h"
+#include "engine/queries/pose_gradients.h"
 #include "engine/queries/spatial_query.h"
 #include "raygauge/sets/ball.h"
 
@@ -36,6 +37,7 @@ struct Ask {
   const ConvexSet* metric = nullptr;                            ///< of a distance: Q
   Effects effects = Effects::none;                              ///< of a gauge
   ObjectEffects object_effects = ObjectEffects::none;           ///< of a distance
+  PoseGradient* pose_gradient = nullptr;                        ///< growth: wanted
   bool about_origin = false;                                    ///< growth: A1 is scaled about the origin
   double threshold = Goal().threshold;                          ///< growth: see Problem
   double time_limit = std::numeric_limits<double>::infinity();  ///< what the options' limit leaves
@@ -84,6 +86,8 @@ class Ladder {
   void climb_general(const ConvexSet& A, const ConvexSet& Q, const Ask& ask, SupportPairs* pairs);
   void tighten(const Ask& ask);
   void find_depth(const Ask& ask);
+  void find_pose_gradient(const Ask& ask);
+  const SpatialPair* known_pair(const Ask& ask) const;
   double time_left() const;
   bool conclude();
   void conclude(Separation outcome, Bounds growth);
@@ -100,6 +104,7 @@ class Ladder {
   DepthQuery depth_;
   std::array<double, 3> depth_start_{};
   bool has_depth_start_ = false;
+  PoseGradients pose_gradients_;
 
   SupportPairs pairs_;
   PosedCenter center_1_, center_2_;

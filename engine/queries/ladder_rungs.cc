@@ -116,6 +116,17 @@ double Ladder::time_left() const {
   return limit < kInfinity ? limit - answer_.distance.seconds : limit;
 }
 
+void Ladder::find_pose_gradient(const Ask& ask) {
+  PoseGradient& gradient = answer_.pose_gradient;
+  const SpatialPair* pair = known_pair(ask);
+  const bool by_ball = pair != nullptr || radius_of_ball(*ask.metric) > 0;
+  pose_gradients_.begin(ask.first, ask.second, pair, options_.instruction_set);
+  if (by_ball && answer_.depth.evaluations > 0)
+    depth_.other_normals(answer_.depth, pose_gradients_.other_normals());
+  pose_gradients_.of_distance(answer_, by_ball, gradient);
+  if (gradient.kind != GradientKind::none) ++answer_.pose_gradient_evaluations;
+}
+
 void Ladder::find_depth(const Ask& ask) {
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
                has_depth_start_ ? depth_start_.data() : nullptr, answer_.distance.seconds, answer_.depth);

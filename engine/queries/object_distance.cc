@@ -44,6 +44,8 @@ const ObjectDistance& ObjectDistanceSolver::solve(const Posed& A1, const Posed& 
   Ask ask(Question::distance, A1, A2, warm);
   ask.metric = &Q;
   ask.object_effects = effects;
+  if (has_effect(effects, ObjectEffects::pose_gradient))
+    ask.object_effects = effects | ObjectEffects::closest_points;
   ObjectDistance& result = ladder_->distance(ask);
   add_gradients(effects, result);
   return result;

@@ -29,6 +29,9 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
+  /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it.
+  const SpatialPair* pair() const noexcept { return asked_ ? &solve_.pair() : nullptr; }
+
   /// Of the last query, in its units, where that returned false; whether there was fixed-size code for it.
   const ProvenBounds& proven() const noexcept { return proven_; }
   bool was_asked() const noexcept { return asked_; }

@@ -31,6 +31,7 @@ class SpatialSolve {
   bool growth(bool about_origin, double tolerance, double threshold, WarmStart* warm);
 
   const SpatialAnswer& answer() const noexcept { return record_.answer; }
+  const SpatialPair& pair() const noexcept { return pair_; }
   int dimension() const noexcept { return pair_.dimension(); }
   /// Points that one pass over both bodies looks at.
   std::ptrdiff_t points() const noexcept { return points_of(pair_.shape(0)) + points_of(pair_.shape(1)); }

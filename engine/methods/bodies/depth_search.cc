@@ -181,6 +181,25 @@ bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) cons
   return best < std::numeric_limits<double>::infinity();
 }
 
+template <class Real>
+void DepthSearch<Real>::add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const {
+  constexpr std::size_t kMost = 64;
+  if (!solid_) return;
+  const double most = upper_ + relative * (upper_ + goal_.ball_upper), cosine = std::cos(angle);
+  const std::size_t first = normals.size();
+  const Vector3 own = rounded(normal_) * (1 / length_of(normal_));
+  for (const Entry& entry : heap_) {
+    const DepthFacet<Real>& facet = polytope_.facet(entry.facet);
+    if (facet.stamp != entry.stamp || !(entry.value <= most) || normals.size() >= kMost) continue;
+    const Vector3 n = rounded(facet.n) * (1 / length_of(facet.n));
+    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    if (is_near(own) ||
+        std::any_of(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.end(), is_near))
+      continue;
+    normals.push_back(n);
+  }
+}
+
 template class DepthSearch<double>;
 template class DepthSearch<DoubleDouble>;
 

@@ -82,6 +82,11 @@ class DepthSearch {
   /// normal() t is between both bounds. False where D is flat, or the origin is not inside the polytope.
   bool contact(const Vector3& u, Vector3& a1, Vector3& a2) const;
 
+  /// Adds to `normals` those of facets that are as near as the least one, to the share `relative` of the
+  /// depth and the ball, and differ from normal() and each other by more than `angle`; at most as many as
+  /// make 64.
+  void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
+
   int iterations() const noexcept { return iterations_; }
 
  private:

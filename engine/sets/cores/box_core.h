@@ -35,6 +35,11 @@ struct BoxCore {
             clamped(y.z, shape.base.z, shape.top.z)};
   }
 
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
+    for_vertices_near_top(*this, v, margin, isa, use);
+  }
+
   Matrix3 half_axes() const {
     const Vector3& half = shape.axis.column[0];
     return {{{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};

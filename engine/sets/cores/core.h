@@ -17,6 +17,9 @@ namespace raygauge {
 ///     look(v, isa)                a direction as the core sees it: `index` of the highest piece (a vertex
 ///     from
 ///                                 0 on, or a smooth piece below 0), and of any piece point(i) and height(i)
+///     face(v, margin, isa, use)   calls use(x) for points x, at most `margin` below the highest along v,
+///     whose
+///                                 hull is what the core has of a face there
 ///     half_axes()                 those of an ellipsoid about like the core
 ///
 /// and what it can beyond that, which is asked by `requires`:
@@ -98,6 +101,24 @@ inline std::int32_t other_piece(const SpatialShape& shape, std::int32_t piece) {
   return with_core(shape, [piece](const auto& core) {
     if constexpr (requires { core.other_piece(piece); }) return core.other_piece(piece);
     return piece;
+  });
+}
+
+/// Whether one point of the core is the highest along v, of length 1, and along all directions within about
+/// `tilt` of it: no edge and no face is across v. For rounding errors of v.
+inline bool has_one_top(const SpatialShape& shape, const Vector3& v, double tilt, InstructionSet isa) {
+  return with_core(shape, [&](const auto& core) {
+    if constexpr (requires { core.kIsSmooth; }) return true;
+    if constexpr (requires { core.disc(v); }) {
+      const CoreDisc disc = core.disc(v);
+      const Vector3 across = v - disc.normal * dot(v, disc.normal);
+      if (disc.radius > 0 && !(dot(across, across) > tilt * tilt)) return false;
+    }
+    const Vector3 e = any_orthogonal(v) * tilt, f = cross(v, e);
+    const std::int32_t top = core.look(v + e, isa).index;
+    constexpr double kThird = 0.866025403784438646763;
+    return core.look(v - e * 0.5 + f * kThird, isa).index == top &&
+           core.look(v - e * 0.5 - f * kThird, isa).index == top;
   });
 }
 

@@ -44,4 +44,16 @@ struct VertexView {
   Real height(std::int32_t i) const { return dot(v, core.vertex(i)); }
 };
 
+/// Calls use(x) for every vertex of a core that is within `margin` of the highest one along v.
+template <class Core, class Real, class Use>
+void for_vertices_near_top(const Core& core, const BasicVector3<Real>& v, double margin, InstructionSet isa,
+                           const Use& use) {
+  const auto view = core.look(v, isa);
+  const Real least = view.height(view.index) - Real{margin};
+  const auto count = static_cast<std::int32_t>(core.vertex_count());
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (!(view.height(i) < least)) use(view.point(i));
+  }
+}
+
 }  // namespace raygauge

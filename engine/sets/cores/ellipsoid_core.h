@@ -64,6 +64,12 @@ struct EllipsoidCore {
     return radius > 0 && height - margin > shape.extent * (r / radius) * (r / radius) * (1 + 0x1p-30);
   }
 
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double /*margin*/, InstructionSet isa, const Use& use) const {
+    const View<Real> view = look(v, isa);
+    use(view.point(view.index));
+  }
+
   Matrix3 half_axes() const { return shape.axis; }
 };
 

@@ -120,6 +120,14 @@ struct FrustumCore {
     return {kBaseDisc, -a, shape.base, shape.base_radius};
   }
 
+  /// Of the disc on the side of v, the corners of a regular polygon of kFaceCorners that is fixed to the
+  /// body, as far as they are within the margin. Where not all are, or v looks rather at the side: the
+  /// highest points of the rims within the margin.
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const;
+
+  static constexpr int kFaceCorners = 32;  ///< the disc extends beyond the polygon by 0.0048 of its radius
+
   /// In the half plane through the axis that holds y: `along` a from the base and `across` it.
   template <class Real>
   BasicVector3<Real> nearest(const BasicVector3<Real>& y) const;
@@ -153,6 +161,31 @@ BasicVector3<Real> FrustumCore::nearest(const BasicVector3<Real>& y) const {
   if (share > Real{1}) share = Real{1};
   const Real radius = base_radius + share * widening;
   return base + axis.a * (share * full) + radial * (radius / across);
+}
+
+template <class Real, class Use>
+void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
+  constexpr double kStep = 6.283185307179586476925 / kFaceCorners;
+  const View<Real> view = look(v, isa);
+  const Real least = view.height(view.index) - Real{margin};
+  const Vector3& axis = shape.axis.column[0];
+  const double along = dot(rounded(v), axis);
+  const std::int32_t facing = along > 0 ? kTop : kBase;
+  int corners = 0;
+  if (std::fabs(along) > high(view.across.size) && radius_of(facing) > 0) {
+    const Vector3 e = any_orthogonal(axis), f = cross(axis, e);
+    for (int k = 0; k < kFaceCorners; ++k) {
+      const Vector3 radial = (e * std::cos(k * kStep) + f * std::sin(k * kStep)) * radius_of(facing);
+      const BasicVector3<Real> x = vector_of<Real>(center_of(facing)) + vector_of<Real>(radial);
+      if (dot(v, x) < least) continue;
+      use(x);
+      ++corners;
+    }
+  }
+  for (const std::int32_t rim : {facing, other_piece(facing)}) {
+    const bool covered = rim == facing && corners == kFaceCorners;
+    if (!covered && !(view.height(rim) < least)) use(view.point(rim));
+  }
 }
 
 template <class Real>

@@ -26,6 +26,11 @@ struct PointCore {
     return vector_of<Real>(shape.center);
   }
 
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
+    for_vertices_near_top(*this, v, margin, isa, use);
+  }
+
   CoreEnds ends_around(const Vector3& /*x*/) const { return {.count = 1}; }
   Matrix3 half_axes() const { return {}; }
 };

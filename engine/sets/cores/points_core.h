@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/kernels/kernel.h"
 #include "engine/sets/cores/core_parts.h"
@@ -30,6 +31,9 @@ struct PointsCore {
     return {*this, v, highest(v, isa)};
   }
 
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const;
+
   /// The half axes of an ellipsoid with the same second moments as the points about their centre, times 3.
   Matrix3 half_axes() const;
 
@@ -52,5 +56,39 @@ struct PointsCore {
     return static_cast<std::int32_t>(std::min(index, shape.size - 1));
   }
 };
+
+// A pass over all points in doubles; those that may be high enough are asked one by one.
+template <class Real, class Use>
+void PointsCore::face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
+  constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
+  const auto view = look(v, isa);
+  const Vector3 w = rounded(v);
+  const Real least = view.height(view.index) - Real{margin};
+  // A point that no list has is lower than another one by more than that, or next to it.
+  constexpr double kShareOfList = 1e-6;
+  if (shape.table != nullptr && margin <= kShareOfList * shape.extent &&
+      !shape.table->listed(rounded(v)).empty()) {
+    for (const std::int32_t i : shape.table->listed(rounded(v))) {
+      if (!(view.height(i) < least)) use(view.point(i));
+    }
+    return;
+  }
+  const double noise = kHeightError * (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
+  const double floor = high(least) - noise, third = shape.coordinates == 3 ? w.z : 0.0;
+  for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
+    const double* p = shape.blocks + block * shape.coordinates * kLanes;
+    const double* z = shape.coordinates == 3 ? p + std::ptrdiff_t{2} * kLanes : p;
+    double value[kLanes], top = -__builtin_inf();
+    for (int lane = 0; lane < kLanes; ++lane)
+      value[lane] = w.x * p[lane] + w.y * p[kLanes + lane] + third * z[lane];
+    for (const double each : value) top = each > top ? each : top;
+    for (int lane = 0; top >= floor && lane < kLanes; ++lane) {
+      const std::ptrdiff_t i = block * kLanes + lane;
+      if (!(value[lane] >= floor) || i >= shape.size) continue;
+      const auto index = static_cast<std::int32_t>(i);
+      if (!(view.height(index) < least)) use(view.point(index));
+    }
+  }
+}
 
 }  // namespace raygauge

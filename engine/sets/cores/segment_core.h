@@ -31,6 +31,11 @@ struct SegmentCore {
     return along < square ? base + way * (along / square) : vector_of<Real>(shape.top);
   }
 
+  template <class Real, class Use>
+  void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
+    for_vertices_near_top(*this, v, margin, isa, use);
+  }
+
   CoreEnds ends_around(const Vector3& x) const {
     constexpr double kAtEnd = 1 - 1e-6;
     const Vector3& half = shape.axis.column[0];

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "raygauge/queries/gradient.h"
 #include "raygauge/queries/solver.h"
 
 namespace raygauge {
@@ -54,11 +55,14 @@ class GrowthDistanceSolver {
   const DistanceResult& solve(const ConvexSet& A, const ConvexSet& Q);
 
   /// The same for sets in poses: solve({A, pose_A}, {Q, pose_Q}). `warm` is the state that the last solve of
-  /// this pair stored; this solve updates it. nullptr: a cold start.
-  const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr);
+  /// this pair stored; this solve updates it. nullptr: a cold start. `gradient`, if not nullptr, becomes the
+  /// gradient of σ with respect to the twists of Q (body_1) and A (body_2).
+  const DistanceResult& solve(const Posed& A, const Posed& Q, WarmStart* warm = nullptr,
+                              PoseGradient* gradient = nullptr);
 
   /// The growth distance of two objects, each scaled about its own centre, that of a posed set being R c + t.
-  const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr);
+  const DistanceResult& solve_about_centers(const Posed& A1, const Posed& A2, WarmStart* warm = nullptr,
+                                            PoseGradient* gradient = nullptr);
 
   /// Whether two objects are separated: the growth distance about both their centres, stopped at the first
   /// bound that is on one side of 1, and the Euclidean distance where that leaves it open. Objects with

@@ -7,6 +7,7 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
+#include "raygauge/queries/gradient.h"
 #include "raygauge/queries/warm_start.h"
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/pose.h"
@@ -21,6 +22,7 @@ enum class ObjectEffects : std::uint8_t {
   closest_points = 1,  ///< of (18)
   gradient = 2,        ///< of the distance, or of minus the depth, when either object moves
   depth = 4,           ///< of objects that meet: see ObjectDepth; the distance is then a signed one
+  pose_gradient = 8,   ///< of the same with respect to twists, in R^2 and R^3; with the closest points
 };
 
 constexpr ObjectEffects operator|(ObjectEffects a, ObjectEffects b) noexcept {
@@ -60,13 +62,15 @@ struct ObjectDepth {
 struct ObjectDistance {
   DistanceResult
       distance;  ///< d_Q(A2 - A1) with its bounds; 0 with status contains_origin if the objects meet
-  Vector closest_point_1;  ///< in A1 ...
-  Vector closest_point_2;  ///< ... and in A2: their difference has the gauge `distance`, to the gap
-  Vector gradient_1;       ///< of signed_distance(), with respect to a translation of A1: the normal u
-  Vector gradient_2;       ///< ... of A2: -u
-  ObjectDepth depth;       ///< only with ObjectEffects::depth, and if the objects are not proven to be apart
+  Vector closest_point_1;      ///< in A1 ...
+  Vector closest_point_2;      ///< ... and in A2: their difference has the gauge `distance`, to the gap
+  Vector gradient_1;           ///< of signed_distance(), with respect to a translation of A1: the normal u
+  Vector gradient_2;           ///< ... of A2: -u
+  PoseGradient pose_gradient;  ///< of signed_distance(), with respect to the twists of both
+  ObjectDepth depth;  ///< only with ObjectEffects::depth, and if the objects are not proven to be apart
   std::int64_t closest_point_evaluations = 0;  ///< pairs of closest points computed: 0 or 1
   std::int64_t gradient_evaluations = 0;       ///< pairs of gradients computed: 0 or 1
+  std::int64_t pose_gradient_evaluations = 0;  ///< gradients by pose computed: 0 or 1
 
   /// The signed distance: the distance, or minus the depth where that was computed.
   double signed_distance() const noexcept { return depth.evaluations > 0 ? -depth.depth : distance.distance; }

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/flat_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raygauge {
+namespace {
+
+double cross(const FlatPoint& o, const FlatPoint& a, const FlatPoint& b) {
+  return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+double distance(const FlatPoint& a, const FlatPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+// Of p from the line through a and b, to its left.
+double to_the_left(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
+  const double size = distance(a, b);
+  return size > 0 ? cross(a, b, p) / size : -distance(a, p);
+}
+
+const FlatPoint& farthest(const std::vector<FlatPoint>& points, const FlatPoint& from) {
+  return *std::max_element(points.begin(), points.end(), [&](const FlatPoint& a, const FlatPoint& b) {
+    return distance(from, a) < distance(from, b);
+  });
+}
+
+}  // namespace
+
+// True where the points are as good as one or two.
+bool FlatPolygon::shrink(double noise) {
+  const FlatPoint first = farthest(corners_, middle()), second = farthest(corners_, first);
+  const bool is_point = !(distance(first, second) > noise);
+  const auto wide = [&](const FlatPoint& p) { return std::fabs(to_the_left(first, second, p)) > noise; };
+  if (!is_point && std::any_of(corners_.begin(), corners_.end(), wide)) return false;
+  corners_.assign(1, first);
+  if (!is_point) corners_.push_back(second);
+  return true;
+}
+
+// The monotone chain (Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
+void FlatPolygon::make_hull(double noise) {
+  if (corners_.empty() || shrink(noise)) return;
+  std::sort(corners_.begin(), corners_.end(),
+            [](const FlatPoint& a, const FlatPoint& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  other_.clear();
+  std::size_t floor = 2;
+  const auto take = [&](const FlatPoint& p) {
+    while (other_.size() >= floor && !(cross(*(other_.end() - 2), other_.back(), p) > 0)) other_.pop_back();
+    other_.push_back(p);
+  };
+  std::for_each(corners_.begin(), corners_.end(), take);
+  floor = other_.size() + 1;
+  std::for_each(corners_.rbegin() + 1, corners_.rend(), take);
+  other_.pop_back();
+  corners_.clear();
+  const std::size_t count = other_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const FlatPoint& before = corners_.empty() ? other_.back() : corners_.back();
+    if (-to_the_left(before, other_[(i + 1) % count], other_[i]) > noise) corners_.push_back(other_[i]);
+  }
+  if (count >= 3 && corners_.size() < 3) corners_ = other_;
+}
+
+void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset) {
+  const double size = std::hypot(x, y);
+  if (!(size > 0) || corners_.empty()) return;
+  const auto height = [&](const FlatPoint& p) { return (x * (p.y - a.y) - y * (p.x - a.x)) / size + offset; };
+  other_.clear();
+  const std::size_t count = corners_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const FlatPoint &p = corners_[i], &next = corners_[(i + 1) % count];
+    const double at = height(p), then = height(next);
+    if (at >= 0) other_.push_back(p);
+    const bool has_edge = count > 2 || (count == 2 && i == 0);
+    if (!has_edge || (at >= 0) == (then >= 0)) continue;
+    const double share = at / (at - then);
+    other_.push_back({p.x + (next.x - p.x) * share, p.y + (next.y - p.y) * share});
+  }
+  std::swap(corners_, other_);
+}
+
+void FlatPolygon::cut(const FlatPolygon& other, double offset, double beside) {
+  const std::vector<FlatPoint>& q = other.corners_;
+  if (q.size() == 1) {
+    if (distance(middle(), q[0]) > std::max(offset, beside)) clear();
+    return;
+  }
+  if (q.size() == 2) {
+    const double x = q[1].x - q[0].x, y = q[1].y - q[0].y, width = std::max(offset, beside);
+    cut(q[0], x, y, width);
+    cut(q[0], -x, -y, width);
+    cut(q[0], y, -x, offset);
+    cut(q[1], -y, x, offset);
+    return;
+  }
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const FlatPoint& next = q[(i + 1) % q.size()];
+    cut(q[i], next.x - q[i].x, next.y - q[i].y, offset);
+  }
+}
+
+void FlatPolygon::merge(double size) {
+  if (corners_.empty()) return;
+  const FlatPoint center = middle();
+  if (distance(farthest(corners_, center), center) <= 0.5 * size) {
+    corners_.assign(1, center);
+    return;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (kept > 0 && distance(corners_[kept - 1], corners_[i]) <= size) continue;
+    corners_[kept++] = corners_[i];
+  }
+  while (kept > 2 && distance(corners_[kept - 1], corners_[0]) <= size) --kept;
+  corners_.resize(kept);
+}
+
+double FlatPolygon::depth_of(const FlatPoint& p) const {
+  if (corners_.size() < 3) return -std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    least = std::min(least, to_the_left(corners_[i], corners_[(i + 1) % corners_.size()], p));
+  return least;
+}
+
+FlatPoint FlatPolygon::middle() const {
+  FlatPoint sum;
+  for (const FlatPoint& p : corners_) {
+    sum.x += p.x;
+    sum.y += p.y;
+  }
+  const double share = corners_.empty() ? 0.0 : 1.0 / static_cast<double>(corners_.size());
+  return {sum.x * share, sum.y * share};
+}
+
+}  // namespace raygauge

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/pose_gradients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/sets/place_shape.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kTilt = 1e-7;      // faces are parallel to this
+constexpr double kParallel = 1e-6;  // ... and edges
+constexpr double kNearly = 1 + 1e-10;
+constexpr double kBeside = 1e-5;  // of the size: contacts of curved bodies are known to the root of the gap
+
+Vector3 vector_of(const Vector& v) { return spatial(v, static_cast<int>(v.size())); }
+
+Twist negative(const Twist& twist) { return {-twist.linear, -twist.angular}; }
+
+}  // namespace
+
+double PoseGradient::along(const Twist& twist_1, const Twist& twist_2) const noexcept {
+  if (kind == GradientKind::none || kind == GradientKind::undecided)
+    return std::numeric_limits<double>::quiet_NaN();
+  if (kind == GradientKind::unique) return dot(body_1, twist_1) + dot(body_2, twist_2);
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < candidates.size();) {
+    double least = std::numeric_limits<double>::infinity();
+    const int normal = candidates[i].normal;
+    for (; i < candidates.size() && candidates[i].normal == normal; ++i)
+      least = std::min(least, dot(candidates[i].body_1, twist_1) + dot(candidates[i].body_2, twist_2));
+    greatest = std::max(greatest, least);
+  }
+  return greatest;
+}
+
+void PoseGradients::begin(const Posed& A1, const Posed& A2, const SpatialPair* pair, InstructionSet isa) {
+  posed_[0] = &A1;
+  posed_[1] = &A2;
+  pair_ = pair;
+  isa_ = isa;
+  factor_ = 1;
+  other_normals_.clear();
+  for (int i = 0; i < 2; ++i) {
+    origin_[i] = {};
+    const Pose* pose = posed_[i]->pose;
+    for (int k = 0; pose != nullptr && k < std::min(3, pose->dimension()); ++k)
+      (&origin_[i].x)[k] = pose->translation_data()[k];
+  }
+}
+
+bool PoseGradients::bind() { return faces_.bind(*posed_[0], *posed_[1], isa_); }
+
+// Whether one point of a body is the highest along any direction.
+bool PoseGradients::is_rounded() const {
+  return pair_ != nullptr && (is_smooth(pair_->shape(0)) || is_smooth(pair_->shape(1)));
+}
+
+// Whether a body has one point only in contact: then there is one pair of points.
+bool PoseGradients::has_one_top(const Vector3& normal) const {
+  if (pair_ == nullptr) return false;
+  const Vector3 n = pair_->to_body(&normal.x);
+  return raygauge::has_one_top(pair_->shape(0), n, kTilt, isa_) ||
+         raygauge::has_one_top(pair_->shape(1), pair_->rotation().transposed_times(-n), kTilt, isa_);
+}
+
+PoseGradient::Candidate PoseGradients::candidate(const Vector3& by_translation, const Vector3& x1,
+                                                 const Vector3& x2) const {
+  const Vector3& n = by_translation;
+  return {{n * factor_, cross(x1 - origin_[0] * factor_, n)}, negative({n, cross(x2 - origin_[1], n)}), 0};
+}
+
+// All pairs of points that are optimal for one normal: n of length 1, from A1 to A2.
+void PoseGradients::add_candidates(const Vector3& by_translation, const Vector3& n, int number,
+                                   PoseGradient& gradient) {
+  if (!faces_.find(n, kTilt * faces_.size(), kTilt * faces_.size(), kParallel)) return;
+  for (const FacePair& pair : faces_.face().pairs()) {
+    gradient.candidates.push_back(
+        candidate(by_translation, faces_.to_world(0, pair.point_1), faces_.to_world(1, pair.point_2)));
+    gradient.candidates.back().normal = number;
+  }
+}
+
+void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, PoseGradient& gradient) {
+  gradient.kind = GradientKind::none;
+  gradient.candidates.clear();
+  const bool apart = answer.distance.lower > 0 && std::isfinite(answer.distance.upper);
+  const Vector& normal = apart ? answer.distance.normal : answer.depth.normal;
+  const Vector& point_1 = apart ? answer.closest_point_1 : answer.depth.point_1;
+  const Vector& point_2 = apart ? answer.closest_point_2 : answer.depth.point_2;
+  const bool is_inside = answer.depth.evaluations > 0 && answer.depth.lower > 0;
+  const int n = posed_[0]->dimension();
+  if ((!apart && !is_inside) || (n != 2 && n != 3) || point_1.size() != n || point_2.size() != n) return;
+  const Vector3 by_translation = vector_of(normal);
+  const Candidate first = candidate(by_translation, vector_of(point_1), vector_of(point_2));
+  gradient.body_1 = first.body_1;
+  gradient.body_2 = first.body_2;
+  gradient.kind = by_ball ? GradientKind::unique : GradientKind::undecided;
+  if (!by_ball || (other_normals_.empty() && is_rounded())) return;
+  const Vector3 way = by_translation * (-1 / length(by_translation));
+  if (other_normals_.empty() && has_one_top(way)) return;
+  gradient.kind = GradientKind::undecided;
+  if (!bind()) return;
+  add_candidates(by_translation, way, 0, gradient);
+  const std::size_t own = gradient.candidates.size();
+  int number = 0;
+  const double most =
+      (answer.depth.upper + 2 * (answer.depth.upper - answer.depth.lower)) / length(by_translation) * kNearly;
+  for (const Vector3& other : other_normals_) {
+    if (!(faces_.overlap(-other) <= most)) continue;
+    const std::size_t before = gradient.candidates.size();
+    add_candidates(other * length(by_translation), -other, ++number, gradient);
+    if (gradient.candidates.size() == before) return;
+  }
+  if (own == 0) return;
+  gradient.kind = gradient.candidates.size() == 1 ? GradientKind::unique : GradientKind::one_sided;
+  if (own == 1 && number == 0) gradient.candidates.clear();
+}
+
+// Both bodies, scaled, touch along n. True where one pair of points, or more, is known there.
+bool PoseGradients::find_contact(const Vector3& n) {
+  constexpr double kFarBeside = 1e-2;
+  const double size = faces_.size();
+  return faces_.find(n, kTilt * size, kBeside * size, kParallel) ||
+         faces_.find(n, kTilt * size, kFarBeside * size, kParallel);
+}
+
+// Of the last contact: whether no other plane separates the bodies there.
+bool PoseGradients::has_one_normal() {
+  const CommonFace& face = faces_.face();
+  if (face.is_crossing(kTilt * faces_.size())) return true;
+  Vector3 tangent[2];
+  int smooth[2];
+  for (int i = 0; i < 2; ++i) smooth[i] = faces_.smooth_directions(i, tangent[i]);
+  if (smooth[0] == 2 || smooth[1] == 2) return true;
+  for (int i = 0; i < 2; ++i) {
+    if (face.extent(i) == 1) tangent[i] = face.direction(i);
+    if (face.extent(i) == 2 || (face.extent(i) == 0 && smooth[i] == 0)) return false;
+  }
+  return face.pairs_count() == 1 && length(cross(tangent[0], tangent[1])) > kTilt;
+}
+
+// With u = -normal, h_B(u) = 1 and σ = max u·p/h_B(u), the common point moves with A1 by v1 and with A2 by
+// v2: dσ = u·(v2 - v1).
+void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin, PoseGradient& gradient) {
+  gradient.kind = GradientKind::none;
+  gradient.candidates.clear();
+  if (!(answer.lower > 0) || !std::isfinite(answer.upper) || answer.normal.size() == 0 || !bind()) return;
+  const double sigma = answer.distance;
+  factor_ = about_origin ? sigma : 1.0;
+  faces_.scale(about_origin ? BodyScaling::about_origin : BodyScaling::about_centers, sigma);
+  const Vector3 by_translation = vector_of(answer.normal), n = by_translation * (-1 / length(by_translation));
+  if (!find_contact(n)) return;
+  const bool is_smooth = has_one_normal();
+  for (const FacePair& pair : faces_.face().pairs()) {
+    const Vector3 x = (faces_.to_world(0, pair.point_1) + faces_.to_world(1, pair.point_2)) * 0.5;
+    gradient.candidates.push_back(candidate(by_translation, x, x));
+  }
+  gradient.body_1 = gradient.candidates.front().body_1;
+  gradient.body_2 = gradient.candidates.front().body_2;
+  gradient.kind = !is_smooth                        ? GradientKind::undecided
+                  : gradient.candidates.size() == 1 ? GradientKind::unique
+                                                    : GradientKind::one_sided;
+  if (gradient.kind != GradientKind::one_sided) gradient.candidates.clear();
+}
+
+}  // namespace raygauge
