@@ -78,7 +78,8 @@ bool CommonFace::find(double noise, double beside, double crossing) {
   origin_ = side_[0].points[0];
   project(side_[0], normal_, noise);
   project(side_[1], -normal_, noise);
-  const int small = extent(0) <= extent(1) ? 0 : 1;
+  const bool more = extent(0) == extent(1) && side_[0].polygon.count() < side_[1].polygon.count();
+  const int small = extent(0) <= extent(1) && !more ? 0 : 1;
   const FlatPolygon& other = side_[1 - small].polygon;
   const bool segments = extent(0) == 1 && extent(1) == 1;
   for (const double offset : {noise, beside}) {
@@ -89,7 +90,9 @@ bool CommonFace::find(double noise, double beside, double crossing) {
   }
   const bool cross_over = segments && sine_of_segments() > crossing;
   common_.merge(cross_over ? std::numeric_limits<double>::infinity() : noise);
-  for (const FlatPoint& p : common_.corners()) pairs_.push_back({lift(side_[0], p), lift(side_[1], p)});
+  if (cross_over && !common_.is_empty()) common_.move_to_crossing(side_[0].polygon, side_[1].polygon, beside);
+  for (const FlatPoint& p : common_.corners())
+    pairs_.push_back({lift(side_[0], p), lift(side_[1], p), p.index});
   return !pairs_.empty();
 }
 

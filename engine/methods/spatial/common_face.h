@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/methods/spatial/flat_polygon.h"
@@ -12,6 +13,7 @@ namespace raygauge {
 /// A point of the first body and the one of the second that is above it, along a normal.
 struct FacePair {
   Vector3 point_1, point_2;
+  std::int32_t index = -1;  ///< see FlatPoint
 };
 
 /// What the faces of two bodies have in common where they are seen along a normal n of length 1, which points

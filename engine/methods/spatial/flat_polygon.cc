@@ -13,7 +13,9 @@ double cross(const FlatPoint& o, const FlatPoint& a, const FlatPoint& b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-double distance(const FlatPoint& a, const FlatPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double distance(const FlatPoint& a, const FlatPoint& b) {
+  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+}
 
 // Of p from the line through a and b, to its left.
 double to_the_left(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
@@ -64,8 +66,8 @@ void FlatPolygon::make_hull(double noise) {
   if (count >= 3 && corners_.size() < 3) corners_ = other_;
 }
 
-void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset) {
-  const double size = std::hypot(x, y);
+void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset, std::int32_t number) {
+  const double size = std::sqrt(x * x + y * y);
   if (!(size > 0) || corners_.empty()) return;
   const auto height = [&](const FlatPoint& p) { return (x * (p.y - a.y) - y * (p.x - a.x)) / size + offset; };
   other_.clear();
@@ -77,7 +79,8 @@ void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset) {
     const bool has_edge = count > 2 || (count == 2 && i == 0);
     if (!has_edge || (at >= 0) == (then >= 0)) continue;
     const double share = at / (at - then);
-    other_.push_back({p.x + (next.x - p.x) * share, p.y + (next.y - p.y) * share});
+    const std::int32_t made = -2 - 2 * number - (at >= 0 ? 1 : 0);
+    other_.push_back({p.x + (next.x - p.x) * share, p.y + (next.y - p.y) * share, made});
   }
   std::swap(corners_, other_);
 }
@@ -90,15 +93,15 @@ void FlatPolygon::cut(const FlatPolygon& other, double offset, double beside) {
   }
   if (q.size() == 2) {
     const double x = q[1].x - q[0].x, y = q[1].y - q[0].y, width = std::max(offset, beside);
-    cut(q[0], x, y, width);
-    cut(q[0], -x, -y, width);
-    cut(q[0], y, -x, offset);
-    cut(q[1], -y, x, offset);
+    cut(q[0], x, y, width, 0);
+    cut(q[0], -x, -y, width, 1);
+    cut(q[0], y, -x, offset, 2);
+    cut(q[1], -y, x, offset, 3);
     return;
   }
   for (std::size_t i = 0; i < q.size(); ++i) {
     const FlatPoint& next = q[(i + 1) % q.size()];
-    cut(q[i], next.x - q[i].x, next.y - q[i].y, offset);
+    cut(q[i], next.x - q[i].x, next.y - q[i].y, offset, q[i].index);
   }
 }
 
@@ -116,6 +119,17 @@ void FlatPolygon::merge(double size) {
   }
   while (kept > 2 && distance(corners_[kept - 1], corners_[0]) <= size) --kept;
   corners_.resize(kept);
+}
+
+void FlatPolygon::move_to_crossing(const FlatPolygon& one, const FlatPolygon& two, double reach) {
+  const FlatPoint &a = one.corners_[0], &b = one.corners_[1], &c = two.corners_[0], &d = two.corners_[1];
+  const double left = cross(a, b, c), right = cross(a, b, d), share = left / (left - right);
+  const double length = distance(c, d), along = distance(a, b);
+  const FlatPoint p{c.x + (d.x - c.x) * share, c.y + (d.y - c.y) * share};
+  const double at = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / along;
+  const bool is_near = std::fabs(share - 0.5) * length <= 0.5 * length + reach &&
+                       std::fabs(at - 0.5 * along) <= 0.5 * along + reach;
+  if (is_near) corners_.assign(1, p);
 }
 
 double FlatPolygon::depth_of(const FlatPoint& p) const {

@@ -7,7 +7,9 @@
 
 namespace raygauge {
 
-/// A point of a plane, and which of the caller's points it came from.
+/// A point of a plane, and which of the caller's points it came from; below 0: made by cuts. A cut numbers
+/// the corners that it makes by itself and by whether the polygon is entered or left there, so that they have
+/// the same numbers after a small motion.
 struct FlatPoint {
   double x = 0, y = 0;
   std::int32_t index = -1;
@@ -28,8 +30,8 @@ class FlatPolygon {
   /// point becomes that.
   void make_hull(double noise);
 
-  /// Keeps what is at most `offset` to the right of the line from a along the vector (x, y).
-  void cut(const FlatPoint& a, double x, double y, double offset);
+  /// Keeps what is at most `offset` to the right of the line from a along the vector (x, y): cut `number`.
+  void cut(const FlatPoint& a, double x, double y, double offset, std::int32_t number);
 
   /// Keeps what is within `offset` of another polygon, of its edges' lines: corners of that count sharply. Of
   /// a segment, `beside` is allowed to both of its sides.
@@ -37,6 +39,9 @@ class FlatPolygon {
 
   /// Corners nearer to the one before them than `size` go, and all but the middle if all are that near.
   void merge(double size);
+
+  /// Of a point where two segments cross: to where their lines do, if that is within `reach` of both.
+  void move_to_crossing(const FlatPolygon& one, const FlatPolygon& two, double reach);
 
   /// The least distance of p from the lines of the edges, negative outside; -infinity of what is no polygon.
   double depth_of(const FlatPoint& p) const;

@@ -165,7 +165,8 @@ BasicVector3<Real> FrustumCore::nearest(const BasicVector3<Real>& y) const {
 
 template <class Real, class Use>
 void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
-  constexpr double kStep = 6.283185307179586476925 / kFaceCorners;
+  constexpr double kCosine = 0.9807852804032304306,
+                   kSine = 0.1950903220161282481;  // of a turn / kFaceCorners
   const View<Real> view = look(v, isa);
   const Real least = view.height(view.index) - Real{margin};
   const Vector3& axis = shape.axis.column[0];
@@ -173,10 +174,10 @@ void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSe
   const std::int32_t facing = along > 0 ? kTop : kBase;
   int corners = 0;
   if (std::fabs(along) > high(view.across.size) && radius_of(facing) > 0) {
-    const Vector3 e = any_orthogonal(axis), f = cross(axis, e);
+    Vector3 radial = any_orthogonal(axis) * radius_of(facing);
     for (int k = 0; k < kFaceCorners; ++k) {
-      const Vector3 radial = (e * std::cos(k * kStep) + f * std::sin(k * kStep)) * radius_of(facing);
       const BasicVector3<Real> x = vector_of<Real>(center_of(facing)) + vector_of<Real>(radial);
+      radial = radial * kCosine + cross(axis, radial) * kSine;
       if (dot(v, x) < least) continue;
       use(x);
       ++corners;
