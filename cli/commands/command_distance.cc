@@ -127,10 +127,14 @@ bool is_read_beside_others(const std::string& source) {
 /// Two files of points are read side by side.
 Instance read_instance(const DistanceArguments& arguments) {
   const bool together = is_read_beside_others(arguments.A) && is_read_beside_others(arguments.Q);
-  std::future<SetPointer> Q = std::async(together ? std::launch::async : std::launch::deferred,
-                                         [&] { return read_set_source(arguments.Q, arguments.format); });
-  SetPointer A = read_set_source(arguments.A, arguments.format);
+  Notes notes, notes_of_Q;
+  std::future<SetPointer> Q =
+      std::async(together ? std::launch::async : std::launch::deferred,
+                 [&] { return read_set_source(arguments.Q, arguments.format, &notes_of_Q); });
+  SetPointer A = read_set_source(arguments.A, arguments.format, &notes);
   Instance instance{std::move(A), Q.get(), std::nullopt};
+  for (const std::string& note : notes_of_Q) add_note(note, notes);
+  print_notes(notes);
   if (instance.A->dimension() == instance.Q->dimension()) return instance;
   const auto described = [](const std::string& source, const ConvexSet& set) {
     return input_name(source) + " has n = " + std::to_string(set.dimension());
@@ -153,10 +157,13 @@ int exit_status(DistanceStatus status) {
 
 // A and Q are two objects, in a metric of their own.
 int run_between(const DistanceArguments& arguments, const MethodRegistry& methods) {
-  const SetPointer A1 = read_set_source(arguments.A, arguments.format),
-                   A2 = read_set_source(arguments.Q, arguments.format);
-  SetPointer metric;
-  if (!arguments.metric.empty()) metric = read_set_source(arguments.metric, arguments.format);
+  Notes notes;
+  const auto read = [&](const std::string& source) {
+    return read_set_source(source, arguments.format, &notes);
+  };
+  const SetPointer A1 = read(arguments.A), A2 = read(arguments.Q);
+  const SetPointer metric = arguments.metric.empty() ? nullptr : read(arguments.metric);
+  print_notes(notes);
   const BetweenReport report = answer_between(arguments.query, arguments.is_signed, A1, A2, metric, methods);
   const std::string text = arguments.json ? json_text(between_json(report)) + "\n" : between_text(report);
   std::fputs(text.c_str(), stdout);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string_view>
 
@@ -29,7 +30,7 @@ class ColladaReader {
  public:
   ColladaReader(std::string_view bytes, const std::string& name) : file_(std::string(bytes), name) {}
 
-  std::vector<Vertex> read() {
+  MeshText read() {
     const XmlElement& root = file_.root();
     if (std::string_view(root.Name()) != "COLLADA")
       file_.refuse(root, std::string("not a Collada file: its root is <") + root.Name() + ">, not <COLLADA>");
@@ -38,7 +39,7 @@ class ColladaReader {
     const double meter = unit == nullptr ? 1 : file_.number(*unit, "meter", 1);
     if (!(meter > 0)) file_.refuse(*unit, "the unit must be positive");
     add_children(scene_of(root), Map(Eigen::Scaling(meter)), 0);
-    return std::move(vertices_);
+    return std::move(mesh_);
   }
 
  private:
@@ -142,10 +143,11 @@ class ColladaReader {
     while (input != nullptr && file_.text(*input, "semantic") != "POSITION")
       input = input->NextSiblingElement("input");
     if (input == nullptr) file_.refuse(*corners, "vertices without positions");
+    const std::size_t before = mesh_.vertices.size();
     const std::size_t count = add_positions(named(*input, "source", "source"), map);
     for (const XmlElement* child = mesh->FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement())
-      check_faces(*child, count);
+      add_faces(*child, before, count);
   }
 
   std::size_t add_positions(const XmlElement& source, const Map& map) {
@@ -162,14 +164,14 @@ class ColladaReader {
     for (std::size_t i = 0; i < count; ++i) {
       const double* p = &numbers[offset + i * stride];
       const Eigen::Vector3d at = map * Eigen::Vector3d(p[0], p[1], p[2]);
-      vertices_.push_back({at[0], at[1], at[2]});
+      mesh_.vertices.push_back({at[0], at[1], at[2]});
     }
     return count;
   }
 
   /// Numbers in <p> and <h> of a primitive must be whole, and those that name vertices must name some that
   /// are there.
-  void check_faces(const XmlElement& primitive, std::size_t count) const {
+  void add_faces(const XmlElement& primitive, std::size_t before, std::size_t count) {
     std::size_t stride = 0, vertex = 0;
     for (const XmlElement* input = first(&primitive, "input"); input != nullptr;
          input = input->NextSiblingElement("input")) {
@@ -180,15 +182,55 @@ class ColladaReader {
     for (const XmlElement* list = first(&primitive, "p"); list != nullptr;
          list = list->NextSiblingElement("p")) {
       const std::string text = list->GetText() == nullptr ? "" : list->GetText();
+      std::vector<std::uint32_t> corners;
       std::size_t at = 0;
       for (const std::string_view word : words_of(text)) {
         const std::optional<long> index = integer_of(word);
         if (!index || *index < 0) file_.refuse(*list, quoted(word) + " is not a count");
-        if (stride > 0 && at++ % stride == vertex && static_cast<std::size_t>(*index) >= count)
+        if (stride == 0 || at++ % stride != vertex) continue;
+        if (static_cast<std::size_t>(*index) >= count)
           file_.refuse(*list, "vertex " + std::string(word) + " is not there: " + std::to_string(count) +
                                   " are, counted from 0");
+        corners.push_back(static_cast<std::uint32_t>(before + static_cast<std::size_t>(*index)));
       }
+      add_polygons(primitive, corners);
     }
+  }
+
+  /// The faces of one <p>, by the kind of what it is in; lines are none.
+  void add_polygons(const XmlElement& primitive, const std::vector<std::uint32_t>& corners) {
+    const std::string_view kind = primitive.Name();
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      for (const std::size_t i : {a, b, c}) mesh_.faces.add(corners[i]);
+      mesh_.faces.close();
+    };
+    const std::size_t size = corners.size();
+    if (kind == "triangles") {
+      for (std::size_t i = 2; i < size; i += 3) add(i - 2, i - 1, i);
+    } else if (kind == "tristrips") {
+      for (std::size_t i = 2; i < size; ++i) i % 2 == 0 ? add(i - 2, i - 1, i) : add(i - 1, i - 2, i);
+    } else if (kind == "trifans") {
+      for (std::size_t i = 2; i < size; ++i) add(0, i - 1, i);
+    } else if (kind == "polygons") {
+      for (const std::uint32_t corner : corners) mesh_.faces.add(corner);
+      mesh_.faces.close();
+    } else if (kind == "polylist") {
+      add_counted(primitive, corners);
+    }
+  }
+
+  void add_counted(const XmlElement& primitive, const std::vector<std::uint32_t>& corners) {
+    const XmlElement* counts = first(&primitive, "vcount");
+    const std::string text = counts == nullptr || counts->GetText() == nullptr ? "" : counts->GetText();
+    std::size_t at = 0;
+    for (const std::string_view word : words_of(text)) {
+      const std::optional<long> count = integer_of(word);
+      if (!count || *count < 0 || static_cast<std::size_t>(*count) > corners.size() - at)
+        file_.refuse(*counts, "<vcount> and <p> do not fit together");
+      for (long i = 0; i < *count; ++i) mesh_.faces.add(corners[at++]);
+      mesh_.faces.close();
+    }
+    if (at != corners.size()) file_.refuse(primitive, "<vcount> and <p> do not fit together");
   }
 
   std::size_t whole(const XmlElement& element, const char* name, long least) const {
@@ -216,13 +258,13 @@ class ColladaReader {
 
   XmlFile file_;
   std::map<std::string, const XmlElement*> ids_;
-  std::vector<Vertex> vertices_;
+  MeshText mesh_;
   int instances_ = 0;
 };
 
 }  // namespace
 
-std::vector<Vertex> collada_vertices(std::string_view text, const std::string& name) {
+MeshText collada_mesh(std::string_view text, const std::string& name) {
   return ColladaReader(text, name).read();
 }
 

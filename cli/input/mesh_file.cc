@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "cli/input/input_file.h"
@@ -26,13 +28,13 @@ void require_finite(const std::vector<Vertex>& vertices, const std::string& path
   }
 }
 
-std::vector<Vertex> vertices_of(const std::string& bytes, const std::string& path) {
+MeshText mesh_of(const std::string& bytes, const std::string& path) {
   const std::string format = content_extension(path);
-  if (format == "obj") return obj_vertices(bytes, path);
-  if (format == "off") return off_vertices(bytes, path);
-  if (format == "ply") return ply_vertices(bytes, path);
-  if (format == "stl") return stl_vertices(bytes, path);
-  if (format == "dae") return collada_vertices(bytes, path);
+  if (format == "obj") return obj_mesh(bytes, path);
+  if (format == "off") return off_mesh(bytes, path);
+  if (format == "ply") return ply_mesh(bytes, path);
+  if (format == "stl") return stl_mesh(bytes, path);
+  if (format == "dae") return collada_mesh(bytes, path);
   throw InvalidParameterError(path + ": not a mesh that is read: .obj, .off, .stl, .ply and .dae are");
 }
 
@@ -43,16 +45,35 @@ bool is_mesh_file(const std::string& path) {
   return std::find(kExtensions.begin(), kExtensions.end(), content_extension(path)) != kExtensions.end();
 }
 
-Eigen::MatrixXd read_mesh_vertices(const std::string& path) {
+MeshFile read_mesh(const std::string& path) {
   // Read here, so that a missing file, a directory, … are named as for every other kind of input.
   const std::string bytes = read_text_input(path);
   if (bytes.empty()) throw EmptySetError(path + ": the file is empty");
-  std::vector<Vertex> vertices = vertices_of(bytes, path);
-  if (vertices.empty()) throw EmptySetError(path + ": no vertices");
-  require_finite(vertices, path);
+  const MeshText text = mesh_of(bytes, path);
+  if (text.vertices.empty()) throw EmptySetError(path + ": no vertices");
+  if (text.vertices.size() > std::numeric_limits<std::int32_t>::max())
+    throw InvalidParameterError(path + ": more than 2^31 vertices");
+  require_finite(text.vertices, path);
+  MeshFile mesh;
+  mesh.vertices = Eigen::Matrix3Xd::Map(text.vertices.front().data(), 3,
+                                        static_cast<std::ptrdiff_t>(text.vertices.size()));
+  const std::vector<std::uint32_t>& corners = text.faces.corners;
+  std::size_t begin = 0;
+  for (const std::size_t end : text.faces.ends) {
+    cut_polygon(text.vertices, {corners.data() + begin, end - begin}, mesh.triangles);
+    begin = end;
+  }
+  return mesh;
+}
+
+Eigen::MatrixXd distinct_vertices(const MeshFile& mesh) {
+  std::vector<Vertex> vertices(static_cast<std::size_t>(mesh.vertices.cols()));
+  std::copy_n(mesh.vertices.data(), mesh.vertices.size(), vertices.front().data());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return Eigen::MatrixXd::Map(vertices.front().data(), 3, static_cast<std::ptrdiff_t>(vertices.size()));
 }
+
+Eigen::MatrixXd read_mesh_vertices(const std::string& path) { return distinct_vertices(read_mesh(path)); }
 
 }  // namespace raygauge::cli

@@ -4,12 +4,27 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
+
+#include "cli/input/polygon.h"
 
 namespace raygauge::cli {
 
 /// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply or .dae, in any case, also with .gz behind
 /// it.
 bool is_mesh_file(const std::string& path);
+
+/// What a mesh file holds: vertices in the order of the file, 3 × N, and its faces cut into triangles.
+struct MeshFile {
+  Eigen::Matrix3Xd vertices;
+  std::vector<Triangle> triangles;
+};
+
+/// Throws as read_mesh_vertices does, and InvalidParameterError for more vertices than 2^31.
+MeshFile read_mesh(const std::string& path);
+
+/// The distinct vertices of a mesh as the columns of a 3 × N matrix, sorted.
+Eigen::MatrixXd distinct_vertices(const MeshFile& mesh);
 
 /// The vertices of a mesh file as the columns of a 3 × N matrix, each distinct one once: those that no face
 /// uses too, with every digit, in the axes and the unit of the file (docs/meshes.md). Throws

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +13,22 @@ namespace raygauge::cli {
 
 using Vertex = std::array<double, 3>;
 
-/// The vertices of mesh files, those too that no face uses, in the file's own axes and units. The size of the
+/// Polygons one after the other: indices of vertices from 0 on.
+struct Polygons {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> ends;  ///< of each polygon, in `corners`
+
+  void add(std::uint32_t corner) { corners.push_back(corner); }
+  void close() { ends.push_back(corners.size()); }
+};
+
+/// What a mesh file says: its vertices, those too that no face uses, and its faces.
+struct MeshText {
+  std::vector<Vertex> vertices;
+  Polygons faces;
+};
+
+/// Mesh files in their own axes and units. The size of the
 /// file is believed, not its header: nothing is reserved for what is not there. Each throws
 /// InvalidParameterError, which names the file and, of a text, the line, for what is not understood, ends too
 /// early or goes on behind its end; NonFiniteError for a coordinate that is NaN, infinite or too large.
@@ -20,21 +37,21 @@ using Vertex = std::array<double, 3>;
 /// OBJ: polygons. A vertex has 3 numbers, also with a weight of 1 or three numbers of a colour behind them.
 /// Faces, lines and points must name vertices that are there. Free-form curves and surfaces, and what is no
 /// keyword of the format, are refused.
-std::vector<Vertex> obj_vertices(std::string_view text, const std::string& name);
+MeshText obj_mesh(std::string_view text, const std::string& name);
 
 /// OFF, text or binary of either byte order, also with normals, colours or texture coordinates (NOFF, COFF,
 /// STOFF).
-std::vector<Vertex> off_vertices(std::string_view bytes, const std::string& name);
+MeshText off_mesh(std::string_view bytes, const std::string& name);
 
 /// PLY, text or binary of either byte order.
-std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name);
+MeshText ply_mesh(std::string_view bytes, const std::string& name);
 
 /// STL, text or binary: binary if the size of the file is what its count of facets makes it.
-std::vector<Vertex> stl_vertices(std::string_view bytes, const std::string& name);
+MeshText stl_mesh(std::string_view bytes, const std::string& name);
 
 /// Collada: the positions of all meshes that the scene shows, moved by its nodes and multiplied by the unit
 /// that the file states; its up axis turns nothing. Skins in their bind pose. Other geometry than meshes is
 /// refused.
-std::vector<Vertex> collada_vertices(std::string_view text, const std::string& name);
+MeshText collada_mesh(std::string_view text, const std::string& name);
 
 }  // namespace raygauge::cli

@@ -34,7 +34,7 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name) : reader_(text, name) {}
 
-  std::vector<Vertex> read() {
+  MeshText read() {
     while (!reader_.empty()) {
       next_line();
       if (!words_.empty()) take_line();
@@ -43,7 +43,7 @@ class ObjReader {
       throw InvalidParameterError(place_of_greatest_ + "vertex " + std::to_string(greatest_) +
                                   " is not there: the file has " + std::to_string(vertices_.size()));
     check_promise();
-    return std::move(vertices_);
+    return {std::move(vertices_), std::move(polygons_)};
   }
 
  private:
@@ -120,7 +120,9 @@ class ObjReader {
   void take_element() {
     if (words_.size() < 2) reader_.fail(quoted(words_.front()) + " names no vertex");
     for (std::size_t i = 1; i < words_.size(); ++i) take_corner(words_[i]);
-    if (words_.front() == "f") ++faces_;
+    if (words_.front() != "f") return;
+    ++faces_;
+    polygons_.close();
   }
 
   /// 7, 7/1, 7//2 or 7/1/2: a vertex, a point of a texture, a normal. Negative ones count from the last so
@@ -144,6 +146,8 @@ class ObjReader {
     if (index < 0 && -index > static_cast<long>(vertices_.size()))
       reader_.fail("vertex " + std::to_string(index) + " is not there: " + std::to_string(vertices_.size()) +
                    " stand above");
+    if (words_.front() == "f")
+      polygons_.add(static_cast<std::uint32_t>(index < 0 ? static_cast<long>(vertices_.size()) + index : index - 1));
     if (index <= greatest_) return;
     greatest_ = index;
     place_of_greatest_ = reader_.place();
@@ -151,6 +155,7 @@ class ObjReader {
 
   ByteReader reader_;
   std::vector<Vertex> vertices_;
+  Polygons polygons_;
   Words words_;
   std::string joined_;
   std::uint64_t faces_ = 0;
@@ -162,7 +167,7 @@ class ObjReader {
 
 }  // namespace
 
-std::vector<Vertex> obj_vertices(std::string_view text, const std::string& name) {
+MeshText obj_mesh(std::string_view text, const std::string& name) {
   return ObjReader(text, name).read();
 }
 

@@ -59,21 +59,27 @@ bool is_little_endian(ByteReader reader, std::uint64_t bytes_of_vertex) {
 
 /// Whether so many faces are what is left: a count of corners, the corners and, in one of two dialects, a
 /// count of numbers of a colour and these.
-bool faces_fit(ByteReader reader, std::uint32_t faces, bool colours, bool swap) {
-  const auto skip_list = [&] {
+bool read_faces(ByteReader reader, std::uint32_t faces, bool colours, bool swap, Polygons& polygons) {
+  polygons = {};
+  const auto read_list = [&](bool corners) {
     if (reader.size() < sizeof(std::uint32_t)) return false;
-    const std::uint64_t size = std::uint64_t{reader.number<std::uint32_t>(swap)} * sizeof(std::uint32_t);
-    if (reader.size() < size) return false;
-    reader.bytes(size);
+    const std::uint64_t count = reader.number<std::uint32_t>(swap);
+    if (reader.size() < count * sizeof(std::uint32_t)) return false;
+    if (!corners) {
+      reader.bytes(count * sizeof(std::uint32_t));
+      return true;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) polygons.add(reader.number<std::uint32_t>(swap));
+    polygons.close();
     return true;
   };
   for (std::uint32_t face = 0; face < faces; ++face) {
-    if (!skip_list() || (colours && !skip_list())) return false;
+    if (!read_list(true) || (colours && !read_list(false))) return false;
   }
   return reader.empty();
 }
 
-std::vector<Vertex> binary_off_vertices(ByteReader& reader, std::size_t extra) {
+MeshText binary_off_mesh(ByteReader& reader, std::size_t extra) {
   const std::size_t skipped = extra * sizeof(float);
   const std::size_t size = 3 * sizeof(float) + skipped;
   const bool swap = is_little_endian(reader, size) ? kBigEndian : !kBigEndian;
@@ -81,21 +87,27 @@ std::vector<Vertex> binary_off_vertices(ByteReader& reader, std::size_t extra) {
   const auto faces = reader.number<std::uint32_t>(swap);
   reader.bytes(sizeof(std::uint32_t));  // edges
   reader.require_room(count, size, "vertices");
-  std::vector<Vertex> vertices(count);
-  for (Vertex& vertex : vertices) {
+  MeshText mesh;
+  mesh.vertices.resize(count);
+  for (Vertex& vertex : mesh.vertices) {
     for (double& value : vertex) value = reader.number<float>(swap);
     reader.bytes(skipped);
   }
-  if (!faces_fit(reader, faces, true, swap) && !faces_fit(reader, faces, false, swap))
+  if (!read_faces(reader, faces, true, swap, mesh.faces) && !read_faces(reader, faces, false, swap, mesh.faces))
     reader.fail("the " + std::to_string(faces) +
                 " faces that the header promises are not what follows the vertices");
-  return vertices;
+  for (const std::uint32_t corner : mesh.faces.corners) {
+    if (corner >= count)
+      reader.fail("vertex " + std::to_string(corner) + " is not there: " + std::to_string(count) +
+                  " are, counted from 0");
+  }
+  return mesh;
 }
 
 using Words = std::vector<std::string_view>;
 
 /// Each face is a count and so many numbers of vertices, with a colour or without.
-void check_faces(std::uint64_t count, std::uint64_t vertices, ByteReader& reader) {
+void read_faces(std::uint64_t count, std::uint64_t vertices, ByteReader& reader, Polygons& polygons) {
   Words words;
   for (std::uint64_t face = 0; face < count; ++face) {
     split_words(reader.content_line(), words);
@@ -108,21 +120,24 @@ void check_faces(std::uint64_t count, std::uint64_t vertices, ByteReader& reader
       if (vertex >= vertices)
         reader.fail("vertex " + std::to_string(vertex) + " is not there: " + std::to_string(vertices) +
                     " are, counted from 0");
+      polygons.add(static_cast<std::uint32_t>(vertex));
     }
+    polygons.close();
     for (std::uint64_t i = corners + 1; i < words.size(); ++i) real_word(words[i], reader);
   }
 }
 
-std::vector<Vertex> text_off_vertices(const Words& counts, ByteReader& reader) {
+MeshText text_off_mesh(const Words& counts, ByteReader& reader) {
   if (counts.size() != 2 && counts.size() != 3)
     reader.fail("the numbers of vertices, faces and edges are expected");
   const std::uint64_t count = count_word(counts[0], reader), faces = count_word(counts[1], reader);
   if (counts.size() == 3) count_word(counts[2], reader);  // edges: nothing depends on them, many files say 0
   constexpr std::uint64_t kShortest = 5;                  // "0 0 0"
   reader.require_room(count, kShortest, "vertices");
-  std::vector<Vertex> vertices(count);
+  MeshText mesh;
+  mesh.vertices.resize(count);
   Words words;
-  for (Vertex& vertex : vertices) {
+  for (Vertex& vertex : mesh.vertices) {
     split_words(reader.content_line(), words);
     if (words.size() < 3) reader.fail("a vertex has fewer than three coordinates");
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -130,20 +145,20 @@ std::vector<Vertex> text_off_vertices(const Words& counts, ByteReader& reader) {
       if (i < 3) vertex[i] = value;
     }
   }
-  check_faces(faces, count, reader);
+  read_faces(faces, count, reader, mesh.faces);
   reader.require_end();
-  return vertices;
+  return mesh;
 }
 
 }  // namespace
 
-std::vector<Vertex> off_vertices(std::string_view bytes, const std::string& name) {
+MeshText off_mesh(std::string_view bytes, const std::string& name) {
   ByteReader reader(bytes, name);
   Words words = words_of(reader.content_line());
   const OffHeader header = off_header(words, reader);
-  if (header.binary) return binary_off_vertices(reader, header.extra);
+  if (header.binary) return binary_off_mesh(reader, header.extra);
   if (words.empty()) words = words_of(reader.content_line());
-  return text_off_vertices(words, reader);
+  return text_off_mesh(words, reader);
 }
 
 }  // namespace raygauge::cli

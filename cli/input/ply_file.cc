@@ -27,6 +27,7 @@ struct PlyProperty {
   PlyType type = PlyType::float32;
   PlyType count_type = PlyType::uint8;  ///< of a list
   bool is_list = false;
+  bool is_corners = false;                 ///< the vertices of a face
   std::size_t coordinate = kNoCoordinate;  ///< 0, 1, 2 for x, y, z
 };
 
@@ -62,6 +63,7 @@ PlyProperty property_of(const std::vector<std::string_view>& words, const ByteRe
   if (!property.is_list && words.size() != 3) reader.fail("a property in the header is not understood");
   if (property.is_list) property.count_type = type_named(words[2], reader);
   property.type = type_named(words[words.size() - 2], reader);
+  property.is_corners = property.is_list && (words[4] == "vertex_indices" || words[4] == "vertex_index");
   constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
   if (!property.is_list)
     property.coordinate =
@@ -122,7 +124,20 @@ double value_of(PlyType type, bool swap, ByteReader& reader) {
   return 0;
 }
 
-Vertex read_binary(const PlyElement& element, bool swap, ByteReader& reader) {
+/// The corner of a face: one that no vertex can be is refused later, with all that are not there.
+std::uint32_t corner_of(double value, const ByteReader& reader) {
+  if (!(value >= 0 && value < std::numeric_limits<std::uint32_t>::max()))
+    reader.fail("a face names a vertex that cannot be there");
+  return static_cast<std::uint32_t>(value);
+}
+
+void read_corners(const PlyProperty& property, std::uint64_t count, bool swap, ByteReader& reader,
+                  Polygons& faces) {
+  for (std::uint64_t i = 0; i < count; ++i) faces.add(corner_of(value_of(property.type, swap, reader), reader));
+  faces.close();
+}
+
+Vertex read_binary(const PlyElement& element, bool swap, ByteReader& reader, Polygons* faces) {
   Vertex vertex{};
   for (const PlyProperty& property : element.properties) {
     if (property.is_list) {
@@ -130,7 +145,11 @@ Vertex read_binary(const PlyElement& element, bool swap, ByteReader& reader) {
       if (!(count >= 0)) reader.fail("a list has a negative length");
       const auto length = static_cast<std::uint64_t>(std::min(count, 1e15));
       reader.require_room(length, size_of(property.type), "entries of a list");
-      reader.bytes(length * size_of(property.type));
+      if (faces != nullptr && property.is_corners) {
+        read_corners(property, length, swap, reader, *faces);
+      } else {
+        reader.bytes(length * size_of(property.type));
+      }
     } else if (property.coordinate == kNoCoordinate) {
       reader.bytes(size_of(property.type));
     } else {
@@ -147,7 +166,8 @@ void require_numbers(const std::vector<std::string_view>& words, std::size_t beg
   }
 }
 
-Vertex read_text(const PlyElement& element, ByteReader& reader, std::vector<std::string_view>& words) {
+Vertex read_text(const PlyElement& element, ByteReader& reader, std::vector<std::string_view>& words,
+                 Polygons* faces) {
   split_words(reader.content_line(), words);
   Vertex vertex{};
   std::size_t at = 0;
@@ -163,6 +183,11 @@ Vertex read_text(const PlyElement& element, ByteReader& reader, std::vector<std:
       vertex[property.coordinate] = real_word(words[at], reader);
     } else {
       require_numbers(words, at, end, reader);
+    }
+    if (faces != nullptr && property.is_corners) {
+      for (std::size_t i = at + 1; i < end; ++i)
+        faces->add(corner_of(*number_of(words[i]), reader));
+      faces->close();
     }
     at = end;
   }
@@ -184,28 +209,38 @@ bool has_coordinates(const PlyElement& element) {
   return seen[0] == 1 && seen[1] == 1 && seen[2] == 1;
 }
 
+void require_corners(const MeshText& mesh, const ByteReader& reader) {
+  for (const std::uint32_t corner : mesh.faces.corners) {
+    if (corner >= mesh.vertices.size())
+      reader.fail("vertex " + std::to_string(corner) + " is not there: " + std::to_string(mesh.vertices.size()) +
+                  " are, counted from 0");
+  }
+}
+
 }  // namespace
 
-std::vector<Vertex> ply_vertices(std::string_view bytes, const std::string& name) {
+MeshText ply_mesh(std::string_view bytes, const std::string& name) {
   ByteReader reader(bytes, name);
   const PlyHeader header = read_header(reader);
   const bool swap = (header.format == PlyFormat::big_endian) != (std::endian::native == std::endian::big);
-  std::vector<Vertex> vertices;
+  MeshText mesh;
   std::vector<std::string_view> words;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;
     const bool wanted = element.name == "vertex";
     if (wanted && !has_coordinates(element)) reader.fail("its vertices have no properties x, y and z");
-    if (wanted && !vertices.empty()) reader.fail("two elements are called vertex");
+    if (wanted && !mesh.vertices.empty()) reader.fail("two elements are called vertex");
     reader.require_room(element.count, least_size(element, header.format), "of " + quoted(element.name));
+    Polygons* faces = element.name == "face" ? &mesh.faces : nullptr;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      const Vertex vertex = header.format == PlyFormat::text ? read_text(element, reader, words)
-                                                             : read_binary(element, swap, reader);
-      if (wanted) vertices.push_back(vertex);
+      const Vertex vertex = header.format == PlyFormat::text ? read_text(element, reader, words, faces)
+                                                             : read_binary(element, swap, reader, faces);
+      if (wanted) mesh.vertices.push_back(vertex);
     }
   }
   reader.require_end();
-  return vertices;
+  require_corners(mesh, reader);
+  return mesh;
 }
 
 }  // namespace raygauge::cli

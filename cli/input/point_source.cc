@@ -10,10 +10,20 @@
 
 namespace raygauge::cli {
 
-Eigen::MatrixXd read_point_source(const std::string& source, const PointFormat& format) {
+namespace {
+
+Eigen::MatrixXd mesh_points(const std::string& source, Notes* notes) {
+  const MeshFile mesh = read_mesh(source);
+  if (notes != nullptr) add_note(hull_note(source, mesh), *notes);
+  return distinct_vertices(mesh);
+}
+
+}  // namespace
+
+Eigen::MatrixXd read_point_source(const std::string& source, const PointFormat& format, Notes* notes) {
   if (const auto reference = parse_dataset_reference(source))
     return read_points(*reference, compressed_input_limit());
-  if (is_mesh_file(source)) return read_mesh_vertices(source);
+  if (is_mesh_file(source)) return mesh_points(source, notes);
   if (source.ends_with(".h5") || source.ends_with(".hdf5")) {
     throw InvalidParameterError(source + ": name the dataset, as in " + source + ":/points");
   }

@@ -30,7 +30,8 @@ std::uint64_t digest_of(const Eigen::MatrixXd& points) {
 /// Reads a set and those that it names, with a digest if that is wanted: it takes half as long as reading.
 class SetReader {
  public:
-  SetReader(const PointFormat& format, bool digests) : format_(format), digests_(digests) {}
+  SetReader(const PointFormat& format, bool digests, Notes* notes)
+      : format_(format), digests_(digests), notes_(notes) {}
 
   /// `open` are the set files that are being read: each names the next one.
   DigestedSet read(const std::string& source, const std::vector<fs::path>& open) {
@@ -41,7 +42,7 @@ class SetReader {
       throw InvalidParameterError(source + ": more than " + std::to_string(kDeepestSet) +
                                   " set files inside one another");
     if (is_set_file(source)) return read_described(source, open);
-    const Eigen::MatrixXd points = read_point_source(source, format_);
+    const Eigen::MatrixXd points = read_point_source(source, format_, notes_);
     return {std::make_shared<PointSet>(points), digests_ ? digest_of(points) : 0};
   }
 
@@ -63,17 +64,18 @@ class SetReader {
 
   const PointFormat& format_;
   bool digests_;
+  Notes* notes_;
   std::size_t files_ = 0;  ///< read so far
 };
 
 }  // namespace
 
-SetPointer read_set_source(const std::string& source, const PointFormat& format) {
-  return SetReader(format, false).read(source, {}).set;
+SetPointer read_set_source(const std::string& source, const PointFormat& format, Notes* notes) {
+  return SetReader(format, false, notes).read(source, {}).set;
 }
 
 DigestedSet read_digested_set(const std::string& source, const PointFormat& format) {
-  return SetReader(format, true).read(source, {});
+  return SetReader(format, true, nullptr).read(source, {});
 }
 
 }  // namespace raygauge::cli

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <utility>
 
 #include "cli/input/byte_reader.h"
 #include "cli/input/mesh_formats.h"
@@ -126,14 +127,25 @@ class TextReader {
   std::vector<Vertex> vertices_;
 };
 
+/// Every three vertices are a facet.
+MeshText facets_of(std::vector<Vertex> vertices) {
+  MeshText mesh;
+  mesh.vertices = std::move(vertices);
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+    mesh.faces.add(i);
+    if (i % 3 == 2) mesh.faces.close();
+  }
+  return mesh;
+}
+
 }  // namespace
 
-std::vector<Vertex> stl_vertices(std::string_view bytes, const std::string& name) {
+MeshText stl_mesh(std::string_view bytes, const std::string& name) {
   const bool has_count = bytes.size() >= kFirstFacet;
-  if (has_count && bytes.size() == size_promised(bytes)) return binary_vertices(bytes, name);
+  if (has_count && bytes.size() == size_promised(bytes)) return facets_of(binary_vertices(bytes, name));
   const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   if (is_word(bytes.substr(first, 5), "solid") && bytes.find('\0') == std::string_view::npos)
-    return TextReader(bytes, name).read();
+    return facets_of(TextReader(bytes, name).read());
   std::string reason = "neither a text STL file, which begins with solid, nor a whole binary one";
   if (has_count) {
     reason += ": " + std::to_string(facets_promised(bytes)) + " facets would be " +

@@ -90,10 +90,6 @@ SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
   return head;
 }
 
-void print_notes(const SceneSource& source) {
-  for (const std::string& note : source.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
-}
-
 std::string resume_command(const SceneArguments& arguments, const std::string& output) {
   std::string command = language::shell(program_invocation_name) + " scene run " +
                         language::shell(arguments.path) + " -o " + language::shell(output);
@@ -131,7 +127,7 @@ class SceneJob {
       plan_ = plan_scene(source_.scene);
     });
     open();
-    if (writer_ && !arguments_.quiet) print_notes(source_);
+    if (writer_ && !arguments_.quiet) print_notes(source_.notes);
     const InterruptGuard guard(
         arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: storing the cells that are done\n");
     ProgressDisplay display(stderr, done_.size());
@@ -270,7 +266,7 @@ int run_scene_file(const SceneArguments& arguments) {
 
 int explain(const SceneArguments& arguments) {
   const SceneSource source = source_of(arguments);
-  print_notes(source);
+  print_notes(source.notes);
   const ScenePlan plan = plan_scene(source.scene);
   Json json;
   json["scene"] = source.scene.name;

@@ -124,11 +124,13 @@ class SceneReader {
     }
   }
 
+  SetPointer read_named(const std::string& name) { return read_set_source(name, {}, &source_.notes); }
+
   SetPointer set_of(const toml::node& node, const std::string& what) {
     if (node.is_string())
-      return placed(node, [&] { return read_set_source((folder_ / read_text(node, what)).string()); });
+      return placed(node, [&] { return read_named((folder_ / read_text(node, what)).string()); });
     return read_set_table(table_of(node, what), folder_,
-                          [](const std::string& name) { return read_set_source(name); });
+                          [this](const std::string& name) { return read_named(name); });
   }
 
   std::vector<SetPointer> parts_of(const toml::table& table) {
@@ -143,7 +145,7 @@ class SceneReader {
     }
     if (const toml::node* node = table.get("file")) {
       const std::string name = (folder_ / read_text(*node, "body.file")).string();
-      parts.push_back(placed(*node, [&] { return read_set_source(name); }));
+      parts.push_back(placed(*node, [&] { return read_named(name); }));
     }
     if (const toml::node* node = table.get("scale")) {
       const double scale = read_real(*node, "body.scale", {-kLargestScale, kLargestScale});
@@ -197,7 +199,7 @@ class SceneReader {
     for (const Body& body : robot.bodies) add(table, body, groups);
     for (const auto& [a, b] : robot.joined) scene().ignored.emplace_back(first + a, first + b);
     robots_.emplace_back(robot.name, first, static_cast<int>(robot.bodies.size()));
-    source_.notes.insert(source_.notes.end(), robot.notes.begin(), robot.notes.end());
+    for (const std::string& note : robot.notes) add_note(note, source_.notes);
   }
 
   const std::vector<int>& bodies_named(const std::string& name, const toml::node& node) {

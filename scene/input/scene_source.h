@@ -16,7 +16,7 @@ struct SceneSource {
   Scene scene;
   std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
-  std::vector<std::string> notes;    ///< what is worth knowing of robots, one line each
+  std::vector<std::string> notes;    ///< what is worth knowing of robots and meshes, one line each
 };
 
 /// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, query.

@@ -153,7 +153,7 @@ class UrdfReader {
   void add_link(const std::string& name, int parent, int joint) {
     RobotLink link;
     link.name = name;
-    link.shapes = urdf_shapes(file_, *links_.at(name), path_, meshes_, robot_.skipped);
+    link.shapes = urdf_shapes(file_, *links_.at(name), path_, meshes_, robot_);
     TreeLink step{-1, Placement::identity(3)};
     if (joint >= 0) {
       const Joint& above = joints_[static_cast<std::size_t>(joint)];

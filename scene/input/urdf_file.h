@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input/hull_note.h"
 #include "cli/input/shapes.h"
 #include "raygauge/scene/joint_motion.h"
 
@@ -29,6 +30,7 @@ struct Robot {
   std::vector<std::string> joints;                   ///< that take a value, in the order of the values
   std::map<std::string, std::string> without_value;  ///< the other ones, and why: "mimics 'a'", "is fixed"
   std::vector<std::string> skipped;                  ///< meshes that were missing: "a.stl of link 'b'"
+  Notes notes;                                       ///< on meshes that are not convex
 };
 
 /// Where the meshes of robots are, and what becomes of those that are not there.

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 class ShapeReader {
  public:
   ShapeReader(const XmlFile& file, std::string link, const std::string& path, const RobotMeshes& meshes,
-              std::vector<std::string>& skipped)
-      : file_(file), link_(std::move(link)), path_(path), meshes_(meshes), skipped_(skipped) {}
+              Robot& robot)
+      : file_(file), link_(std::move(link)), path_(path), meshes_(meshes), robot_(robot) {}
 
   /// Null: a mesh that is missing and may be.
   SetPointer read(const XmlElement& collision) const {
@@ -94,7 +94,9 @@ class ShapeReader {
     }
     Eigen::MatrixXd vertices;
     try {
-      vertices = read_mesh_vertices(found);
+      const MeshFile file = read_mesh(found);
+      add_note(hull_note(name + " of link '" + link_ + "'", file), robot_.notes);
+      vertices = distinct_vertices(file);
     } catch (const Error& error) {
       refuse(mesh, error.what());
     }
@@ -102,7 +104,7 @@ class ShapeReader {
   }
 
   bool skip(const std::string& name) const {
-    if (meshes_.skip_missing) skipped_.push_back(name + " of link '" + link_ + "'");
+    if (meshes_.skip_missing) robot_.skipped.push_back(name + " of link '" + link_ + "'");
     return meshes_.skip_missing;
   }
 
@@ -126,7 +128,7 @@ class ShapeReader {
   std::string link_;
   const std::string& path_;
   const RobotMeshes& meshes_;
-  std::vector<std::string>& skipped_;
+  Robot& robot_;
 };
 
 /// Elements that nobody reads are of other programs, unless one is this word but for a slip.
@@ -154,9 +156,9 @@ Placement urdf_origin(const XmlFile& file, const XmlElement& element) {
 }
 
 std::vector<SetPointer> urdf_shapes(const XmlFile& file, const XmlElement& link, const std::string& path,
-                                    const RobotMeshes& meshes, std::vector<std::string>& skipped) {
+                                    const RobotMeshes& meshes, Robot& robot) {
   refuse_slip(file, link);
-  const ShapeReader reader(file, file.text(link, "name"), path, meshes, skipped);
+  const ShapeReader reader(file, file.text(link, "name"), path, meshes, robot);
   std::vector<SetPointer> shapes;
   for (const XmlElement* collision = link.FirstChildElement("collision"); collision != nullptr;
        collision = collision->NextSiblingElement("collision")) {

@@ -14,9 +14,9 @@ namespace raygauge::cli {
 /// The pose of an <origin> inside the element; none: the identity.
 Placement urdf_origin(const XmlFile& file, const XmlElement& element);
 
-/// The collision shapes of a <link>, in its frame. Meshes that are missing are added to `skipped` if `meshes`
-/// say so.
+/// The collision shapes of a <link>, in its frame. Meshes that are missing are added to robot.skipped if
+/// `meshes` say so, those that are not convex to robot.notes.
 std::vector<SetPointer> urdf_shapes(const XmlFile& file, const XmlElement& link, const std::string& path,
-                                    const RobotMeshes& meshes, std::vector<std::string>& skipped);
+                                    const RobotMeshes& meshes, Robot& robot);
 
 }  // namespace raygauge::cli

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -32,6 +33,22 @@ struct Refusal {
 void expect_refusals(Reader read, const std::vector<Refusal>& refusals) {
   for (const Refusal& refusal : refusals)
     EXPECT_EQ(error(read, refusal.text), refusal.message) << refusal.text;
+}
+
+std::vector<Vertex> obj_vertices(std::string_view text, const std::string& name) {
+  return obj_mesh(text, name).vertices;
+}
+std::vector<Vertex> off_vertices(std::string_view text, const std::string& name) {
+  return off_mesh(text, name).vertices;
+}
+std::vector<Vertex> ply_vertices(std::string_view text, const std::string& name) {
+  return ply_mesh(text, name).vertices;
+}
+std::vector<Vertex> stl_vertices(std::string_view text, const std::string& name) {
+  return stl_mesh(text, name).vertices;
+}
+std::vector<Vertex> collada_vertices(std::string_view text, const std::string& name) {
+  return collada_mesh(text, name).vertices;
 }
 
 const std::vector<Vertex> kTriangle = {{1, 0, 0}, {0, 2, 0}, {0, 0, 4}};
@@ -249,6 +266,35 @@ TEST(ColladaVertices, AreRefusedWithTheLineOfWhatIsNotUnderstood) {
        {collada("", "<translate>1 2</translate>"), "m:4: <translate> has 2 numbers, 3 are expected"}});
   std::string circle = collada("", "<node id=\"n\"><instance_node url=\"#n\"/></node>");
   EXPECT_EQ(error(collada_vertices, circle), "m:4: nodes that contain themselves, or too many");
+}
+
+using Corners = std::vector<std::uint32_t>;
+
+TEST(Faces, AreTheCornersInTheOrderOfTheFile) {
+  const Corners all = {0, 1, 2, 2, 1, 0};
+  const std::string v = "v 1 0 0\nv 0 2 0\nv 0 0 4\n";
+  EXPECT_EQ(obj_mesh(v + "f 1/1 2/2 3\nf -1 -2 -3\nl 1 2\n", "m").faces.corners, all);
+  EXPECT_EQ(obj_mesh("f 1 2 3\n" + v + "f 3 2 1\n", "m").faces.ends, (std::vector<std::size_t>{3, 6}));
+  EXPECT_EQ(off_mesh("OFF 3 2\n1 0 0\n0 2 0\n0 0 4\n3 0 1 2 255 0 0\n3 2 1 0\n", "m").faces.corners, all);
+  EXPECT_EQ(ply_mesh(ply("1 0 0\n0 2 0\n2 0 1\n"), "m").faces.corners, (Corners{0, 1}));
+  EXPECT_EQ(stl_mesh(binary_stl("binary", 2, 2), "m").faces.corners, (Corners{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(collada_mesh(collada("", "", "0 1 2 2 1 0"), "m").faces.corners, all);
+  EXPECT_EQ(error(ply_vertices, ply("1 0 0\n0 2 0\n2 0 2\n")),
+            "m:12: vertex 2 is not there: 2 are, counted from 0");
+}
+
+TEST(Faces, OfColladaAreListsStripsAndFans) {
+  const auto corners = [](const std::string& kind, const std::string& before, const std::string& faces) {
+    std::string text = collada("", "", faces);
+    for (const std::string mark : {"<triangles", "</triangles"})
+      text.replace(text.find(mark), mark.size(), mark.substr(0, mark.size() - 9) + kind);
+    return collada_mesh(text.replace(text.find("<p>"), 0, before), "m").faces.corners;
+  };
+  EXPECT_EQ(corners("tristrips", "", "0 1 2 0"), (Corners{0, 1, 2, 2, 1, 0}));
+  EXPECT_EQ(corners("trifans", "", "0 1 2 1"), (Corners{0, 1, 2, 0, 2, 1}));
+  EXPECT_EQ(corners("polylist", "<vcount>3 2</vcount>", "0 1 2 1 2"), (Corners{0, 1, 2, 1, 2}));
+  EXPECT_EQ(corners("lines", "", "0 1"), Corners{});
+  EXPECT_THROW(corners("polylist", "<vcount>3 3</vcount>", "0 1 2 1 2"), InvalidParameterError);
 }
 
 }  // namespace

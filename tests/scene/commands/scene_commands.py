@@ -111,6 +111,31 @@ class Scenes(unittest.TestCase):
                 self.assertIn("<svg", picture.read_text())
                 self.assertIn("never:", self.run_raygauge("scene", "explain", scene).stdout)
 
+    def test_a_mesh_that_is_not_convex_is_named_where_its_hull_stands_for_it(self):
+        corner = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2), (0.1, 0.1, 0.1)]
+        faces = [(0, 2, 1), (0, 3, 2), (0, 1, 3), (1, 2, 4), (2, 3, 4), (3, 1, 4)]
+        obj = "".join(f"v {x} {y} {z}\n" for x, y, z in corner) + "".join(
+            f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
+        (self.work / "corner.obj").write_text(obj)
+        scene = self.work / "corner.toml"
+        scene.write_text('[[body]]\nfile = "corner.obj"\n[[body]]\nfile = "corner.obj"\nscale = 0.5\n'
+                         'pose = { translation = [5, 0, 0] }\n[[query]]\neffects = ["distance"]\n')
+        urdf = self.work / "corner.urdf"
+        urdf.write_text('<robot name="r"><link name="l"><collision><geometry><mesh filename="corner.obj"/></geometry>'
+                        "</collision></link></robot>")
+        robot = self.work / "robot.toml"
+        robot.write_text('[[robot]]\nurdf = "corner.urdf"\n[[body]]\nshape = { shape = "ball", center = [5, 0, 0], '
+                         'radius = 1 }\n[[query]]\neffects = ["distance"]\n')
+        said = "corner.obj: this mesh is not convex, and its convex hull stands for it"
+        runs = [("scene", "explain", scene), ("scene", "run", scene, "-o", self.work / "c.h5"),
+                ("distance", self.work / "corner.obj", self.work / "corner.obj"),
+                ("distance", self.work / "corner.obj", self.work / "corner.obj", "--between")]
+        for arguments in runs:
+            error = self.run_raygauge(*arguments).stderr
+            self.assertEqual(error.count(said), 1, error)
+        error = self.run_raygauge("scene", "explain", robot).stderr
+        self.assertIn("corner.obj of link 'l': this mesh is not convex", error)
+
     def test_a_scene_without_work_has_a_file_of_its_own(self):
         (self.work / "lone.toml").write_text('name = "lone"\n' + GOOD[GOOD.index("[[body]]"):GOOD.index("motion")] +
                                              '[[query]]\neffects = ["distance"]\n[time]\nto = 1\ninstants = 3\n')
