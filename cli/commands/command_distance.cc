@@ -128,9 +128,9 @@ bool is_read_beside_others(const std::string& source) {
 Instance read_instance(const DistanceArguments& arguments) {
   const bool together = is_read_beside_others(arguments.A) && is_read_beside_others(arguments.Q);
   Notes notes, notes_of_Q;
-  std::future<SetPointer> Q =
-      std::async(together ? std::launch::async : std::launch::deferred,
-                 [&] { return read_set_source(arguments.Q, arguments.format, &notes_of_Q); });
+  std::future<SetPointer> Q = std::async(together ? std::launch::async : std::launch::deferred, [&] {
+    return read_set_source(arguments.Q, arguments.format, &notes_of_Q);
+  });
   SetPointer A = read_set_source(arguments.A, arguments.format, &notes);
   Instance instance{std::move(A), Q.get(), std::nullopt};
   for (const std::string& note : notes_of_Q) add_note(note, notes);

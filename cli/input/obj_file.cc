@@ -147,7 +147,8 @@ class ObjReader {
       reader_.fail("vertex " + std::to_string(index) + " is not there: " + std::to_string(vertices_.size()) +
                    " stand above");
     if (words_.front() == "f")
-      polygons_.add(static_cast<std::uint32_t>(index < 0 ? static_cast<long>(vertices_.size()) + index : index - 1));
+      polygons_.add(
+          static_cast<std::uint32_t>(index < 0 ? static_cast<long>(vertices_.size()) + index : index - 1));
     if (index <= greatest_) return;
     greatest_ = index;
     place_of_greatest_ = reader_.place();
@@ -167,8 +168,6 @@ class ObjReader {
 
 }  // namespace
 
-MeshText obj_mesh(std::string_view text, const std::string& name) {
-  return ObjReader(text, name).read();
-}
+MeshText obj_mesh(std::string_view text, const std::string& name) { return ObjReader(text, name).read(); }
 
 }  // namespace raygauge::cli

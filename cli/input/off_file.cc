@@ -93,7 +93,8 @@ MeshText binary_off_mesh(ByteReader& reader, std::size_t extra) {
     for (double& value : vertex) value = reader.number<float>(swap);
     reader.bytes(skipped);
   }
-  if (!read_faces(reader, faces, true, swap, mesh.faces) && !read_faces(reader, faces, false, swap, mesh.faces))
+  if (!read_faces(reader, faces, true, swap, mesh.faces) &&
+      !read_faces(reader, faces, false, swap, mesh.faces))
     reader.fail("the " + std::to_string(faces) +
                 " faces that the header promises are not what follows the vertices");
   for (const std::uint32_t corner : mesh.faces.corners) {

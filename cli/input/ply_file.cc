@@ -133,7 +133,8 @@ std::uint32_t corner_of(double value, const ByteReader& reader) {
 
 void read_corners(const PlyProperty& property, std::uint64_t count, bool swap, ByteReader& reader,
                   Polygons& faces) {
-  for (std::uint64_t i = 0; i < count; ++i) faces.add(corner_of(value_of(property.type, swap, reader), reader));
+  for (std::uint64_t i = 0; i < count; ++i)
+    faces.add(corner_of(value_of(property.type, swap, reader), reader));
   faces.close();
 }
 
@@ -185,8 +186,7 @@ Vertex read_text(const PlyElement& element, ByteReader& reader, std::vector<std:
       require_numbers(words, at, end, reader);
     }
     if (faces != nullptr && property.is_corners) {
-      for (std::size_t i = at + 1; i < end; ++i)
-        faces->add(corner_of(*number_of(words[i]), reader));
+      for (std::size_t i = at + 1; i < end; ++i) faces->add(corner_of(*number_of(words[i]), reader));
       faces->close();
     }
     at = end;
@@ -212,8 +212,8 @@ bool has_coordinates(const PlyElement& element) {
 void require_corners(const MeshText& mesh, const ByteReader& reader) {
   for (const std::uint32_t corner : mesh.faces.corners) {
     if (corner >= mesh.vertices.size())
-      reader.fail("vertex " + std::to_string(corner) + " is not there: " + std::to_string(mesh.vertices.size()) +
-                  " are, counted from 0");
+      reader.fail("vertex " + std::to_string(corner) +
+                  " is not there: " + std::to_string(mesh.vertices.size()) + " are, counted from 0");
   }
 }
 

@@ -77,7 +77,8 @@ void cut_ears(const FlatPolygon& polygon, Corners corners, std::vector<Triangle>
     triangles.push_back({corner(at + n - 1), corner(at), corner(at + 1)});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  triangles.push_back({static_cast<std::int32_t>(corners[left[0]]), static_cast<std::int32_t>(corners[left[1]]),
+  triangles.push_back({static_cast<std::int32_t>(corners[left[0]]),
+                       static_cast<std::int32_t>(corners[left[1]]),
                        static_cast<std::int32_t>(corners[left[2]])});
 }
 

@@ -103,8 +103,7 @@ bool is_hull_in_plane(const Vertices& vertices, Triangles triangles, const Vecto
     (area > 0 ? up : down) += std::fabs(area);
   }
   const double hull = twice_hull_area(std::move(points));
-  return std::max(up, down) >= hull * (1 - kRoundedFile) &&
-         std::max(up, down) <= hull * (1 + kRoundedFile);
+  return std::max(up, down) >= hull * (1 - kRoundedFile) && std::max(up, down) <= hull * (1 + kRoundedFile);
 }
 
 double volume_of_hull(const Vertices& vertices) {
@@ -125,7 +124,8 @@ bool is_convex(const Vertices& vertices, Triangles triangles, bool closed) {
   if (!closed || !is_on_hull(vertices, triangles, slack, side)) return false;
   const Eigen::Vector3d center = vertices.rowwise().mean();
   constexpr double kNearWhole = 0.01;
-  return std::fabs(winding_number(vertices, triangles, {center[0], center[1], center[2]}) - side) < kNearWhole;
+  return std::fabs(winding_number(vertices, triangles, {center[0], center[1], center[2]}) - side) <
+         kNearWhole;
 }
 
 }  // namespace

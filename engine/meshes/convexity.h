@@ -18,7 +18,8 @@ struct HullCost {
 /// triangle is deeper in the hull than that, as the plane of each leaves every vertex on one side. So the
 /// number of times that a closed surface winds about a point is the same for all points deeper inside; at the
 /// centre it is 1.
-HullCost hull_cost(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const MeshTriangle> triangles);
+HullCost hull_cost(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices,
+                   std::span<const MeshTriangle> triangles);
 
 /// What a file in single precision loses, and twice as much again by the programs before it.
 inline constexpr double kRoundedFile = 1e-6;

@@ -77,8 +77,7 @@ std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
     const std::string joint = beyond_limits(robot.links[i], robot.tree.links[i], trajectory);
     if (!joint.empty()) beyond.push_back(joint);
   }
-  if (!robot.notes.empty())
-    notes.push_back("robot '" + name + "': " + listed(robot.notes, "; "));
+  if (!robot.notes.empty()) notes.push_back("robot '" + name + "': " + listed(robot.notes, "; "));
   if (!beyond.empty())
     notes.push_back("robot '" + name + "': joint values beyond their limits" +
                     (has_trajectory ? "" : " (without a trajectory every joint is at 0)") + ": " +

@@ -37,8 +37,8 @@ void expect_partition(const std::vector<Vertex>& vertices, double area) {
 
 TEST(CutPolygon, IsAPartitionOfConvexAndOfOtherPolygons) {
   expect_partition({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 1);
-  expect_partition({{0, 0, 5}, {2, 1, 5}, {4, 0, 5}, {2, 4, 5}}, 6);                       // a dart
-  expect_partition({{2, 1, 0}, {4, 0, 0}, {2, 4, 0}, {0, 0, 0}}, 6);                       // its dent first
+  expect_partition({{0, 0, 5}, {2, 1, 5}, {4, 0, 5}, {2, 4, 5}}, 6);                        // a dart
+  expect_partition({{2, 1, 0}, {4, 0, 0}, {2, 4, 0}, {0, 0, 0}}, 6);                        // its dent first
   expect_partition({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}}, 5);  // an L
   std::vector<Vertex> star;
   for (int i = 0; i < 24; ++i) {

@@ -87,7 +87,9 @@ TEST(HullCost, OfASheetIsItsOwnInThePlane) {
 
 TEST(WindingNumber, CountsShells) {
   const MeshShape two = joined(box_shape(kZero, 3 * kOne), box_shape(kOne, 2 * kOne, 2));
-  const auto at = [&](double x) { return winding_number(two.vertices, two.triangles, {x, x + 0.1, x - 0.1}); };
+  const auto at = [&](double x) {
+    return winding_number(two.vertices, two.triangles, {x, x + 0.1, x - 0.1});
+  };
   EXPECT_NEAR(at(1.5), 2, 1e-12);
   EXPECT_NEAR(at(0.5), 1, 1e-12);
   EXPECT_NEAR(at(-5), 0, 1e-12);
