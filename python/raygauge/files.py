@@ -8,6 +8,7 @@ import os
 from typing import TYPE_CHECKING
 
 from ._raygauge import Error
+from .extras import extra
 
 if TYPE_CHECKING:
     from .results import Results
@@ -35,6 +36,7 @@ def open(path: str | os.PathLike[str]) -> Results:
     >>> results.to_dataframe().groupby("method", observed=True).seconds.median().idxmin()
     'column_generation'
     """
-    from .results import read
+    with extra("results"):
+        from .results import read
 
     return read(path)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._raygauge import InvalidParameterError
+from .extras import extra
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -67,7 +68,8 @@ def _looks(results: Results) -> dict[str, dict[str, Any]]:
 def _current(axes: Axes | None) -> Axes:
     if axes is not None:
         return axes
-    import matplotlib.pyplot as plt
+    with extra("plot"):
+        import matplotlib.pyplot as plt
 
     return plt.gca()
 
@@ -110,7 +112,8 @@ def medians(results: Results, by: str = "N") -> pd.DataFrame:
     instance, the record is left out. Columns: method, those of n, N, tolerance, generator and generator_parameters that have
     several values, `by`, median, low, high.
     """
-    import pandas as pd
+    with extra("plot"):
+        import pandas as pd
 
     keys = ["method", *_varying(results, by), by]
     frame = results[[*keys, "seconds", "status", "agrees"]].to_dataframe()

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _raygauge
 from ._raygauge import ConvexSet, InvalidParameterError, UnknownNameError
+from .extras import extra
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -63,7 +64,8 @@ class SceneAnswers(Mapping[str, NDArray[Any]]):
 
     def to_dataframe(self) -> pd.DataFrame:
         """A pandas.DataFrame with a row for each answer; points and gradients are columns point_a_0, point_a_1, ..."""
-        import pandas as pd
+        with extra("results"):
+            import pandas as pd
 
         columns: dict[str, NDArray[Any]] = {}
         for name, column in self._columns.items():
