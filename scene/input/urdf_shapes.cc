@@ -10,7 +10,6 @@
 #include "cli/input/mesh_file.h"
 #include "cli/input/pose_table.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
@@ -37,8 +36,7 @@ class ShapeReader {
     if (shape->NextSiblingElement() != nullptr) refuse(*geometry, "a collision of more than one shape");
     const Placement where = urdf_origin(file_, collision);
     try {
-      const SetPointer set = shape_of(*shape);
-      return set == nullptr ? nullptr : AffineImage::rigid(set, where.R, where.t);
+      return shape_of(*shape, where);
     } catch (const EngineError& error) {
       refuse(*shape, error.message);
     }
@@ -63,26 +61,44 @@ class ShapeReader {
     }
   }
 
-  SetPointer shape_of(const XmlElement& shape) const {
+  /// Where it is on the link: numbers of its own frame are rounded once, as those of the file are, so that
+  /// solvers see a ball, a cylinder or points and not an image of these.
+  SetPointer shape_of(const XmlElement& shape, const Placement& where) const {
     const std::string_view kind = shape.Name();
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    if (kind == "sphere") return made<Ball>(zero, file_.number(shape, "radius"));
+    if (kind == "sphere") return made<Ball>(Vector(where.t), file_.number(shape, "radius"));
     if (kind == "box") {
       file_.text(shape, "size");
       const Eigen::Vector3d half = file_.vector(shape, "size", zero) / 2;
-      return made<Box>(-half, half);
+      if (!(half.minCoeff() >= 0)) return made<Box>(-half, half);  // which says what is wrong
+      if (where.R.isIdentity(0)) return made<Box>(Vector(where.t - half), Vector(where.t + half));
+      return made<PointSet>(placed_points(corners_of(half), where));
     }
     if (kind == "cylinder" || kind == "capsule") {
       // Of a capsule too the length is that of the part between the round ends.
       const Eigen::Vector3d half(0, 0, file_.number(shape, "length") / 2);
       const double radius = file_.number(shape, "radius");
-      return kind == "cylinder" ? made<Cylinder>(-half, half, radius) : made<Capsule>(-half, half, radius);
+      const Vector p = where.t - where.R * half, q = where.t + where.R * half;
+      return kind == "cylinder" ? made<Cylinder>(p, q, radius) : made<Capsule>(p, q, radius);
     }
-    if (kind == "mesh") return mesh_of(shape);
+    if (kind == "mesh") return mesh_of(shape, where);
     refuse(shape, "the collision shape <" + std::string(kind) + "> is not understood");
   }
 
-  SetPointer mesh_of(const XmlElement& mesh) const {
+  static Eigen::MatrixXd corners_of(const Eigen::Vector3d& half) {
+    Eigen::MatrixXd corners(3, 8);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) corners(k, i) = (i >> k & 1) != 0 ? half[k] : -half[k];
+    }
+    return corners;
+  }
+
+  static Eigen::MatrixXd placed_points(const Eigen::MatrixXd& points, const Placement& where) {
+    if (where.R.isIdentity(0) && where.t.isZero(0)) return points;
+    return (where.R * points).colwise() + Vector(where.t);
+  }
+
+  SetPointer mesh_of(const XmlElement& mesh, const Placement& where) const {
     const std::string name = file_.text(mesh, "filename");
     const Eigen::Vector3d scale = file_.vector(mesh, "scale", Eigen::Vector3d::Ones());
     if ((scale.array() == 0).any()) refuse(mesh, "scale = 0 leaves nothing of a mesh");
@@ -100,7 +116,7 @@ class ShapeReader {
     } catch (const Error& error) {
       refuse(mesh, error.what());
     }
-    return made<PointSet>(Eigen::MatrixXd(scale.asDiagonal() * vertices));
+    return made<PointSet>(placed_points(scale.asDiagonal() * vertices, where));
   }
 
   bool skip(const std::string& name) const {

@@ -341,6 +341,8 @@ void EdgeSearch::look(Parts& parts, int moment) {
   placed_.place(placement_of(stage_.at(moment, a)), placement_of(stage_.at(moment, b)), nullptr);
   placed_.check_placements();
   answer_ = PairAnswer();
+  parts.memory.overlapped =
+      false;  // which would ask first whether they still do: slower for two parts of R^3
   const PartNumbers numbers{static_cast<int>(parts.shape_a) - 1, static_cast<int>(parts.shape_b) - 1};
   solver_.distance(placed_, numbers, false, parts.memory, answer_, counters_);
   answer_.part_a = numbers.a;
