@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -31,6 +32,7 @@
 #include "results/run/output_place.h"
 #include "results/run/shards.h"
 #include "results/text/language.h"
+#include "scene/commands/plan_motion.h"
 #include "scene/commands/scene_text.h"
 #include "scene/file/scene_writer.h"
 #include "scene/input/scene_source.h"
@@ -51,6 +53,8 @@ struct SceneArguments {
   bool force = false;
   bool quiet = false;
   bool json = false;
+  bool plan = false;  ///< of a path, before the queries are answered
+  PlanOptions planning;
 };
 
 std::map<std::string, std::string> package_folders(const std::vector<std::string>& options) {
@@ -124,9 +128,12 @@ class SceneJob {
   int run() {
     together([this] {
       source_ = source_of(arguments_);
+      if (arguments_.plan) moved_ = plan_motion(source_, arguments_.planning);
       plan_ = plan_scene(source_.scene);
     });
+    if (arguments_.plan && !moved_) return say_no_path();
     open();
+    if (moved_) store_path();
     if (writer_ && !arguments_.quiet) print_notes(source_.notes);
     const InterruptGuard guard(
         arguments_.quiet || !writer_ ? nullptr : "\ninterrupted: storing the cells that are done\n");
@@ -138,6 +145,22 @@ class SceneJob {
   }
 
  private:
+  int say_no_path() const {
+    std::fprintf(stderr,
+                 "raygauge: no path was found within %s; give --time-limit more, or another --planner\n",
+                 duration_text(source_.plan->request.time_limit).c_str());
+    return kLimitReached;
+  }
+
+  void store_path() const {
+    const std::string path = std::filesystem::path(path_).replace_extension(".path.csv").string();
+    const OutputPlace place =
+        output_place({path, OutputKind::text, {".csv"}, {arguments_.path}, arguments_.force});
+    write_output(place, moved_->csv);
+    if (arguments_.quiet) return;
+    std::printf("path: %s\n  trajectory %s\n", moved_->summary.c_str(), language::printable(path).c_str());
+  }
+
   void together(const std::function<void()>& work) {
     if (ranks_) return all_or_none(*ranks_, work);
     work();
@@ -245,6 +268,7 @@ class SceneJob {
   std::unique_ptr<Ranks> ranks_;  ///< null: one process
   SceneSource source_;
   ScenePlan plan_;
+  std::optional<PlannedMotion> moved_;
   SceneFile head_;
   std::string target_;  ///< of the whole scene
   std::string path_;
@@ -258,7 +282,7 @@ class SceneJob {
 
 int run_scene_file(const SceneArguments& arguments) {
   try {
-    return SceneJob(arguments, ranks_of_this_job()).run();
+    return SceneJob(arguments, arguments.plan ? nullptr : ranks_of_this_job()).run();
   } catch (const JobFailed&) {
     return kBadInput;
   }
@@ -317,6 +341,30 @@ void add_source_options(Command& command, SceneArguments& arguments) {
   add_max_input_option(command);
 }
 
+void add_run_options(Command& command, SceneArguments& arguments) {
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Results file; default: out/NAME.h5, NAME being the scene's")
+      .type_name("FILE.h5");
+  command.add_option("--threads", arguments.threads, "Threads; 0: one for each core")
+      .range(0, 65536)
+      .type_name("K");
+  command.add_flag("-q,--quiet", arguments.quiet, "Print errors only");
+}
+
+void add_plan_command(Command& scene, const std::shared_ptr<SceneArguments>& arguments, int& status) {
+  Command plan = scene.add_subcommand(
+      "plan", "Find a path for the robot of [plan], proven at every time, and answer the queries along it");
+  add_source_options(plan, *arguments);
+  add_run_options(plan, *arguments);
+  add_planning_options(plan, arguments->planning);
+  plan.add_flag("--force", arguments->force, "Replace existing files");
+  plan.callback([arguments, &status] {
+    arguments->plan = true;
+    status = run_scene_file(*arguments);
+  });
+}
+
 }  // namespace
 
 void add_scene_command(Command& app, int& status) {
@@ -325,12 +373,7 @@ void add_scene_command(Command& app, int& status) {
   scene.require_subcommand();
   Command run = scene.add_subcommand("run", "Answer every query of a scene and store the answers");
   add_source_options(run, *arguments);
-  run.add_option("-o,--output", arguments->output,
-                 "Results file; default: out/NAME.h5, NAME being the scene's")
-      .type_name("FILE.h5");
-  run.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
-      .range(0, 65536)
-      .type_name("K");
+  add_run_options(run, *arguments);
   run.add_option_function(
          "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
          "Do part I of K parts of the cells, into FILE.shard-I-of-K.h5; `raygauge merge` joins them")
@@ -338,8 +381,8 @@ void add_scene_command(Command& app, int& status) {
   const Option resume =
       run.add_flag("--resume", arguments->resume, "Continue a run that was killed or interrupted");
   run.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
-  run.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
   run.callback([arguments, &status] { status = run_scene_file(*arguments); });
+  add_plan_command(scene, arguments, status);
   Command plan =
       scene.add_subcommand("explain", "Print what will be computed for which pairs, what never, and why");
   add_source_options(plan, *arguments);

@@ -126,6 +126,7 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
     const RobotLink& link = robot.links[static_cast<std::size_t>(i)];
     if (link.shapes.empty()) continue;
     body_of_link[i] = static_cast<int>(result.bodies.size());
+    result.links.push_back(i);
     const MotionPointer motion =
         placed(given == nullptr ? urdf : *given, [&] { return LinkMotion::make(tree, trajectory, base, i); });
     result.bodies.push_back(
@@ -134,6 +135,9 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
   if (body_of_link.empty()) refuse(urdf, "no link of the robot has a collision shape");
   result.joined = joined_bodies(robot, body_of_link);
   result.notes = notes_of(robot, result.name, *trajectory, given != nullptr);
+  result.robot = robot;
+  result.base = base;
+  result.has_trajectory = given != nullptr;
   return result;
 }
 

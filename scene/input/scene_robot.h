@@ -19,6 +19,10 @@ struct RobotBodies {
   std::vector<Body> bodies;                 ///< called ROBOT/LINK
   std::vector<std::pair<int, int>> joined;  ///< bodies that a joint joins, also over links without a shape
   std::vector<std::string> notes;           ///< meshes left out, joint values beyond their limits
+  Robot robot;
+  Placement base;
+  std::vector<int> links;  ///< of each body
+  bool has_trajectory = false;
 };
 
 /// The keys of [[robot]]; the last one is for the scene.

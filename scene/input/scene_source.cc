@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -19,7 +18,6 @@
 #include "raygauge/sets/point_set.h"
 #include "scene/input/scene_motion.h"
 #include "scene/input/scene_robot.h"
-#include "scene/queries/timeline.h"
 
 namespace raygauge::cli {
 namespace {
@@ -85,8 +83,13 @@ class SceneReader {
       check_scene(scene());
       return 0;
     });
-    for (const auto& [name, first, count] : robots_) {
-      const std::string note = note_of_contacts(scene(), name, first, count);
+    if (const toml::node* node = root.get("plan")) {
+      source_.plan = read_plan(table_of(*node, "plan"), scene(), robots_);
+      source_.plan->stand(scene());
+    }
+    for (const SceneRobot& robot : robots_) {
+      const int count = static_cast<int>(robot.own.bodies.size());
+      const std::string note = note_of_contacts(scene(), robot.own.name, robot.first, count);
       if (!note.empty()) source_.notes.push_back(note);
     }
     return std::move(source_);
@@ -190,7 +193,7 @@ class SceneReader {
     if (dimension_ == 0) dimension_ = 3;
     if (dimension_ != 3) refuse(table, "a robot needs a scene of 3 dimensions");
     const int first = static_cast<int>(scene().bodies.size());
-    const RobotBodies robot =
+    RobotBodies robot =
         read_robot_bodies(table, folder_, scene().instants.front(), scene().instants.back(), meshes_);
     std::vector<std::string> groups = {robot.name};
     if (const toml::node* node = table.get("group")) {
@@ -198,8 +201,8 @@ class SceneReader {
     }
     for (const Body& body : robot.bodies) add(table, body, groups);
     for (const auto& [a, b] : robot.joined) scene().ignored.emplace_back(first + a, first + b);
-    robots_.emplace_back(robot.name, first, static_cast<int>(robot.bodies.size()));
     for (const std::string& note : robot.notes) add_note(note, source_.notes);
+    robots_.push_back({std::move(robot), first});
   }
 
   const std::vector<int>& bodies_named(const std::string& name, const toml::node& node) {
@@ -317,34 +320,18 @@ class SceneReader {
   int dimension_ = 0;
   std::map<std::string, std::vector<int>> groups_;
   std::map<std::string, bool> single_;
-  std::vector<std::tuple<std::string, int, int>> robots_;  ///< name, first body, number of bodies
-};
-
-/// FNV-1a over the bytes of numbers: two scenes whose bodies are anywhere else differ.
-class Checksum {
- public:
-  void add(double value) {
-    unsigned char bytes[sizeof value];
-    std::copy_n(reinterpret_cast<const unsigned char*>(&value), sizeof value, bytes);
-    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211ULL;
-  }
-  void add(const SmallVector& v) {
-    for (Eigen::Index k = 0; k < v.size(); ++k) add(v[k]);
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 14695981039346656037ULL;
+  std::vector<SceneRobot> robots_;
 };
 
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
   static const std::map<std::string, std::vector<std::string>> kKeys = {
-      {"", {"name", "description", "dimension", "time", "body", "robot", "ignore", "query"}},
+      {"", {"name", "description", "dimension", "time", "body", "robot", "plan", "ignore", "query"}},
       {"time", {"from", "to", "instants"}},
       {"body", {"name", "group", "shape", "parts", "file", "scale", "pose", "motion"}},
       {"robot", robot_keys()},
+      {"plan", plan_keys()},
       {"query",
        {"name", "between", "effects", "metric", "metric_body", "within", "nearest", "tolerance", "contact",
         "clearance_tolerance", "every_instant"}}};
@@ -354,40 +341,6 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
 SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,
                        const RobotMeshes& meshes) {
   return SceneReader(path, overrides, meshes).read();
-}
-
-std::string scene_identity(const SceneSource& source) {
-  const Scene& scene = source.scene;
-  const Timeline timeline(scene);
-  std::ostringstream text;
-  text.precision(17);
-  Checksum instants, shapes, places;
-  for (const double t : scene.instants) instants.add(t);
-  std::string names;
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
-    const Body& body = scene.bodies[static_cast<std::size_t>(b)];
-    names += (names.empty() ? "" : ", ") + body.name;
-    for (const BodyPart& part : body.parts) {
-      shapes.add(part.ball.center);
-      shapes.add(part.ball.radius);
-      shapes.add(part.magnitude);
-    }
-    for (std::size_t k = 0; k < timeline.size(); ++k) {
-      places.add(timeline.placement(b, k).t);
-      places.add(SmallVector(timeline.placement(b, k).R.col(0)));
-    }
-  }
-  text << "instants = " << scene.instants.size() << " (" << instants.value() << ")\n"
-       << "bodies = " << names << "\nshapes = " << shapes.value() << "\nplaces = " << places.value() << '\n';
-  for (std::size_t q = 0; q < scene.queries.size(); ++q) {
-    const SceneQuery& query = scene.queries[q];
-    text << "query " << q + 1 << " = " << to_string(query.effects) << "; " << source.metrics[q] << "; "
-         << pairs_of(scene, query).size() << " pairs; within " << query.within << "; nearest "
-         << query.nearest << "; tolerance " << query.tolerance << "; contact " << query.contact
-         << "; clearance_tolerance " << query.clearance_tolerance << "; every_instant " << query.every_instant
-         << '\n';
-  }
-  return text.str();
 }
 
 }  // namespace raygauge::cli

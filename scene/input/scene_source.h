@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "raygauge/scene/scene.h"
+#include "scene/input/plan_table.h"
 #include "scene/input/urdf_file.h"
 
 namespace raygauge::cli {
@@ -17,9 +19,10 @@ struct SceneSource {
   std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
   std::vector<std::string> notes;    ///< what is worth knowing of robots and meshes, one line each
+  std::optional<PlanTable> plan;     ///< [plan], where there is one
 };
 
-/// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, query.
+/// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, plan, query.
 const std::map<std::string, std::vector<std::string>>& scene_keys();
 
 /// Reads a scene file (TOML; see docs/scenes.md) and all that it names; `meshes` says where those of robots

@@ -121,6 +121,34 @@ SHAPES = {
     "union_hull": {"sets": (f"[{SET}]", f"[{SET}, {BALL}]")},
 }
 
+# A plan: the outer rod has to get past a ball.
+ROD = '<collision><origin rpy="0 1.5707963 0" xyz="0.5 0 0"/><geometry><cylinder length="1" radius="0.05"/></geometry></collision>'
+FILES["rods.urdf"] = (
+    f'<robot name="r"><link name="ground"/><link name="inner">{ROD}</link><link name="outer">{ROD}</link>'
+    '<joint name="j" type="revolute"><parent link="ground"/><child link="inner"/><axis xyz="0 0 1"/>'
+    '<limit lower="-2" upper="2"/></joint><joint name="k" type="revolute"><origin xyz="1 0 0"/><parent link="inner"/>'
+    '<child link="outer"/><axis xyz="0 0 1"/><limit lower="-2.6" upper="2.6"/></joint></robot>')
+PLAN = """[time]
+to = 1
+[[robot]]
+name = "first"
+urdf = "rods.urdf"
+[[robot]]
+name = "second"
+urdf = "rods.urdf"
+base = { translation = [0, 0, 3] }
+[[body]]
+shape = { shape = "ball", center = [1.6, 0, 0], radius = 0.3 }
+[[query]]
+effects = ["distance"]
+[plan]
+robot = "first"
+start = { j = -0.8 }
+goal = { j = 0.8 }
+"""
+PLAN_KEYS = {"robot": 'robot = "second"', "start": "start = { j = -0.7 }", "goal": "goal = { j = 0.7, k = 0.3 }",
+             "planner": 'planner = "rrt"', "margin": "margin = 0.1", "time_limit": "time_limit = 1e-9", "seed": "seed = 2"}
+
 # For each table of an experiment file: values of another type than its keys have.
 EXPERIMENT_KEYS = {
     "": {"name", "description", "sweep", "generator", "method", "run"},
@@ -129,6 +157,7 @@ EXPERIMENT_KEYS = {
 }
 
 RUN, SCENE_RUN = ["run", "e.toml", "-o", "x.h5"], ["scene", "run", "scene.toml", "-o", "x.h5"]
+SCENE_PLAN = ["scene", "plan", "plan.toml", "-o", "x.h5"]
 DISTANCE = ["distance", "A.csv", "Q.csv"]
 RERUN = ["compare", "--rerun", "e.toml", "--set", "sweep.n=3", "--set", "sweep.N=20", "--pairs", "1"]
 SUBMIT = ["submit", "e.toml", "-o", "x.h5", "--slurm", "--array", "2", "--print"]
@@ -182,6 +211,20 @@ OPTIONS = {
         "--skip-missing-meshes": (["scene", "explain", "mesh.toml", "--skip-missing-meshes"], 0, says("note: ")),
         "--json": (["scene", "explain", "scene.toml", "--json"], 0, says('^{"scene"|^{')),
         "--max-input": (["scene", "explain", "large.toml", "--max-input", "1"], NO_EFFECT, says("--max-input")),
+    },
+    "scene plan": {
+        "--set": (SCENE_PLAN + ["--set", 'name="set"'], 0, says("set: ")),
+        "--package": (["scene", "plan", "mesh.toml", "-o", "x.h5", "--package", "p=."], NO_EFFECT, says("no \\[plan\\]")),
+        "--skip-missing-meshes": (["scene", "plan", "mesh.toml", "-o", "x.h5", "--skip-missing-meshes"], NO_EFFECT,
+                                  says("no \\[plan\\]")),
+        "--output": (SCENE_PLAN, 0, kept("x.path.csv")),
+        "--planner": (SCENE_PLAN + ["--planner", "est"], 0, says("found by est")),
+        "--time-limit": (SCENE_PLAN + ["--time-limit", "1e-9"], 3, says("no path was found")),
+        "--seed": (SCENE_PLAN + ["--seed", "0"], NO_EFFECT, says("--seed")),
+        "--threads": (SCENE_PLAN + ["--threads", "3"], 0, says("on 3 threads")),
+        "--force": (["scene", "plan", "plan.toml", "-o", "plan_copy.h5", "--force"], 0, says("records")),
+        "--quiet": (SCENE_PLAN + ["--quiet"], 0, silent),
+        "--max-input": (["scene", "plan", "large.toml", "-o", "x.h5", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
     "distance": {
         "--tolerance": (DISTANCE + ["--tolerance", "1e-3"], 0, says("tolerance 0.001|tolerance 1e-3")),
@@ -311,6 +354,10 @@ class NothingIsIgnored(unittest.TestCase):
                         ["run", "e.toml", "-o", "p.h5", "--shard", "1/2"], ["run", "e.toml", "-o", "p.h5", "--shard", "2/2"],
                         ["scene", "run", "scene.toml", "-o", "s.h5"], ["scene", "run", "scene.toml", "-o", "scene_copy.h5"]):
             subprocess.run([cls.raygauge, *command], cwd=cls.base, check=True, capture_output=True)
+        (cls.base / "plan.toml").write_text(PLAN)
+        planned = subprocess.run([cls.raygauge, "scene", "plan", "plan.toml", "-o", "plan_copy.h5"], cwd=cls.base,
+                                 capture_output=True, text=True)
+        cls.has_planners = "libompl-dev" not in planned.stderr
         (cls.base / "taken.svg").write_text("of somebody else")
         with gzip.open(cls.base / "large.csv.gz", "wt") as file:
             file.write("2 1 1\n" * 200000)
@@ -354,12 +401,29 @@ class NothingIsIgnored(unittest.TestCase):
     def test_every_key_of_a_scene_file_changes_the_answers_or_is_refused(self):
         for table, keys in SCENE_KEYS.items():
             known = self.known_keys(SCENE, table, ["scene", "explain"])
-            self.assertEqual(known - {"time", "body", "robot", "query"}, set(keys), f"keys of [{table}]")
+            self.assertEqual(known - {"time", "body", "robot", "plan", "query"}, set(keys), f"keys of [{table}]")
             for key, (one, other) in keys.items():
                 with self.subTest(table=table, key=key):
                     self.assertNotEqual(self.answers(with_lines(SCENE, table, one)),
                                         self.answers(with_lines(SCENE, table, other)))
         self.assertRegex(self.answers(with_lines(SCENE, "body", "scale = 0")), "scale must not be 0")
+
+    def planned(self, text):
+        """The path of a scene, or why there is none."""
+        (self.work / "changed.toml").write_text(text)
+        done = self.run_raygauge("scene", "plan", "changed.toml", "-q", "-o", "changed.h5", "--force")
+        return (self.work / "changed.path.csv").read_text() if done.returncode == 0 else done.stderr
+
+    def test_every_key_of_a_plan_changes_the_path_or_is_refused(self):
+        if not self.has_planners:
+            self.skipTest("the program is built without OMPL")
+        self.assertEqual(self.known_keys(PLAN, "plan", ["scene", "explain"]), set(PLAN_KEYS))
+        base = self.planned(PLAN)
+        self.assertRegex(base, r"^time,j,k\n0,-0\.8")
+        self.assertEqual(base, self.planned(PLAN))
+        for key, line in PLAN_KEYS.items():
+            with self.subTest(key):
+                self.assertNotEqual(base, self.planned(with_lines(PLAN, "plan", line)))
 
     def test_a_key_that_no_effect_looks_at_is_refused(self):
         for key, lines in WITHOUT_USE.items():
@@ -408,9 +472,11 @@ class NothingIsIgnored(unittest.TestCase):
             text = self.run_raygauge(*command.split(), "--help").stdout
             known = set(re.findall(r"(?m)^ +(?:-[a-zA-Z],)?(--[a-z-]+)", text)) - {"--help"}
             self.assertEqual(known, set(options), f"options of {command}")
+            if command == "scene plan" and not self.has_planners:
+                continue
             for option, (arguments, status, shown) in options.items():
                 with self.subTest(command=command, option=option):
-                    for left in ("x.h5", "x.svg", "x.html", "x.csv", "x.txt", "x.shard-1-of-2.h5", "x.shard-1-of-1.h5"):
+                    for left in ("x.h5", "x.svg", "x.html", "x.csv", "x.txt", "x.shard-1-of-2.h5", "x.shard-1-of-1.h5", "x.path.csv"):
                         (self.work / left).unlink(missing_ok=True)
                     done = self.run_raygauge(*arguments)
                     self.assertEqual(done.returncode, status, done.stdout + done.stderr)

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+
+#include "scene/input/scene_source.h"
+#include "scene/queries/timeline.h"
+
+namespace raygauge::cli {
+namespace {
+
+/// FNV-1a over the bytes of numbers: two scenes whose bodies are anywhere else differ.
+class Checksum {
+ public:
+  void add(double value) {
+    unsigned char bytes[sizeof value];
+    std::copy_n(reinterpret_cast<const unsigned char*>(&value), sizeof value, bytes);
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211ULL;
+  }
+  void add(const SmallVector& v) {
+    for (Eigen::Index k = 0; k < v.size(); ++k) add(v[k]);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+}  // namespace
+
+std::string scene_identity(const SceneSource& source) {
+  const Scene& scene = source.scene;
+  const Timeline timeline(scene);
+  std::ostringstream text;
+  text.precision(17);
+  Checksum instants, shapes, places;
+  for (const double t : scene.instants) instants.add(t);
+  std::string names;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
+    const Body& body = scene.bodies[static_cast<std::size_t>(b)];
+    names += (names.empty() ? "" : ", ") + body.name;
+    for (const BodyPart& part : body.parts) {
+      shapes.add(part.ball.center);
+      shapes.add(part.ball.radius);
+      shapes.add(part.magnitude);
+    }
+    for (std::size_t k = 0; k < timeline.size(); ++k) {
+      places.add(timeline.placement(b, k).t);
+      places.add(SmallVector(timeline.placement(b, k).R.col(0)));
+    }
+  }
+  text << "instants = " << scene.instants.size() << " (" << instants.value() << ")\n"
+       << "bodies = " << names << "\nshapes = " << shapes.value() << "\nplaces = " << places.value() << '\n';
+  for (std::size_t q = 0; q < scene.queries.size(); ++q) {
+    const SceneQuery& query = scene.queries[q];
+    text << "query " << q + 1 << " = " << to_string(query.effects) << "; " << source.metrics[q] << "; "
+         << pairs_of(scene, query).size() << " pairs; within " << query.within << "; nearest "
+         << query.nearest << "; tolerance " << query.tolerance << "; contact " << query.contact
+         << "; clearance_tolerance " << query.clearance_tolerance << "; every_instant " << query.every_instant
+         << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace raygauge::cli
