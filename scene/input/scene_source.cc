@@ -16,6 +16,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/point_set.h"
+#include "scene/input/scene_dynamics.h"
 #include "scene/input/scene_motion.h"
 #include "scene/input/scene_robot.h"
 
@@ -78,9 +79,12 @@ class SceneReader {
     if (scene().bodies.empty()) throw EmptySetError(toml_.path + ": a scene needs a [[body]] or a [[robot]]");
     read_ignored();
     for (const toml::table* table : tables_of(root, "query")) read_query(*table);
-    if (scene().queries.empty()) throw InvalidParameterError(toml_.path + ": a scene needs a [[query]]");
+    read_reactions();
+    if (scene().queries.empty() && !source_.dynamics)
+      throw InvalidParameterError(toml_.path + ": a scene needs a [[query]], or [dynamics]");
     placed(root, [&] {
       check_scene(scene());
+      if (source_.dynamics) check_dynamics(scene(), *source_.dynamics);
       return 0;
     });
     if (const toml::node* node = root.get("plan")) {
@@ -172,6 +176,7 @@ class SceneReader {
     }
     const MotionPointer motion = read_motion(table, dimension_, folder_, scene().instants.front());
     const Body body = placed(table, [&] { return make_body(name, parts, motion); });
+    reactions_.push_back({&table, read_body_dynamics(table, body)});
     add(table, body,
         table.contains("group") ? texts_of(*table.get("group"), "body.group") : std::vector<std::string>());
   }
@@ -200,6 +205,7 @@ class SceneReader {
       for (const std::string& group : texts_of(*node, "robot.group")) groups.push_back(group);
     }
     for (const Body& body : robot.bodies) add(table, body, groups);
+    reactions_.resize(scene().bodies.size());
     for (const auto& [a, b] : robot.joined) scene().ignored.emplace_back(first + a, first + b);
     for (const std::string& note : robot.notes) add_note(note, source_.notes);
     robots_.push_back({std::move(robot), first});
@@ -222,6 +228,24 @@ class SceneReader {
       if (pair.size() != 2) refuse(element, "ignore must be a list of pairs of names");
       for (const int a : bodies_named(pair[0], element)) {
         for (const int b : bodies_named(pair[1], element)) scene().ignored.emplace_back(a, b);
+      }
+    }
+  }
+
+  /// [dynamics], or the refusal of keys that have no effect without it.
+  void read_reactions() {
+    const toml::node* node = toml_.root.get("dynamics");
+    if (node != nullptr) {
+      source_.dynamics = read_dynamics(table_of(*node, "dynamics"), dimension_,
+                                       [this](const std::string& name, const toml::node& at) -> const std::vector<int>& {
+                                         return bodies_named(name, at);
+                                       });
+    }
+    for (const auto& [table, how] : reactions_) {
+      if (source_.dynamics) source_.dynamics->bodies.push_back(how);
+      if (source_.dynamics || table == nullptr) continue;
+      for (const std::string& key : body_dynamics_keys()) {
+        if (table->contains(key)) refuse(*table->get(key), "body." + key + " has no effect without [dynamics]");
       }
     }
   }
@@ -321,15 +345,18 @@ class SceneReader {
   std::map<std::string, std::vector<int>> groups_;
   std::map<std::string, bool> single_;
   std::vector<SceneRobot> robots_;
+  std::vector<std::pair<const toml::table*, BodyDynamics>> reactions_;  ///< by body; null: a robot's link
 };
 
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
   static const std::map<std::string, std::vector<std::string>> kKeys = {
-      {"", {"name", "description", "dimension", "time", "body", "robot", "plan", "ignore", "query"}},
+      {"", {"name", "description", "dimension", "time", "dynamics", "body", "robot", "plan", "ignore", "query"}},
       {"time", {"from", "to", "instants"}},
-      {"body", {"name", "group", "shape", "parts", "file", "scale", "pose", "motion"}},
+      {"body",
+       {"name", "group", "shape", "parts", "file", "scale", "pose", "motion", "density", "mass", "inertia", "velocity",
+        "angular_velocity"}},
       {"robot", robot_keys()},
       {"plan", plan_keys()},
       {"query",

@@ -10,12 +10,14 @@
 #include "raygauge/scene/scene.h"
 #include "scene/input/plan_table.h"
 #include "scene/input/urdf_file.h"
+#include "scene/simulation/dynamics.h"
 
 namespace raygauge::cli {
 
 /// A scene as its file has it.
 struct SceneSource {
   Scene scene;
+  std::optional<Dynamics> dynamics;  ///< of [dynamics]
   std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
   std::vector<std::string> notes;    ///< what is worth knowing of robots and meshes, one line each

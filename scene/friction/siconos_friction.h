@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "scene/simulation/friction.h"
+
+namespace raygauge {
+
+/// By Siconos numerics: nonsmooth Gauss-Seidel on the contacts, from the first guess to a relative error of
+/// 1e-10 or 50000 passes. nullptr in a build without Siconos.
+std::unique_ptr<FrictionSolver> siconos_friction();
+
+/// What to do about nullptr, in one line.
+const char* without_siconos() noexcept;
+
+}  // namespace raygauge

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/input/scene_dynamics.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "cli/input/toml_refusal.h"
+#include "cli/input/toml_values.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge::cli {
+namespace {
+
+const Range kPositive{0, kInfinity, true};
+constexpr double kMost = 1e300;
+
+const toml::table& table_of(const toml::node& node, const std::string& key) {
+  if (const toml::table* table = node.as_table()) return *table;
+  refuse(node, key + " must be a table");
+}
+
+// n numbers of R^n, with zeros behind them.
+Eigen::Vector3d vector_of(const toml::node& node, const std::string& key, int n) {
+  const Eigen::VectorXd given = read_vector(node, key);
+  if (given.size() != n) refuse(node, key + " must have " + std::to_string(n) + " numbers");
+  Eigen::Vector3d all = Eigen::Vector3d::Zero();
+  all.head(n) = given;
+  return all;
+}
+
+std::optional<double> number_of(const toml::table& table, const char* key, const std::string& place,
+                                const Range& range) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return std::nullopt;
+  return read_real(*node, place + "." + key, range);
+}
+
+ContactLaw law_of(const toml::table& table, const std::string& place) {
+  return {number_of(table, "friction", place, {0, kMost}), number_of(table, "restitution", place, {0, 1})};
+}
+
+// A number in the plane; in space three principal moments along the axes, or a matrix.
+Eigen::Matrix3d inertia_of(const toml::node& node, int n) {
+  if (n == 2) return Eigen::Vector3d(0, 0, read_real(node, "body.inertia", kPositive)).asDiagonal();
+  const bool rows = node.is_array() && !node.as_array()->empty() && node.as_array()->get(0)->is_array();
+  if (!rows) return vector_of(node, "body.inertia", 3).asDiagonal();
+  const Eigen::MatrixXd matrix = read_matrix(node, "body.inertia");
+  if (matrix.rows() != 3 || matrix.cols() != 3)
+    refuse(node, "body.inertia must be 3 numbers, or 3 rows of 3");
+  return matrix;
+}
+
+PairLaw read_pair(const toml::node& node, const BodiesNamed& bodies_named) {
+  const toml::table& table = table_of(node, "dynamics.pair");
+  reject_unknown_keys(table, "[[dynamics.pair]] key", dynamics_keys().at("dynamics.pair"));
+  const toml::node* between = table.get("between");
+  if (between == nullptr || !between->is_array() || between->as_array()->size() != 2)
+    refuse(node, "dynamics.pair.between must name two bodies or groups");
+  const toml::array& names = *between->as_array();
+  PairLaw pair;
+  pair.group_1 = bodies_named(read_text(names[0], "dynamics.pair.between"), *between);
+  pair.group_2 = bodies_named(read_text(names[1], "dynamics.pair.between"), *between);
+  pair.law = law_of(table, "dynamics.pair");
+  return pair;
+}
+
+}  // namespace
+
+std::map<std::string, std::vector<std::string>> dynamics_keys() {
+  return {{"dynamics", {"gravity", "contact", "damping", "step", "tolerance", "pair"}},
+          {"dynamics.contact", {"friction", "restitution"}},
+          {"dynamics.damping", {"linear", "angular"}},
+          {"dynamics.pair", {"between", "friction", "restitution"}}};
+}
+
+std::vector<std::string> body_dynamics_keys() {
+  return {"density", "mass", "inertia", "velocity", "angular_velocity"};
+}
+
+BodyDynamics read_body_dynamics(const toml::table& table, const Body& body) {
+  const int n = body.dimension();
+  const std::optional<double> mass = number_of(table, "mass", "body", kPositive);
+  const std::optional<double> density = number_of(table, "density", "body", kPositive);
+  BodyDynamics how;
+  if (mass && density) refuse(table, "a body has a mass or a density, not both");
+  if (!mass && table.contains("inertia")) refuse(*table.get("inertia"), "body.inertia needs a mass");
+  if (!mass && !density) {
+    for (const char* key : {"velocity", "angular_velocity"}) {
+      if (table.contains(key))
+        refuse(*table.get(key),
+               std::string("body.") + key +
+                   " needs a mass or a density; a body that does not react follows its motion");
+    }
+    return how;
+  }
+  std::vector<std::shared_ptr<const ConvexSet>> parts;
+  for (const BodyPart& part : body.parts) parts.push_back(part.set);
+  const Moments moments = placed(table, [&] { return moments_of(parts); });
+  how.mass = mass ? *mass : *density * moments.measure;
+  how.center.head(n) = moments.center;
+  how.inertia = how.mass / moments.measure * moments.inertia();
+  if (const toml::node* node = table.get("inertia")) how.inertia = inertia_of(*node, n);
+  if (const toml::node* node = table.get("velocity")) how.velocity = vector_of(*node, "body.velocity", n);
+  if (const toml::node* node = table.get("angular_velocity")) {
+    if (n == 2) how.spin[2] = read_number(*node, "body.angular_velocity");
+    if (n == 3) how.spin = vector_of(*node, "body.angular_velocity", 3);
+  }
+  return how;
+}
+
+Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesNamed& bodies_named) {
+  reject_unknown_keys(table, "[dynamics] key", dynamics_keys().at("dynamics"));
+  Dynamics dynamics;
+  if (dimension != 2 && dimension != 3) refuse(table, "dynamics: bodies react in 2 or 3 dimensions");
+  if (const toml::node* node = table.get("gravity"))
+    dynamics.gravity = vector_of(*node, "dynamics.gravity", dimension);
+  if (const toml::node* node = table.get("contact")) {
+    const toml::table& contact = table_of(*node, "dynamics.contact");
+    reject_unknown_keys(contact, "key of dynamics.contact", dynamics_keys().at("dynamics.contact"));
+    dynamics.contact = law_of(contact, "dynamics.contact");
+  }
+  if (const toml::node* node = table.get("damping")) {
+    const toml::table& damping = table_of(*node, "dynamics.damping");
+    reject_unknown_keys(damping, "key of dynamics.damping", dynamics_keys().at("dynamics.damping"));
+    dynamics.damping = Damping{number_of(damping, "linear", "dynamics.damping", {0, kMost}).value_or(0),
+                               number_of(damping, "angular", "dynamics.damping", {0, kMost}).value_or(0)};
+  }
+  dynamics.step = number_of(table, "step", "dynamics", kPositive).value_or(dynamics.step);
+  dynamics.tolerance = number_of(table, "tolerance", "dynamics", {1e-9, 0.1}).value_or(dynamics.tolerance);
+  if (const toml::node* node = table.get("pair")) {
+    if (!node->is_array()) refuse(*node, "dynamics.pair must be a list of tables, [[dynamics.pair]]");
+    if (!dynamics.contact) refuse(*node, "dynamics.pair has no effect without dynamics.contact");
+    for (const toml::node& element : *node->as_array())
+      dynamics.pairs.push_back(read_pair(element, bodies_named));
+  }
+  return dynamics;
+}
+
+}  // namespace raygauge::cli

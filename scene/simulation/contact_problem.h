@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "scene/simulation/friction.h"
+#include "scene/simulation/near_pairs.h"
+#include "scene/simulation/simulated_body.h"
+
+namespace raygauge {
+
+/// A contact point of a problem: u_n + offset >= 0 is asked for.
+struct ContactUnknown {
+  int a = 0, b = 0;
+  Eigen::Vector3d at, normal;
+  double gap = 0;
+  double offset = 0;
+  std::optional<double> mu;
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< on a: a first guess, then the result
+};
+
+/// Contacts of many bodies, an island at a time: one that reacts joins its contacts, others do not. With
+/// friction named for one of them, the problem of the island is that of FrictionSolver; otherwise contacts
+/// have one unknown each.
+class ContactProblem {
+ public:
+  ContactProblem(int dimension, FrictionSolver* friction, SimulationCounters& counters)
+      : n_(dimension), friction_(friction), counters_(counters) {}
+
+  /// Finds the impulses and pushes the bodies. The largest relative residual.
+  double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
+
+ private:
+  double solve_island(std::vector<ContactUnknown*>& contacts, std::vector<SimulatedBody>& bodies);
+  double impulses(const std::vector<ContactUnknown*>& contacts, const Eigen::MatrixXd& W,
+                  const Eigen::VectorXd& q, Eigen::VectorXd& r);
+
+  int n_;
+  FrictionSolver* friction_;
+  SimulationCounters& counters_;
+};
+
+}  // namespace raygauge

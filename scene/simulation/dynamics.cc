@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/dynamics.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "raygauge/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw InvalidParameterError("dynamics: " + message); }
+
+bool is_in(const std::vector<int>& group, int body) {
+  return std::find(group.begin(), group.end(), body) != group.end();
+}
+
+void check_law(const ContactLaw& law) {
+  if (law.friction && !(*law.friction >= 0 && std::isfinite(*law.friction)))
+    refuse("friction must be 0 or more, and finite");
+  if (law.restitution && !(*law.restitution >= 0 && *law.restitution <= 1))
+    refuse("restitution must lie in [0, 1]");
+}
+
+void check_body(const Body& body, const BodyDynamics& how, int n) {
+  const std::string name = "body '" + body.name + "'";
+  if (!how.reacts()) return;
+  if (!body.motion->is_static()) refuse(name + " has a mass and follows a motion; give it one of both");
+  if (!std::isfinite(how.mass) || !how.inertia.allFinite()) refuse(name + ": mass or inertia is not finite");
+  if (!how.velocity.allFinite() || !how.spin.allFinite()) refuse(name + ": a velocity is not finite");
+  const Eigen::Matrix3d J =
+      n == 2 ? Eigen::Matrix3d(how.inertia(2, 2) * Eigen::Matrix3d::Identity()) : how.inertia;
+  if (J != J.transpose()) refuse(name + ": its inertia must be symmetric");
+  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J).eigenvalues();
+  if (!(moments[0] > 0)) refuse(name + ": its inertia must be positive definite");
+}
+
+std::string counted(std::size_t n, const char* one, const char* more) {
+  return std::to_string(n) + " " + (n == 1 ? one : more);
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::vector<std::string> explain_contact(const Dynamics& dynamics) {
+  if (!dynamics.contact) return {"contact: never computed; bodies pass through each other"};
+  std::vector<std::string> lines = {
+      "contact: of every pair of which one reacts; that none comes closer than -" +
+      short_number(dynamics.tolerance) + " of the smallest body's size is proven of every step"};
+  lines.emplace_back(dynamics.has_friction()
+                         ? "friction: Coulomb's law as exact cones, an island at a time, by Siconos numerics"
+                         : "friction: never computed; a contact has one unknown");
+  lines.emplace_back(dynamics.has_restitution() ? "restitution: Newton's law, at the proven time of impact"
+                                                : "restitution: never computed");
+  if (!dynamics.pairs.empty())
+    lines.push_back(counted(dynamics.pairs.size(), "exception", "exceptions") + " for pairs of groups");
+  return lines;
+}
+
+}  // namespace
+
+bool Dynamics::has_friction() const {
+  return contact && (contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const PairLaw& pair) {
+                       return pair.law.friction.has_value();
+                     }));
+}
+
+bool Dynamics::has_restitution() const {
+  return contact && (contact->restitution || std::any_of(pairs.begin(), pairs.end(), [](const PairLaw& pair) {
+                       return pair.law.restitution.has_value();
+                     }));
+}
+
+std::optional<ContactLaw> Dynamics::law_of(int a, int b) const {
+  if (!contact) return std::nullopt;
+  for (const PairLaw& pair : std::ranges::reverse_view(pairs)) {
+    const bool named = is_in(pair.group_1, a) && is_in(pair.group_2, b);
+    if (named || (is_in(pair.group_1, b) && is_in(pair.group_2, a))) return pair.law;
+  }
+  return contact;
+}
+
+void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
+  const int n = scene.dimension();
+  if (n != 2 && n != 3) refuse("bodies react in 2 or 3 dimensions, not in " + std::to_string(n));
+  if (dynamics.bodies.size() != scene.bodies.size()) refuse("every body of the scene needs its entry");
+  bool any = false;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    check_body(scene.bodies[b], dynamics.bodies[b], n);
+    any = any || dynamics.bodies[b].reacts();
+  }
+  if (!any) refuse("no body reacts; give one a density or a mass");
+  if (dynamics.gravity && !dynamics.gravity->allFinite()) refuse("gravity is not finite");
+  if (!(dynamics.step > 0 && std::isfinite(dynamics.step))) refuse("step must be positive");
+  if (!(dynamics.tolerance >= 1e-9 && dynamics.tolerance <= 0.1)) refuse("tolerance must lie in [1e-9, 0.1]");
+  if (dynamics.damping && !(dynamics.damping->linear >= 0 && dynamics.damping->angular >= 0 &&
+                            std::isfinite(dynamics.damping->linear + dynamics.damping->angular)))
+    refuse("damping must be 0 or more, and finite");
+  if (!dynamics.contact && !dynamics.pairs.empty()) refuse("pairs have no effect without contact");
+  if (dynamics.contact) check_law(*dynamics.contact);
+  for (const PairLaw& pair : dynamics.pairs) check_law(pair.law);
+}
+
+std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics) {
+  std::size_t reacting = 0;
+  for (const BodyDynamics& body : dynamics.bodies) reacting += body.reacts() ? 1U : 0U;
+  std::vector<std::string> lines = {counted(reacting, "body reacts", "bodies react") + ", " +
+                                    std::to_string(scene.bodies.size() - reacting) +
+                                    " stand or follow their motions and push; steps of " +
+                                    short_number(dynamics.step) + " s"};
+  lines.emplace_back(dynamics.gravity ? "gravity: constant; flights are exact" : "gravity: none");
+  lines.emplace_back(dynamics.damping ? "damping: of velocities, of second order"
+                                      : "damping: never computed");
+  const std::vector<std::string> contact = explain_contact(dynamics);
+  lines.insert(lines.end(), contact.begin(), contact.end());
+  return lines;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "raygauge/scene/scene.h"
+#include "scene/simulation/moments.h"
+
+namespace raygauge {
+
+/// What happens where bodies touch. What is not named is not computed.
+struct ContactLaw {
+  std::optional<double> friction;     ///< Coulomb's μ >= 0: |r_t| <= μ r_n
+  std::optional<double> restitution;  ///< Newton's e in [0, 1]: u_n after >= -e u_n before
+};
+
+/// A contact law for pairs of one body of each group, in place of that of all.
+struct PairLaw {
+  std::vector<int> group_1, group_2;
+  ContactLaw law;
+};
+
+/// Forces -c m v and torques -c L, with c in 1/s.
+struct Damping {
+  double linear = 0, angular = 0;
+};
+
+/// How a body reacts. In the plane vectors have zeros behind them and the inertia is its last entry.
+struct BodyDynamics {
+  double mass = 0;                                     ///< 0: it stands or follows its motion, and pushes
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();    ///< of mass, in the frame of the body
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();   ///< about it, in the axes of the body
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< of the centre of mass, at the start
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      ///< angular velocity, at the start, in space
+
+  bool reacts() const noexcept { return mass > 0; }
+};
+
+/// The effects of a simulation. What is not named here is not computed.
+struct Dynamics {
+  std::optional<Eigen::Vector3d> gravity;
+  std::optional<ContactLaw> contact;  ///< none: bodies pass through each other
+  std::vector<PairLaw> pairs;
+  std::optional<Damping> damping;
+  double step = 1e-3;                ///< the longest step in time
+  double tolerance = 1e-6;           ///< δ, relative to the reach of the smallest body that reacts
+  std::vector<BodyDynamics> bodies;  ///< of each body of the scene
+
+  /// The law of a pair, if any: of the last entry of `pairs` that names it, or that of all.
+  std::optional<ContactLaw> law_of(int a, int b) const;
+
+  /// Whether some law names them.
+  bool has_friction() const;
+  bool has_restitution() const;
+};
+
+/// Throws InvalidParameterError for what cannot be simulated: no body that reacts, another space than R^2 or
+/// R^3, numbers outside their ranges, exceptions for pairs where there is no contact.
+void check_dynamics(const Scene& scene, const Dynamics& dynamics);
+
+/// What will be computed, what never, and why: one sentence a line, for people.
+std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics);
+
+}  // namespace raygauge

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace raygauge {
+
+/// Contacts of one island. With impulses r = (r_n, r_t1, r_t2) and velocities u = W r + q of each contact:
+///
+///     0 <= r_n  ⊥  u_n >= 0,     |r_t| <= μ r_n,     r_t against u_t and on the rim where u_t != 0.
+struct FrictionProblem {
+  Eigen::MatrixXd W;       ///< 3c × 3c
+  Eigen::VectorXd q;       ///< 3c
+  std::vector<double> mu;  ///< c
+};
+
+/// Solves friction problems. One a thread.
+class FrictionSolver {
+ public:
+  virtual ~FrictionSolver() = default;
+  FrictionSolver(const FrictionSolver&) = delete;
+  FrictionSolver& operator=(const FrictionSolver&) = delete;
+
+  /// Writes r, which on entry is a first guess.
+  virtual void solve(const FrictionProblem& problem, Eigen::VectorXd& r) = 0;
+
+ protected:
+  FrictionSolver() = default;
+};
+
+/// How far r is from a solution, relative to |q|: with s = 1/‖W‖ and the velocities ũ = u + μ|u_t| e_n of De
+/// Saxcé, |r - P_K(r - s ũ)| / (s |q|), P_K the projection to the cones of friction. 0 for q = 0.
+double friction_residual(const FrictionProblem& problem, const Eigen::VectorXd& r);
+
+/// min ½ rᵀW r + qᵀr over r >= 0, W positive semidefinite: contacts without friction, 0 <= r ⊥ W r + q >= 0.
+/// Among velocities without approach it is the point nearest to the free one in the kinetic metric. Lawson
+/// and Hanson's active sets.
+Eigen::VectorXd nonnegative_solution(const Eigen::MatrixXd& W, const Eigen::VectorXd& q);
+
+/// The same measure for them: |r - max(0, r - s (W r + q))| / (s |q|).
+double nonnegative_residual(const Eigen::MatrixXd& W, const Eigen::VectorXd& q, const Eigen::VectorXd& r);
+
+}  // namespace raygauge

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/near_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace raygauge {
+namespace {
+
+constexpr double kOutward = 1 + 1e-9;
+
+Placement placement_of(const SimulatedBody& body, int n) {
+  return {SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
+}
+
+}  // namespace
+
+NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
+                     std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters)
+    : dynamics_(dynamics),
+      bodies_(bodies),
+      parts_(parts),
+      scales_(scales),
+      counters_(counters),
+      n_(scene.dimension()),
+      finder_(n_),
+      solver_(n_) {
+  std::set<BodyPair> ignored;
+  for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+    for (int j = i + 1; j < static_cast<int>(parts.size()); ++j) {
+      const int a = parts[static_cast<std::size_t>(i)].owner, b = parts[static_cast<std::size_t>(j)].owner;
+      const bool reacts =
+          bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
+      if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
+      if (const auto law = dynamics.law_of(a, b))
+        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), {}, -1});
+    }
+  }
+}
+
+// Of the ball around a part.
+Eigen::Vector3d NearPairs::middle(int part) const {
+  const SimulatedPart& p = parts_[static_cast<std::size_t>(part)];
+  const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();
+  c.head(n_) = p.real.ball.center;
+  return body.x + body.R * c;
+}
+
+// No point of a part moves farther within dt, as its body moves.
+double NearPairs::travel(int part, double t, double dt) const {
+  const SimulatedPart& p = parts_[static_cast<std::size_t>(part)];
+  const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
+  if (body.motion != nullptr) return body.motion->bound(t, t + dt).speed(p.real.reach) * dt;
+  const double g = dynamics_.gravity ? dynamics_.gravity->norm() : 0.0;
+  return (body.v.norm() + g * dt + body.spin.norm() * p.real.reach) * dt;
+}
+
+bool NearPairs::may_meet(const Candidate& candidate, double t, double dt, double beyond) {
+  ++counters_.ball_tests;
+  const auto a = static_cast<std::size_t>(candidate.part_a), b = static_cast<std::size_t>(candidate.part_b);
+  const Eigen::Vector3d from = middle(candidate.part_a), to = middle(candidate.part_b);
+  const double radii = parts_[a].real.ball.radius + parts_[b].real.ball.radius;
+  const double reached = radii + travel(candidate.part_a, t, dt) + travel(candidate.part_b, t, dt) + beyond;
+  return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
+}
+
+void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
+                     PartContact& contact) {
+  ++counters_.contact_queries;
+  const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].real.parts.front().set;
+  const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].real.parts.front().set;
+  const Pose pose_a(Eigen::MatrixXd(at_a.R), Eigen::VectorXd(at_a.t)),
+      pose_b(Eigen::MatrixXd(at_b.R), Eigen::VectorXd(at_b.t));
+  WarmStart warm = candidate.warm;
+  finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, warm, contact);
+}
+
+// Before its step, a body's motion is not known: its travel is that of its velocities.
+std::vector<NearPair>& NearPairs::find(double t, double dt) {
+  near_.clear();
+  for (Candidate& candidate : candidates_) {
+    candidate.near = -1;
+    const double beyond = scales_.delta;
+    if (!may_meet(candidate, t, dt, beyond)) continue;
+    NearPair pair{candidate.part_a,
+                  candidate.part_b,
+                  parts_[static_cast<std::size_t>(candidate.part_a)].owner,
+                  parts_[static_cast<std::size_t>(candidate.part_b)].owner,
+                  candidate.law,
+                  {},
+                  PairRole::apart,
+                  0};
+    const double band = 2 * (travel(pair.part_a, t, dt) + travel(pair.part_b, t, dt)) + scales_.delta;
+    look(candidate, placement_of(bodies_[static_cast<std::size_t>(pair.a)], n_),
+         placement_of(bodies_[static_cast<std::size_t>(pair.b)], n_), band, pair.contact);
+    candidate.normal = pair.contact.normal;
+    candidate.near = static_cast<int>(near_.size());
+    near_.push_back(std::move(pair));
+  }
+  return near_;
+}
+
+double NearPairs::closer_than(const NearPair& pair, double end, double allowed) {
+  const auto candidate = std::find_if(candidates_.begin(), candidates_.end(), [&pair](const Candidate& one) {
+    return one.part_a == pair.part_a && one.part_b == pair.part_b;
+  });
+  PartContact then;
+  look(*candidate, bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
+       bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then);
+  return std::min(0.0, then.lower - allowed);
+}
+
+void NearPairs::hand_motions() {
+  for (SimulatedPart& part : parts_) {
+    part.real.motion = part.shrunk.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
+  }
+}
+
+double NearPairs::proven_until(double t, double end) {
+  hand_motions();
+  nothing_touched_ = true;
+  double proven = end;
+  for (const Candidate& candidate : candidates_) {
+    if (!may_meet(candidate, t, end - t, scales_.arrival())) continue;
+    proven = std::min(proven, proven_pair(candidate, t, proven));
+    if (!(proven > t)) break;
+  }
+  return proven;
+}
+
+// Without a contact up to there, or with one exactly there.
+double NearPairs::free_until(const Body& a, const Body& b, double from, double to, double contact) {
+  constexpr std::int64_t kMostSteps = 2000;
+  if (!(from < to)) return from;
+  ++counters_.motion_proofs;
+  ContinuousOptions options;
+  options.from = from;
+  options.to = to;
+  options.contact = contact;
+  options.max_steps = kMostSteps;
+  const ImpactResult found = solver_.time_of_impact(a, b, options);
+  return found.outcome == ImpactResult::Outcome::free ? to : found.lower;
+}
+
+double NearPairs::proven_pair(const Candidate& candidate, double t, double end) {
+  constexpr double kNearly = 1e-3;
+  const SimulatedPart& a = parts_[static_cast<std::size_t>(candidate.part_a)];
+  const SimulatedPart& b = parts_[static_cast<std::size_t>(candidate.part_b)];
+  const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
+  if (near == nullptr || near->role == PairRole::apart)
+    return free_until(a.real, b.real, t, end, scales_.arrival());
+  nothing_touched_ = false;
+  if (near->role == PairRole::contact) return free_until(a.shrunk, b.shrunk, t, end, kNearly * scales_.delta);
+  // Bodies that leave each other: until they are as far as a new impact needs, the shrunk ones.
+  double slowest = std::numeric_limits<double>::infinity();
+  const SimulatedBody &body_a = bodies_[static_cast<std::size_t>(a.owner)],
+                      &body_b = bodies_[static_cast<std::size_t>(b.owner)];
+  for (const GapPoint& point : near->contact.points) {
+    slowest = std::min(
+        slowest, (body_a.velocity_at(point.at) - body_b.velocity_at(point.at)).dot(near->contact.normal));
+  }
+  const double away = std::min(end, t + 2 * scales_.delta / std::max(slowest, 1e-300));
+  const double first = free_until(a.shrunk, b.shrunk, t, away, kNearly * scales_.delta);
+  return first < away ? first : std::max(away, free_until(a.real, b.real, away, end, scales_.arrival()));
+}
+
+}  // namespace raygauge

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "raygauge/scene/continuous.h"
+#include "scene/simulation/contact_finder.h"
+#include "scene/simulation/simulated_body.h"
+#include "scene/simulation/simulation.h"
+
+namespace raygauge {
+
+/// What a step does with two parts that are near each other.
+enum class PairRole : std::uint8_t {
+  apart,    ///< it takes care that they do not touch before its end
+  contact,  ///< they belong to the contact problem
+  leaving,  ///< they touch and separate
+};
+
+/// Two parts that may meet within a step.
+struct NearPair {
+  int part_a = 0, part_b = 0;
+  int a = 0, b = 0;  ///< bodies
+  ContactLaw law;
+  PartContact contact;
+  PairRole role = PairRole::apart;
+  double correction = 0;  ///< <= 0: what the end of the step was closer than its contact problem said
+};
+
+/// Distances that matter, in units of the scene.
+struct ContactScales {
+  double delta = 0;                                       ///< δ
+  double touching() const noexcept { return delta / 2; }  ///< from here on bodies touch
+  double arrival() const noexcept { return delta / 4; }   ///< the distance at which an impact is computed
+};
+
+/// Which parts are near each other, and what is proven of them over a substep. One a simulation.
+class NearPairs {
+ public:
+  NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
+            std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters);
+
+  /// The pairs that may meet within dt, where the bodies are now, with their contacts.
+  std::vector<NearPair>& find(double t, double dt);
+
+  /// Looks again where the bodies are at the end of their motions; how much closer that is than `allowed`, or
+  /// 0.
+  double closer_than(const NearPair& pair, double end, double allowed);
+
+  /// The time up to which it is proven that no pair comes closer than -δ, as the bodies' motions have them.
+  /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.
+  double proven_until(double t, double end);
+
+  /// Whether all that the last proof was about stayed apart.
+  bool nothing_touched() const noexcept { return nothing_touched_; }
+
+ private:
+  struct Candidate {
+    int part_a, part_b;
+    ContactLaw law;
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+    WarmStart warm;
+    int near = -1;  ///< its number among the near pairs
+  };
+
+  bool may_meet(const Candidate& candidate, double t, double dt, double beyond);
+  Eigen::Vector3d middle(int part) const;
+  double travel(int part, double t, double dt) const;
+  void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
+            PartContact& contact);
+  double proven_pair(const Candidate& candidate, double t, double end);
+  double free_until(const Body& a, const Body& b, double from, double to, double contact);
+  void hand_motions();
+
+  const Dynamics& dynamics_;
+  const std::vector<SimulatedBody>& bodies_;
+  std::vector<SimulatedPart>& parts_;
+  ContactScales scales_;
+  SimulationCounters& counters_;
+  int n_;
+  std::vector<Candidate> candidates_;
+  std::vector<NearPair> near_;
+  ContactFinder finder_;
+  ContinuousSolver solver_;
+  bool nothing_touched_ = true;
+};
+
+}  // namespace raygauge

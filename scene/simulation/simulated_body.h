@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Dense>
+
+#include "raygauge/scene/body.h"
+#include "scene/simulation/dynamics.h"
+#include "scene/simulation/free_rotation.h"
+#include "scene/simulation/piecewise_motion.h"
+
+namespace raygauge {
+
+/// A body of a simulation: its origin is its centre of mass. In the plane vectors have zeros behind them.
+struct SimulatedBody {
+  double mass = 0;  ///< 0: it stands or follows its motion
+  double inverse_mass = 0;
+  Rotor rotor;
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  Eigen::Vector3d L = Eigen::Vector3d::Zero();     ///< angular momentum about x, of one that reacts
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();  ///< angular velocity
+  MotionPointer motion;  ///< over the substep in work; of bodies that do not react, all of it
+  MotionPiece piece;     ///< the same, of one that reacts
+
+  bool reacts() const noexcept { return mass > 0; }
+  Eigen::Matrix3d inverse_inertia() const { return R * rotor.J_inverse * R.transpose(); }
+
+  /// Adds an impulse p at a point.
+  void push(const Eigen::Vector3d& p, const Eigen::Vector3d& at) {
+    v += inverse_mass * p;
+    L += (at - x).cross(p);
+    spin = rotor.spin(R, L);
+  }
+
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const { return v + spin.cross(point - x); }
+
+  double kinetic_energy() const { return reacts() ? (mass * v.squaredNorm() + spin.dot(L)) / 2 : 0; }
+};
+
+/// One convex part, as the body that it is alone.
+struct SimulatedPart {
+  int owner = 0;
+  Body real;
+  Body shrunk;  ///< by a share of δ: see shrunk_set()
+};
+
+}  // namespace raygauge

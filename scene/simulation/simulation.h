@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "raygauge/scene/scene.h"
+#include "scene/simulation/dynamics.h"
+#include "scene/simulation/friction.h"
+#include "scene/simulation/piecewise_motion.h"
+
+namespace raygauge {
+
+/// A contact that carried an impulse.
+struct ContactRecord {
+  std::int64_t step = 0;
+  double time = 0;  ///< of the beginning of the substep; of an impact, its moment
+  std::int32_t body_a = 0, body_b = 0;
+  bool impact = false;            ///< by Newton's law of restitution, at one moment
+  Eigen::Vector3d point, normal;  ///< in space; the normal points from b to a
+  double gap = 0;
+  Eigen::Vector3d impulse;  ///< on a, during the substep or at the impact
+};
+
+/// What is known of one step.
+struct StepRecord {
+  double time = 0;            ///< of its end
+  std::int64_t substeps = 0;  ///< 1 + how often it was cut
+  std::int64_t impacts = 0;   ///< impact laws evaluated
+  std::int64_t contacts = 0;  ///< points of contact problems solved
+  double residual = 0;        ///< the largest of those problems, see friction_residual()
+  double least_distance = 0;  ///< proven: no pair came closer at any time of the step; -infinity: unproven
+  double kinetic = 0, potential = 0;
+  Eigen::Vector3d momentum, angular_momentum;  ///< of all bodies that react, about the origin
+};
+
+/// How often what was computed; what is not named in Dynamics stays 0.
+struct SimulationCounters {
+  std::int64_t ball_tests = 0;       ///< pairs of parts apart by their bounding balls and speeds
+  std::int64_t contact_queries = 0;  ///< signed distances with contact points
+  std::int64_t motion_proofs = 0;    ///< proofs about a pair over a substep
+  std::int64_t friction_problems = 0, frictionless_problems = 0, impact_problems = 0;
+  std::int64_t damped_velocities = 0;
+};
+
+/// A simulated scene: its bodies, moved so that their origins are their centres of mass, under the motions
+/// that were computed.
+struct Simulation {
+  Scene scene;
+  std::vector<ContactRecord> contacts;
+  std::vector<StepRecord> steps;
+  SimulationCounters counters;
+  double tolerance = 0;  ///< δ, in units of the scene
+  bool stopped = false;
+};
+
+struct SimulationHooks {
+  std::function<bool()> stop;                  ///< true: end after this step
+  std::function<void(double share)> progress;  ///< of the time that is done
+};
+
+/// Lets the bodies of the scene react, from its first instant to its last, in steps of at most dynamics.step:
+/// free flight exact for constant forces, contacts by Moreau and Jean's time stepping in velocities and
+/// impulses, restitution at proven times of impact. Of every step it is proven that no pair of bodies comes
+/// closer than -δ; a step of which that is not so is cut where the proof ends.
+///
+/// `friction` solves contact problems with friction; nullptr where no law names any. Throws what
+/// check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at the start.
+Simulation simulate(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction,
+                    const SimulationHooks& hooks = {});
+
+}  // namespace raygauge

@@ -1,0 +1,419 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/numerics/floating_point.h"
+#include "raygauge/exceptions.h"
+#include "scene/simulation/similar_set.h"
+
+namespace raygauge {
+namespace {
+
+constexpr int kMostTrials = 12;      // of one substep, shorter each time
+constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
+constexpr int kMostCorrections = 3;  // of one contact problem
+constexpr double kShrink = 0.45;     // of δ, for each body of a pair: what is left covers rounding
+constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
+
+Eigen::Vector3d in_space(const SmallVector& v) {
+  Eigen::Vector3d all = Eigen::Vector3d::Zero();
+  all.head(v.size()) = v;
+  return all;
+}
+
+// Made orthonormal again: what a turn by rounded numbers loses, squared.
+Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
+  return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
+}
+
+Eigen::Matrix3d in_space(const SmallMatrix& R) {
+  Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  all.topLeftCorner(R.rows(), R.cols()) = R;
+  return all;
+}
+
+Body about_center(const Body& body, const Eigen::Vector3d& center) {
+  const int n = body.dimension();
+  if (center.isZero(0)) return body;
+  std::vector<std::shared_ptr<const ConvexSet>> parts;
+  for (const BodyPart& part : body.parts)
+    parts.push_back(similar_set(part.set, 1, SmallVector(-center.head(n))));
+  const Placement at = body.motion->at(0);
+  return make_body(
+      body.name, parts,
+      std::make_shared<StaticMotion>(Placement{at.R, at.R * SmallVector(center.head(n)) + at.t}));
+}
+
+}  // namespace
+
+Simulator::Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction)
+    : dynamics_(dynamics), n_(scene.dimension()), problem_(n_, friction, out_.counters) {
+  check_dynamics(scene, dynamics);
+  if (friction == nullptr && dynamics.has_friction())
+    throw InvalidParameterError("dynamics: friction needs a solver");
+  out_.scene = scene;
+  t_ = scene.instants.front();
+  double smallest = kInfinity;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    add_body(scene.bodies[b], dynamics.bodies[b]);
+    if (dynamics.bodies[b].reacts()) smallest = std::min(smallest, out_.scene.bodies[b].ball.radius);
+  }
+  scales_.delta = out_.tolerance = dynamics.tolerance * smallest;
+  make_parts();
+  pairs_.emplace(scene, dynamics, bodies_, parts_, scales_, out_.counters);
+}
+
+void Simulator::add_body(const Body& body, const BodyDynamics& how) {
+  Body& own = out_.scene.bodies[bodies_.size()];
+  SimulatedBody one;
+  one.motion = body.motion;
+  if (how.reacts()) {
+    own = about_center(body, how.center);
+    const Placement at = own.motion->at(t_);
+    one.mass = how.mass;
+    one.inverse_mass = 1 / how.mass;
+    one.rotor.J =
+        n_ == 2 ? Eigen::Matrix3d(Eigen::Vector3d(1, 1, how.inertia(2, 2)).asDiagonal()) : how.inertia;
+    one.rotor.J_inverse = one.rotor.J.inverse();
+    one.x = in_space(at.t);
+    one.R = in_space(at.R);
+    one.v = how.velocity;
+    one.spin = how.spin;
+    one.L = one.R * one.rotor.J * one.R.transpose() * how.spin;
+    one.motion = nullptr;
+  }
+  bodies_.push_back(std::move(one));
+  pieces_.emplace_back();
+}
+
+void Simulator::make_parts() {
+  if (!dynamics_.contact) return;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = out_.scene.bodies[b];
+    for (const BodyPart& part : body.parts) {
+      parts_.push_back({static_cast<int>(b), make_body(body.name, {part.set}, body.motion),
+                        make_body(body.name, {shrunk_set(part.set, kShrink * scales_.delta)}, body.motion)});
+    }
+  }
+}
+
+void Simulator::refuse_overlaps() {
+  follow_motions();
+  for (const NearPair& pair : pairs_->find(t_, 0)) {
+    if (!(pair.contact.overlap > scales_.delta)) continue;
+    const auto name = [this](int body) {
+      return "'" + out_.scene.bodies[static_cast<std::size_t>(body)].name + "'";
+    };
+    throw InvalidParameterError("dynamics: bodies " + name(pair.a) + " and " + name(pair.b) +
+                                " overlap at the start, by " + std::to_string(pair.contact.overlap) +
+                                " at least");
+  }
+}
+
+Simulation Simulator::run(const SimulationHooks& hooks) {
+  refuse_overlaps();
+  const double from = t_, to = out_.scene.instants.back();
+  const auto count = static_cast<std::int64_t>(std::ceil((to - from) / dynamics_.step * (1 - 1e-12)));
+  for (std::int64_t k = 1; k <= count && !out_.stopped; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count);
+    row_ = StepRecord();
+    step(k == count ? to : from + share * (to - from));
+    record_step();
+    if (hooks.progress) hooks.progress(share);
+    out_.stopped = hooks.stop && hooks.stop();
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const SimulatedBody& body = bodies_[b];
+    if (!body.reacts() || pieces_[b].empty()) continue;
+    out_.scene.bodies[b].motion = std::make_shared<PiecewiseMotion>(std::move(pieces_[b]), t_);
+  }
+  return std::move(out_);
+}
+
+// Until the end of the step, no further than bodies that are driven keep their velocities, and than one turn
+// of a radian of bodies that turn about no principal axis.
+double Simulator::longest_substep(double to) const {
+  double dt = to - t_;
+  for (const SimulatedBody& body : bodies_) {
+    if (!body.reacts()) dt = std::min(dt, body.motion->next_break(t_) - t_);
+    if (body.reacts() && n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt))
+      dt = std::min(dt, 0.5 / body.spin.norm());
+  }
+  return dt;
+}
+
+void Simulator::follow_motions() {
+  for (SimulatedBody& body : bodies_) {
+    if (body.reacts()) {
+      body.motion = nullptr;
+      continue;
+    }
+    const Placement at = body.motion->at(t_);
+    const MotionBound bound = body.motion->bound(t_, t_);
+    body.x = in_space(at.t);
+    body.R = in_space(at.R);
+    body.v = in_space(bound.velocity);
+    body.spin = bound.spin;
+  }
+}
+
+void Simulator::step(double to) {
+  bounces_ = 0;
+  end_of_step_ = to;
+  while (t_ < to) {
+    const double dt = longest_substep(to);
+    follow_motions();
+    near_ = &pairs_->find(t_, dt);
+    choose_roles(dt);
+    if (bounce()) {
+      while (bounce()) {
+      }
+      continue;
+    }
+    if (!move(dt)) row_.least_distance = -kInfinity;
+  }
+}
+
+// How fast a point of contact closes, now.
+double Simulator::approach(const NearPair& pair, const GapPoint& point) const {
+  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                      &b = bodies_[static_cast<std::size_t>(pair.b)];
+  return -(a.velocity_at(point.at) - b.velocity_at(point.at)).dot(pair.contact.normal);
+}
+
+// The acceleration at which gravity presses them together.
+double Simulator::pressing(const NearPair& pair) const {
+  if (!dynamics_.gravity) return 0;
+  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                      &b = bodies_[static_cast<std::size_t>(pair.b)];
+  const double share = (a.reacts() ? 1.0 : 0.0) - (b.reacts() ? 1.0 : 0.0);
+  return -share * dynamics_.gravity->dot(pair.contact.normal);
+}
+
+// A rebound is computed where it leads farther away than δ, before the bodies meet again or within a step.
+bool Simulator::is_rebound(const NearPair& pair, double approach) const {
+  const double speed = pair.law.restitution.value_or(0) * approach;
+  if (!(speed > 0) || bounces_ > kMostBounces) return false;
+  const double a = pressing(pair);
+  return (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
+}
+
+PairRole Simulator::role_of(const NearPair& pair, double dt) const {
+  double fastest = -kInfinity;
+  for (const GapPoint& point : pair.contact.points) fastest = std::max(fastest, approach(pair, point));
+  const double a = pressing(pair), speed = std::fabs(fastest);
+  const bool far = (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
+  if (pair.contact.lower <= scales_.touching())
+    return fastest < 0 && far ? PairRole::leaving : PairRole::contact;
+  const bool meets = pair.contact.lower - dt * fastest - std::max(a, 0.0) * dt * dt <= 0;
+  return meets && !far ? PairRole::contact : PairRole::apart;
+}
+
+void Simulator::choose_roles(double dt) {
+  for (NearPair& pair : *near_) {
+    pair.role = role_of(pair, dt);
+    pair.correction = 0;
+  }
+}
+
+// Newton's law at the points that touch and close: u_n after = -e u_n before, with friction. Points that do
+// not close have no part in it: blows go on from body to body. False: none closes so fast that it rebounds.
+bool Simulator::bounce() {
+  bool any = false;
+  std::vector<ContactUnknown> contacts;
+  for (const NearPair& pair : *near_) {
+    if (pair.contact.lower > scales_.touching()) continue;
+    for (const GapPoint& point : pair.contact.points) {
+      if (point.gap > scales_.touching()) continue;
+      const double speed = approach(pair, point);
+      if (!(speed > 0)) continue;
+      const bool rebound = is_rebound(pair, speed);
+      any = any || rebound;
+      contacts.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
+                          rebound ? -*pair.law.restitution * speed : 0.0, pair.law.friction,
+                          Eigen::Vector3d::Zero()});
+    }
+  }
+  if (!any) return false;
+  ++bounces_;
+  ++row_.impacts;
+  ++out_.counters.impact_problems;
+  row_.residual = std::max(row_.residual, problem_.solve(contacts, bodies_));
+  record_contacts(contacts, true);
+  return true;
+}
+
+// One substep of at most dt, shorter where the proof ends; false: its end could not be proven.
+bool Simulator::move(double dt) {
+  const std::vector<SimulatedBody> before = bodies_;
+  const double shortest = kShortest * dynamics_.step;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    bodies_ = before;
+    bool possible = push_and_move(dt, before);
+    for (int k = 0; possible && k < kMostCorrections && corrected(dt); ++k) {
+      bodies_ = before;
+      possible = push_and_move(dt, before);
+    }
+    if (!possible) {
+      dt /= 2;
+      continue;
+    }
+    const double end = end_of(dt);
+    const double proven = dynamics_.contact ? pairs_->proven_until(t_, end) : end;
+    if (proven >= end) {
+      if (!pairs_->nothing_touched()) row_.least_distance = std::min(row_.least_distance, -scales_.delta);
+      commit(end);
+      return true;
+    }
+    if (proven - t_ < shortest) break;
+    dt = trial < 3 ? proven - t_ : std::min(proven - t_, dt / 2);
+    bodies_ = before;
+    choose_roles(dt);
+  }
+  if (!push_and_move(dt, bodies_ = before)) throw InvalidParameterError("dynamics: a body spins too fast");
+  commit(end_of(dt));
+  return false;
+}
+
+// Forces, impulses, then the motions over dt. False where a body turns too far for one.
+bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& before) {
+  for (SimulatedBody& body : bodies_) {
+    if (body.reacts()) accelerate(body, dt);
+  }
+  contacts_.clear();
+  for (const NearPair& pair : *near_) {
+    if (pair.role != PairRole::contact) continue;
+    for (const GapPoint& point : pair.contact.points) {
+      // An overlap is given the time of a whole step to go.
+      const double now = point.gap < 0 ? point.gap / dynamics_.step : point.gap / dt;
+      contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
+                           now + pair.correction / dt, pair.law.friction, guess(pair, point)});
+    }
+  }
+  if (!contacts_.empty()) row_.residual = std::max(row_.residual, problem_.solve(contacts_, bodies_));
+  std::vector<bool> pushed(bodies_.size());
+  for (const ContactUnknown& contact : contacts_) {
+    if (contact.impulse.isZero(0)) continue;
+    pushed[static_cast<std::size_t>(contact.a)] = pushed[static_cast<std::size_t>(contact.b)] = true;
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed[b])) return false;
+  }
+  return true;
+}
+
+// The impulse of the substep before at the same point.
+Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) const {
+  const double near = 1e-2 * out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach;
+  for (const ContactUnknown& before : last_) {
+    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near) return before.impulse;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+// Damping by the midpoint rule: v' = g - c v.
+void Simulator::accelerate(SimulatedBody& body, double dt) {
+  const Eigen::Vector3d g = dynamics_.gravity.value_or(Eigen::Vector3d::Zero());
+  if (!dynamics_.damping) {
+    body.v += dt * g;
+    return;
+  }
+  ++out_.counters.damped_velocities;
+  const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
+  body.v = ((1 - c) * body.v + dt * g) / (1 + c);
+  body.L *= (1 - d) / (1 + d);
+  body.spin = body.rotor.spin(body.R, body.L);
+}
+
+// A body that was pushed moves at its new velocity, one in flight on its parabola.
+bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
+  TwistMotion::Rates rates;
+  const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
+  const auto spin = n_ == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
+                            : constant_spin(body.rotor, body.R, L, dt);
+  if (!spin) return false;
+  rates.spin = *spin;
+  rates.velocity = SmallVector((pushed ? body.v : before.v).head(n_));
+  if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n_));
+  const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
+  body.motion = std::make_shared<TwistMotion>(first, rates, t_);
+  body.piece = {t_, first, rates};
+  return true;
+}
+
+// Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
+// more.
+bool Simulator::corrected(double dt) {
+  bool any = false;
+  for (NearPair& pair : *near_) {
+    if (pair.role != PairRole::contact) continue;
+    const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                        &b = bodies_[static_cast<std::size_t>(pair.b)];
+    const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
+    const double reach = out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach +
+                         out_.scene.bodies[static_cast<std::size_t>(pair.b)].reach;
+    if (turn * turn * std::min(reach, 1e150) < scales_.delta / 8) continue;
+    const double closer =
+        pairs_->closer_than(pair, end_of(dt), std::min(0.0, pair.contact.lower) - scales_.delta / 8);
+    if (closer < 0) pair.correction += closer - scales_.delta / 8;
+    any = any || closer < 0;
+  }
+  return any;
+}
+
+double Simulator::end_of(double dt) const {
+  const double end = t_ + dt;
+  return end_of_step_ - end < 1e-12 * dynamics_.step ? end_of_step_ : end;
+}
+
+void Simulator::commit(double end) {
+  ++row_.substeps;
+  row_.contacts += static_cast<std::int64_t>(contacts_.size());
+  record_contacts(contacts_, false);
+  last_ = contacts_;
+  bounces_ = 0;
+  t_ = end;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    SimulatedBody& body = bodies_[b];
+    if (!body.reacts()) continue;
+    pieces_[b].push_back(body.piece);
+    const Placement at = body.motion->at(t_);
+    body.x = in_space(at.t);
+    body.R = polished(in_space(at.R));
+    body.spin = body.rotor.spin(body.R, body.L);
+  }
+}
+
+void Simulator::record_contacts(const std::vector<ContactUnknown>& contacts, bool impact) {
+  for (const ContactUnknown& contact : contacts) {
+    if (contact.impulse.isZero(0)) continue;
+    out_.contacts.push_back({static_cast<std::int64_t>(out_.steps.size()), t_, contact.a, contact.b, impact,
+                             contact.at, contact.normal, contact.gap, contact.impulse});
+  }
+}
+
+void Simulator::record_step() {
+  row_.time = t_;
+  row_.momentum.setZero();
+  row_.angular_momentum.setZero();
+  for (const SimulatedBody& body : bodies_) {
+    if (!body.reacts()) continue;
+    row_.kinetic += body.kinetic_energy();
+    if (dynamics_.gravity) row_.potential -= body.mass * dynamics_.gravity->dot(body.x);
+    row_.momentum += body.mass * body.v;
+    row_.angular_momentum += body.L + body.x.cross(body.mass * body.v);
+  }
+  out_.steps.push_back(row_);
+}
+
+Simulation simulate(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction,
+                    const SimulationHooks& hooks) {
+  return Simulator(scene, dynamics, friction).run(hooks);
+}
+
+}  // namespace raygauge

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "scene/simulation/contact_problem.h"
+#include "scene/simulation/near_pairs.h"
+#include "scene/simulation/simulation.h"
+
+namespace raygauge {
+
+/// The work of simulate(): steps in time.
+class Simulator {
+ public:
+  Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction);
+
+  Simulation run(const SimulationHooks& hooks);
+
+ private:
+  void add_body(const Body& body, const BodyDynamics& how);
+  void make_parts();
+  void refuse_overlaps();
+  void step(double to);
+  double longest_substep(double to) const;
+  void follow_motions();
+  void choose_roles(double dt);
+  PairRole role_of(const NearPair& pair, double dt) const;
+  bool is_rebound(const NearPair& pair, double approach) const;
+  bool bounce();
+  bool move(double dt);
+  double end_of(double dt) const;
+  bool push_and_move(double dt, const std::vector<SimulatedBody>& before);
+  void accelerate(SimulatedBody& body, double dt);
+  bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
+  bool corrected(double dt);
+  Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
+  void commit(double end);
+  void record_contacts(const std::vector<ContactUnknown>& contacts, bool impact);
+  void record_step();
+  double pressing(const NearPair& pair) const;
+  double approach(const NearPair& pair, const GapPoint& point) const;
+
+  const Dynamics& dynamics_;
+  int n_;
+  Simulation out_;
+  std::vector<SimulatedBody> bodies_;
+  std::vector<SimulatedPart> parts_;
+  ContactScales scales_;
+  std::optional<NearPairs> pairs_;
+  ContactProblem problem_;
+  double t_ = 0;
+  double end_of_step_ = 0;
+  std::vector<std::vector<MotionPiece>> pieces_;  // by body
+  std::vector<NearPair>* near_ = nullptr;
+  std::vector<ContactUnknown> contacts_;  // of the substep in work
+  std::vector<ContactUnknown> last_;      // of the one before
+  StepRecord row_;
+  int bounces_ = 0;  // at this moment
+};
+
+}  // namespace raygauge
