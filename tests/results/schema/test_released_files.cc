@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// Files that released versions wrote, which every later version reads: of 0.2 a sweep, what `kill -9` left of a
-// sweep, and a scene. The experiments are in the files.
+// Files that released versions wrote, which every later version reads: of 0.2 a sweep, what `kill -9` left of
+// a sweep, and a scene. The experiments are in the files.
 #include <gtest/gtest.h>
 
 #include <cmath>
