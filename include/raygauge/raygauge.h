@@ -8,6 +8,7 @@
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 #include "raygauge/methods/validate.h"
+#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/membership.h"

@@ -5,9 +5,11 @@
 #include <string>
 #include <tuple>
 
+#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
@@ -232,6 +234,35 @@ TEST(RepeatedDepth, AllocatesNothing) {
       EXPECT_EQ(r.depth.status, DistanceStatus::optimal);
     }
     EXPECT_EQ(allocations - before, 0);
+  }
+}
+
+// Gradients by pose and contact patches of bodies with faces, edges and curved surfaces.
+TEST(RepeatedContact, AllocatesNothing) {
+  Random random(14);
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const Box box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+  const PreparedSet hull(sphere_points(3, 200, random));
+  const Ball ball(zero, 1), metric(zero, 1.0);
+  const TruncatedCone cone(Eigen::Vector3d(0, 0, -1), 0.5, Eigen::Vector3d(0, 0, 1), 0.25);
+  for (const ConvexSet* A : {static_cast<const ConvexSet*>(&box), static_cast<const ConvexSet*>(&hull),
+                             static_cast<const ConvexSet*>(&ball), static_cast<const ConvexSet*>(&cone)}) {
+    ObjectDistanceSolver distance;
+    GrowthDistanceSolver growth;
+    ContactPatchSolver patch;
+    PoseGradient gradient;
+    for (const double height : {2.001, 1.9}) {
+      const Pose pose(Eigen::Quaterniond(1, 0, 0, 0.2), Eigen::Vector3d(0.1, 0.2, height));
+      const auto effects = ObjectEffects::depth | ObjectEffects::pose_gradient;
+      long before = 0;
+      for (int repetition = 0; repetition < 3; ++repetition) {
+        before = allocations;
+        distance.solve({box}, {*A, pose}, metric, effects);
+        growth.solve_about_centers({box}, {*A, pose}, nullptr, &gradient);
+        patch.solve({box}, {*A, pose}, 0.05);
+      }
+      EXPECT_EQ(allocations - before, 0);
+    }
   }
 }
 

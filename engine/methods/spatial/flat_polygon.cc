@@ -113,9 +113,8 @@ void FlatPolygon::merge(double size) {
     return;
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    if (kept > 0 && distance(corners_[kept - 1], corners_[i]) <= size) continue;
-    corners_[kept++] = corners_[i];
+  for (const FlatPoint& corner : corners_) {
+    if (kept == 0 || distance(corners_[kept - 1], corner) > size) corners_[kept++] = corner;
   }
   while (kept > 2 && distance(corners_[kept - 1], corners_[0]) <= size) --kept;
   corners_.resize(kept);

@@ -91,8 +91,8 @@ void check_distances(double away, double tolerance, bool overlapping) {
       const ObjectDistance r = solver.solve({*A1, p1}, {*A2, p2}, Q, kWanted);
       if ((r.depth.evaluations > 0) != overlapping) continue;
       EXPECT_EQ(r.pose_gradient.kind, GradientKind::unique) << name_1 << ' ' << name_2;
-      const auto value = [&](const Pose& a, const Pose& b) {
-        return solver.solve({*A1, a}, {*A2, b}, Q, ObjectEffects::depth).signed_distance();
+      const auto value = [&, &first = *A1, &second = *A2](const Pose& a, const Pose& b) {
+        return solver.solve({first, a}, {second, b}, Q, ObjectEffects::depth).signed_distance();
       };
       errors.push_back(error_of(r.pose_gradient, value, p1, p2));
       EXPECT_LT(errors.back(), 1e-2) << name_1 << ' ' << name_2;

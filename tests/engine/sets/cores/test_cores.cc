@@ -87,5 +87,55 @@ TEST(EllipsoidCore, HasItsHighestPoint) {
   }
 }
 
+// Of a frustum the corners on its disc that are within the margin, and the highest point unless all are; a
+// tilt makes them fewer. In both arithmetics.
+TEST(FrustumCore, HasTheFaceThatIsWithinTheMargin) {
+  SpatialShape shape = frustum();
+  const Vector3 way = shape.top - shape.base;
+  shape.axis.column[0] = way * (1 / length(way));
+  const FrustumCore core{shape};
+  const Vector3 side = any_orthogonal(shape.axis.column[0]);
+  for (const double tilt : {0.0, 1e-3, 0.1, 0.5}) {
+    const Vector3 v = -shape.axis.column[0] + side * tilt;
+    const double margin = 0.01, top = core.look(v, InstructionSet::automatic).height(FrustumCore::kBase);
+    int count = 0, precise_count = 0;
+    bool has_highest = false;
+    core.face(v, margin, InstructionSet::automatic, [&](const Vector3& x) {
+      ++count;
+      EXPECT_GE(dot(v, x), top - margin - 1e-15);
+      EXPECT_NEAR(length(x - shape.base), shape.base_radius, 1e-14);
+      has_highest = has_highest || dot(v, x) >= top - 1e-15;
+    });
+    core.face(precise(v), margin, InstructionSet::automatic, [&](const PreciseVector3&) { ++precise_count; });
+    EXPECT_EQ(count, precise_count) << tilt;
+    EXPECT_TRUE(has_highest) << tilt;
+    EXPECT_EQ(count == FrustumCore::kFaceCorners, tilt < 0.005) << tilt;
+  }
+}
+
+TEST(BoxCore, HasTheFaceThatIsWithinTheMargin) {
+  SpatialShape shape;
+  shape.kind = SpatialShape::Kind::box;
+  shape.base = {-1, -2, -3};
+  shape.top = {1, 2, 3};
+  const auto count = [&](const Vector3& v) {
+    int points = 0;
+    with_core(shape, [&](const auto& core) {
+      core.face(v, 0.01, InstructionSet::automatic, [&](const Vector3& x) {
+        ++points;
+        EXPECT_GE(dot(v, x), dot(v, shape.top) - 0.01);
+      });
+    });
+    return points;
+  };
+  EXPECT_EQ(count({0, 0, 1}), 4);
+  EXPECT_EQ(count({0.001, 0.001, 1}), 4);
+  EXPECT_EQ(count({0.1, 0.001, 1}), 2);
+  EXPECT_EQ(count({0.1, 0.1, 1}), 1);
+  EXPECT_FALSE(has_one_top(shape, {0, 0, 1}, 1e-7, InstructionSet::automatic));
+  EXPECT_FALSE(has_one_top(shape, {0.6, 0, 0.8}, 1e-7, InstructionSet::automatic));
+  EXPECT_TRUE(has_one_top(shape, {0.48, 0.36, 0.8}, 1e-7, InstructionSet::automatic));
+}
+
 }  // namespace
 }  // namespace raygauge::test_cores
