@@ -3,7 +3,12 @@
 #pragma once
 
 // The whole public interface of the library: sets, what is asked of them, and scenes. Sweeps:
-// raygauge/sweep.h.
+// raygauge/sweep.h. C programs get the C interface.
+#if !defined(__cplusplus)
+#include "raygauge/raygauge_c.h"
+#elif __cplusplus < 201709L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#error "raygauge needs C++20: compile with -std=c++20"
+#else
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
@@ -42,3 +47,4 @@
 #include "raygauge/sets/truncated_cone.h"
 #include "raygauge/sets/union_hull.h"
 #include "raygauge/sets/zonotope.h"
+#endif
