@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""usage: wheel.py SOURCE SCRATCH [BUILD_FOLDER]. Makes the wheel, of a configured build folder or of a fresh source distribution,
-and tries it where a user would: in a virtual environment that has NumPy alone."""
+"""usage: wheel.py SOURCE SCRATCH [BUILD_FOLDER | WHEEL]. Takes that wheel, or makes one, of a configured build folder or of a fresh
+source distribution, and tries it where a user would: in a virtual environment that has NumPy alone."""
 import email
 import os
 import pathlib
@@ -14,7 +14,7 @@ import unittest
 import zipfile
 
 SOURCE, SCRATCH = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-BUILD_FOLDER = sys.argv[3] if len(sys.argv) > 3 else None
+GIVEN = sys.argv[3] if len(sys.argv) > 3 else None
 del sys.argv[1:]
 # Of the system: every Linux with a Python of GCC 12's age has these.
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+|gomp|quadmath|dl|pthread)\.so|ld-linux")
@@ -41,10 +41,12 @@ def seconds_of_children():
 
 def make_wheel(folder):
     """The wheel; without a build folder by way of a source distribution, which is unpacked elsewhere."""
+    if GIVEN and GIVEN.endswith(".whl"):
+        return pathlib.Path(GIVEN)
     environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
     source = SOURCE
-    if BUILD_FOLDER:
-        environment.update(RAYGAUGE_BUILD_FOLDER=BUILD_FOLDER, RAYGAUGE_ENGINE_ONLY="1")
+    if GIVEN:
+        environment.update(RAYGAUGE_BUILD_FOLDER=GIVEN, RAYGAUGE_ENGINE_ONLY="1")
         # The metadata and the build of setuptools are written beside the sources.
         source = folder / "source"
         shutil.copytree(SOURCE / "python", source / "python", ignore=shutil.ignore_patterns("*.egg-info", "__pycache__"))
