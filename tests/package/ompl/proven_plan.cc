@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A ball on two sliding joints goes around another one: OMPL plans, raygauge proves.
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <raygauge/ompl.h>
 #include <raygauge/raygauge.h>
 
@@ -31,6 +32,7 @@ int main() {
   const std::vector<raygauge::Body> obstacles = {raygauge::make_body("obstacle", {ball}, still)};
   const auto checkers = std::make_shared<raygauge::EdgeCheckers>(robot, obstacles);
   raygauge::set_proven_validity(setup.getSpaceInformation(), checkers);
+  setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
   ob::ScopedState<> start(space), goal(space);
   start[0] = -2, start[1] = 0, goal[0] = 2, goal[1] = 0;
   setup.setStartAndGoalStates(start, goal);

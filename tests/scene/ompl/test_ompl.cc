@@ -35,46 +35,46 @@ ob::ScopedState<> state(const ob::StateSpacePtr& space, double a, double b) {
 
 class Ompl : public ::testing::Test {
  protected:
-  Ompl() : checkers(std::make_shared<EdgeCheckers>(planar_arm::robot(), planar_arm::ball())) {
+  Ompl() : checkers_(std::make_shared<EdgeCheckers>(planar_arm::robot(), planar_arm::ball())) {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-    set_proven_validity(information, checkers);
-    information->setup();
+    set_proven_validity(information_, checkers_);
+    information_->setup();
   }
 
-  ob::StateSpacePtr space = joint_space();
-  ob::SpaceInformationPtr information = std::make_shared<ob::SpaceInformation>(space);
-  std::shared_ptr<EdgeCheckers> checkers;
+  ob::StateSpacePtr space_ = joint_space();
+  ob::SpaceInformationPtr information_ = std::make_shared<ob::SpaceInformation>(space_);
+  std::shared_ptr<EdgeCheckers> checkers_;
 };
 
 TEST_F(Ompl, StatesAndMotionsAreValidWhereTheyAreProvenFree) {
-  const auto beside = state(space, -0.8, 0), through = state(space, 0, 0), other = state(space, 0.8, 0);
-  EXPECT_TRUE(information->isValid(beside.get()));
-  EXPECT_FALSE(information->isValid(through.get()));
-  EXPECT_FALSE(information->isValid(state(space, kBound + 0.1, 0).get()));
-  EXPECT_FALSE(information->checkMotion(beside.get(), other.get()));  // though both ends are valid
-  EXPECT_TRUE(information->checkMotion(beside.get(), state(space, -0.8, -2).get()));
-  EXPECT_FALSE(information->checkMotion(beside.get(), state(space, -kBound - 0.1, 0).get()));
-  EXPECT_EQ(information->getMotionValidator()->getValidMotionCount(), 1U);
-  EXPECT_EQ(information->getMotionValidator()->getInvalidMotionCount(), 2U);
-  EXPECT_EQ(checkers->undecided(), 0);
+  const auto beside = state(space_, -0.8, 0), through = state(space_, 0, 0), other = state(space_, 0.8, 0);
+  EXPECT_TRUE(information_->isValid(beside.get()));
+  EXPECT_FALSE(information_->isValid(through.get()));
+  EXPECT_FALSE(information_->isValid(state(space_, kBound + 0.1, 0).get()));
+  EXPECT_FALSE(information_->checkMotion(beside.get(), other.get()));  // though both ends are valid
+  EXPECT_TRUE(information_->checkMotion(beside.get(), state(space_, -0.8, -2).get()));
+  EXPECT_FALSE(information_->checkMotion(beside.get(), state(space_, -kBound - 0.1, 0).get()));
+  EXPECT_EQ(information_->getMotionValidator()->getValidMotionCount(), 1U);
+  EXPECT_EQ(information_->getMotionValidator()->getInvalidMotionCount(), 2U);
+  EXPECT_EQ(checkers_->undecided(), 0);
 }
 
 // The outer rod's tip is at 2 and the ball at 1.6: they meet where 1.6 sin |a| = 0.35.
 TEST_F(Ompl, TheLastValidStateIsProvenAndNearTheContact) {
-  const auto from = state(space, -0.8, 0), to = state(space, 0.8, 0);
-  ob::ScopedState<> last(space);
+  const auto from = state(space_, -0.8, 0), to = state(space_, 0.8, 0);
+  ob::ScopedState<> last(space_);
   std::pair<ob::State*, double> valid{last.get(), 0.0};
-  ASSERT_FALSE(information->checkMotion(from.get(), to.get(), valid));
+  ASSERT_FALSE(information_->checkMotion(from.get(), to.get(), valid));
   const double first = (0.8 - std::asin(0.35 / 1.6)) / 1.6;
   EXPECT_LT(valid.second, first);
   EXPECT_GT(valid.second, first - 0.01);
-  EXPECT_TRUE(information->checkMotion(from.get(), last.get()));
+  EXPECT_TRUE(information_->checkMotion(from.get(), last.get()));
 }
 
 TEST_F(Ompl, APlannersPathIsProven) {
-  og::SimpleSetup setup(information);
-  setup.setStartAndGoalStates(state(space, -0.8, 0), state(space, 0.8, 0));
-  setup.setPlanner(std::make_shared<og::RRTConnect>(information));
+  og::SimpleSetup setup(information_);
+  setup.setStartAndGoalStates(state(space_, -0.8, 0), state(space_, 0.8, 0));
+  setup.setPlanner(std::make_shared<og::RRTConnect>(information_));
   ASSERT_EQ(setup.solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
   setup.simplifySolution();
   EdgeChecker fresh(planar_arm::robot(), planar_arm::ball());
@@ -97,10 +97,10 @@ TEST_F(Ompl, ThreadsHaveCheckersOfTheirOwn) {
       std::mt19937_64 random(3);
       std::uniform_real_distribution<double> uniform(-kBound, kBound);
       for (int k = 0; k < kEdges; ++k) {
-        const auto one = state(space, uniform(random), uniform(random));
-        const auto other = state(space, uniform(random), uniform(random));
+        const auto one = state(space_, uniform(random), uniform(random));
+        const auto other = state(space_, uniform(random), uniform(random));
         verdicts[static_cast<std::size_t>(thread)].push_back(
-            information->checkMotion(one.get(), other.get()));
+            information_->checkMotion(one.get(), other.get()));
       }
     });
   }
@@ -109,15 +109,15 @@ TEST_F(Ompl, ThreadsHaveCheckersOfTheirOwn) {
   const auto valid = std::count(verdicts[0].begin(), verdicts[0].end(), true);
   EXPECT_GT(valid, kEdges / 10);
   EXPECT_LT(valid, kEdges);
-  EXPECT_EQ(information->getMotionValidator()->getCheckedMotionCount(),
+  EXPECT_EQ(information_->getMotionValidator()->getCheckedMotionCount(),
             static_cast<unsigned>(kThreads * kEdges));
 }
 
 TEST_F(Ompl, ASpaceOfAnotherKindIsRefused) {
   const auto turning = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
-  EXPECT_THROW(set_proven_validity(turning, checkers), InvalidParameterError);
+  EXPECT_THROW(set_proven_validity(turning, checkers_), InvalidParameterError);
   const auto larger = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(3));
-  EXPECT_THROW(set_proven_validity(larger, checkers), InvalidParameterError);
+  EXPECT_THROW(set_proven_validity(larger, checkers_), InvalidParameterError);
 }
 
 }  // namespace
