@@ -16,6 +16,7 @@
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -111,6 +112,8 @@ const std::vector<Shape>& shapes() {
                      vector("legs", "of either sign")),
       shape<HPolytope>("h_polytope", "{x : G x <= g}, bounded", matrix("G", "one inequality a row"),
                        vector("g")),
+      shape<HalfSpace>("half_space", "{x : n·x <= b}, for two objects of which the other is bounded",
+                       vector("normal", "not zero"), number("offset")),
       made_by(zonotope, "zonotope", "{center + Σ t_i g_i : |t_i| <= 1}", vector("center"),
               matrix("generators", "one generator g_i a row")),
       shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),

@@ -31,6 +31,9 @@ struct Ladder::Due {
   static bool body_distance(const Ladder& ladder, const Ask& ask) {
     return open_to_bodies(ladder, ask) && !ask.is_distance_open;
   }
+  static bool half_space(const Ladder& /*ladder*/, const Ask& ask) {
+    return as_half_space(ask.first.set) != nullptr || as_half_space(ask.second.set) != nullptr;
+  }
   static bool common_point(const Ladder& ladder, const Ask& ask) {
     const bool whole = ask.question == Question::separation || std::isnan(ask.threshold);
     return open_to_bodies(ladder, ask) && whole && !ask.about_origin;
@@ -100,6 +103,8 @@ constexpr Ladder::Rung Ladder::kRungs[] = {
      "distance of bodies", kBodies, "bodies of R² and R³, Q a ball about the origin"},
     {kGrowth | kSeparation, Group::bodies, &Due::open_to_bodies, &Solve::body_growth,  //
      "growth of bodies", kBodies, "bodies of R² and R³"},
+    {kDistance | kGrowth | kSeparation, Group::bodies, &Due::half_space, &Solve::half_space,  //
+     "half-space", "doubles, then double-double", "one of the two is a half-space: a closed form; no growth"},
     {kGrowth | kSeparation, Group::bodies, &Due::common_point, &Solve::common_point,  //
      "common point of bodies", kBodies,
      "the growth distance about both centres is not known: where bodies meet, 1 bounds it"},
@@ -289,7 +294,7 @@ const DistanceResult& Ladder::gauge(Ask& ask) {
 // The distance writes over the normal of the solve before, from which a depth may begin.
 ObjectDistance& Ladder::distance(Ask& ask) {
   const int n = ask.first.dimension();
-  const bool had_depth = answer_.depth.evaluations > 0;
+  const bool had_depth = !std::isnan(answer_.depth.depth);
   const bool wants_depth = has_effect(ask.object_effects, ObjectEffects::depth);
   const double* start =
       wants_depth && ask.warm != nullptr && n <= 3 ? recorded_normal(*ask.warm, n) : nullptr;

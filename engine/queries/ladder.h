@@ -13,6 +13,7 @@
 #include "engine/queries/depth_query.h"
 #include "engine/queries/general_methods.h"
 #include "engine/queries/growth_body.h"
+#include "engine/queries/half_space_query.h"
 #include "engine/queries/pose_gradients.h"
 #include "engine/queries/spatial_query.h"
 #include "raygauge/sets/ball.h"
@@ -96,6 +97,7 @@ class Ladder {
   std::function<bool()> stop_;
   Stopwatch stopwatch_;  // over all general methods that take part
   SpatialQuery bodies_;
+  HalfSpaceQuery half_space_;
   GeneralMethods methods_;
   ObjectDistance answer_;
   SeparationResult separation_;
@@ -115,6 +117,7 @@ class Ladder {
 struct Ladder::Solve {
   static bool body_distance(Ladder& ladder, Ask& ask);
   static bool body_growth(Ladder& ladder, Ask& ask);
+  static bool half_space(Ladder& ladder, Ask& ask);
   static bool common_point(Ladder& ladder, Ask& ask);
   static bool depth(Ladder& ladder, Ask& ask);
   static bool overlap(Ladder& ladder, Ask& ask);

@@ -6,6 +6,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/queries/ladder.h"
+#include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {
@@ -19,6 +20,26 @@ void set_overlap(DistanceResult& result) {
 }
 
 }  // namespace
+
+// Closed forms, for any metric.
+bool Ladder::Solve::half_space(Ladder& ladder, Ask& ask) {
+  HalfSpaceQuery& query = ladder.half_space_;
+  if (ask.question == Question::growth) {
+    throw InvalidParameterError(
+        "growth distance: a half-space has no centre to be scaled about; ask for its distance or depth");
+  }
+  query.bind(ask.first, ask.second);
+  if (ask.question == Question::distance) {
+    query.distance(*ask.metric, ladder.options_, ask.object_effects, ladder.answer_);
+    return true;
+  }
+  const Separation known = query.separation(ladder.options_);
+  ladder.answer_.distance.counters = {};
+  ladder.answer_.distance.counters.support_queries = query.support_queries();
+  ladder.conclude(known, Bounds());
+  if (known == Separation::separated) ladder.separation_.normal = query.direction();
+  return true;
+}
 
 // Objects that share a point meet without growing.
 bool Ladder::Solve::common_point(Ladder& ladder, Ask& ask) {

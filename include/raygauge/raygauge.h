@@ -36,6 +36,7 @@
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"

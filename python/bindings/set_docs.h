@@ -64,6 +64,20 @@ NonFiniteError.
 2.0
 )";
 
+inline constexpr const char* kHalfSpaceDoc =
+    R"({x : n.x <= b}, a half-space, as of a floor; in the plane a half-plane.
+
+normal: shape (n,), the outer normal n, of any length. offset: b. It is not bounded: object_distance, object_distances,
+separation and scenes take it, together with a bounded set; all else raises InvalidParameterError.
+
+Raises InvalidParameterError, NonFiniteError.
+
+>>> floor = rg.HalfSpace([0, 0, 1], 0)
+>>> r = rg.object_distance(rg.Ball([0, 0, 0.75]), floor, rg.Ball([0, 0, 0]), signed=True)
+>>> round(r.signed_distance, 12)
+-0.25
+)";
+
 inline constexpr const char* kZonotopeDoc =
     R"({center + t_1 g_1 + ... + t_m g_m : -1 <= t_i <= 1}, a sum of segments.
 

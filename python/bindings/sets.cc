@@ -16,6 +16,7 @@
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
@@ -259,6 +260,13 @@ void bind_polytopes(py::module_& module) {
                "G"_a, "g"_a);
   made_of(polytope,
           [](const HPolytope& set) { return py::make_tuple(matrix_of(set.G()), readonly_array(set.g())); });
+  auto half_space = set_class<HalfSpace>(module, "HalfSpace", kHalfSpaceDoc);
+  half_space.def(py::init([](const ArrayLike& normal, double offset) {
+                   return std::make_shared<HalfSpace>(as_vector(normal, "normal"), offset);
+                 }),
+                 "normal"_a, "offset"_a);
+  made_of(half_space,
+          [](const HalfSpace& set) { return py::make_tuple(readonly_array(set.normal()), set.offset()); });
   auto zonotope = set_class<Zonotope>(module, "Zonotope", kZonotopeDoc);
   zonotope.def(py::init([](const ArrayLike& center, const ArrayLike& generators) {
                  const Eigen::MatrixXd rows = as_matrix(generators, "generators");

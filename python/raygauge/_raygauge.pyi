@@ -66,6 +66,9 @@ class ContactWrenches(ConvexSet):
 class HPolytope(ConvexSet):
     def __init__(self, G: ArrayLike, g: ArrayLike) -> None: ...
 
+class HalfSpace(ConvexSet):
+    def __init__(self, normal: ArrayLike, offset: float) -> None: ...
+
 class Zonotope(ConvexSet):
     def __init__(self, center: ArrayLike, generators: ArrayLike) -> None: ...
 

@@ -3,6 +3,7 @@
 #include "scene/input/scene_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <tuple>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "scene/input/scene_dynamics.h"
 #include "scene/input/scene_motion.h"
@@ -51,6 +53,10 @@ constexpr double kLargestScale = 1e300;
 SetPointer scaled(const SetPointer& set, double scale) {
   if (const PointSet* points = as_point_set(*set))
     return std::make_shared<PointSet>(scale * points->points());
+  if (const HalfSpace* half_space = as_half_space(*set)) {
+    const double sign = scale > 0 ? 1 : -1;
+    return std::make_shared<HalfSpace>(sign * half_space->normal(), std::fabs(scale) * half_space->offset());
+  }
   const int n = set->dimension();
   return std::make_shared<AffineImage>(set, scale * Eigen::MatrixXd::Identity(n, n),
                                        Eigen::VectorXd::Zero(n));

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/spatial_shape.h"
@@ -71,6 +73,19 @@ std::shared_ptr<const ConvexSet> prepared_if_it_pays(const std::shared_ptr<const
   return pays ? std::make_shared<PreparedSet>(*points) : S;
 }
 
+// About the point of the plane that is nearest to the body's origin.
+void take_half_space(const std::shared_ptr<const ConvexSet>& set, const HalfSpace& half_space, Body& body) {
+  BodyPart part;
+  part.set = set;
+  part.magnitude = half_space.normal();
+  part.ball.center = half_space.offset() / part.magnitude.squaredNorm() * part.magnitude;
+  part.ball.radius = part.reach = part.core_reach = kInfinity;
+  part.turned_magnitude = kInfinity;
+  body.ball = part.ball;
+  body.reach = body.core_reach = kInfinity;
+  body.parts.push_back(std::move(part));
+}
+
 }  // namespace
 
 BoundingBall bounding_ball(const ConvexSet& S) {
@@ -117,6 +132,12 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
       throw DimensionMismatchError("body '" + body.name + "': a part lives in R^" +
                                    std::to_string(set->dimension()) + ", the motion in R^" +
                                    std::to_string(n));
+    }
+    if (const HalfSpace* half_space = as_half_space(*set)) {
+      if (parts.size() > 1)
+        throw InvalidParameterError("body '" + body.name + "': a half-space must be its only part");
+      take_half_space(set, *half_space, body);
+      return body;
     }
     BodyPart part;
     part.set = set;

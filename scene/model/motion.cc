@@ -76,13 +76,15 @@ MotionBound MotionBound::unknown(int n) {
 double MotionBound::speed_along(const SmallVector& u, double reach) const {
   if (!(velocity_error < kInfinity)) return kInfinity;
   const double size = u.norm();
-  const double spread = velocity_error * size + (turning(u) + spin_error * size) * reach;
+  const double turned = turning(u) + spin_error * size;
+  const double spread = velocity_error * size + (turned > 0 ? turned * reach : 0);
   return velocity.dot(u) + spread * kOutward + (kOutward - 1) * velocity.lpNorm<1>() * size;
 }
 
 double MotionBound::speed(double reach) const {
   if (!(velocity_error < kInfinity)) return kInfinity;
-  return (velocity.norm() + velocity_error + (spin.norm() + spin_error) * reach) * kOutward;
+  const double turned = spin.norm() + spin_error;
+  return (velocity.norm() + velocity_error + (turned > 0 ? turned * reach : 0)) * kOutward;
 }
 
 Placement Motion::at(double t) const {
@@ -103,6 +105,17 @@ MotionBound Motion::bound(double from, double to) const {
 PlacementError Motion::error_at(double t) const {
   const PlacementError found = do_error_at(t);
   return found.place + found.turn <= kFastest * kUnitRoundoff ? found : PlacementError{kInfinity, kInfinity};
+}
+
+bool Motion::keeps_rotation(double from, double to) const {
+  for (double t = from;;) {
+    const double end = std::min(to, next_break(t));
+    const MotionBound bounds = bound(t, end);
+    if (bounds.spin_error > 0 || bounds.spin != Eigen::Vector3d::Zero() || error_at(end).turn > 0)
+      return false;
+    if (end >= to) return true;
+    t = end;
+  }
 }
 
 double Motion::do_next_break(double) const { return std::numeric_limits<double>::infinity(); }

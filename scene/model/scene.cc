@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/half_space.h"
 
 namespace raygauge {
 namespace {
@@ -53,6 +54,30 @@ void check_effects(const SceneQuery& query, const std::string& place) {
   }
 }
 
+// What a half-space cannot be asked.
+void check_half_spaces(const Scene& scene, const SceneQuery& query, const std::string& place) {
+  if (!query.metric.euclidean() && as_half_space(*query.metric.Q) != nullptr)
+    refuse(place + ": the metric is a half-space, which is not bounded");
+  const bool bounded = std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                                   [](const Body& body) { return body.is_bounded(); });
+  if (bounded) return;
+  for (const BodyPair pair : pairs_of(scene, query)) {
+    const Body &a = scene.bodies[static_cast<std::size_t>(pair.a)],
+               &b = scene.bodies[static_cast<std::size_t>(pair.b)];
+    if (a.is_bounded() && b.is_bounded()) continue;
+    const Body& half_space = a.is_bounded() ? b : a;
+    const std::string name = "body '" + half_space.name + "' is a half-space";
+    if (!a.is_bounded() && !b.is_bounded())
+      refuse(place + ": " + name + ", and so is body '" + b.name + "': no effect of such a pair is known");
+    if (has_effect(query.effects, SceneEffects::growth))
+      refuse(place + ": " + name + ": it has no centre to be scaled about, so that there is no growth");
+    if (has_effect(query.effects, kContinuousEffects) &&
+        !half_space.motion->keeps_rotation(scene.instants.front(), scene.instants.back())) {
+      refuse(place + ": " + name + " that turns: time_of_impact and clearance take those that do not turn");
+    }
+  }
+}
+
 void check_query(const Scene& scene, const SceneQuery& query) {
   const std::string place = "query '" + query.name + "'";
   const int bodies = static_cast<int>(scene.bodies.size());
@@ -76,6 +101,7 @@ void check_query(const Scene& scene, const SceneQuery& query) {
   if (!(query.within > 0)) refuse(place + ": within must be positive");
   if (query.nearest < 0) refuse(place + ": nearest must not be negative");
   check_effects(query, place);
+  check_half_spaces(scene, query, place);
 }
 
 }  // namespace

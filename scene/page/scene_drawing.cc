@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "scene/page/plane_patch.h"
 #include "scene/page/support_mesh.h"
 
 namespace raygauge::cli {
@@ -75,6 +76,10 @@ std::string drawing_of(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     json shapes = json::array();
     for (const BodyPart& part : body.parts) {
+      if (const HalfSpace* half_space = as_half_space(*part.set)) {
+        shapes.push_back(plane_patch(scene, body, *half_space));
+        continue;
+      }
       shapes.push_back(n == 2 ? polygon_of(*part.set, detail) : mesh_of(*part.set, detail));
     }
     json poses = json::array();

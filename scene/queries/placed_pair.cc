@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/floating_point.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {
@@ -34,6 +35,7 @@ void PlacedPair::bind(const Body& a, const Body& b, const SceneMetric& metric) {
   a_ = &a;
   b_ = &b;
   metric_ = &metric;
+  bounded_ = a.is_bounded() && b.is_bounded();
   outer_radius_ = 1;
   if (metric.euclidean()) return;
   const BoundingBall ball = bounding_ball(*metric.Q);
@@ -90,7 +92,24 @@ double PlacedPair::depth_along(PartNumbers parts, const SmallVector& u, SmallVec
   return -(h + error);
 }
 
-double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) const {
+// The half-space does not turn: its plane is the only one, and u is its normal but for rounding.
+double PlacedPair::apart_from_plane(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
+  constexpr double kSame = 1e-14;
+  check_placements();
+  half_space_.bind(posed_a({0, 0}), posed_b({0, 0}));
+  const SmallVector normal = half_space_.direction();
+  const double length = normal.norm(), gap = half_space_.gap_lower() / length;
+  if (!((u - normal / length).norm() <= kSame)) return -kInfinity;
+  const SmallVector point = half_space_.point(), way = gap / length * normal;
+  arm_a = a_->is_bounded() ? point : SmallVector(point + way);
+  arm_b = b_->is_bounded() ? point : SmallVector(point - way);
+  arm_a -= at_a_.t;
+  arm_b -= at_b_.t;
+  return gap > 0 ? gap / kOutward : gap * kOutward;
+}
+
+double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
+  if (!bounded_) return apart_from_plane(u, arm_a, arm_b);
   SmallVector point_a, point_b;
   const double depth = depth_along({0, 0}, u, point_a, point_b);
   arm_a = at_a_.turned(point_a);
@@ -99,7 +118,12 @@ double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVe
 }
 
 // Weak duality (10) at u: -h_A(u) / h_Q(-u).
-double PlacedPair::plane_bound(PartNumbers parts, const SmallVector& u) const {
+double PlacedPair::plane_bound(PartNumbers parts, const SmallVector& u) {
+  if (!bounded_) {
+    check_placements();
+    half_space_.bind(posed_a(parts), posed_b(parts));
+    return half_space_.lower_bound(unit_ball());
+  }
   SmallVector point, other;
   const double depth = depth_along(parts, u, point, other);
   if (!(depth > 0)) return 0;

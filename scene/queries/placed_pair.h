@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/queries/half_space_query.h"
 #include "engine/queries/spatial_solve.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/scene/scene.h"
@@ -62,7 +63,8 @@ class PlacedPair {
   double part_ball_bound(PartNumbers parts) const;
 
   /// A certified lower bound on the distance of two parts from planes across u; 0 where they prove nothing.
-  double plane_bound(PartNumbers parts, const SmallVector& u) const;
+  /// Of a half-space from its own plane, whatever u is.
+  double plane_bound(PartNumbers parts, const SmallVector& u);
 
   /// That bound falls by at most so much times the distance that points of both bodies move. Useless under a
   /// metric that follows a body.
@@ -71,11 +73,12 @@ class PlacedPair {
   /// The Euclidean distance between two planes across the unit vector u that touch the bodies, body b on the
   /// side away from u: a lower bound on their distance, not above 0 where they may overlap. `arm_a` and
   /// `arm_b`: where the planes touch, from the origins of the bodies. For bodies of one part each.
-  double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) const;
+  double apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
 
  private:
   double depth_along(PartNumbers parts, const SmallVector& u, SmallVector& point_a,
                      SmallVector& point_b) const;
+  double apart_from_plane(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
   void pose_bodies();
 
   int dimension_;
@@ -86,6 +89,8 @@ class PlacedPair {
   Pose pose_a_, pose_b_;  ///< the same, where posed_
   bool posed_ = false;
   std::shared_ptr<const ConvexSet> ball_;
+  bool bounded_ = true;        ///< neither body is a half-space
+  HalfSpaceQuery half_space_;  ///< where one is
   Pose pose_Q_;
   std::optional<PosedView> Q_;
   double outer_radius_ = 1;  ///< of Q about the origin

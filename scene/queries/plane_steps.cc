@@ -9,6 +9,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kOutward = 1 + 1e-12;  // of a few operations
+constexpr double kNormalError = 4e-16;  // of a normal of a half-space, rounded to length 1
 constexpr int kTrials = 4;
 constexpr double kShortest = 0.25, kLongest = 0.999;  // of a time that was too long
 
@@ -16,12 +17,14 @@ constexpr double kShortest = 0.25, kLongest = 0.999;  // of a time that was too 
 // |w| for the core: its excess over the chord is reach times that of w, |w''| T²/8 with |w''| = |spin| |spin
 // × u|.
 double turning_curvature(const MotionBound& bound, double reach, const SmallVector& u) {
-  return bound.turning(u) * bound.spin.norm() * reach / 8;
+  const double spin = bound.spin.norm();
+  return spin > 0 ? (bound.turning(u) + kNormalError * spin) * spin * reach / 8 : 0;
 }
 
 // An angular velocity that differs from the spin by e adds 2 e T reach at most, a velocity e T/2.
 double drift_of(const MotionBound& bound, double reach) {
-  return bound.velocity_error / 2 + 2 * bound.spin_error * reach;
+  const double of_spin = bound.spin_error > 0 ? 2 * bound.spin_error * reach : 0;
+  return bound.velocity_error / 2 + of_spin;
 }
 
 }  // namespace
@@ -97,6 +100,7 @@ PlaneSteps::Carrier PlaneSteps::of_turned_face() const {
 
 // Takes other planes where these are expected to lead farther than `time`.
 void PlaneSteps::change_carrier(const PairMotion& motion, double longest, double& time) {
+  if (!watch_.a().is_bounded() || !watch_.b().is_bounded()) return;  // it does not turn
   const Carrier other = carrier_ == Carrier::space ? of_turned_face() : Carrier::space;
   const double by_other = predicted(motion, longest, other);
   if (by_other <= time) return;
@@ -123,7 +127,9 @@ double PlaneSteps::least_until(const PartLook& look, double end, const PairMotio
   const double time = std::fabs(end - look.time);
   const double astray = time * (motion.a.velocity_error + motion.b.velocity_error);
   double least = 0;
+  const bool bounded = watch_.a().is_bounded() && watch_.b().is_bounded();
   for (const Carrier carrier : {Carrier::space, Carrier::a, Carrier::b}) {
+    if (!bounded && carrier != Carrier::space) break;
     then_.u = carried(now_.u, carrier);
     look_along(end, then_);
     const double places = std::max(now_.way.norm(), then_.way.norm()) + astray;

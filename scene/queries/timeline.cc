@@ -37,7 +37,7 @@ double way(const Placement& before, const Placement& after, double reach) {
   if (!turned && before.t == after.t) return 0;
   const double frobenius = turned ? (after.R - before.R).norm() + kRotationRounding : 0.0;
   const double rotation = n <= 3 ? frobenius / std::sqrt(2.0) : frobenius;
-  return ((after.t - before.t).norm() + rotation * reach) * kOutward;
+  return ((after.t - before.t).norm() + (turned ? rotation * reach : 0)) * kOutward;
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ SHAPES = {
     "simplex": {"corner": ("[3, 1, 1]", "[4, 1, 1]"), "legs": ("[-1, 1, 1]", "[-1.5, 1, 1]")},
     "h_polytope": {"G": ("[[-1, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]", "[[-2, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]"),
                    "g": ("[-1, -1, -1, 5]", "[-2, -1, -1, 5]")},
+    "half_space": {"normal": ("[0, 0, 1]", "[0, 1, 1]"), "offset": ("1", "2")},
     "zonotope": {"center": ("[3, 1, 1]", "[4, 1, 1]"), "generators": ("[[1, 0, 0], [0, 1, 0]]", "[[0.5, 0, 0], [0, 1, 0]]")},
     "capsule": {"p": ("[3, 1, 1]", "[2.5, 1, 1]"), "q": ("[3, 1, 2]", "[2, 1, 2]"), "radius": ("0.5", "0.25")},
     "cylinder": {"p": ("[3, 1, 1]", "[2.5, 1, 1]"), "q": ("[3, 1, 2]", "[2, 1, 2]"), "radius": ("0.5", "0.25")},
@@ -452,7 +453,12 @@ class NothingIsIgnored(unittest.TestCase):
             (self.work / "moved.toml").write_text(
                 f'shape = "minkowski_sum"\nA = {{ shape = "file", file = "set.toml" }}\n'
                 f'B = {{ shape = "point_set", points = [{shift}] }}\n')
-            done = self.run_raygauge("distance", "moved.toml", f"ball{n}.toml", "--json", "--tolerance", "1e-9")
+            if shape == "half_space":  # takes no sums
+                (self.work / "moved.toml").write_text(f'shape = "ball"\ncenter = {shift}\nradius = 1\n')
+                operands = ["set.toml", "moved.toml", "--between", "--signed"]
+            else:
+                operands = ["moved.toml", f"ball{n}.toml"]
+            done = self.run_raygauge("distance", *operands, "--json", "--tolerance", "1e-9")
             self.assertEqual(done.returncode, 0, done.stderr)
             distances.append(f"{json.loads(done.stdout)['distance']:.6g}")
         return distances

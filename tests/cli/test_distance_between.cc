@@ -54,6 +54,18 @@ TEST_F(DistanceBetween, OfObjectsThatMeetIsMinusTheirDepthIfSigned) {
   EXPECT_FALSE(plain.contains("point_1"));
 }
 
+TEST_F(DistanceBetween, OfAHalfPlaneHasAClosedForm) {
+  write("below.toml", "shape = \"half_space\"\nnormal = [0, 2]\noffset = -1\n");
+  EXPECT_NEAR(json_of({"ball.toml", "below.toml"})["distance"].get<double>(), 1.25, kRounding);
+  write("above.toml", "shape = \"half_space\"\nnormal = [0, -1]\noffset = -1\n");
+  const Json json = json_of({"square.csv", "above.toml", "--signed"});
+  EXPECT_NEAR(json["distance"].get<double>(), -1, kRounding);
+  EXPECT_NEAR(json["normal"][1].get<double>(), -1, kRounding);
+  const ProgramResult refused = run_raygauge({"distance", "ball.toml", "below.toml"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("half-space is not bounded"), std::string::npos) << refused.err;
+}
+
 TEST_F(DistanceBetween, TakesASetForTheMetric) {
   const Json json = json_of({"square.csv", "near.csv", "--signed", "--metric", "metric.csv"});
   EXPECT_NEAR(json["distance"].get<double>(), -1, kRounding);  // up or down, 1; along x four times 0.5

@@ -11,6 +11,7 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "tests/counted_allocations.h"
@@ -263,6 +264,26 @@ TEST(RepeatedContact, AllocatesNothing) {
       }
       EXPECT_EQ(allocations - before, 0);
     }
+  }
+}
+
+TEST(RepeatedHalfSpace, AllocatesNothing) {
+  const HalfSpace floor(Eigen::Vector3d(0.1, 0.2, 1), 0.5);
+  const TruncatedCone cone(Eigen::Vector3d(0, 0, -1), 0.5, Eigen::Vector3d(0, 0, 1), 0.25);
+  const Ball metric(Eigen::Vector3d::Zero(), 1.0);
+  const auto effects = ObjectEffects::closest_points | ObjectEffects::depth | ObjectEffects::gradient;
+  for (const double height : {3.0, 0.5, 1.5 + 1e-9}) {
+    const Pose pose(Eigen::Quaterniond(1, 0.1, 0.2, 0.3), Eigen::Vector3d(0, 0, height));
+    ObjectDistanceSolver solver;
+    GrowthDistanceSolver separation;
+    long before = 0;
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      before = allocations;
+      solver.solve({cone, pose}, {floor, pose}, metric, effects);
+      solver.solve({floor, pose}, {cone, pose}, metric, effects);
+      separation.separation({cone, pose}, floor);
+    }
+    EXPECT_EQ(allocations - before, 0);
   }
 }
 

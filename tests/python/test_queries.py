@@ -139,6 +139,21 @@ class Distances(unittest.TestCase):
 
 
 class Objects(unittest.TestCase):
+    def test_a_half_space_is_an_object_and_nothing_else(self):
+        floor, ball, metric = rg.HalfSpace([0, 0, 2], 1), rg.Ball([1, 2, 3], 1), rg.Ball([0, 0, 0])
+        r = rg.object_distance(ball, floor, metric, signed=True, closest_points=True)
+        self.assertAlmostEqual(float(r), 1.5, places=12)
+        np.testing.assert_allclose(r.closest_point_2, [1, 2, 0.5], atol=1e-12)
+        poses = np.tile(np.eye(4), (3, 1, 1))
+        poses[:, 2, 3] = [0, -2, 1]
+        batch = rg.object_distances(ball, floor, metric, poses_1=poses, signed=True)
+        np.testing.assert_allclose(batch.distance, [1.5, -0.5, 2.5], atol=1e-12)
+        self.assertEqual(rg.separation(ball, floor).outcome, rg.Separation.separated)
+        for use in (lambda: rg.distance(ball, floor), lambda: rg.distance(floor, ball), lambda: rg.growth_distance(ball, floor),
+                    lambda: rg.object_distance(floor, floor, metric), lambda: rg.contains(floor, [0, 0, 0])):
+            with self.assertRaisesRegex(rg.InvalidParameterError, "half-space"):
+                use()
+
     def test_closest_points_and_gradients_of_two_balls(self):
         unit = rg.Ball([0, 0, 0])
         result = rg.object_distance(

@@ -24,6 +24,20 @@ class Scenes(unittest.TestCase):
         scene.add_body("box", [rg.Box([-0.5] * 3, [0.5] * 3), rg.Ball([9, 9, 9])], groups=["fixed"])
         return scene
 
+    def test_a_floor_is_a_half_space(self):
+        scene = rg.Scene(np.linspace(0, 2, 5))
+        scene.add_body("ball", rg.Ball([0, 0, 2], 0.5), velocity=[0, 0, -1])
+        scene.add_body("floor", rg.HalfSpace([0, 0, 3], 0))
+        scene.add_query(["depth", "time_of_impact"])
+        answers = scene.run()
+        at = answers.where(kind="instant")
+        signed = np.where(at["depth"] > 0, -at["depth"], at["distance"])
+        np.testing.assert_allclose(signed, 1.5 - at["time"], atol=1e-12)
+        np.testing.assert_allclose(answers.where(kind="time_of_impact")["time"], [1.5], atol=1e-6)
+        scene.add_query(["growth"])
+        with self.assertRaisesRegex(rg.InvalidParameterError, "floor.*half-space.*no centre"):
+            scene.run()
+
     def test_depth_is_that_of_the_ball_in_the_box(self):
         scene = self.approach()
         scene.add_query(["depth"], between=("moving", "fixed"))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ struct BoundingBall {
 /// point; exact for point sets. 2n support queries, in 3 dimensions 26.
 BoundingBall bounding_ball(const ConvexSet& S);
 
-/// One convex part of a body, in the frame of the body.
+/// One convex part of a body, in the frame of the body. Of a half-space the ball is infinite and so is the
+/// reach, and the magnitude is its normal.
 struct BodyPart {
   std::shared_ptr<const ConvexSet> set;
   BoundingBall ball;
@@ -44,10 +46,13 @@ struct Body {
   double core_reach = 0;
 
   int dimension() const noexcept { return motion->dimension(); }
+
+  /// False for a half-space.
+  bool is_bounded() const noexcept { return reach < std::numeric_limits<double>::infinity(); }
 };
 
-/// The body of these parts. Throws EmptySetError (no part), InvalidParameterError (a null pointer) or
-/// DimensionMismatchError.
+/// The body of these parts; a half-space is the only part of its body. Throws EmptySetError (no part),
+/// InvalidParameterError (a null pointer, a half-space beside another part) or DimensionMismatchError.
 Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexSet>>& parts,
                MotionPointer motion);
 

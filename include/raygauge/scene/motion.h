@@ -52,7 +52,7 @@ struct PlacementError {
   double turn = 0;
 
   /// Of all points within `reach` of the body's origin.
-  double of_points(double reach) const { return place + turn * reach; }
+  double of_points(double reach) const { return turn > 0 ? place + turn * reach : place; }
 };
 
 /// t ↦ placement of a body, continuous. Immutable; shared between bodies and threads.
@@ -76,6 +76,9 @@ class Motion {
 
   /// A bound on the error of at(t).
   PlacementError error_at(double t) const;
+
+  /// Whether it is proven that the body keeps its rotation over [from, to].
+  bool keeps_rotation(double from, double to) const;
 
   /// The end of the piece that begins at, or holds, t: where velocities may jump. +infinity after the last.
   double next_break(double t) const { return do_next_break(t); }

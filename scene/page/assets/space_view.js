@@ -29,6 +29,16 @@ page.shaded = (part) => {
 page.lines = (points, colour) => new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points.map((p) => new THREE.Vector3(...p))),
   new THREE.LineBasicMaterial({ color: colour }));
 
+/** A plane without an end: lines on the part of it that is drawn. */
+page.planeLines = (part) => {
+  const corner = (i) => new THREE.Vector3(...part.vertices.slice(3 * i, 3 * i + 3)), points = [], kCells = 12;
+  for (let i = 0; i <= kCells; ++i) {
+    const between = (a, b) => corner(a).lerp(corner(b), i / kCells).toArray();
+    points.push(between(0, 1), between(3, 2), between(0, 3), between(1, 2));
+  }
+  return page.lines(points, page.style('--muted'));
+};
+
 /** A letter that always faces the reader. */
 page.letter = (text, size) => {
   const canvas = page.element('canvas', { width: 64, height: 64 }), context = canvas.getContext('2d');
@@ -82,7 +92,13 @@ page.spaceView = (canvas) => {
     group.matrixAutoUpdate = false;
     group.userData.number = number;
     group.userData.material = new THREE.MeshLambertMaterial({ side: THREE.DoubleSide });
-    for (const part of body.parts) group.add(new THREE.Mesh(page.shaded(part), group.userData.material));
+    for (const part of body.parts) {
+      group.add(new THREE.Mesh(page.shaded(part), group.userData.material));
+      if (!part.plane) continue;
+      group.add(page.planeLines(part));
+      group.userData.material.transparent = true;
+      group.userData.material.opacity = 0.4;
+    }
     scene.add(group);
     return group;
   });

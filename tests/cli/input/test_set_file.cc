@@ -8,6 +8,7 @@
 
 #include "cli/input/set_source.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/results/support.h"
 
@@ -61,6 +62,7 @@ std::map<std::string, Described> described_shapes() {
       {"box", {"lower = [-1, -2]\nupper = [3, 5]", 3 + 10}},
       {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
       {"h_polytope", {"G = [[1, 0], [0, 1], [-1, -1]]\ng = [3, 4, 5]", 3 + 8}},
+      {"half_space", {"normal = [1, 2]\noffset = 7", 7}},
       {"zonotope", {"center = [1, 1]\ngenerators = [[1, 0], [0, 2], [1, -1]]", 3 + 1 + 4 + 1}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
       {"cylinder", {"p = [0, 0]\nq = [3, 0]\nradius = 2", 3 + 4}},
@@ -86,7 +88,11 @@ TEST_F(SetFiles, DescribeEveryShape) {
     const SetPointer set = read("shape = \"" + shape.name + "\"\n" + found->second.text);
     Vector u = Vector::Zero(set->dimension());
     u.head(2) << 1, 2;
-    EXPECT_NEAR(set->support_function(u), found->second.support, 1e-14);
+    const HalfSpace* half_space = as_half_space(*set);
+    const double support = half_space == nullptr ? set->support_function(u)
+                                                 : half_space->offset() * u.dot(half_space->normal()) /
+                                                       half_space->normal().squaredNorm();
+    EXPECT_NEAR(support, found->second.support, 1e-14);
   }
 }
 
