@@ -13,6 +13,7 @@ void bind_poses(pybind11::module_& module);
 void bind_results(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
+void bind_edges(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);
 void bind_object_batches(pybind11::module_& module);
 

@@ -13,4 +13,5 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_batches(module);
   raygauge::python::bind_object_batches(module);
   raygauge::python::bind_scenes(module);
+  raygauge::python::bind_edges(module);
 }

@@ -11,6 +11,7 @@
 #include "python/bindings/bindings.h"
 #include "python/bindings/poses.h"
 #include "python/bindings/scene_answers.h"
+#include "python/bindings/scene_bodies.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/motion.h"
 #include "raygauge/scene/scene.h"
@@ -29,6 +30,8 @@ Placement placement_of_rows(const double* matrix, int n, const char* name) {
   return make_placement(nearest.R, parts.translation);
 }
 
+}  // namespace
+
 Placement placement(py::handle object, int n) {
   if (object.is_none()) return Placement::identity(n);
   const auto matrix = as_doubles(object, "pose");
@@ -38,6 +41,8 @@ Placement placement(py::handle object, int n) {
   }
   return placement_of_rows(matrix.data(), n, "pose");
 }
+
+namespace {
 
 MotionPointer keyframes(py::handle times, py::handle poses, int n) {
   const Vector at = as_vector(times, "times");
@@ -87,6 +92,8 @@ MotionPointer motion_of(const py::dict& body, int n, double start) {
   return std::make_shared<TwistMotion>(first, rates, start);
 }
 
+}  // namespace
+
 Body body_of(const py::dict& body, double start) {
   std::vector<SetPointer> parts;
   for (const py::handle part : body["parts"]) parts.push_back(as_set(part, "parts"));
@@ -94,6 +101,8 @@ Body body_of(const py::dict& body, double start) {
   const int n = parts.front()->dimension();
   return make_body(body["name"].cast<std::string>(), parts, motion_of(body, n, start));
 }
+
+namespace {
 
 SceneEffects effects_of(const std::vector<std::string>& names) {
   SceneEffects effects = SceneEffects::none;

@@ -62,6 +62,7 @@ from ._raygauge import (
 )
 from . import plot
 from .components import Answer, generator, method
+from .edges import EdgeChecker, EdgeVerdict, prove_path
 from .files import ResultsError, open
 from .loading import Robot, SceneFile, load_robot, load_scene, load_set
 from .scenes import Scene, SceneAnswers
@@ -90,6 +91,8 @@ __all__ = [
     "DimensionMismatchError",
     "Distance",
     "Distances",
+    "EdgeChecker",
+    "EdgeVerdict",
     "Ellipsoid",
     "EmptySetError",
     "Error",
@@ -138,6 +141,7 @@ __all__ = [
     "open",
     "origin_in_interior",
     "plot",
+    "prove_path",
     "run",
     "separation",
 ]

@@ -91,6 +91,30 @@ std::vector<std::string> names_of(const Things& things) {
   return names;
 }
 
+/// The joints of the links, as raygauge.EdgeChecker takes them.
+py::list tree(const Robot& robot) {
+  py::list links;
+  for (const TreeLink& step : robot.tree.links) {
+    Eigen::Matrix4d origin = Eigen::Matrix4d::Identity();
+    origin.topLeftCorner<3, 3>() = step.origin.R;
+    origin.topRightCorner<3, 1>() = step.origin.t;
+    py::array_t<double> matrix({4, 4});
+    for (int k = 0; k < 16; ++k) matrix.mutable_data()[k] = origin(k / 4, k % 4);
+    py::dict link;
+    link["parent"] = step.parent;
+    link["origin"] = matrix;
+    link["kind"] = step.kind == JointKind::fixed      ? "fixed"
+                   : step.kind == JointKind::revolute ? "revolute"
+                                                      : "prismatic";
+    link["axis"] = py::array_t<double>(3, step.axis.data());
+    link["joint"] = step.joint;
+    link["scale"] = step.scale;
+    link["offset"] = step.offset;
+    links.append(link);
+  }
+  return links;
+}
+
 void bind_robots(py::module_& module) {
   py::class_<Robot>(module, "RobotFile", "A robot as its URDF file has it; see raygauge.load_robot.")
       .def_readonly("name", &Robot::name)
@@ -98,6 +122,7 @@ void bind_robots(py::module_& module) {
       .def_property_readonly("links", &link_names)
       .def_property_readonly("joined", &joined)
       .def("shapes", &shapes)
+      .def("tree", &tree)
       .def("poses", &poses, py::arg("values"));
   module.def(
       "load_robot",
