@@ -3,6 +3,7 @@
 #include "scene/planning/edge_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/numerics/floating_point.h"
@@ -12,6 +13,15 @@ namespace raygauge {
 namespace {
 
 const PlacementError kNoError;
+
+// At a break the motion of the piece before meets that of the piece after it but for the errors of both.
+PlacementError error_about(const Motion& motion, double t) {
+  const PlacementError error = motion.error_at(t);
+  const double before = std::nextafter(t, -kInfinity);
+  if (before < motion.start()) return error;
+  const PlacementError earlier = motion.error_at(before);
+  return {std::max(error.place, earlier.place), std::max(error.turn, earlier.turn)};
+}
 
 EdgeShape shape_of(const BoundingBall& ball, double reach, double core_reach) {
   constexpr double kOutward = 1 + 1e-13;
@@ -115,7 +125,7 @@ int EdgeStage::add(double t) {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Motion& motion = *moving_[i]->body.motion;
     obstacles_[moment * moving_.size() + i] = make_frame(motion.at(t));
-    errors_[moment * moving_.size() + i] = motion.error_at(t);
+    errors_[moment * moving_.size() + i] = error_about(motion, t);
   }
   return static_cast<int>(moment);
 }
