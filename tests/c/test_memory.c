@@ -39,7 +39,7 @@ static void query(long calls) {
 }
 
 static void make_and_free(long calls) {
-  const double lost[3] = {0, NAN, 0};
+  const double lost[4] = {0, NAN, 0, 0};
   for (long i = 0; i < calls; ++i) {
     rg_set *ball = ball_at((double)i, 1), *sum = NULL, *never = NULL;
     rg_pose* pose = NULL;
@@ -62,19 +62,20 @@ static void make_and_free(long calls) {
   }
 }
 
-static void stays(void (*work)(long), long calls) {
+static void stays(void (*work)(long), long calls, int is_measured) {
   work(calls / 10);
   const long before = resident_pages();
   work(calls);
   const double grown = 4096.0 * (double)(resident_pages() - before);
-  CHECK(grown < 2e6); /* a leaked double a call of 10^6 would be 8e6 */
+  CHECK(!is_measured || grown < 2e6); /* a leaked double a call of 10^6 would be 8e6 */
 }
 
-/* usage: test_c_memory [DIVISOR]: under sanitizers, so many times fewer calls. */
+/* usage: test_c_memory [DIVISOR]: so many times fewer calls, for sanitizers, which find leaks themselves and
+   whose allocator keeps what is freed. */
 int main(int argc, char** argv) {
   const long divisor = argc > 1 ? strtol(argv[1], NULL, 10) : 1;
-  stays(query, 1000000 / divisor);
-  stays(make_and_free, 100000 / divisor);
+  stays(query, 1000000 / divisor, divisor == 1);
+  stays(make_and_free, 100000 / divisor, divisor == 1);
   printf("%d checks failed\n", failed_checks);
   return failed_checks == 0 ? 0 : 1;
 }
