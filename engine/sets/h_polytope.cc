@@ -102,6 +102,8 @@ HPolytope::HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVect
   find_extent();
 }
 
+HPolytope::~HPolytope() = default;
+
 // That of a largest ball inside (Chebyshev).
 void HPolytope::find_center() {
   const int n = dimension();

@@ -26,6 +26,9 @@ class HPolytope final : public ConvexSet, private GaugeFormula {
   /// interior), EmptySetError, DimensionMismatchError or NonFiniteError.
   HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
 
+  /// In the library, whose flags Eigen's allocator had when it made the matrices inside.
+  ~HPolytope() override;
+
   /// The inequalities, each multiplied by a power of two.
   const InequalitySimplex::RowMatrix& G() const noexcept { return program_.G(); }
   const Vector& g() const noexcept { return program_.g(); }

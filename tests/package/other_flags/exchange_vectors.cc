@@ -17,5 +17,10 @@ int main() {
     const raygauge::DistanceResult kept = std::move(result);
     if (kept.normal.size() != n || kept.contact_point.size() != n) return 1;
     result = solver.solve(simplex, simplex);
+
+    Eigen::MatrixXd G(2 * n, n);
+    G << corners, -corners;
+    const raygauge::HPolytope box(G, Eigen::VectorXd::Ones(2 * n));
+    if (box.support_function(corners.col(0)) < 1) return 1;
   }
 }
