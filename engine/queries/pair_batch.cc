@@ -2,23 +2,34 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/queries/pair_batch.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/sets/parameters.h"
+#include "engine/threads/chunk_team.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/solver.h"
 
 namespace raygauge {
 namespace {
 
-constexpr int kChunk = 64;  // pairs that a thread takes at once: more than a cache line of any answer
+constexpr std::size_t kPath = 16;  // pairs of a path that start from each other, always on one thread
+
+// Pairs that a thread takes at once: more than a cache line of any answer, but of a small batch fewer, so
+// that all threads end together.
+std::ptrdiff_t chunk_of(std::ptrdiff_t count, int threads) {
+  constexpr std::ptrdiff_t kFew = kPath, kMany = 4 * kFew, kChunksPerThread = 4;
+  return count < kMany * kChunksPerThread * threads ? kFew : kMany;
+}
 
 // Vector `i` of an array of vectors.
 void put(std::span<double> out, std::size_t i, const Vector& value, int n) {
@@ -36,7 +47,21 @@ void put(const BatchAnswers& answers, std::size_t i, const DistanceResult& r, in
   if (!answers.lower.empty()) answers.lower[i] = r.lower;
   if (!answers.upper.empty()) answers.upper[i] = r.upper;
   if (!answers.status.empty()) answers.status[i] = r.status;
+  if (!answers.pivots.empty()) answers.pivots[i] = r.counters.pivots;
   put(answers.normal, i, r.normal, n);
+}
+
+void put(const BatchAnswers& answers, std::size_t i, const ObjectDistance& r, int n) {
+  put(answers, i, r.distance, n);
+  const bool inside = r.depth.evaluations > 0;
+  put(answers.closest_points_1, i, inside ? r.depth.point_1 : r.closest_point_1, n);
+  put(answers.closest_points_2, i, inside ? r.depth.point_2 : r.closest_point_2, n);
+  if (!inside) return;
+  if (!answers.distance.empty()) answers.distance[i] = r.signed_distance();
+  if (!answers.lower.empty()) answers.lower[i] = -r.depth.upper;
+  if (!answers.upper.empty()) answers.upper[i] = -r.depth.lower;
+  if (!answers.status.empty()) answers.status[i] = r.depth.status;
+  put(answers.normal, i, r.depth.normal, n);
 }
 
 void check_room(const char* name, std::size_t size, std::size_t wanted) {
@@ -45,101 +70,187 @@ void check_room(const char* name, std::size_t size, std::size_t wanted) {
                               " numbers, the pairs need " + std::to_string(wanted));
 }
 
-// By all threads: asking 10^4 bodies that are not in the cache for their dimensions takes as long as some of
-// the solves.
-void check_dimensions(std::span<const PosedPair> pairs, int n, int threads) {
-  const std::ptrdiff_t count = std::ssize(pairs);
-  std::ptrdiff_t misfit = count;
-#pragma omp parallel for num_threads(threads) default(none) shared(pairs, n, count) reduction(min : misfit)
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const PosedPair& pair = pairs[static_cast<std::size_t>(i)];
-    if (pair.first.dimension() != n || pair.second.dimension() != n) misfit = std::min(misfit, i);
-  }
-  if (misfit == count) return;
-  const PosedPair& pair = pairs[static_cast<std::size_t>(misfit)];
-  check_dimension("batch", "a first body", pair.first.dimension(), n);
-  check_dimension("batch", "a second body", pair.second.dimension(), n);
-}
-
-void check(std::span<const PosedPair> pairs, int n, int threads, const BatchAnswers& answers,
-           std::span<WarmStart> warm) {
-  check_dimensions(pairs, n, threads);
-  const std::size_t count = pairs.size(), numbers = count * static_cast<std::size_t>(n);
+void check_rooms(std::size_t count, int n, const BatchAnswers& answers) {
+  const std::size_t numbers = count * static_cast<std::size_t>(n);
   check_room("distance", answers.distance.size(), count);
   check_room("lower", answers.lower.size(), count);
   check_room("upper", answers.upper.size(), count);
   check_room("status", answers.status.size(), count);
+  check_room("pivots", answers.pivots.size(), count);
   check_room("normal", answers.normal.size(), numbers);
   check_room("closest_points_1", answers.closest_points_1.size(), numbers);
   check_room("closest_points_2", answers.closest_points_2.size(), numbers);
-  check_room("warm", warm.size(), count);
+  check_room("contact_points", answers.contact_points.size(), numbers);
+}
+
+ObjectEffects effects_for(const BatchAnswers& answers) {
+  const bool points = !answers.closest_points_1.empty() || !answers.closest_points_2.empty();
+  return points ? ObjectEffects::closest_points : ObjectEffects::none;
+}
+
+// The same kind of error, which says in which pair it arose; others as they are.
+std::exception_ptr named(std::exception_ptr error, std::ptrdiff_t i) {
+  const auto text = [i](const Error& e) { return "problem " + std::to_string(i) + ": " + e.what(); };
+  try {
+    std::rethrow_exception(std::move(error));
+  } catch (const DimensionMismatchError& e) {
+    return std::make_exception_ptr(DimensionMismatchError(text(e)));
+  } catch (const NonFiniteError& e) {
+    return std::make_exception_ptr(NonFiniteError(text(e)));
+  } catch (const EmptySetError& e) {
+    return std::make_exception_ptr(EmptySetError(text(e)));
+  } catch (const InvalidParameterError& e) {
+    return std::make_exception_ptr(InvalidParameterError(text(e)));
+  } catch (...) {
+    return std::current_exception();
+  }
 }
 
 }  // namespace
 
 struct PairBatch::Team {
-  struct Member {
-    explicit Member(const DistanceOptions& options) : distance(options), growth(options) {}
-    ObjectDistanceSolver distance;
-    GrowthDistanceSolver growth;
+  // The solvers of a thread, each made by the thread that first needs it.
+  struct alignas(64) Member {
+    std::optional<DistanceSolver> gauge;
+    std::optional<ObjectDistanceSolver> distance;
+    std::optional<GrowthDistanceSolver> growth;
+    WarmStart warm;  // of the pair before, on a path
+    std::atomic<bool> taken = false;
   };
 
-  explicit Team(DistanceOptions options) {
-    const int threads = DistanceSolver(options).options().threads;  // in its range
+  // A member that no other thread has as long as this lives. There are as many as threads.
+  class Turn {
+   public:
+    explicit Turn(std::vector<Member>& members) : members_(members) {
+      while (members[number_].taken.exchange(true, std::memory_order_acquire))
+        number_ = (number_ + 1) % members.size();
+    }
+    ~Turn() { member().taken.store(false, std::memory_order_release); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+    Member& member() const noexcept { return members_[number_]; }
+    int number() const noexcept { return static_cast<int>(number_); }
+
+   private:
+    std::vector<Member>& members_;
+    std::size_t number_ = 0;
+  };
+
+  Team(const DistanceOptions& given, int threads)
+      : options(given), members(static_cast<std::size_t>(in_range(given, threads))) {
     options.threads = 1;
-    for (int i = 0; i < threads; ++i) members.emplace_back(options);
+    helpers.be_patient();
   }
 
+  static int in_range(const DistanceOptions& options, int threads) {
+    const DistanceSolver checked(options);
+    if (threads == 0) return options.threads;
+    if (threads >= 1 && threads <= kMostBatchThreads) return threads;
+    throw InvalidParameterError("batch: threads must lie in 1 … " + std::to_string(kMostBatchThreads) +
+                                ", got " + std::to_string(threads));
+  }
+
+  template <class Solver>
+  Solver& ready(std::optional<Solver>& solver) const {
+    if (!solver) {
+      solver.emplace(options);
+      if (stop) solver->set_stop(stop);
+    }
+    return *solver;
+  }
+
+  // work(first, last) for all chunks of 0 … count - 1, on all threads.
+  template <class Work>
+  void run(std::ptrdiff_t count, const Work& work) {
+    const int threads = static_cast<int>(members.size());
+    const std::ptrdiff_t chunk = chunk_of(count, threads), chunks = (count + chunk - 1) / chunk;
+    if (const auto useful = static_cast<int>(std::clamp<std::ptrdiff_t>(chunks, 1, threads)); useful > size)
+      helpers.resize(size = useful);
+    helpers.run(static_cast<int>(chunks), true,
+                [&](int c) { work(c * chunk, std::min(count, (c + 1) * chunk)); });
+  }
+
+  // Asking 10^4 bodies that are not in the cache for their dimensions takes as long as some of the solves.
+  void check_dimensions(std::span<const PosedPair> pairs, int n);
+
+  // solve(member, i, thread) for all pairs i, each by one thread, until `stop`. The first exception ends the
+  // batch and is thrown again, naming its pair.
+  template <class Solve>
+  void share(std::size_t pairs, const Solve& solve);
+
+  DistanceOptions options;
+  std::function<bool()> stop;
   std::vector<Member> members;
+  int size = 1;  // threads of `helpers`, with the caller
+  ChunkTeam helpers;
 };
 
-namespace {
-
-// solve(member, i) for all pairs i, each by one thread. The first exception ends the batch and is thrown
-// again.
-template <class Member, class Solve>
-void share(std::vector<Member>& members, std::ptrdiff_t count, const Solve& solve) {
-  std::exception_ptr error;
-  bool failed = false;
-  const int threads = static_cast<int>(members.size());
-#pragma omp parallel for schedule(dynamic, kChunk) num_threads(threads) default(none) \
-    shared(kChunk, members, count, solve, error, failed)
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    bool skip = false;
-#pragma omp atomic read
-    skip = failed;
-    if (skip) continue;
-    try {
-      solve(members[static_cast<std::size_t>(omp_get_thread_num())], static_cast<std::size_t>(i));
-    } catch (...) {
-#pragma omp critical(raygauge_pair_batch)
-      if (!error) error = std::current_exception();
-#pragma omp atomic write
-      failed = true;
+void PairBatch::Team::check_dimensions(std::span<const PosedPair> pairs, int n) {
+  std::atomic<bool> misfit = false;
+  run(std::ssize(pairs), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (std::ptrdiff_t i = first; i < last; ++i) {
+      const PosedPair& pair = pairs[static_cast<std::size_t>(i)];
+      if (pair.first.dimension() != n || pair.second.dimension() != n) misfit = true;
     }
+  });
+  for (std::size_t i = 0; misfit && i < pairs.size(); ++i) {
+    check_dimension("batch", "a first body", pairs[i].first.dimension(), n);
+    check_dimension("batch", "a second body", pairs[i].second.dimension(), n);
   }
+}
+
+template <class Solve>
+void PairBatch::Team::share(std::size_t pairs, const Solve& solve) {
+  std::mutex mutex;
+  std::exception_ptr error;
+  std::atomic<bool> ended = false;
+  const auto attempt = [&](const Turn& turn, std::ptrdiff_t i) {
+    try {
+      if (stop && stop()) {
+        ended = true;
+      } else {
+        solve(turn.member(), static_cast<std::size_t>(i), turn.number());
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!error) error = named(std::current_exception(), i);
+      ended = true;
+    }
+  };
+  run(static_cast<std::ptrdiff_t>(pairs), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    const Turn turn(members);
+    for (std::ptrdiff_t i = first; i < last && !ended.load(std::memory_order_relaxed); ++i) attempt(turn, i);
+  });
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace
-
-PairBatch::PairBatch(const DistanceOptions& options) : team_(std::make_unique<Team>(options)) {}
+PairBatch::PairBatch(const DistanceOptions& options, int threads)
+    : team_(std::make_unique<Team>(options, threads)) {}
 PairBatch::~PairBatch() = default;
 PairBatch::PairBatch(PairBatch&&) noexcept = default;
 PairBatch& PairBatch::operator=(PairBatch&&) noexcept = default;
 
+void PairBatch::set_stop(std::function<bool()> stop) {
+  team_->stop = std::move(stop);
+  for (Team::Member& member : team_->members) {
+    if (member.gauge) member.gauge->set_stop(team_->stop);
+    if (member.distance) member.distance->set_stop(team_->stop);
+    if (member.growth) member.growth->set_stop(team_->stop);
+  }
+}
+
 void PairBatch::distances(std::span<const PosedPair> pairs, const ConvexSet& Q, const BatchAnswers& answers,
                           std::span<WarmStart> warm) {
   const int n = Q.dimension();
-  check(pairs, n, static_cast<int>(team_->members.size()), answers, warm);
-  const bool points = !answers.closest_points_1.empty() || !answers.closest_points_2.empty();
-  const ObjectEffects effects = points ? ObjectEffects::closest_points : ObjectEffects::none;
-  share(team_->members, std::ssize(pairs), [&](Team::Member& member, std::size_t i) {
+  team_->check_dimensions(pairs, n);
+  check_rooms(pairs.size(), n, answers);
+  check_room("warm", warm.size(), pairs.size());
+  const ObjectEffects effects = effects_for(answers);
+  team_->share(pairs.size(), [&](Team::Member& member, std::size_t i, int /*thread*/) {
     WarmStart* start = warm.empty() ? nullptr : &warm[i];
-    const ObjectDistance& r = member.distance.solve(pairs[i].first, pairs[i].second, Q, effects, start);
-    put(answers, i, r.distance, n);
-    put(answers.closest_points_1, i, r.closest_point_1, n);
-    put(answers.closest_points_2, i, r.closest_point_2, n);
+    ObjectDistanceSolver& solver = team_->ready(member.distance);
+    put(answers, i, solver.solve(pairs[i].first, pairs[i].second, Q, effects, start), n);
   });
 }
 
@@ -147,10 +258,39 @@ void PairBatch::growth_distances(std::span<const PosedPair> pairs, const BatchAn
                                  std::span<WarmStart> warm) {
   if (pairs.empty()) return;
   const int n = pairs.front().first.dimension();
-  check(pairs, n, static_cast<int>(team_->members.size()), answers, warm);
-  share(team_->members, std::ssize(pairs), [&](Team::Member& member, std::size_t i) {
+  team_->check_dimensions(pairs, n);
+  check_rooms(pairs.size(), n, answers);
+  check_room("warm", warm.size(), pairs.size());
+  team_->share(pairs.size(), [&](Team::Member& member, std::size_t i, int /*thread*/) {
     WarmStart* start = warm.empty() ? nullptr : &warm[i];
-    put(answers, i, member.growth.solve_about_centers(pairs[i].first, pairs[i].second, start), n);
+    GrowthDistanceSolver& solver = team_->ready(member.growth);
+    put(answers, i, solver.solve_about_centers(pairs[i].first, pairs[i].second, start), n);
+  });
+}
+
+void PairBatch::distances(std::size_t count, const PairSource& pairs, const ConvexSet& Q,
+                          const BatchAnswers& answers, ObjectEffects effects) {
+  const int n = Q.dimension();
+  check_rooms(count, n, answers);
+  const ObjectEffects all = effects | effects_for(answers);
+  team_->share(count, [&](Team::Member& member, std::size_t i, int thread) {
+    const PosedPair pair = pairs(i, thread);
+    put(answers, i, team_->ready(member.distance).solve(pair.first, pair.second, Q, all), n);
+  });
+}
+
+void PairBatch::gauge_distances(std::size_t count, const PairSource& pairs, int n,
+                                const BatchAnswers& answers, bool along_path) {
+  check_rooms(count, n, answers);
+  const Effects effects = answers.contact_points.empty() ? Effects::none : Effects::witness;
+  team_->share(count, [&](Team::Member& member, std::size_t i, int thread) {
+    if (i % kPath == 0) member.warm.clear();
+    const PosedPair pair = pairs(i, thread);
+    DistanceSolver& solver = team_->ready(member.gauge);
+    const DistanceResult& r =
+        solver.solve(pair.first, pair.second, effects, along_path ? &member.warm : nullptr);
+    put(answers, i, r, n);
+    put(answers.contact_points, i, r.contact_point, n);
   });
 }
 

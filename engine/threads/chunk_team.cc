@@ -73,7 +73,7 @@ void ChunkTeam::share(const Job& job, bool wake) {
     wait_while(gate_, at_work);
     at_work = gate_.load(std::memory_order_acquire);
   }
-  const bool late = Clock::now() - out_of_chunks > out_of_chunks - begin;
+  const bool late = !patient_ && Clock::now() - out_of_chunks > out_of_chunks - begin;
   penalty_ = late ? std::clamp(2 * penalty_, kLeastPenalty, kMostPenalty) : penalty_ / 2;
   if (late) alone_ = penalty_;
 }

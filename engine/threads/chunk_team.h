@@ -25,6 +25,9 @@ class ChunkTeam {
   /// already.
   void resize(int threads);
 
+  /// A patient caller of long work does not work alone after it has waited.
+  void be_patient() noexcept { patient_ = true; }
+
   /// work(chunk) once for every chunk in 0 … chunks - 1, on any thread. `work` must not throw. A helper
   /// sleeps some 0.1 ms after its last work; `wake` wakes it, which costs the caller some µs, otherwise only
   /// those that are awake take part. Allocates nothing.
@@ -47,6 +50,7 @@ class ChunkTeam {
   void help();
   void end_helpers();
 
+  bool patient_ = false;
   int wanted_ = 1;
   int alone_ = 0;    // runs without helpers to come
   int penalty_ = 0;  // how many the next delay costs

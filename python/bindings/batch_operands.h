@@ -4,8 +4,11 @@
 
 #include <pybind11/numpy.h>
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,8 @@
 #include "python/bindings/poses.h"
 #include "python/bindings/solving.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/methods/result.h"
+#include "raygauge/queries/pair_batch.h"
 
 namespace raygauge::python {
 
@@ -83,23 +88,6 @@ class BatchOperand {
   std::ptrdiff_t size_ = 0;
   int dimension_ = 0;
 };
-
-/// Throws the same kind of error, which says in which problem it arose.
-template <class Function>
-void naming_problem(std::ptrdiff_t k, const Function& function) {
-  const auto text = [k](const Error& error) { return "problem " + std::to_string(k) + ": " + error.what(); };
-  try {
-    function();
-  } catch (const DimensionMismatchError& error) {
-    throw DimensionMismatchError(text(error));
-  } catch (const NonFiniteError& error) {
-    throw NonFiniteError(text(error));
-  } catch (const EmptySetError& error) {
-    throw EmptySetError(text(error));
-  } catch (const InvalidParameterError& error) {
-    throw InvalidParameterError(text(error));
-  }
-}
 
 /// Poses of a batch, one for each problem, or none at all.
 class BatchPoses {
@@ -171,6 +159,62 @@ inline std::ptrdiff_t problem_count(const BatchSide& A, const BatchSide& Q, cons
         single + " answers a single problem");
   }
   return *count;
+}
+
+/// The pairs of a batch for PairBatch, whose threads ask for them without the interpreter's lock. What is
+/// made for a pair, a set of rows of an array or a pose, has one place a thread.
+class BatchPairs {
+ public:
+  BatchPairs(const BatchSide& first, const BatchSide& second, int threads)
+      : first_(first), second_(second), places_(static_cast<std::size_t>(threads)) {}
+
+  /// To be called while this object lives.
+  PairSource source() {
+    return [this](std::size_t k, int thread) {
+      Place& place = places_[static_cast<std::size_t>(thread)];
+      place.first.set.reset();  // both before either is made: its memory, still in the cache, serves again
+      place.second.set.reset();
+      return PosedPair{place.first.posed(first_, k, replaced_), place.second.posed(second_, k, replaced_)};
+    };
+  }
+
+  /// Whether a rotation was replaced by the nearest one.
+  bool replaced() const noexcept { return replaced_; }
+
+ private:
+  struct Body {
+    SetPointer set;
+    std::optional<Pose> pose;
+
+    Posed posed(const BatchSide& side, std::size_t k, std::atomic<bool>& replaced) {
+      const auto problem = static_cast<std::ptrdiff_t>(k);
+      set = side.operand.set(problem);
+      pose = side.poses.pose(problem);
+      if (pose && pose->replaced() > 0) replaced.store(true, std::memory_order_relaxed);
+      return python::posed(*set, pose);
+    }
+  };
+  struct alignas(64) Place {
+    Body first, second;
+  };
+
+  const BatchSide& first_;
+  const BatchSide& second_;
+  std::vector<Place> places_;
+  std::atomic<bool> replaced_ = false;
+};
+
+/// The memory of an array of int8, as the statuses whose numbers it is to hold.
+inline std::span<DistanceStatus> statuses(py::array_t<std::int8_t>& numbers) {
+  static_assert(sizeof(DistanceStatus) == 1);
+  return {reinterpret_cast<DistanceStatus*>(numbers.mutable_data()),
+          static_cast<std::size_t>(numbers.size())};
+}
+
+/// All numbers of an array.
+template <class T>
+std::span<T> numbers_of(py::array_t<T>& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
 }
 
 }  // namespace raygauge::python

@@ -7,7 +7,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
+
+#include "python/bindings/batch_operands.h"
 
 namespace raygauge::python {
 
@@ -20,7 +23,7 @@ struct DistanceBatch {
   py::array_t<double> normal;             // NaN where a problem has none
   py::object contact_point = py::none();  // or an array
   py::array_t<std::int64_t> pivots;
-  double* contact_data = nullptr;
+  std::span<double> contacts;  // the memory of contact_point
 
   DistanceBatch() = default;
   DistanceBatch(std::ptrdiff_t count, int n, bool witness)
@@ -33,8 +36,21 @@ struct DistanceBatch {
         pivots(count) {
     if (!witness) return;
     py::array_t<double> points({count, static_cast<std::ptrdiff_t>(n)});
-    contact_data = points.mutable_data();
+    contacts = numbers_of(points);
     contact_point = std::move(points);
+  }
+
+  /// Where PairBatch writes them: the arrays' memory.
+  BatchAnswers answers() {
+    BatchAnswers answers;
+    answers.distance = numbers_of(distance);
+    answers.lower = numbers_of(lower);
+    answers.upper = numbers_of(upper);
+    answers.status = statuses(status_code);
+    answers.normal = numbers_of(normal);
+    answers.contact_points = contacts;
+    answers.pivots = numbers_of(pivots);
+    return answers;
   }
 };
 

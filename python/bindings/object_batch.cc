@@ -3,19 +3,18 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "python/bindings/batch_docs.h"
 #include "python/bindings/batch_operands.h"
 #include "python/bindings/interrupt.h"
 #include "python/bindings/results.h"
-#include "python/bindings/workers.h"
+#include "python/bindings/thread_count.h"
 #include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/pair_batch.h"
 
 namespace raygauge::python {
 namespace {
@@ -40,74 +39,20 @@ struct ObjectDistanceBatch {
     point_1 = rows(count, n);
     point_2 = rows(count, n);
   }
-};
 
-/// Where the threads of a batch write: the arrays' memory.
-struct ObjectBatchOutput {
-  double *distance, *lower, *upper, *normal;
-  double *point_1 = nullptr, *point_2 = nullptr;
-  std::int8_t* status;
-  int n;
-
-  ObjectBatchOutput(ObjectDistanceBatch& batch, int dimension)
-      : distance(batch.distance.mutable_data()),
-        lower(batch.lower.mutable_data()),
-        upper(batch.upper.mutable_data()),
-        normal(batch.normal.mutable_data()),
-        status(batch.status_code.mutable_data()),
-        n(dimension) {
-    if (!batch.point_1) return;
-    point_1 = batch.point_1->mutable_data();
-    point_2 = batch.point_2->mutable_data();
-  }
-
-  void store(std::ptrdiff_t k, const ObjectDistance& r) const {
-    const bool inside = r.depth.evaluations > 0;
-    distance[k] = r.signed_distance();
-    lower[k] = inside ? -r.depth.upper : r.distance.lower;
-    upper[k] = inside ? -r.depth.lower : r.distance.upper;
-    status[k] = static_cast<std::int8_t>(inside ? r.depth.status : r.distance.status);
-    store_vector(inside ? r.depth.normal : r.distance.normal, normal, k);
-    if (point_1 == nullptr) return;
-    store_vector(inside ? r.depth.point_1 : r.closest_point_1, point_1, k);
-    store_vector(inside ? r.depth.point_2 : r.closest_point_2, point_2, k);
-  }
-
- private:
-  void store_vector(const Vector& vector, double* all, std::ptrdiff_t k) const {
-    if (vector.size() == n) {
-      std::copy_n(vector.data(), n, all + k * n);
-    } else {
-      std::fill_n(all + k * n, n, std::numeric_limits<double>::quiet_NaN());
-    }
+  /// Where PairBatch writes them: the arrays' memory.
+  BatchAnswers answers() {
+    BatchAnswers answers;
+    answers.distance = numbers_of(distance);
+    answers.lower = numbers_of(lower);
+    answers.upper = numbers_of(upper);
+    answers.status = statuses(status_code);
+    answers.normal = numbers_of(normal);
+    if (point_1) answers.closest_points_1 = numbers_of(*point_1);
+    if (point_2) answers.closest_points_2 = numbers_of(*point_2);
+    return answers;
   }
 };
-
-/// What all threads of a batch read.
-struct ObjectBatchTask {
-  const BatchSide &A1, &A2;
-  const ConvexSet& Q;
-  const DistanceOptions& options;
-  ObjectEffects effects;
-  const ObjectBatchOutput& output;
-  const std::atomic<bool>& stop;
-  std::atomic<bool>& replaced;  ///< whether a rotation was
-};
-
-void work_on(const ObjectBatchTask& task, const std::function<std::ptrdiff_t()>& next) {
-  ObjectDistanceSolver solver(task.options);
-  solver.set_stop([&task] { return task.stop.load(std::memory_order_relaxed); });
-  for (std::ptrdiff_t k = next(); k >= 0; k = next()) {
-    naming_problem(k, [&] {
-      const SetPointer first = task.A1.operand.set(k), second = task.A2.operand.set(k);
-      const std::optional<Pose> pose_1 = task.A1.poses.pose(k), pose_2 = task.A2.poses.pose(k);
-      for (const auto* pose : {&pose_1, &pose_2}) {
-        if (*pose && (*pose)->replaced() > 0) task.replaced.store(true, std::memory_order_relaxed);
-      }
-      task.output.store(k, solver.solve(posed(*first, pose_1), posed(*second, pose_2), task.Q, task.effects));
-    });
-  }
-}
 
 // NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, const SetLike& Q,
@@ -119,22 +64,24 @@ ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, con
   const SetPointer metric = as_set(Q, "Q");
   const DistanceOptions options = options_of(method, tolerance, time_limit);
   const std::ptrdiff_t count = problem_count(first, second, "object_distance()");
-  const int team = batch_threads(threads, count), n = metric->dimension();
+  const int team = batch_threads(threads), n = metric->dimension();
   for (const BatchSide* side : {&first, &second}) {
     if (side->operand.dimension() == n) continue;
     throw DimensionMismatchError(std::string(side->name) +
                                  " has n = " + std::to_string(side->operand.dimension()) +
                                  ", Q has n = " + std::to_string(n));
   }
-  ObjectEffects effects = closest_points ? ObjectEffects::closest_points : ObjectEffects::none;
-  if (is_signed) effects = effects | ObjectEffects::depth;
   ObjectDistanceBatch batch(count, n, closest_points);
-  const ObjectBatchOutput output(batch, n);
-  std::atomic<bool> stop = false, replaced = false;
-  const ObjectBatchTask task{first, second, *metric, options, effects, output, stop, replaced};
-  run_interruptibly(
-      stop, [&] { share_items(count, team, stop, [&task](const auto& next) { work_on(task, next); }); });
-  if (replaced) warn_of_replaced_rotation();
+  const BatchAnswers answers = batch.answers();
+  BatchPairs pairs(first, second, team);
+  PairBatch solvers(options, team);
+  std::atomic<bool> stop = false;
+  solvers.set_stop([&stop] { return stop.load(std::memory_order_relaxed); });
+  const ObjectEffects effects = is_signed ? ObjectEffects::depth : ObjectEffects::none;
+  run_interruptibly(stop, [&] {
+    solvers.distances(static_cast<std::size_t>(count), pairs.source(), *metric, answers, effects);
+  });
+  if (pairs.replaced()) warn_of_replaced_rotation();
   return batch;
 }
 

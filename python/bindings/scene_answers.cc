@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <limits>
 #include <mutex>
 #include <string>
 #include <variant>
 
 #include "python/bindings/interrupt.h"
-#include "python/bindings/workers.h"
+#include "python/bindings/thread_count.h"
 #include "raygauge/scene/scene_run.h"
 
 namespace raygauge::python {
@@ -93,7 +92,7 @@ py::dict columns_of(const Records& records, int n) {
 
 py::dict scene_columns(const Scene& scene, int threads) {
   const ScenePlan plan = plan_scene(scene);
-  const int team = batch_threads(threads, std::numeric_limits<std::ptrdiff_t>::max() / 2);
+  const int team = batch_threads(threads);
   CellCollector cells;
   std::atomic<bool> stop = false;
   SceneHooks hooks;

@@ -2,25 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/warm_start.h"
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {
 
-/// Two bodies in poses. Nothing is copied; sets and poses must outlive the call.
+/// Two bodies in poses, or a set and a gauge. Nothing is copied; sets and poses must outlive the call.
 struct PosedPair {
   Posed first, second;
 };
 
+/// Gives pair i, in thread 0, 1, … of the batch, which solves it before it asks for another: sets and poses
+/// that are made for the pair may be kept in one place a thread. What it throws ends the batch.
+using PairSource = std::function<PosedPair(std::size_t i, int thread)>;
+
 /// Output arrays of the caller; entry i is for pair i. Empty arrays are not computed; any other has room for
-/// all pairs. Arrays of vectors hold n numbers a pair,
-/// NaN where there is no such vector (the bodies meet).
+/// all pairs. Arrays of vectors hold n numbers a pair, NaN where there is no such vector (the bodies meet).
 struct BatchAnswers {
   std::span<double> distance;          ///< as in DistanceResult ...
   std::span<double> lower, upper;      ///< ... its certified bounds ...
@@ -28,21 +35,30 @@ struct BatchAnswers {
   std::span<double> normal;            ///< DistanceResult::normal
   std::span<double> closest_points_1;  ///< distances alone
   std::span<double> closest_points_2;
+  std::span<double> contact_points;  ///< gauge distances alone: DistanceResult::contact_point
+  std::span<std::int64_t> pivots;    ///< basis changes
 };
 
-/// Distances of many pairs of bodies in one call, on OpenMP threads. Every answer is that of
-/// ObjectDistanceSolver or GrowthDistanceSolver for the pair alone, whatever the number of threads.
+/// The largest number of threads of a batch.
+inline constexpr int kMostBatchThreads = 4096;
+
+/// Distances of many pairs of bodies in one call, on threads. Every answer is that of the solver for
+/// the pair alone, whatever the number of threads. An error names its pair, counted from 0: "problem 3: …".
 ///
 /// One batch object per caller; it keeps the solvers of its threads from one call to the next, and a repeated
 /// call allocates nothing.
 class PairBatch {
  public:
-  /// `options.threads` threads share the pairs; each solve stays on one. Throws InvalidParameterError for an
-  /// option outside its range.
-  explicit PairBatch(const DistanceOptions& options);
+  /// `threads` share the pairs, options.threads for 0; each solve stays on one. Throws InvalidParameterError
+  /// for an option outside its range.
+  explicit PairBatch(const DistanceOptions& options, int threads = 0);
   ~PairBatch();
   PairBatch(PairBatch&&) noexcept;
   PairBatch& operator=(PairBatch&&) noexcept;
+
+  /// Every thread asks it before each pair and during solves; once it says true no pair is begun. To be
+  /// called from all threads at once.
+  void set_stop(std::function<bool()> stop);
 
   /// The distance of each pair in the metric of Q. `warm` is empty, or has one entry a pair that is updated.
   /// Throws DimensionMismatchError where a body does not live in Q's space, and InvalidParameterError for an
@@ -53,6 +69,16 @@ class PairBatch {
   /// The growth distance of each pair about both centres. All bodies live in one space; throws as above.
   void growth_distances(std::span<const PosedPair> pairs, const BatchAnswers& answers,
                         std::span<WarmStart> warm = {});
+
+  /// The distance of each of `count` pairs in the metric of Q; with ObjectEffects::depth, of bodies that
+  /// meet, minus the depth with its bounds, normal and points. Throws as above and what `pairs` throws.
+  void distances(std::size_t count, const PairSource& pairs, const ConvexSet& Q, const BatchAnswers& answers,
+                 ObjectEffects effects = ObjectEffects::none);
+
+  /// d_Q(A) of each of `count` pairs of a set A and a gauge Q of R^n. With `along_path` a pair starts from
+  /// what the one before it left, but for each whose number is a multiple of 16.
+  void gauge_distances(std::size_t count, const PairSource& pairs, int n, const BatchAnswers& answers,
+                       bool along_path = false);
 
  private:
   struct Team;
