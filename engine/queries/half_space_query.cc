@@ -191,6 +191,7 @@ void HalfSpaceQuery::put_distance(const ConvexSet& Q, double tolerance, bool poi
   write_bounds(bounds, bounds.upper() < kInfinity ? bounds.upper() : bounds.lower(),
                bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit, distance);
   if (!apart) return;
+  distance.normal.resize(direction_.size());  // into the memory that it keeps
   distance.normal = direction_ / height.upper;
   if (!points || !(bounds.upper() < kInfinity)) return;
   put_points(distance.distance, result.closest_point_1, result.closest_point_2);
@@ -219,6 +220,7 @@ void HalfSpaceQuery::put_depth(const ConvexSet& Q, double tolerance, ObjectDepth
   depth.point_1.resize(0);
   depth.point_2.resize(0);
   if (!(height.lower > 0)) return;
+  depth.normal.resize(direction_.size());
   depth.normal = direction_ / height.upper;
   put_points(depth.depth, depth.point_1, depth.point_2);
 }
