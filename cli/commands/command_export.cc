@@ -17,8 +17,26 @@ struct ExportArguments {
   AnalysisArguments analysis;
   std::string csv;
   bool tidy = false;
+  bool contacts = false, steps = false, answers = false;
   bool force = false;
 };
+
+/// Of a simulation, where its bodies are; else the answers.
+std::string scene_table(const ExportArguments& arguments, const SceneFile& file) {
+  std::vector<std::string> bodies;
+  for (const SceneBodyRow& body : file.bodies) bodies.push_back(body.name);
+  if (!file.simulation) {
+    for (const auto& [option, given] :
+         {GivenOption{"--contacts", arguments.contacts}, GivenOption{"--steps", arguments.steps}}) {
+      if (given)
+        throw InvalidParameterError(arguments.analysis.files.front() + ": holds no simulation, for which " +
+                                    option + " is");
+    }
+  }
+  if (!file.simulation || arguments.answers) return scene_csv(file);
+  if (arguments.contacts) return contacts_csv(*file.simulation, bodies);
+  return arguments.steps ? steps_csv(*file.simulation) : states_csv(*file.simulation, bodies);
+}
 
 /// A scene's records; they have columns of their own, and no filter.
 bool exported_scene(const ExportArguments& arguments) {
@@ -27,12 +45,18 @@ bool exported_scene(const ExportArguments& arguments) {
   refuse_options_of_scene(arguments.analysis, {{"--tidy", arguments.tidy}});
   const Output output =
       output_of(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
-  write_to(output, scene_csv(read_scene(arguments.analysis)));
+  write_to(output, scene_table(arguments, read_scene(arguments.analysis)));
   return true;
 }
 
 int export_records(const ExportArguments& arguments) {
+  if (static_cast<int>(arguments.contacts) + static_cast<int>(arguments.steps) +
+          static_cast<int>(arguments.answers) >
+      1)
+    throw InvalidParameterError("export: --contacts, --steps and --answers name one table each; give one");
   if (exported_scene(arguments)) return kAnswered;
+  if (arguments.contacts || arguments.steps || arguments.answers)
+    throw InvalidParameterError("export: --contacts, --steps and --answers are for the file of one scene");
   const Filter filter = filter_of(arguments.analysis);
   const Output output =
       output_of(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
@@ -57,6 +81,10 @@ void add_export_command(Command& app, int& status) {
       .type_name("OUT.csv");
   command.add_flag("--tidy", arguments->tidy,
                    "Add a column for each parameter of a generator or method, as separation");
+  command.add_flag("--contacts", arguments->contacts,
+                   "Of a simulation: a line a contact, in place of one a body and instant");
+  command.add_flag("--steps", arguments->steps, "Of a simulation: a line a step");
+  command.add_flag("--answers", arguments->answers, "Of a scene: the answers to its queries");
   add_force_option(command, arguments->force);
   command.footer(
       "Examples:\n"

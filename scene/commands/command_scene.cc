@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -32,21 +31,18 @@
 #include "results/run/output_place.h"
 #include "results/run/shards.h"
 #include "results/text/language.h"
+#include "scene/commands/command_simulate.h"
 #include "scene/commands/plan_motion.h"
+#include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"
 #include "scene/file/scene_writer.h"
-#include "scene/input/scene_source.h"
-#include "scene/page/scene_drawing.h"
 
 namespace raygauge::cli {
 namespace {
 
 struct SceneArguments {
-  std::string path;
+  SceneInput input;
   std::string output;
-  std::vector<std::string> overrides;
-  std::vector<std::string> packages;
-  bool skip_missing_meshes = false;
   int threads = 0;
   std::optional<Shard> shard;
   bool resume = false;
@@ -57,49 +53,12 @@ struct SceneArguments {
   PlanOptions planning;
 };
 
-std::map<std::string, std::string> package_folders(const std::vector<std::string>& options) {
-  std::map<std::string, std::string> folders;
-  for (const std::string& option : options) {
-    const std::size_t equals = option.find('=');
-    if (equals == 0 || equals == std::string::npos) {
-      throw InvalidParameterError("--package " + option + ": must be NAME=FOLDER");
-    }
-    folders[option.substr(0, equals)] = option.substr(equals + 1);
-  }
-  return folders;
-}
-
-SceneSource source_of(const SceneArguments& arguments) {
-  return read_scene(arguments.path, arguments.overrides,
-                    {package_folders(arguments.packages), arguments.skip_missing_meshes});
-}
-
-/// What the results say of the scene before any of it is computed.
-SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
-  const Scene& scene = source.scene;
-  SceneFile head;
-  head.name = scene.name;
-  head.text = source.text;
-  head.identity = scene_identity(source);
-  head.drawing = drawing_of(scene);
-  head.cell_count = plan.cells.size();
-  for (const Body& body : scene.bodies) {
-    head.bodies.push_back({body.name, static_cast<std::int32_t>(body.parts.size())});
-  }
-  for (std::size_t q = 0; q < scene.queries.size(); ++q) {
-    const SceneQuery& query = scene.queries[q];
-    head.queries.push_back({query.name, to_string(query.effects), source.metrics[q], query.within,
-                            query.nearest, query.tolerance, query.contact});
-  }
-  return head;
-}
-
 std::string resume_command(const SceneArguments& arguments, const std::string& output) {
   std::string command = language::shell(program_invocation_name) + " scene run " +
-                        language::shell(arguments.path) + " -o " + language::shell(output);
-  for (const std::string& text : arguments.overrides) command += " --set " + language::shell(text);
-  for (const std::string& text : arguments.packages) command += " --package " + language::shell(text);
-  if (arguments.skip_missing_meshes) command += " --skip-missing-meshes";
+                        language::shell(arguments.input.path) + " -o " + language::shell(output);
+  for (const std::string& text : arguments.input.overrides) command += " --set " + language::shell(text);
+  for (const std::string& text : arguments.input.packages) command += " --package " + language::shell(text);
+  if (arguments.input.skip_missing_meshes) command += " --skip-missing-meshes";
   if (arguments.shard) {
     command +=
         " --shard " + std::to_string(arguments.shard->index) + "/" + std::to_string(arguments.shard->count);
@@ -127,7 +86,11 @@ class SceneJob {
 
   int run() {
     together([this] {
-      source_ = source_of(arguments_);
+      source_ = source_of(arguments_.input);
+      if (source_.dynamics)
+        throw InvalidParameterError(
+            arguments_.input.path +
+            ": [dynamics] is for `raygauge scene simulate`, which answers the queries too");
       if (arguments_.plan) moved_ = plan_motion(source_, arguments_.planning);
       plan_ = plan_scene(source_.scene);
     });
@@ -155,7 +118,7 @@ class SceneJob {
   void store_path() const {
     const std::string path = std::filesystem::path(path_).replace_extension(".path.csv").string();
     const OutputPlace place =
-        output_place({path, OutputKind::text, {".csv"}, {arguments_.path}, arguments_.force});
+        output_place({path, OutputKind::text, {".csv"}, {arguments_.input.path}, arguments_.force});
     write_output(place, moved_->csv);
     if (arguments_.quiet) return;
     std::printf("path: %s\n  trajectory %s\n", moved_->summary.c_str(), language::printable(path).c_str());
@@ -195,7 +158,7 @@ class SceneJob {
   }
 
   std::string open_writer(const std::vector<MachineInfo>& machines) {
-    output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments_.path}, arguments_.force});
+    output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments_.input.path}, arguments_.force});
     for (std::size_t i = 0; i < machines.size(); ++i) {
       head_.sessions.push_back(describe_session(Experiment(), duties_[i].threads, {}));
       head_.sessions.back().machine = machines[i];
@@ -289,7 +252,7 @@ int run_scene_file(const SceneArguments& arguments) {
 }
 
 int explain(const SceneArguments& arguments) {
-  const SceneSource source = source_of(arguments);
+  const SceneSource source = source_of(arguments.input);
   print_notes(source.notes);
   const ScenePlan plan = plan_scene(source.scene);
   Json json;
@@ -301,6 +264,13 @@ int explain(const SceneArguments& arguments) {
                      counted(source.scene.bodies.size(), "body", "bodies") + ", " +
                      counted(source.scene.instants.size(), "instant") + ", " +
                      counted(plan.cells.size(), "cell") + " of work\n";
+  if (source.dynamics) {
+    text += "dynamics\n";
+    for (const std::string& line : explain_dynamics(source.scene, *source.dynamics)) {
+      text += "  " + language::printable(line) + "\n";
+      json["dynamics"].push_back(line);
+    }
+  }
   for (std::size_t q = 0; q < source.scene.queries.size(); ++q) {
     const SceneQuery& asked = source.scene.queries[q];
     Json query;
@@ -318,29 +288,6 @@ int explain(const SceneArguments& arguments) {
   return kAnswered;
 }
 
-void add_source_options(Command& command, SceneArguments& arguments) {
-  command.add_option("scene", arguments.path, "Scene file (TOML; see docs/scenes.md)")
-      .required()
-      .type_name("SCENE.toml");
-  command
-      .add_option("--set", arguments.overrides,
-                  "Replace a value of the scene, as in --set time.instants=11; may be repeated")
-      .type_name("KEY=VALUE")
-      .default_str("")
-      .expected(1)
-      .take_all();
-  command
-      .add_option("--package", arguments.packages,
-                  "Folder that package://NAME/ in URDF files stands for; may be repeated")
-      .type_name("NAME=FOLDER")
-      .default_str("")
-      .expected(1)
-      .take_all();
-  command.add_flag("--skip-missing-meshes", arguments.skip_missing_meshes,
-                   "Leave out the meshes of robots that are not there, and name them");
-  add_max_input_option(command);
-}
-
 void add_run_options(Command& command, SceneArguments& arguments) {
   command
       .add_option("-o,--output", arguments.output,
@@ -355,7 +302,7 @@ void add_run_options(Command& command, SceneArguments& arguments) {
 void add_plan_command(Command& scene, const std::shared_ptr<SceneArguments>& arguments, int& status) {
   Command plan = scene.add_subcommand(
       "plan", "Find a path for the robot of [plan], proven at every time, and answer the queries along it");
-  add_source_options(plan, *arguments);
+  add_source_options(plan, arguments->input);
   add_run_options(plan, *arguments);
   add_planning_options(plan, arguments->planning);
   plan.add_flag("--force", arguments->force, "Replace existing files");
@@ -372,7 +319,7 @@ void add_scene_command(Command& app, int& status) {
   Command scene = app.add_subcommand("scene", "Bodies that move: answer what a scene file asks, with proof");
   scene.require_subcommand();
   Command run = scene.add_subcommand("run", "Answer every query of a scene and store the answers");
-  add_source_options(run, *arguments);
+  add_source_options(run, arguments->input);
   add_run_options(run, *arguments);
   run.add_option_function(
          "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
@@ -383,9 +330,10 @@ void add_scene_command(Command& app, int& status) {
   run.add_flag("--force", arguments->force, "Replace an existing results file").excludes(resume);
   run.callback([arguments, &status] { status = run_scene_file(*arguments); });
   add_plan_command(scene, arguments, status);
+  add_simulate_command(scene, status);
   Command plan =
       scene.add_subcommand("explain", "Print what will be computed for which pairs, what never, and why");
-  add_source_options(plan, *arguments);
+  add_source_options(plan, arguments->input);
   plan.add_flag("--json", arguments->json, "Print one JSON object");
   plan.callback([arguments, &status] { status = explain(*arguments); });
 }

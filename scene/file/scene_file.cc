@@ -68,6 +68,13 @@ void require_known(const SceneFile& file, const std::string& path) {
     require_row(row.record.body_b, file.bodies.size(), "bodies", path);
   }
   for (const SceneTallyRow& row : file.tallies) require_row(row.query, file.queries.size(), "queries", path);
+  if (!file.simulation) return;
+  for (const StateRow& row : file.simulation->states)
+    require_row(row.body, file.bodies.size(), "bodies", path);
+  for (const ContactRow& row : file.simulation->contacts) {
+    require_row(row.body_a, file.bodies.size(), "bodies", path);
+    require_row(row.body_b, file.bodies.size(), "bodies", path);
+  }
 }
 
 // Rows are long: each is moved once.
@@ -111,6 +118,10 @@ std::string encode_scene(const SceneFile& file) {
     hdf5::write_table(root, "cells", scene_cell_columns(), file.cells, Layout::plain);
     hdf5::write_table(root, "bodies", scene_body_columns(), file.bodies, Layout::plain);
     hdf5::write_table(root, "queries", scene_query_columns(), file.queries, Layout::plain);
+    if (!file.simulation) return;
+    hdf5::write_table(root, "states", state_columns(), file.simulation->states, Layout::packed);
+    hdf5::write_table(root, "contacts", contact_columns(), file.simulation->contacts, Layout::packed);
+    hdf5::write_table(root, "steps", step_columns(), file.simulation->steps, Layout::packed);
   });
 }
 
@@ -130,6 +141,10 @@ SceneFile decode_scene(const fs::path& path) {
     file.cells = hdf5::read_table(root, "cells", scene_cell_columns(), place);
     file.bodies = hdf5::read_table(root, "bodies", scene_body_columns(), place);
     file.queries = hdf5::read_table(root, "queries", scene_query_columns(), place);
+    if (!root.nameExists("states")) return;
+    file.simulation = SimulationTables{hdf5::read_table(root, "states", state_columns(), place),
+                                       hdf5::read_table(root, "contacts", contact_columns(), place),
+                                       hdf5::read_table(root, "steps", step_columns(), place)};
   });
   require_known(file, path.string());
   return file;

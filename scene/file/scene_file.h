@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "results/provenance/provenance.h"
 #include "results/schema/column.h"
 #include "results/schema/schema.h"
+#include "scene/file/simulation_tables.h"
 
 namespace raygauge {
 
@@ -69,6 +71,7 @@ struct SceneFile {
   std::vector<SceneRow> records;
   std::vector<SceneTallyRow> tallies;
   std::vector<SceneCellRow> cells;
+  std::optional<SimulationTables> simulation;  ///< of bodies that reacted
   bool has_checksum = true;  ///< of the file that it was read from (results/hdf5/checksum.h)
 
   bool finished() const noexcept { return cells.size() == cell_count; }

@@ -23,7 +23,7 @@ const char* without_siconos() noexcept {
 namespace {
 
 constexpr double kEnough = 1e-10;
-constexpr int kMostIterations = 50'000;
+constexpr int kMostIterations = 20'000;
 
 struct FreeMatrix {
   void operator()(NumericsMatrix* matrix) const {

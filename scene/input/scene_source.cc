@@ -242,16 +242,18 @@ class SceneReader {
   void read_reactions() {
     const toml::node* node = toml_.root.get("dynamics");
     if (node != nullptr) {
-      source_.dynamics = read_dynamics(table_of(*node, "dynamics"), dimension_,
-                                       [this](const std::string& name, const toml::node& at) -> const std::vector<int>& {
-                                         return bodies_named(name, at);
-                                       });
+      source_.dynamics =
+          read_dynamics(table_of(*node, "dynamics"), dimension_,
+                        [this](const std::string& name, const toml::node& at) -> const std::vector<int>& {
+                          return bodies_named(name, at);
+                        });
     }
     for (const auto& [table, how] : reactions_) {
       if (source_.dynamics) source_.dynamics->bodies.push_back(how);
       if (source_.dynamics || table == nullptr) continue;
       for (const std::string& key : body_dynamics_keys()) {
-        if (table->contains(key)) refuse(*table->get(key), "body." + key + " has no effect without [dynamics]");
+        if (table->contains(key))
+          refuse(*table->get(key), "body." + key + " has no effect without [dynamics]");
       }
     }
   }
@@ -358,11 +360,12 @@ class SceneReader {
 
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
   static const std::map<std::string, std::vector<std::string>> kKeys = {
-      {"", {"name", "description", "dimension", "time", "dynamics", "body", "robot", "plan", "ignore", "query"}},
+      {"",
+       {"name", "description", "dimension", "time", "dynamics", "body", "robot", "plan", "ignore", "query"}},
       {"time", {"from", "to", "instants"}},
       {"body",
-       {"name", "group", "shape", "parts", "file", "scale", "pose", "motion", "density", "mass", "inertia", "velocity",
-        "angular_velocity"}},
+       {"name", "group", "shape", "parts", "file", "scale", "pose", "motion", "density", "mass", "inertia",
+        "velocity", "angular_velocity"}},
       {"robot", robot_keys()},
       {"plan", plan_keys()},
       {"query",

@@ -49,6 +49,20 @@ Eigen::Matrix3d hat(const Eigen::Vector3d& a) {
   return A;
 }
 
+// Where the velocities of the bodies that react stand.
+std::map<int, Eigen::Index> columns_of(const std::vector<ContactUnknown*>& contacts,
+                                       const std::vector<SimulatedBody>& bodies) {
+  std::map<int, Eigen::Index> column;  // of the bodies that react
+  for (const ContactUnknown* contact : contacts) {
+    for (const int body : {contact->a, contact->b}) {
+      if (bodies[static_cast<std::size_t>(body)].reacts()) column.emplace(body, 0);
+    }
+  }
+  Eigen::Index next = 0;
+  for (auto& [body, at] : column) at = 6 * next++;
+  return column;
+}
+
 }  // namespace
 
 double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies) {
@@ -70,16 +84,9 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
 // W = J M⁻¹ Jᵀ with J the velocities of a contact, a's less b's, along its frame, by those of the bodies.
 double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
                                     std::vector<SimulatedBody>& bodies) {
-  std::map<int, Eigen::Index> column;  // of the bodies that react
-  for (const ContactUnknown* contact : contacts) {
-    for (const int body : {contact->a, contact->b}) {
-      if (bodies[static_cast<std::size_t>(body)].reacts()) column.emplace(body, 0);
-    }
-  }
-  Eigen::Index next = 0;
-  for (auto& [body, at] : column) at = 6 * next++;
+  const std::map<int, Eigen::Index> column = columns_of(contacts, bodies);
   const auto rows = 3 * static_cast<Eigen::Index>(contacts.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, 6 * next), JM = J;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, 6 * static_cast<Eigen::Index>(column.size())), JM = J;
   Eigen::VectorXd q(rows), r(rows);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactUnknown& contact = *contacts[c];

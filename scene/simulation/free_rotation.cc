@@ -20,9 +20,9 @@ Eigen::Matrix3d hat(const Eigen::Vector3d& a) {
 
 // A step of Newton's method on P - Π - k P × J⁻¹P = 0.
 Eigen::Vector3d improved(const Rotor& rotor, const Eigen::Vector3d& Pi, const Eigen::Vector3d& P, double k) {
-  const Eigen::Vector3d Omega = rotor.J_inverse * P;
-  const Eigen::Vector3d residual = P - Pi - k * P.cross(Omega);
-  const Eigen::Matrix3d slope = Eigen::Matrix3d::Identity() - k * (hat(P) * rotor.J_inverse - hat(Omega));
+  const Eigen::Vector3d omega = rotor.J_inverse * P;
+  const Eigen::Vector3d residual = P - Pi - k * P.cross(omega);
+  const Eigen::Matrix3d slope = Eigen::Matrix3d::Identity() - k * (hat(P) * rotor.J_inverse - hat(omega));
   return P - slope.partialPivLu().solve(residual);
 }
 
@@ -31,9 +31,9 @@ Eigen::Vector3d improved(const Rotor& rotor, const Eigen::Vector3d& Pi, const Ei
 std::optional<Eigen::Vector3d> constant_spin(const Rotor& rotor, const Eigen::Matrix3d& R,
                                              const Eigen::Vector3d& L, double h) {
   const Eigen::Vector3d Pi = R.transpose() * L;
-  const Eigen::Vector3d Omega = rotor.J_inverse * Pi;
-  if (Pi.cross(Omega).norm() <= kSteady * Pi.norm() * Omega.norm()) return R * Omega;
-  if (!(h * Omega.norm() <= kFarthest)) return std::nullopt;
+  const Eigen::Vector3d omega = rotor.J_inverse * Pi;
+  if (Pi.cross(omega).norm() <= kSteady * Pi.norm() * omega.norm()) return R * omega;
+  if (!(h * omega.norm() <= kFarthest)) return std::nullopt;
   Eigen::Vector3d P = Pi;
   for (int i = 0; i < kMostIterations; ++i) {
     const double speed = (rotor.J_inverse * P).norm();

@@ -93,6 +93,7 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
                   parts_[static_cast<std::size_t>(candidate.part_b)].owner,
                   candidate.law,
                   {},
+                  0,
                   PairRole::apart,
                   0};
     const double band = 2 * (travel(pair.part_a, t, dt) + travel(pair.part_b, t, dt)) + scales_.delta;
@@ -117,7 +118,8 @@ double NearPairs::closer_than(const NearPair& pair, double end, double allowed) 
 
 void NearPairs::hand_motions() {
   for (SimulatedPart& part : parts_) {
-    part.real.motion = part.shrunk.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
+    part.real.motion = part.shrunk.motion = part.narrower.motion =
+        bodies_[static_cast<std::size_t>(part.owner)].motion;
   }
 }
 
@@ -149,22 +151,20 @@ double NearPairs::free_until(const Body& a, const Body& b, double from, double t
 
 double NearPairs::proven_pair(const Candidate& candidate, double t, double end) {
   constexpr double kNearly = 1e-3;
+  constexpr double kAway =
+      0.75;  // of δ: a rebound higher than δ is then above 0.6 δ, which is past `arrival`
   const SimulatedPart& a = parts_[static_cast<std::size_t>(candidate.part_a)];
   const SimulatedPart& b = parts_[static_cast<std::size_t>(candidate.part_b)];
   const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
   if (near == nullptr || near->role == PairRole::apart)
     return free_until(a.real, b.real, t, end, scales_.arrival());
   nothing_touched_ = false;
-  if (near->role == PairRole::contact) return free_until(a.shrunk, b.shrunk, t, end, kNearly * scales_.delta);
-  // Bodies that leave each other: until they are as far as a new impact needs, the shrunk ones.
-  double slowest = std::numeric_limits<double>::infinity();
-  const SimulatedBody &body_a = bodies_[static_cast<std::size_t>(a.owner)],
-                      &body_b = bodies_[static_cast<std::size_t>(b.owner)];
-  for (const GapPoint& point : near->contact.points) {
-    slowest = std::min(
-        slowest, (body_a.velocity_at(point.at) - body_b.velocity_at(point.at)).dot(near->contact.normal));
+  if (near->role == PairRole::contact) {
+    const double until = free_until(a.narrower, b.narrower, t, end, kNearly * scales_.delta);
+    return until > t ? until : free_until(a.shrunk, b.shrunk, t, end, kNearly * scales_.delta);
   }
-  const double away = std::min(end, t + 2 * scales_.delta / std::max(slowest, 1e-300));
+  // Bodies that leave each other: until they are as far as a new impact needs, the shrunk ones.
+  const double away = std::min(end, t + kAway * scales_.delta / std::max(-near->closing, 1e-300));
   const double first = free_until(a.shrunk, b.shrunk, t, away, kNearly * scales_.delta);
   return first < away ? first : std::max(away, free_until(a.real, b.real, away, end, scales_.arrival()));
 }

@@ -24,6 +24,7 @@ struct NearPair {
   int a = 0, b = 0;  ///< bodies
   ContactLaw law;
   PartContact contact;
+  double closing = 0;  ///< the highest speed at which a point of the contact closes, before the step
   PairRole role = PairRole::apart;
   double correction = 0;  ///< <= 0: what the end of the step was closer than its contact problem said
 };

@@ -44,7 +44,8 @@ struct SimulatedBody {
 struct SimulatedPart {
   int owner = 0;
   Body real;
-  Body shrunk;  ///< by a share of δ: see shrunk_set()
+  Body shrunk;    ///< by a share of δ: see shrunk_set()
+  Body narrower;  ///< by less: what a step may use of δ that does not begin deeper already
 };
 
 }  // namespace raygauge

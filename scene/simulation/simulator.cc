@@ -18,6 +18,7 @@ constexpr int kMostTrials = 12;      // of one substep, shorter each time
 constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kShrink = 0.45;     // of δ, for each body of a pair: what is left covers rounding
+constexpr double kNarrower = 0.2;    // the same, of what a step may use
 constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
 
 Eigen::Vector3d in_space(const SmallVector& v) {
@@ -96,8 +97,10 @@ void Simulator::make_parts() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Body& body = out_.scene.bodies[b];
     for (const BodyPart& part : body.parts) {
-      parts_.push_back({static_cast<int>(b), make_body(body.name, {part.set}, body.motion),
-                        make_body(body.name, {shrunk_set(part.set, kShrink * scales_.delta)}, body.motion)});
+      parts_.push_back(
+          {static_cast<int>(b), make_body(body.name, {part.set}, body.motion),
+           make_body(body.name, {shrunk_set(part.set, kShrink * scales_.delta)}, body.motion),
+           make_body(body.name, {shrunk_set(part.set, kNarrower * scales_.delta)}, body.motion)});
     }
   }
 }
@@ -203,9 +206,14 @@ bool Simulator::is_rebound(const NearPair& pair, double approach) const {
   return (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
 }
 
-PairRole Simulator::role_of(const NearPair& pair, double dt) const {
+double Simulator::closing_speed(const NearPair& pair) const {
   double fastest = -kInfinity;
   for (const GapPoint& point : pair.contact.points) fastest = std::max(fastest, approach(pair, point));
+  return fastest;
+}
+
+PairRole Simulator::role_of(const NearPair& pair, double dt) const {
+  const double fastest = pair.closing;
   const double a = pressing(pair), speed = std::fabs(fastest);
   const bool far = (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
   if (pair.contact.lower <= scales_.touching())
@@ -216,6 +224,7 @@ PairRole Simulator::role_of(const NearPair& pair, double dt) const {
 
 void Simulator::choose_roles(double dt) {
   for (NearPair& pair : *near_) {
+    pair.closing = closing_speed(pair);
     pair.role = role_of(pair, dt);
     pair.correction = 0;
   }
@@ -295,7 +304,7 @@ bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& befor
                            now + pair.correction / dt, pair.law.friction, guess(pair, point)});
     }
   }
-  if (!contacts_.empty()) row_.residual = std::max(row_.residual, problem_.solve(contacts_, bodies_));
+  residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
   std::vector<bool> pushed(bodies_.size());
   for (const ContactUnknown& contact : contacts_) {
     if (contact.impulse.isZero(0)) continue;
@@ -311,7 +320,8 @@ bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& befor
 Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) const {
   const double near = 1e-2 * out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach;
   for (const ContactUnknown& before : last_) {
-    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near) return before.impulse;
+    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
+      return before.impulse;
   }
   return Eigen::Vector3d::Zero();
 }
@@ -374,6 +384,7 @@ double Simulator::end_of(double dt) const {
 void Simulator::commit(double end) {
   ++row_.substeps;
   row_.contacts += static_cast<std::int64_t>(contacts_.size());
+  row_.residual = std::max(row_.residual, residual_);
   record_contacts(contacts_, false);
   last_ = contacts_;
   bounces_ = 0;

@@ -25,6 +25,7 @@ class Simulator {
   double longest_substep(double to) const;
   void follow_motions();
   void choose_roles(double dt);
+  double closing_speed(const NearPair& pair) const;
   PairRole role_of(const NearPair& pair, double dt) const;
   bool is_rebound(const NearPair& pair, double approach) const;
   bool bounce();
@@ -56,7 +57,8 @@ class Simulator {
   std::vector<ContactUnknown> contacts_;  // of the substep in work
   std::vector<ContactUnknown> last_;      // of the one before
   StepRecord row_;
-  int bounces_ = 0;  // at this moment
+  double residual_ = 0;  // of the contact problem of the substep in work
+  int bounces_ = 0;      // at this moment
 };
 
 }  // namespace raygauge

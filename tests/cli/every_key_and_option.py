@@ -44,15 +44,46 @@ SEPARATED = 'effects = ["separated"]'
 BALL = '{ shape = "ball", center = [0, 0, 0], radius = 2 }'
 CUBE = '{ shape = "box", lower = [-1, -2, -1], upper = [2, 1, 1] }'
 
+# Keys of a body that have no effect without [dynamics], and their other values where there is.
+REACTION_KEYS = {"density": "density = 2", "mass": "mass = 3", "inertia": "mass = 2\ninertia = [1, 2, 3]",
+                 "velocity": "mass = 2\nvelocity = [1, 0, 0]", "angular_velocity": "mass = 2\nangular_velocity = [1, 0, 0]"}
+REACTING = """[time]
+to = 0.5
+instants = 3
+[dynamics]
+gravity = [0, 0, -9.81]
+contact = { restitution = 0.5 }
+[[body]]
+name = "a"
+shape = { shape = "box", lower = [-1, -1, -1], upper = [1, 1, 1] }
+pose = { translation = [0.2, 0, 2.1], rpy = [0.1, 0.2, 0] }
+mass = 2
+angular_velocity = [0, 0, 1]
+[[body]]
+name = "b"
+shape = { shape = "box", lower = [-9, -9, -1], upper = [9, 9, 0] }
+"""
+
+PAIRED = REACTING.replace("[[body]]", '[[dynamics.pair]]\nbetween = ["a", "b"]\nrestitution = 0.9\n[[body]]', 1)
+
+# By table and key: the lines of the table in two files that must give different motions.
+DYNAMICS_KEYS = {
+    "dynamics": {"gravity": "gravity = [0, 0, -5]", "contact": "contact = { restitution = 0.5, friction = 0.5 }",
+                 "damping": "damping = { linear = 1, angular = 2 }", "step": "step = 1e-2", "tolerance": "tolerance = 1e-3",
+                 "pair": ""},
+    "dynamics.pair": {"between": 'between = ["b", "b"]', "friction": "friction = 0.5", "restitution": "restitution = 1"},
+}
+
 # By table and key: the lines of the table in two files that must give different answers; a line takes the place of one
 # with the same key.
 SCENE_KEYS = {
     "": {"name": ("", 'name = "other"'), "description": ("", 'description = "other words"'),
-         "dimension": ("", "dimension = 2"), "ignore": ("", 'ignore = [["a", "b"]]')},
+         "dimension": ("", "dimension = 2"), "dynamics": ("", "dynamics = { step = 1 }"), "ignore": ("", 'ignore = [["a", "b"]]')},
     "time": {"from": ("", "from = 0.5"), "to": ("", "to = 2"), "instants": ("", "instants = 5")},
     "body": {"name": ("", 'name = "c"'), "group": ("", 'group = "crew"'), "shape": ("", "shape = " + BALL),
              "parts": ("", f"parts = [{BALL}]"), "file": ("", 'file = "points.csv"'), "scale": ("", "scale = 0.5"),
-             "pose": ("", "pose = { translation = [0, 0, 1] }"), "motion": ("", "motion = { velocity = [1, 0, 0] }")},
+             "pose": ("", "pose = { translation = [0, 0, 1] }"), "motion": ("", "motion = { velocity = [1, 0, 0] }"),
+             **{key: ("", lines) for key, lines in REACTION_KEYS.items()}},
     "robot": {"name": ("", 'name = "other"'), "urdf": ("", 'urdf = "other.urdf"'),
               "base": ("", "base = { translation = [0, 1, 0] }"), "trajectory": ("", 'trajectory = "joints.csv"'),
               "group": ("", 'group = "a"')},
@@ -88,6 +119,7 @@ FILES = {
     "e.toml": 'name = "e"\n[sweep]\nn = [3, 4]\nN = [20, 30]\nrepetitions = 2\n[[generator]]\nname = "example2"\n'
               '[[method]]\nname = "column_generation"\n[[method]]\nname = "glpk_dual"\n[run]\nthreads = 1\n',
     "scene.toml": SCENE,
+    "reacting.toml": REACTING,
 }
 
 # The parameters of each shape of a set file: a value, and one that makes another set.
@@ -227,6 +259,17 @@ OPTIONS = {
         "--quiet": (SCENE_PLAN + ["--quiet"], 0, silent),
         "--max-input": (["scene", "plan", "large.toml", "-o", "x.h5", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
+    "scene simulate": {
+        "--output": (["scene", "simulate", "reacting.toml", "-o", "x.h5"], 0, kept("x.h5")),
+        "--set": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--set", 'name="set"'], 0, says("^set: ")),
+        "--package": (["scene", "simulate", "reacting.toml", "--package", "p"], NO_EFFECT, says("NAME=FOLDER")),
+        "--skip-missing-meshes": (["scene", "simulate", "meshes.toml", "-o", "x.h5", "--skip-missing-meshes"], 0, says("note: ")),
+        "--step": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--step", "0.25"], 0, says("2 steps")),
+        "--tolerance": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--tolerance", "2"], NO_EFFECT, says("tolerance")),
+        "--force": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--force"], 0, says("500 steps")),
+        "--quiet": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--quiet"], 0, silent),
+        "--max-input": (["scene", "simulate", "heavy.toml", "--max-input", "1"], NO_EFFECT, says("--max-input")),
+    },
     "distance": {
         "--tolerance": (DISTANCE + ["--tolerance", "1e-3"], 0, says("tolerance 0.001|tolerance 1e-3")),
         "--method": (DISTANCE + ["--method", "zheng_yamane"], 0, says("zheng_yamane")),
@@ -272,6 +315,9 @@ OPTIONS = {
         "--csv": (["export", "e.h5", "--csv", "x.csv"], 0, kept("x.csv")),
         "--tidy": (["export", "e.h5", "--csv", "-", "--tidy"], 0, says("separation")),
         "--force": (["export", "e.h5", "--csv", "taken.svg", "--force"], 0, silent),
+        "--contacts": (["export", "moved.h5", "--csv", "-", "--contacts"], 0, says("^step,time,body_a")),
+        "--steps": (["export", "moved.h5", "--csv", "-", "--steps"], 0, says("^time,substeps")),
+        "--answers": (["export", "moved.h5", "--csv", "-", "--answers"], 0, says("^cell,session")),
     },
     "compare": {
         "--base": (["compare", "--base", "e.h5"], NO_EFFECT, says("--new")),
@@ -349,11 +395,12 @@ class NothingIsIgnored(unittest.TestCase):
         cls.base = pathlib.Path(cls.folder.name)
         for name, text in FILES.items():
             (cls.base / name).write_text(text)
+        (cls.base / "meshes.toml").write_text(REACTING + '[[robot]]\nurdf = "mesh.urdf"\nbase = { translation = [99, 0, 0] }\n')
         (cls.base / "mesh.toml").write_text('[[robot]]\nurdf = "mesh.urdf"\n[[body]]\nfile = "points.csv"\n[[query]]\n'
                                             'effects = ["distance"]\n')
         for command in (["run", "e.toml", "-o", "e.h5"], ["run", "e.toml", "-o", "copy.h5"],
                         ["run", "e.toml", "-o", "p.h5", "--shard", "1/2"], ["run", "e.toml", "-o", "p.h5", "--shard", "2/2"],
-                        ["scene", "run", "scene.toml", "-o", "s.h5"], ["scene", "run", "scene.toml", "-o", "scene_copy.h5"]):
+                        ["scene", "simulate", "reacting.toml", "-o", "moved.h5"], ["scene", "run", "scene.toml", "-o", "s.h5"], ["scene", "run", "scene.toml", "-o", "scene_copy.h5"]):
             subprocess.run([cls.raygauge, *command], cwd=cls.base, check=True, capture_output=True)
         (cls.base / "plan.toml").write_text(PLAN)
         planned = subprocess.run([cls.raygauge, "scene", "plan", "plan.toml", "-o", "plan_copy.h5"], cwd=cls.base,
@@ -364,6 +411,7 @@ class NothingIsIgnored(unittest.TestCase):
             file.write("2 1 1\n" * 200000)
         (cls.base / "large.toml").write_text('[[body]]\nfile = "large.csv.gz"\n[[body]]\nfile = "points.csv"\n'
                                              '[[query]]\neffects = ["distance"]\n')
+        (cls.base / "heavy.toml").write_text('[[body]]\nfile = "large.csv.gz"\n' + REACTING)
         (cls.base / "packed.toml").write_text('[sweep]\nn = 3\nN = 4\n[[generator]]\nname = "files"\n'
                                               'A = "large.csv.gz"\nQ = "Q.csv"\n[[method]]\nname = "column_generation"\n')
 
@@ -425,6 +473,34 @@ class NothingIsIgnored(unittest.TestCase):
         for key, line in PLAN_KEYS.items():
             with self.subTest(key):
                 self.assertNotEqual(base, self.planned(with_lines(PLAN, "plan", line)))
+
+    def motions(self, text):
+        """Where the bodies of a simulation are, and its steps, or why there is none."""
+        (self.work / "moving.toml").write_text(text)
+        done = self.run_raygauge("scene", "simulate", "moving.toml", "-q", "-o", "moving.h5", "--force")
+        if done.returncode != 0:
+            return done.stderr
+        return [self.run_raygauge("export", "moving.h5", "--csv", "-", *table).stdout for table in ([], ["--steps"])]
+
+    def test_every_key_of_dynamics_changes_the_motion_or_is_refused(self):
+        usual = self.motions(REACTING)
+        paired = self.motions(PAIRED)
+        self.assertNotEqual(usual, paired)
+        for table, keys in DYNAMICS_KEYS.items():
+            text, before = (PAIRED, paired) if table == "dynamics.pair" else (REACTING, usual)
+            self.assertIsInstance(before, list, before)
+            self.assertEqual(self.known_keys(text, table, ["scene", "simulate"]), set(keys))
+            for key, lines in keys.items():
+                if key == "pair":
+                    continue
+                with self.subTest(table=table, key=key):
+                    self.assertNotEqual(before, self.motions(with_lines(text, table, lines)))
+        for lines in REACTION_KEYS.values():
+            with self.subTest(lines):
+                changed = REACTING.replace("mass = 2\n", "") if lines.startswith("density") else REACTING
+                self.assertNotEqual(usual, self.motions(with_lines(changed, "body", lines)))
+        for key in REACTION_KEYS:
+            self.assertRegex(self.answers(with_lines(SCENE, "body", REACTION_KEYS[key])), "has no effect without")
 
     def test_a_key_that_no_effect_looks_at_is_refused(self):
         for key, lines in WITHOUT_USE.items():

@@ -136,6 +136,45 @@ class Scenes(unittest.TestCase):
         error = self.run_raygauge("scene", "explain", robot).stderr
         self.assertIn("corner.obj of link 'l': this mesh is not convex", error)
 
+    def test_every_shipped_scene_of_bodies_that_react_is_simulated_and_proven(self):
+        scenes = sorted((self.scenes / "dynamics").glob("*.toml"))
+        self.assertGreaterEqual(len(scenes), 4)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                results = self.work / (scene.stem + ".h5")
+                self.run_raygauge("scene", "explain", scene)
+                done = subprocess.run([self.raygauge, "scene", "simulate", scene, "-o", results], capture_output=True, text=True)
+                if done.returncode != 0:  # a build without Siconos
+                    self.assertRegex(done.stderr, "apt-get install libsiconos-numerics-dev")
+                    continue
+                self.assertRegex(done.stdout, "no pair closer than -?[0-9.e-]+ at any time\n|contact    not asked for")
+                self.run_raygauge("report", results, "-o", self.work / "page.html")
+                for row in self.table(results, "--steps"):
+                    self.assertLessEqual(float(row["residual"]), 1e-5)  # where sliding begins; 1e-10 elsewhere
+                    self.assertGreater(float(row["least_distance"]), -1e-4)
+        ball = [row for row in self.table(self.work / "bouncing_ball.h5") if row["body"] == "ball" and row["time"] == "0.4"]
+        self.assertAlmostEqual(float(ball[0]["z"]), 1.1 - 9.81 / 2 * 0.4 ** 2, 12)
+        body = self.table(self.work / "spinning_body.h5", "--steps")
+        for key in ("lx", "ly", "lz", "kinetic"):
+            self.assertAlmostEqual(float(body[0][key]), float(body[-1][key]), 10)
+
+    def table(self, results, *options):
+        return list(csv.DictReader(io.StringIO(self.run_raygauge("export", results, "--csv", "-", *options).stdout)))
+
+    def test_a_scene_that_cannot_react_gets_one_line(self):
+        good = (self.scenes / "dynamics" / "bouncing_ball.toml").read_text()
+        for old, new, message in (("mass = 1", "mass = 0", "mass"), ("restitution = 0.5", "restitution = 1.5", "restitution"),
+                                  ("restitution = 0.5", "friction = -1", "friction"), ("mass = 1", "", "no body reacts"),
+                                  ("[0, 0, 1.1]", "[0, 0, 0.05]", "overlap at the start"),
+                                  ('mass = 1', 'mass = 1\nmotion = { velocity = [1, 0, 0] }', "follows a motion"),
+                                  ("radius = 0.1", "radius = 0", "volume"), ("gravity", "gravitation", "gravity")):
+            with self.subTest(new):
+                (self.work / "bad.toml").write_text(good.replace(old, new, 1))
+                done = self.run_raygauge("scene", "simulate", self.work / "bad.toml", "-o", self.work / "bad.h5", status=2)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertIn(message, done.stderr)
+        self.run_raygauge("scene", "run", self.scenes / "dynamics" / "bouncing_ball.toml", "-o", self.work / "b.h5", status=2)
+
     def test_a_scene_without_work_has_a_file_of_its_own(self):
         (self.work / "lone.toml").write_text('name = "lone"\n' + GOOD[GOOD.index("[[body]]"):GOOD.index("motion")] +
                                              '[[query]]\neffects = ["distance"]\n[time]\nto = 1\ninstants = 3\n')
