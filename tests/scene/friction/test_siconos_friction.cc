@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "raygauge/queries/object_distance.h"
 #include "scene/simulation/simulation.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 
@@ -29,6 +30,28 @@ TEST(SiconosFriction, one_contact_sticks_or_slides_as_coulomb_says) {
   EXPECT_LE((r - Eigen::Vector3d(1, -0.5, 0)).norm(), 1e-9);
   EXPECT_LE(friction_residual(problem, r), 1e-9);
   EXPECT_GT(friction_residual(problem, Eigen::Vector3d(1, -0.4, 0)), 1e-3);
+}
+
+// The signed distance of the first two bodies, computed anew at many times, between the steps too.
+void expect_no_closer(const Simulation& found, double least, double to) {
+  ObjectDistanceSolver solver;
+  const Ball unit(v(0, 0, 0), 1);
+  const Body &a = found.scene.bodies[0], &b = found.scene.bodies[1];
+  const auto pose = [](const Body& body, double t) {
+    const Placement at = body.motion->at(t);
+    return Pose(Eigen::MatrixXd(at.R), Eigen::VectorXd(at.t));
+  };
+  constexpr int kLooks = 5000;
+  double closest = 1;
+  for (int k = 0; k < kLooks; ++k) {
+    const double t = to * (k + 0.37) / kLooks;
+    const Pose at_a = pose(a, t), at_b = pose(b, t);
+    const ObjectDistance& seen =
+        solver.solve({*a.parts[0].set, at_a}, {*b.parts[0].set, at_b}, unit, ObjectEffects::depth);
+    closest = std::min(closest, seen.signed_distance());
+  }
+  EXPECT_GE(closest, least);
+  EXPECT_LT(closest, 1e-6);  // they do touch
 }
 
 // A block on a slope of angle kSlope: gravity is turned instead of the plane.
@@ -104,6 +127,7 @@ TEST(SiconosFriction, a_box_falls_tumbles_and_comes_to_rest) {
     energy = step.kinetic + step.potential;
   }
   EXPECT_LT(found.steps.back().kinetic, 1e-8);
+  expect_no_closer(found, -found.tolerance, 4);
 }
 
 TEST(SiconosFriction, a_stack_of_cubes_stands) {
