@@ -42,6 +42,25 @@ void put(std::span<double> out, std::size_t i, const Vector& value, int n) {
   }
 }
 
+// What counts in R^n of gradient `i`, NaN where there is none.
+void put(std::span<double> out, std::size_t i, GradientKind kind, const Twist& gradient, int n) {
+  if (out.empty()) return;
+  const int size = 3 * n - 3;
+  double* to = out.data() + i * static_cast<std::size_t>(size);
+  if (kind == GradientKind::none) {
+    std::fill_n(to, size, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  std::copy_n(&gradient.linear.x, n, to);
+  std::copy_n(n == 2 ? &gradient.angular.z : &gradient.angular.x, size - n, to + n);
+}
+
+void put(const BatchAnswers& answers, std::size_t i, const PoseGradient& gradient, int n) {
+  if (!answers.gradient_kind.empty()) answers.gradient_kind[i] = gradient.kind;
+  put(answers.pose_gradients_1, i, gradient.kind, gradient.body_1, n);
+  put(answers.pose_gradients_2, i, gradient.kind, gradient.body_2, n);
+}
+
 void put(const BatchAnswers& answers, std::size_t i, const DistanceResult& r, int n) {
   if (!answers.distance.empty()) answers.distance[i] = r.distance;
   if (!answers.lower.empty()) answers.lower[i] = r.lower;
@@ -53,6 +72,7 @@ void put(const BatchAnswers& answers, std::size_t i, const DistanceResult& r, in
 
 void put(const BatchAnswers& answers, std::size_t i, const ObjectDistance& r, int n) {
   put(answers, i, r.distance, n);
+  put(answers, i, r.pose_gradient, n);
   const bool inside = r.depth.evaluations > 0;
   put(answers.closest_points_1, i, inside ? r.depth.point_1 : r.closest_point_1, n);
   put(answers.closest_points_2, i, inside ? r.depth.point_2 : r.closest_point_2, n);
@@ -81,11 +101,17 @@ void check_rooms(std::size_t count, int n, const BatchAnswers& answers) {
   check_room("closest_points_1", answers.closest_points_1.size(), numbers);
   check_room("closest_points_2", answers.closest_points_2.size(), numbers);
   check_room("contact_points", answers.contact_points.size(), numbers);
+  check_room("gradient_kind", answers.gradient_kind.size(), count);
+  check_room("pose_gradients_1", answers.pose_gradients_1.size(), 3 * (numbers - count));
+  check_room("pose_gradients_2", answers.pose_gradients_2.size(), 3 * (numbers - count));
 }
 
 ObjectEffects effects_for(const BatchAnswers& answers) {
   const bool points = !answers.closest_points_1.empty() || !answers.closest_points_2.empty();
-  return points ? ObjectEffects::closest_points : ObjectEffects::none;
+  const bool gradients = !answers.gradient_kind.empty() || !answers.pose_gradients_1.empty() ||
+                         !answers.pose_gradients_2.empty();
+  return (points ? ObjectEffects::closest_points : ObjectEffects::none) |
+         (gradients ? ObjectEffects::pose_gradient : ObjectEffects::none);
 }
 
 // The same kind of error, which says in which pair it arose; others as they are.

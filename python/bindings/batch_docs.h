@@ -58,14 +58,15 @@ inline constexpr const char* kObjectDistanceBatchDoc =
 distance, lower, upper: shape (K,), with signed=True negative where objects overlap: minus the depth and its bounds.
 status, status_code: as in Distances, of the depth where that is given. normal: shape (K, n), the way for A1 to get
 farther away, or out. point_1, point_2: shape (K, n), the closest points or those in contact, nan where there are none;
-None unless closest_points=True.
+None unless closest_points=True. pose_gradient_1, pose_gradient_2: as PoseGradient.body_1 and body_2, shape (K, 6), or (K, 3) in
+R^2; is_unique: shape (K,), whether its kind is 'unique'; None unless gradient=True.
 )";
 
 inline constexpr const char* kObjectDistancesDoc =
     R"(The distances of K pairs of objects in the metric of Q in one call, on threads.
 
 A1, A2: as A and Q in distances: an array of shape (K, N, n), a list, or one for all. poses_1, poses_2: as poses_A there.
-Q: one set or array of points. closest_points, signed, tolerance, method, time_limit: as in object_distance.
+Q: one set or array of points. closest_points, gradient, signed, tolerance, method, time_limit: as in object_distance.
 Returns ObjectDistances. Raises as distances does.
 
 >>> import numpy as np

@@ -11,6 +11,7 @@ void bind_errors(pybind11::module_& module);
 void bind_sets(pybind11::module_& module);
 void bind_poses(pybind11::module_& module);
 void bind_results(pybind11::module_& module);
+void bind_contacts(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_edges(pybind11::module_& module);

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_sets(module);
   raygauge::python::bind_poses(module);
   raygauge::python::bind_results(module);
+  raygauge::python::bind_contacts(module);
   raygauge::python::bind_queries(module);
   raygauge::python::bind_batches(module);
   raygauge::python::bind_object_batches(module);

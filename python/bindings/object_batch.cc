@@ -3,10 +3,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "python/bindings/batch_docs.h"
 #include "python/bindings/batch_operands.h"
@@ -32,9 +34,18 @@ struct ObjectDistanceBatch {
   py::array_t<std::int8_t> status_code;
   Rows normal;
   std::optional<Rows> point_1, point_2;
+  std::optional<Rows> pose_gradient_1, pose_gradient_2;
+  std::optional<py::array_t<bool>> is_unique;
+  std::vector<GradientKind> kinds;
 
-  ObjectDistanceBatch(std::ptrdiff_t count, int n, bool points)
+  ObjectDistanceBatch(std::ptrdiff_t count, int n, bool points, bool gradient)
       : distance(count), lower(count), upper(count), status_code(count), normal(rows(count, n)) {
+    if (gradient) {
+      pose_gradient_1 = rows(count, 3 * n - 3);
+      pose_gradient_2 = rows(count, 3 * n - 3);
+      is_unique = py::array_t<bool>(count);
+      kinds.resize(static_cast<std::size_t>(count));
+    }
     if (!points) return;
     point_1 = rows(count, n);
     point_2 = rows(count, n);
@@ -50,15 +61,25 @@ struct ObjectDistanceBatch {
     answers.normal = numbers_of(normal);
     if (point_1) answers.closest_points_1 = numbers_of(*point_1);
     if (point_2) answers.closest_points_2 = numbers_of(*point_2);
+    if (pose_gradient_1) answers.pose_gradients_1 = numbers_of(*pose_gradient_1);
+    if (pose_gradient_2) answers.pose_gradients_2 = numbers_of(*pose_gradient_2);
+    answers.gradient_kind = kinds;
     return answers;
+  }
+
+  /// Which gradients are the only ones.
+  void name_kinds() {
+    if (!is_unique) return;
+    std::transform(kinds.begin(), kinds.end(), is_unique->mutable_data(),
+                   [](GradientKind kind) { return kind == GradientKind::unique; });
   }
 };
 
 // NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, const SetLike& Q,
                                      double tolerance, const std::string& method, const PoseLike& poses_1,
-                                     const PoseLike& poses_2, bool closest_points, bool is_signed,
-                                     double time_limit, int threads) {
+                                     const PoseLike& poses_2, bool closest_points, bool gradient,
+                                     bool is_signed, double time_limit, int threads) {
   const BatchSide first(A1, "A1", poses_1, "poses_1");
   const BatchSide second(A2, "A2", poses_2, "poses_2");
   const SetPointer metric = as_set(Q, "Q");
@@ -71,7 +92,9 @@ ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, con
                                  " has n = " + std::to_string(side->operand.dimension()) +
                                  ", Q has n = " + std::to_string(n));
   }
-  ObjectDistanceBatch batch(count, n, closest_points);
+  if (gradient && n != 2 && n != 3)
+    throw InvalidParameterError("gradient: of objects of R^2 or R^3, got n = " + std::to_string(n));
+  ObjectDistanceBatch batch(count, n, closest_points, gradient);
   const BatchAnswers answers = batch.answers();
   BatchPairs pairs(first, second, team);
   PairBatch solvers(options, team);
@@ -81,6 +104,7 @@ ObjectDistanceBatch object_distances(const SetsLike& A1, const SetsLike& A2, con
   run_interruptibly(stop, [&] {
     solvers.distances(static_cast<std::size_t>(count), pairs.source(), *metric, answers, effects);
   });
+  batch.name_kinds();
   if (pairs.replaced()) warn_of_replaced_rotation();
   return batch;
 }
@@ -102,6 +126,9 @@ void bind_object_batches(py::module_& module) {
       .def_readonly("normal", &ObjectDistanceBatch::normal)
       .def_readonly("point_1", &ObjectDistanceBatch::point_1)
       .def_readonly("point_2", &ObjectDistanceBatch::point_2)
+      .def_readonly("pose_gradient_1", &ObjectDistanceBatch::pose_gradient_1)
+      .def_readonly("pose_gradient_2", &ObjectDistanceBatch::pose_gradient_2)
+      .def_readonly("is_unique", &ObjectDistanceBatch::is_unique)
       .def("__len__", [](const ObjectDistanceBatch& batch) { return batch.distance.size(); })
       .def("__repr__", [](const ObjectDistanceBatch& batch) {
         return "<raygauge.ObjectDistances of " + std::to_string(batch.distance.size()) + " problems>";
@@ -109,7 +136,8 @@ void bind_object_batches(py::module_& module) {
   module.def("object_distances", &object_distances, kObjectDistancesDoc, "A1"_a, "A2"_a, "Q"_a,
              "tolerance"_a = DistanceOptions().tolerance, "method"_a = "automatic", py::kw_only(),
              "poses_1"_a = py::none(), "poses_2"_a = py::none(), "closest_points"_a = false,
-             "signed"_a = false, "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
+             "gradient"_a = false, "signed"_a = false,
+             "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
 }
 
 }  // namespace raygauge::python

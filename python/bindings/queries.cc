@@ -61,14 +61,19 @@ ObjectDistance object_distance(const SetLike& A1, const SetLike& A2, const SetLi
   WarmStart* const kept = as_warm_start(warm);
   ObjectEffects effects = ObjectEffects::none;
   if (closest_points) effects = effects | ObjectEffects::closest_points;
-  if (gradient) effects = effects | ObjectEffects::gradient;
+  if (gradient) effects = effects | ObjectEffects::gradient | ObjectEffects::pose_gradient;
   if (is_signed) effects = effects | ObjectEffects::depth;
   SignalWatch signals;
   ObjectDistanceSolver solver(options_of(method, tolerance, time_limit));
   solver.set_stop(signals.function());
   return signals.run([&] {
-    return ObjectDistance(
-        solver.solve(posed(*first, first_pose), posed(*second, second_pose), *metric, effects, kept));
+    ObjectDistance answer =
+        solver.solve(posed(*first, first_pose), posed(*second, second_pose), *metric, effects, kept);
+    if (!closest_points) {
+      answer.closest_point_1.resize(0);
+      answer.closest_point_2.resize(0);
+    }
+    return answer;
   });
 }
 

@@ -50,7 +50,7 @@ normal: shape (n,), the way out for A1, scaled to h_Q(normal) = 1. point_1, poin
 inline constexpr const char* kObjectDistanceResultDoc = R"(The distance of two objects, see object_distance.
 
 closest_point_1, closest_point_2: shape (n,), in A1 and in A2, where asked for and where there are any; else None.
-gradient_1, gradient_2: shape (n,), of signed_distance when A1 or A2 is moved.
+gradient_1, gradient_2: shape (n,), of signed_distance when A1 or A2 is moved. pose_gradient: a PoseGradient in R^2 and R^3, or None.
 depth: a Depth, with signed=True and where the objects are not proven to be apart; else None.
 signed_distance: the distance, or minus the depth. float() of the answer is that, too.
 )";

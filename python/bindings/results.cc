@@ -14,6 +14,7 @@
 #include "engine/methods/counters.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/pose_gradient.h"
 #include "python/bindings/result_docs.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/growth_distance.h"
@@ -89,6 +90,8 @@ py::object packed(const Member& member) {
     return readonly_array(member);
   } else if constexpr (std::is_enum_v<Member>) {
     return py::int_(static_cast<int>(member));
+  } else if constexpr (std::is_same_v<Member, PoseGradient>) {
+    return packed_gradient(member);
   } else if constexpr (std::is_same_v<Member, std::vector<PointWeight>>) {
     return py::cast(pairs_of(member));
   } else {
@@ -101,6 +104,8 @@ Member unpacked(const py::object& value) {
     return as_vector(value, "a pickle");
   } else if constexpr (std::is_enum_v<Member>) {
     return static_cast<Member>(value.cast<int>());
+  } else if constexpr (std::is_same_v<Member, PoseGradient>) {
+    return unpacked_gradient(value);
   } else if constexpr (std::is_same_v<Member, std::vector<PointWeight>>) {
     Member weights;
     for (const auto& [index, weight] : value.cast<Pairs>()) weights.push_back({index, weight});
@@ -212,6 +217,13 @@ void bind_object_distance(py::module_& module) {
                              [](const ObjectDistance& r) { return array_or_none(r.gradient_1); })
       .def_property_readonly("gradient_2",
                              [](const ObjectDistance& r) { return array_or_none(r.gradient_2); })
+      .def_property_readonly("pose_gradient",
+                             [](const ObjectDistance& r) {
+                               const int n = static_cast<int>(r.gradient_1.size());
+                               return r.pose_gradient.kind == GradientKind::none
+                                          ? py::object(py::none())
+                                          : py::cast(PoseGradientOf{r.pose_gradient, n});
+                             })
       .def_property_readonly("depth",
                              [](const ObjectDistance& r) {
                                return r.depth.evaluations > 0 ? py::cast(ObjectDepth(r.depth))
@@ -222,7 +234,8 @@ void bind_object_distance(py::module_& module) {
       .def("__repr__", [](const ObjectDistance& r) { return repr_of(r.distance, "ObjectDistance"); });
   using R = ObjectDistance;
   copied_by(type, &R::distance, &R::closest_point_1, &R::closest_point_2, &R::gradient_1, &R::gradient_2,
-            &R::closest_point_evaluations, &R::gradient_evaluations);
+            &R::pose_gradient, &R::closest_point_evaluations, &R::gradient_evaluations,
+            &R::pose_gradient_evaluations);
 }
 
 void bind_separation(py::module_& module) {

@@ -260,13 +260,6 @@ void bind_polytopes(py::module_& module) {
                "G"_a, "g"_a);
   made_of(polytope,
           [](const HPolytope& set) { return py::make_tuple(matrix_of(set.G()), readonly_array(set.g())); });
-  auto half_space = set_class<HalfSpace>(module, "HalfSpace", kHalfSpaceDoc);
-  half_space.def(py::init([](const ArrayLike& normal, double offset) {
-                   return std::make_shared<HalfSpace>(as_vector(normal, "normal"), offset);
-                 }),
-                 "normal"_a, "offset"_a);
-  made_of(half_space,
-          [](const HalfSpace& set) { return py::make_tuple(readonly_array(set.normal()), set.offset()); });
   auto zonotope = set_class<Zonotope>(module, "Zonotope", kZonotopeDoc);
   zonotope.def(py::init([](const ArrayLike& center, const ArrayLike& generators) {
                  const Eigen::MatrixXd rows = as_matrix(generators, "generators");
@@ -276,6 +269,16 @@ void bind_polytopes(py::module_& module) {
   made_of(zonotope, [](const Zonotope& set) {
     return py::make_tuple(readonly_array(set.center()), matrix_of(set.generators().transpose()));
   });
+}
+
+void bind_half_spaces(py::module_& module) {
+  auto half_space = set_class<HalfSpace>(module, "HalfSpace", kHalfSpaceDoc);
+  half_space.def(py::init([](const ArrayLike& normal, double offset) {
+                   return std::make_shared<HalfSpace>(as_vector(normal, "normal"), offset);
+                 }),
+                 "normal"_a, "offset"_a);
+  made_of(half_space,
+          [](const HalfSpace& set) { return py::make_tuple(readonly_array(set.normal()), set.offset()); });
 }
 
 void bind_wrenches(py::module_& module) {
@@ -348,6 +351,7 @@ void bind_sets(py::module_& module) {
   bind_round_sets(module);
   bind_bodies_of_revolution(module);
   bind_polytopes(module);
+  bind_half_spaces(module);
   bind_wrenches(module);
   bind_combinators(module);
 }

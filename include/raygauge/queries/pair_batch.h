@@ -35,8 +35,11 @@ struct BatchAnswers {
   std::span<double> normal;            ///< DistanceResult::normal
   std::span<double> closest_points_1;  ///< distances alone
   std::span<double> closest_points_2;
-  std::span<double> contact_points;  ///< gauge distances alone: DistanceResult::contact_point
-  std::span<std::int64_t> pivots;    ///< basis changes
+  std::span<double> contact_points;       ///< gauge distances alone: DistanceResult::contact_point
+  std::span<std::int64_t> pivots;         ///< basis changes
+  std::span<GradientKind> gradient_kind;  ///< distances in R^2 and R^3 alone: ObjectDistance::pose_gradient
+  std::span<double> pose_gradients_1;     ///< 3 n - 3 numbers a pair: of its Twist what counts in R^n
+  std::span<double> pose_gradients_2;
 };
 
 /// The largest number of threads of a batch.

@@ -65,7 +65,17 @@ struct Answers {
                       points_2 = normal;
   std::vector<DistanceStatus> status = std::vector<DistanceStatus>(kPairs);
 
-  BatchAnswers spans() { return {distance, lower, upper, status, normal, points_1, points_2, {}, {}}; }
+  BatchAnswers spans() {
+    BatchAnswers answers;
+    answers.distance = distance;
+    answers.lower = lower;
+    answers.upper = upper;
+    answers.status = status;
+    answers.normal = normal;
+    answers.closest_points_1 = points_1;
+    answers.closest_points_2 = points_2;
+    return answers;
+  }
 };
 
 const Ball& metric() {
@@ -102,6 +112,36 @@ TEST(PairBatch, HasTheAnswersOfSingleQueriesOnAnyNumberOfThreads) {
       expect_vector(answers.points_2, i, r.closest_point_2);
     }
   }
+}
+
+TEST(PairBatch, HasTheGradientsByPoseOfSingleQueries) {
+  const Bodies bodies;
+  ObjectDistanceSolver alone(options_for(1));
+  PairBatch batch(options_for(2));
+  std::vector<GradientKind> kinds(kPairs, GradientKind::undecided);
+  std::vector<double> first(std::size_t{6} * kPairs), second = first;
+  BatchAnswers answers;
+  answers.gradient_kind = kinds;
+  answers.pose_gradients_1 = first;
+  answers.pose_gradients_2 = second;
+  batch.distances(bodies.pairs, metric(), answers);
+  std::size_t unique = 0;
+  for (std::size_t i = 0; i < kPairs; ++i) {
+    const PoseGradient& gradient =
+        alone.solve(bodies.pairs[i].first, bodies.pairs[i].second, metric(), ObjectEffects::pose_gradient)
+            .pose_gradient;
+    EXPECT_EQ(kinds[i], gradient.kind);
+    if (gradient.kind == GradientKind::none) {
+      EXPECT_TRUE(std::isnan(first[6 * i]));
+      continue;
+    }
+    unique += gradient.kind == GradientKind::unique ? 1 : 0;
+    EXPECT_EQ(first[6 * i + 1], gradient.body_1.linear.y);
+    EXPECT_EQ(first[6 * i + 5], gradient.body_1.angular.z);
+    EXPECT_EQ(second[6 * i], gradient.body_2.linear.x);
+    EXPECT_EQ(second[6 * i + 3], gradient.body_2.angular.x);
+  }
+  EXPECT_GT(unique, kPairs / 2);
 }
 
 TEST(PairBatch, HasGrowthDistancesWithWarmStartsOfItsCaller) {

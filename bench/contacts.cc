@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// What do gradients by pose and contact patches add to the time of a distance or a depth? A body of each kind
+// above a box: parallel to it, and turned.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/prepared_set.h"
+
+namespace raygauge::bench {
+namespace {
+
+using V = Eigen::Vector3d;
+
+const std::vector<std::pair<const char*, std::shared_ptr<const ConvexSet>>>& bodies() {
+  static const auto all = [] {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    Eigen::MatrixXd points(3, 200);
+    for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] = normal(random);
+    points.colwise().normalize();
+    return std::vector<std::pair<const char*, std::shared_ptr<const ConvexSet>>>{
+        {"ball", std::make_shared<Ball>(V(0, 0, 0), 0.5)},
+        {"box", std::make_shared<Box>(V(-0.5, -0.4, -0.3), V(0.5, 0.4, 0.3))},
+        {"capsule", std::make_shared<Capsule>(V(-0.5, 0, 0), V(0.5, 0, 0), 0.25)},
+        {"cylinder", std::make_shared<Cylinder>(V(0, 0, -0.5), V(0, 0, 0.5), 0.5)},
+        {"ellipsoid", std::make_shared<Ellipsoid>(V(0, 0, 0), Eigen::MatrixXd(V(1, 0.5, 0.4).asDiagonal()))},
+        {"hull of 200", std::make_shared<PreparedSet>(points)}};
+  }();
+  return all;
+}
+
+// Arguments: the body, and whether it is turned. It is 1e-3 above the box.
+struct Scene {
+  explicit Scene(const benchmark::State& state)
+      : body(*bodies()[static_cast<std::size_t>(state.range(0))].second) {
+    const Eigen::Quaterniond q =
+        state.range(1) != 0 ? Eigen::Quaterniond(1, 0.3, 0.2, 0.1) : Eigen::Quaterniond::Identity();
+    pose = Pose(q, V(0.1, 0.2, 3));
+    ObjectDistanceSolver solver;
+    const double away = solver.solve({box}, {body, pose}, metric).distance.distance;
+    pose = Pose(q, V(0.1, 0.2, 3 - away + 1e-3));
+  }
+
+  const Box box{V(-2, -2, -1), V(2, 2, 0)};
+  const Ball metric{V(0, 0, 0), 1.0};
+  const ConvexSet& body;
+  Pose pose{3};
+};
+
+void distance(benchmark::State& state, ObjectEffects more) {
+  const Scene scene(state);
+  ObjectDistanceSolver solver;
+  const ObjectEffects effects = ObjectEffects::depth | ObjectEffects::closest_points | more;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(&solver.solve({scene.box}, {scene.body, scene.pose}, scene.metric, effects));
+  state.SetLabel(bodies()[static_cast<std::size_t>(state.range(0))].first);
+}
+
+void growth(benchmark::State& state, bool with_gradient) {
+  const Scene scene(state);
+  GrowthDistanceSolver solver;
+  PoseGradient gradient;
+  PoseGradient* const wanted = with_gradient ? &gradient : nullptr;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        &solver.solve_about_centers({scene.box}, {scene.body, scene.pose}, nullptr, wanted));
+  state.SetLabel(bodies()[static_cast<std::size_t>(state.range(0))].first);
+}
+
+void patch(benchmark::State& state) {
+  const Scene scene(state);
+  ContactPatchSolver solver;
+  for (auto _ : state) benchmark::DoNotOptimize(&solver.solve({scene.box}, {scene.body, scene.pose}, 0.01));
+  state.SetLabel(bodies()[static_cast<std::size_t>(state.range(0))].first);
+}
+
+void every_body(benchmark::internal::Benchmark* benchmark) {
+  for (std::size_t i = 0; i < bodies().size(); ++i)
+    for (const int turned : {0, 1}) benchmark->Args({static_cast<std::int64_t>(i), turned});
+}
+
+BENCHMARK_CAPTURE(distance, alone, ObjectEffects::none)->Apply(every_body);
+BENCHMARK_CAPTURE(distance, with_pose_gradient, ObjectEffects::pose_gradient)->Apply(every_body);
+BENCHMARK_CAPTURE(growth, alone, false)->Apply(every_body);
+BENCHMARK_CAPTURE(growth, with_pose_gradient, true)->Apply(every_body);
+BENCHMARK(patch)->Apply(every_body);
+
+}  // namespace
+}  // namespace raygauge::bench
