@@ -163,7 +163,7 @@ class Parser {
   }
 
   Token take_value(const std::string& symbol) {
-    const Token value = take();
+    Token value = take();
     if (value.kind == TokenKind::symbol || value.kind == TokenKind::end)
       fail(value, "expected a value after " + symbol);
     return value;
