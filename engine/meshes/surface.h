@@ -3,17 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
-
-using MeshTriangle = std::array<std::int32_t, 3>;  ///< vertices, counterclockwise from outside
 
 /// What the edges of triangles say. Vertices at the same place count as one.
 struct SurfaceFacts {

@@ -10,6 +10,7 @@
 #error "raygauge needs C++20: compile with -std=c++20"
 #else
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 #include "raygauge/methods/validate.h"
@@ -17,6 +18,7 @@
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/membership.h"
+#include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/origin_in_interior.h"
 #include "raygauge/queries/pair_batch.h"

@@ -7,6 +7,7 @@
 
 #include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
@@ -16,6 +17,7 @@
 #include "raygauge/sets/truncated_cone.h"
 #include "tests/counted_allocations.h"
 #include "tests/engine/both_methods.h"
+#include "tests/engine/meshes/mesh_shapes.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_solver_allocations {
@@ -283,6 +285,31 @@ TEST(RepeatedHalfSpace, AllocatesNothing) {
       solver.solve({floor, pose}, {cone, pose}, metric, effects);
       separation.separation({cone, pose}, floor);
     }
+    EXPECT_EQ(allocations - before, 0);
+  }
+}
+
+// Of meshes apart, overlapping and against bodies; the workspace has grown before.
+TEST(RepeatedMeshDistance, AllocatesNothing) {
+  const testing::MeshShape torus = testing::torus_shape(2, 0.5, 60, 30);
+  const Mesh mesh(torus.vertices, torus.triangles, MeshKind::solid);
+  const Ball ball(Vector(Eigen::Vector3d(0.1, 0.2, 3)), 1);
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  const Pose apart(identity, Eigen::Vector3d(4, 1, 2)), across(identity, Eigen::Vector3d(1, 0, 0));
+  MeshDistanceSolver solver;
+  MeshWarmStart warm;
+  constexpr ObjectEffects kAll = ObjectEffects::closest_points | ObjectEffects::gradient;
+  for (const Pose* pose : {&apart, &across}) {
+    solver.solve(mesh, {mesh, *pose}, kAll, &warm);
+    long before = allocations;
+    solver.solve(mesh, {mesh, *pose}, kAll, &warm);
+    EXPECT_EQ(allocations - before, 0);
+    before = allocations;
+    EXPECT_NE(solver.separation(mesh, {mesh, *pose}), Separation::undecided);
+    EXPECT_LE(allocations - before, 4);  // vectors of another length than before: normal, points, gradients
+    solver.solve(mesh, {ball, *pose}, kAll);
+    before = allocations;
+    solver.solve(mesh, {ball, *pose}, kAll);
     EXPECT_EQ(allocations - before, 0);
   }
 }

@@ -29,7 +29,7 @@ inline MeshShape box_shape(const Eigen::Vector3d& low, const Eigen::Vector3d& hi
         p[axis] = side;
         p[(axis + 1) % 3] = static_cast<double>(i) / k;
         p[(axis + 2) % 3] = static_cast<double>(j) / k;
-        points.push_back(low + p.cwiseProduct(high - low));
+        points.emplace_back(low + p.cwiseProduct(high - low));
         return static_cast<std::int32_t>(points.size()) - 1;
       };
       for (int i = 0; i < k; ++i) {
@@ -50,7 +50,7 @@ inline MeshShape box_shape(const Eigen::Vector3d& low, const Eigen::Vector3d& hi
 /// A torus about the z axis: circles of radius r about one of radius R, k × l quadrangles.
 inline MeshShape torus_shape(double R, double r, int k, int l) {
   MeshShape mesh;
-  mesh.vertices.resize(3, k * l);
+  mesh.vertices.resize(3, Eigen::Index{k} * l);
   for (int i = 0; i < k; ++i) {
     for (int j = 0; j < l; ++j) {
       const double s = 2 * std::numbers::pi * i / k, t = 2 * std::numbers::pi * j / l;

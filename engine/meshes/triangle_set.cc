@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/meshes/triangle_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raygauge {
+
+void TriangleSet::assign(const TriangleCorners& triangle) noexcept {
+  constexpr int kLanes = PointSet::kLanes;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Vector3& p = triangle.corner[std::min(lane, 2)];
+    block_[lane] = p.x;
+    block_[kLanes + lane] = p.y;
+    block_[2 * kLanes + lane] = p.z;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const double* row = block_ + std::ptrdiff_t{k} * kLanes;
+    magnitude_[k] = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
+  }
+  center_ = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) * (1.0 / 3);
+}
+
+double TriangleSet::do_support(const double* u, double* point) const {
+  constexpr int kLanes = PointSet::kLanes;
+  double best = 0;
+  int highest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const double height = u[0] * block_[i] + u[1] * block_[kLanes + i] + u[2] * block_[2 * kLanes + i];
+    if (highest >= 0 && !(height > best)) continue;
+    best = height;
+    highest = i;
+  }
+  for (int k = 0; k < 3; ++k) point[k] = block_[k * kLanes + highest];
+  return best;
+}
+
+void TriangleSet::do_center(double* point) const {
+  point[0] = center_.x;
+  point[1] = center_.y;
+  point[2] = center_.z;
+}
+
+void TriangleSet::do_magnitude(double* magnitude) const { std::copy_n(magnitude_, 3, magnitude); }
+
+bool TriangleSet::do_spatial_shape(SpatialShape& shape) const {
+  shape.kind = SpatialShape::Kind::points;
+  shape.center = center_;
+  shape.radius = shape.inner_radius = 0;
+  shape.table = nullptr;
+  shape.extent = length({magnitude_[0], magnitude_[1], magnitude_[2]});
+  shape.coordinates = 3;
+  shape.blocks = block_;
+  shape.block_count = 1;
+  shape.size = 3;
+  return true;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/meshes/box_tree.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/spatial_shape.h"
+
+namespace raygauge {
+
+/// conv{a, b, c} of R^3, for one query after the other: the workspace of a solver assigns it, and nobody else
+/// sees it meanwhile.
+class TriangleSet final : public ConvexSet {
+ public:
+  TriangleSet() : ConvexSet(3) {}
+
+  void assign(const TriangleCorners& triangle) noexcept;
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
+  bool do_spatial_shape(SpatialShape& shape) const override;
+
+  alignas(64) double block_[3 * PointSet::kLanes] = {};  // PointSet's layout: the last corner fills it up
+  double magnitude_[3] = {0, 0, 0};
+  Vector3 center_;
+};
+
+}  // namespace raygauge

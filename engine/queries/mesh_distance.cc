@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "raygauge/queries/mesh_distance.h"
+
+#include <string>
+#include <utility>
+
+#include "engine/queries/mesh_search.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/methods/validate.h"
+
+namespace raygauge {
+namespace {
+
+void check_pose(const Pose* pose) {
+  if (pose != nullptr && pose->dimension() != 3)
+    throw DimensionMismatchError("a mesh lives in R^3, its pose in R^" + std::to_string(pose->dimension()));
+}
+
+void check_set(const Posed& set) {
+  if (set.dimension() != 3)
+    throw DimensionMismatchError("a mesh lives in R^3, the other object in R^" +
+                                 std::to_string(set.dimension()));
+  if (set.pose != nullptr && set.pose->dimension() != 3)
+    throw DimensionMismatchError("the pose of a set of R^3 is of R^" + std::to_string(set.pose->dimension()));
+}
+
+void check_effects(ObjectEffects effects) {
+  if (has_effect(effects, ObjectEffects::depth))
+    throw InvalidParameterError(
+        "the depth of a mesh is not defined: it is that of convex objects; ask for it of convex parts");
+}
+
+}  // namespace
+
+MeshDistanceSolver::MeshDistanceSolver(const DistanceOptions& options) {
+  std::string problem = validate(options);
+  if (problem.empty() && options.method != DistanceMethod::automatic)
+    problem = "method must be automatic: meshes have one method";
+  if (!problem.empty()) throw InvalidParameterError(problem);
+  search_ = std::make_unique<MeshSearch>(options);
+}
+
+MeshDistanceSolver::~MeshDistanceSolver() = default;
+MeshDistanceSolver::MeshDistanceSolver(MeshDistanceSolver&&) noexcept = default;
+MeshDistanceSolver& MeshDistanceSolver::operator=(MeshDistanceSolver&&) noexcept = default;
+
+void MeshDistanceSolver::set_stop(std::function<bool()> stop) { search_->set_stop(std::move(stop)); }
+
+const ObjectDistance& MeshDistanceSolver::solve(const PosedMesh& A1, const PosedMesh& A2,
+                                                ObjectEffects effects, MeshWarmStart* warm) {
+  check_pose(A1.pose);
+  check_pose(A2.pose);
+  check_effects(effects);
+  return search_->distance(A1, A2, effects, warm);
+}
+
+const ObjectDistance& MeshDistanceSolver::solve(const PosedMesh& A1, const Posed& A2, ObjectEffects effects,
+                                                MeshWarmStart* warm) {
+  check_pose(A1.pose);
+  check_set(A2);
+  check_effects(effects);
+  return search_->distance(A1, A2, effects, warm);
+}
+
+Separation MeshDistanceSolver::separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm) {
+  check_pose(A1.pose);
+  check_pose(A2.pose);
+  return search_->separation(A1, A2, warm);
+}
+
+Separation MeshDistanceSolver::separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm) {
+  check_pose(A1.pose);
+  check_set(A2);
+  return search_->separation(A1, A2, warm);
+}
+
+const MeshCounters& MeshDistanceSolver::counters() const noexcept { return search_->counters(); }
+
+}  // namespace raygauge

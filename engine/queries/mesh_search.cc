@@ -1,0 +1,471 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/mesh_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/meshes/point_inside.h"
+#include "engine/meshes/triangle_pair.h"
+#include "engine/numerics/floating_point.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kSmallest = 1e-70,
+                 kLargest = 1e71;            // of what is squared and multiplied up to the fourth power
+constexpr double kRounding = 256 * 0x1p-53;  // as of SpatialPair
+constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
+constexpr std::int64_t kLooksPerReading = 64;  // of the clock: a look takes at most some microseconds
+constexpr std::size_t kFirstRoom = 1024;
+
+void read(const Pose* pose, Matrix3& R, Vector3& t) {
+  R = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  t = {};
+  if (pose == nullptr) return;
+  const double *r = pose->rotation_data(), *x = pose->translation_data();
+  R = {{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}};
+  t = {x[0], x[1], x[2]};
+}
+
+double defect_of(const Pose* pose) { return pose == nullptr ? 0 : pose->defect(); }
+
+// Wide enough for axes that are orthonormal to BoxNode::kAxisError.
+constexpr double kOfAxes = 1 - 4 * BoxNode::kAxisError;
+
+Vector3 vector_of(const float* v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
+
+double size_of(const BoxNode& box) { return double{std::max({box.half[0], box.half[1], box.half[2]})}; }
+
+Separation separation_of(const ObjectDistance& answer) {
+  if (answer.distance.status == DistanceStatus::contains_origin) return Separation::intersecting;
+  return answer.distance.lower > 0 ? Separation::separated : Separation::undecided;
+}
+
+constexpr double kApart = std::numeric_limits<double>::min();
+
+// Farther than this from a surface, in margins, a computed point is on the same side as the point itself.
+constexpr double kClear = 4;
+
+Posed posed(const ConvexSet& set, const Pose* pose) {
+  return pose == nullptr ? Posed(set) : Posed(set, *pose);
+}
+
+DistanceOptions general_options(const DistanceOptions& options) {
+  DistanceOptions general = options;
+  general.time_limit = kInfinity;  // its own stop keeps that of the search
+  return general;
+}
+
+}  // namespace
+
+MeshSearch::MeshSearch(const DistanceOptions& options)
+    : options_(options), ball_(Vector::Zero(3), 1.0), general_(general_options(options)) {
+  open_.reserve(kFirstRoom);
+  general_.set_stop([this] { return watch_.expired(); });
+}
+
+const ObjectDistance& MeshSearch::distance(const PosedMesh& A1, const PosedMesh& A2, ObjectEffects effects,
+                                           MeshWarmStart* warm) {
+  begin(A1, A2.pose);
+  set_other(A2.mesh);
+  search(kInfinity, warm);
+  return finish(effects, warm);
+}
+
+const ObjectDistance& MeshSearch::distance(const PosedMesh& A1, const Posed& A2, ObjectEffects effects,
+                                           MeshWarmStart* warm) {
+  begin(A1, A2.pose);
+  set_other(A2.set);
+  search(kInfinity, warm);
+  return finish(effects, warm);
+}
+
+Separation MeshSearch::separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm) {
+  begin(A1, A2.pose);
+  set_other(A2.mesh);
+  search(kApart, warm);
+  return separation_of(finish(ObjectEffects::none, warm));
+}
+
+Separation MeshSearch::separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm) {
+  begin(A1, A2.pose);
+  set_other(A2.set);
+  search(kApart, warm);
+  return separation_of(finish(ObjectEffects::none, warm));
+}
+
+void MeshSearch::begin(const PosedMesh& A1, const Pose* pose_2) {
+  watch_.start(options_.time_limit, &stop_);
+  looks_ = 0;
+  counters_ = {};
+  first_ = &A1.mesh;
+  pose_1_ = A1.pose;
+  pose_2_ = pose_2;
+  out_of_time_ = meets_ = passed_over_ = has_plane_ = false;
+  points_ = Points::unknown;
+  nearest_1_ = nearest_2_ = -1;
+  normal_ = {};
+  lower_ = upper_ = kInfinity;
+}
+
+void MeshSearch::set_other(const Mesh& mesh) {
+  other_.mesh = &mesh;
+  other_.body = nullptr;
+  other_.tree = &mesh.tree();
+  place();
+  const double size = first_->tree().extent() + mesh.tree().extent() + length(t_);
+  margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
+  in_range_ = size > kSmallest && size < kLargest;
+}
+
+void MeshSearch::set_other(const ConvexSet& body) {
+  other_.mesh = nullptr;
+  other_.tree = nullptr;
+  other_.body = &body;
+  double magnitude[3], low[3], high[3], square = 0;
+  body.magnitude_unchecked(magnitude);
+  for (int k = 0; k < 3; ++k) {
+    double u[3] = {0, 0, 0}, point[3];
+    const double error = ConvexSet::rounding_error(3) * magnitude[k] * 2;
+    u[k] = 1;
+    high[k] = body.support_unchecked(u, point) + error;
+    u[k] = -1;
+    low[k] = -body.support_unchecked(u, point) - error;
+    const double far = std::max({std::fabs(high[k]), std::fabs(low[k]), magnitude[k]});
+    square += far * far;
+  }
+  other_.box = BoxNode::around(low, high);
+  other_.box.next = 0;
+  other_.box.count = 1;
+  place();
+  const double size = first_->tree().extent() + std::sqrt(square) + length(t_);
+  margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
+  in_range_ = size > kSmallest && size < kLargest;
+}
+
+void MeshSearch::place() {
+  Matrix3 R;
+  Vector3 t;
+  read(pose_1_, W_, w_);
+  read(pose_2_, R, t);
+  for (int j = 0; j < 3; ++j) R_.column[j] = W_.transposed_times(R.column[j]);
+  t_ = W_.transposed_times(t - w_);
+}
+
+// The distance of two boxes is at least that of one and of a box along its axes around the other.
+double MeshSearch::box_distance(const BoxNode& one, const BoxNode& two) const noexcept {
+  const Vector3 d = R_ * vector_of(two.center) + t_ - vector_of(one.center);
+  const Vector3 e = R_.transposed_times(d);
+  double wide_1[3] = {0, 0, 0}, wide_2[3] = {double{two.half[0]}, double{two.half[1]}, double{two.half[2]}};
+  double apart_1[3], apart_2[3];
+  Vector3 turned[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 axis = vector_of(two.axis[k]);
+    turned[k] = R_ * axis;
+    apart_2[k] = std::fabs(dot(axis, e));
+  }
+  for (int j = 0; j < 3; ++j) {
+    const Vector3 axis = vector_of(one.axis[j]);
+    const double half = double{one.half[j]};
+    apart_1[j] = std::fabs(dot(axis, d));
+    wide_1[j] = half;
+    for (int k = 0; k < 3; ++k) {
+      const double share = std::fabs(dot(axis, turned[k]));
+      wide_1[j] += share * double{two.half[k]};
+      wide_2[k] += share * half;
+    }
+  }
+  double square_1 = 0, square_2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double gap_1 = std::max(apart_1[k] - wide_1[k], 0.0), gap_2 = std::max(apart_2[k] - wide_2[k], 0.0);
+    square_1 += gap_1 * gap_1;
+    square_2 += gap_2 * gap_2;
+  }
+  return std::sqrt(std::max(square_1, square_2)) * kOfAxes;
+}
+
+double MeshSearch::plane_distance(const BoxNode& one) const noexcept {
+  if (!has_plane_) return 0;
+  double top = dot(plane_, vector_of(one.center));
+  for (int k = 0; k < 3; ++k) top += std::fabs(dot(plane_, vector_of(one.axis[k]))) * double{one.half[k]};
+  return plane_of_ - top;
+}
+
+void MeshSearch::search(double enough, MeshWarmStart* warm) {
+  open_.clear();
+  if (!in_range_) {
+    lower_ = 0;
+    return;
+  }
+  enough_ = target_ = std::max(enough, 2 * kClear * margin_);
+  look_around(warm);
+  push(0, 0);
+  while (!open_.empty() && !meets_) {
+    const OpenPair pair = open_.back();
+    open_.pop_back();
+    if (is_beyond(pair.lower)) {
+      passed_over_ = true;
+      continue;
+    }
+    if (++looks_ % kLooksPerReading == 0 && watch_.expired()) {
+      out_of_time_ = true;
+      lower_ = std::min(lower_, std::max(0.0, pair.lower - margin_));
+      for (const OpenPair& other : open_) lower_ = std::min(lower_, std::max(0.0, other.lower - margin_));
+      break;
+    }
+    expand(pair);
+  }
+  if (passed_over_) lower_ = std::min(lower_, target_);
+  if (!meets_) locate();
+}
+
+// The nearest triangles of the last solve.
+void MeshSearch::look_around(MeshWarmStart* warm) {
+  if (warm == nullptr || warm->triangle_1 < 0 || warm->triangle_1 >= first_->size()) return;
+  const bool two = other_.tree == nullptr ? warm->triangle_2 == 0
+                                          : warm->triangle_2 >= 0 && warm->triangle_2 < other_.tree->size();
+  if (!two) return;
+  turn_second(warm->triangle_2);
+  look_at(warm->triangle_1, warm->triangle_2);
+}
+
+void MeshSearch::push(std::int32_t one, std::int32_t two) {
+  ++counters_.box_pairs;
+  const BoxNode &a = first_->tree().node(one), &b = other_.node(two);
+  const double lower = std::max(box_distance(a, b), plane_distance(a));
+  if (is_beyond(lower)) {
+    passed_over_ = true;
+    return;
+  }
+  open_.push_back({one, two, lower});
+}
+
+// The larger box is opened; of its halves the nearer one is taken first.
+void MeshSearch::expand(const OpenPair& pair) {
+  const BoxNode &a = first_->tree().node(pair.one), &b = other_.node(pair.two);
+  if (a.is_leaf() && b.is_leaf()) return look_at_leaves(a, b);
+  const std::size_t before = open_.size();
+  if (b.is_leaf() || (!a.is_leaf() && size_of(a) > size_of(b))) {
+    push(pair.one + 1, pair.two);
+    push(a.next, pair.two);
+  } else {
+    push(pair.one, pair.two + 1);
+    push(pair.one, b.next);
+  }
+  if (open_.size() == before + 2 && open_[before].lower < open_[before + 1].lower)
+    std::swap(open_[before], open_[before + 1]);
+}
+
+void MeshSearch::look_at_leaves(const BoxNode& one, const BoxNode& two) {
+  for (std::int32_t k = two.next; k < two.next + two.count; ++k) {
+    turn_second(k);
+    for (std::int32_t i = one.next; i < one.next + one.count && !meets_; ++i) look_at(i, k);
+  }
+}
+
+// Into the first frame.
+void MeshSearch::turn_second(std::int32_t two) {
+  if (other_.tree == nullptr) return;
+  const TriangleCorners& given = other_.tree->triangle(two);
+  for (int c = 0; c < 3; ++c) turned_.corner[c] = to_first(given.corner[c]);
+}
+
+// After turn_second().
+void MeshSearch::look_at(std::int32_t one, std::int32_t two) {
+  ++counters_.triangle_pairs;
+  other_.tree != nullptr ? look_at_triangles(one, two) : look_at_body(one);
+}
+
+void MeshSearch::look_at_triangles(std::int32_t one, std::int32_t two) {
+  const TriangleCorners &a = first_->tree().triangle(one), &b = turned_;
+  Vector3 from = normal_;
+  if (!(dot(from, from) > 0)) from = b.corner[0] - a.corner[0];
+  if (!(dot(from, from) > 0)) from = {1, 0, 0};
+  const TriangleDistance found = triangle_distance(a, b, from, options_.tolerance * 0.5, target_ + margin_);
+  if (is_beyond(found.lower)) {
+    passed_over_ = true;
+    return;
+  }
+  const double lower = (found.lower - margin_) * kDown, upper = (found.upper + margin_) * kUp;
+  if (!(lower > 0 && upper - lower <= options_.tolerance * upper))
+    return solve_precisely(one, two, triangle_[1]);
+  if (upper < upper_) {
+    point_1_ = found.point_1;
+    point_2_ = found.point_2;
+    normal_ = found.normal;
+    points_ = Points::in_first;
+  }
+  take(lower, upper, one, two);
+}
+
+void MeshSearch::look_at_body(std::int32_t one) {
+  const TriangleCorners& a = first_->tree().triangle(one);
+  if (has_plane_) {
+    const double top =
+        std::max({dot(plane_, a.corner[0]), dot(plane_, a.corner[1]), dot(plane_, a.corner[2])});
+    if (is_beyond(plane_of_ - top)) {
+      passed_over_ = true;
+      return;
+    }
+  }
+  solve_precisely(one, 0, *other_.body);
+}
+
+void MeshSearch::take(double lower, double upper, std::int32_t one, std::int32_t two) {
+  lower_ = std::min(lower_, std::max(lower, 0.0));
+  if (!(upper < upper_)) return;
+  upper_ = upper;
+  nearest_1_ = one;
+  nearest_2_ = two;
+  target_ = std::min(enough_, upper * (1 - options_.tolerance) * kUp);
+}
+
+// u proves a distance, and points from 1 to 2.
+void MeshSearch::take_normal(const double* from_2_to_1, bool nearer) {
+  const Vector3 u = -W_.transposed_times({from_2_to_1[0], from_2_to_1[1], from_2_to_1[2]});
+  if (nearer) normal_ = u;
+  if (other_.body == nullptr) return;
+  const Vector3 v = R_.transposed_times(u);
+  const double down[3] = {-v.x, -v.y, -v.z};
+  double lowest[3];
+  plane_ = u;
+  plane_of_ = dot(u, t_) - other_.body->support_unchecked(down, lowest);
+  has_plane_ = true;
+}
+
+void MeshSearch::solve_precisely(std::int32_t one, std::int32_t two, const ConvexSet& second) {
+  ++counters_.precise_pairs;
+  triangle_[0].assign(first_->tree().triangle(one));
+  if (other_.tree != nullptr) triangle_[1].assign(other_.tree->triangle(two));
+  if (!solve_.bind(triangle_[0], second, options_.instruction_set) ||
+      !solve_.place(PoseNumbers(pose_1_), PoseNumbers(pose_2_)))
+    return solve_generally(one, two, second);
+  const bool done = solve_.distance(options_.tolerance, nullptr);
+  const SpatialAnswer& answer = solve_.answer();
+  if (answer.end == SpatialEnd::intersecting) return meet(one, two);
+  const bool nearer = answer.upper < upper_;
+  if (answer.lower > 0) take_normal(solve_.normal(), nearer);
+  if (nearer) {
+    points_ = done ? Points::in_world : Points::unknown;
+    if (done) solve_.closest_points(world_point_[0], world_point_[1]);
+  }
+  take(answer.lower, answer.upper, one, two);
+}
+
+void MeshSearch::solve_generally(std::int32_t one, std::int32_t two, const ConvexSet& second) {
+  const ObjectDistance& answer = general_.solve(posed(triangle_[0], pose_1_), posed(second, pose_2_), ball_,
+                                                ObjectEffects::closest_points);
+  if (answer.distance.status == DistanceStatus::contains_origin) return meet(one, two);
+  const bool nearer = answer.distance.upper < upper_;
+  if (answer.distance.lower > 0 && answer.distance.normal.size() == 3)
+    take_normal(answer.distance.normal.data(), nearer);
+  if (nearer) {
+    points_ = answer.closest_point_1.size() == 3 ? Points::in_world : Points::unknown;
+    for (int k = 0; k < 3 && points_ == Points::in_world; ++k) {
+      world_point_[0][k] = answer.closest_point_1[k];
+      world_point_[1][k] = answer.closest_point_2[k];
+    }
+  }
+  take(answer.distance.lower, answer.distance.upper, one, two);
+}
+
+void MeshSearch::meet(std::int32_t one, std::int32_t two) {
+  meets_ = true;
+  nearest_1_ = one;
+  nearest_2_ = two;
+}
+
+// Surfaces that are apart: one object may be inside the other.
+void MeshSearch::locate() {
+  const bool first = first_->kind() == MeshKind::solid,
+             second = other_.mesh != nullptr && other_.mesh->kind() == MeshKind::solid;
+  if ((!first && !second) || !(lower_ > 0)) return;
+  if (!(lower_ >= kClear * margin_)) {
+    lower_ = 0;
+    return;
+  }
+  if (first) ask_points_of_second();
+  if (second) ask_points_of_first();
+}
+
+void MeshSearch::ask_points_of_second() {
+  if (other_.mesh == nullptr) {
+    double c[3];
+    other_.body->center_unchecked(c);
+    return ask(*first_, to_first({c[0], c[1], c[2]}));
+  }
+  for (const Eigen::Vector3d& p : other_.mesh->part_points()) ask(*first_, to_first({p[0], p[1], p[2]}));
+}
+
+void MeshSearch::ask_points_of_first() {
+  for (const Eigen::Vector3d& p : first_->part_points())
+    ask(*other_.mesh, R_.transposed_times(Vector3{p[0], p[1], p[2]} - t_));
+}
+
+void MeshSearch::ask(const Mesh& solid, const Vector3& point) {
+  if (meets_) return;
+  ++counters_.points_located;
+  const Inside inside = point_inside(solid.tree(), point);
+  if (inside == Inside::yes) meets_ = true;
+  if (inside == Inside::unknown) lower_ = 0;
+}
+
+const ObjectDistance& MeshSearch::finish(ObjectEffects effects, MeshWarmStart* warm) {
+  DistanceResult& distance = result_.distance;
+  if (meets_) lower_ = upper_ = 0;
+  distance.upper = upper_;
+  distance.lower = std::min(lower_, upper_);
+  distance.distance = distance.upper;
+  distance.counters = {};
+  distance.counters.support_queries = counters_.precise_pairs;
+  distance.seconds = watch_.seconds();
+  const bool closed =
+      upper_ < kInfinity && distance.upper - distance.lower <= options_.tolerance * distance.upper;
+  distance.status = meets_         ? DistanceStatus::contains_origin
+                    : closed       ? DistanceStatus::optimal
+                    : out_of_time_ ? DistanceStatus::time_limit
+                                   : DistanceStatus::precision_limit;
+  const bool has_normal = distance.lower > 0 && dot(normal_, normal_) > 0;
+  distance.normal.resize(has_normal ? 3 : 0);
+  if (has_normal) {
+    const Vector3 n = W_ * -normal_;
+    distance.normal << n.x, n.y, n.z;
+  }
+  write_points(effects);
+  if (warm != nullptr && nearest_1_ >= 0) {
+    warm->triangle_1 = nearest_1_;
+    warm->triangle_2 = nearest_2_;
+  }
+  return result_;
+}
+
+void MeshSearch::write_points(ObjectEffects effects) {
+  const bool apart = result_.distance.lower > 0 && upper_ < kInfinity;
+  const bool points =
+      apart && points_ != Points::unknown && has_effect(effects, ObjectEffects::closest_points);
+  result_.closest_point_evaluations = points ? 1 : 0;
+  result_.closest_point_1.resize(points ? 3 : 0);
+  result_.closest_point_2.resize(points ? 3 : 0);
+  for (int i = 0; i < 2 && points; ++i) {
+    if (points_ == Points::in_first) {
+      const Vector3 x = W_ * (i == 0 ? point_1_ : point_2_) + w_;
+      world_point_[i][0] = x.x;
+      world_point_[i][1] = x.y;
+      world_point_[i][2] = x.z;
+    }
+    (i == 0 ? result_.closest_point_1 : result_.closest_point_2) = Eigen::Vector3d::Map(world_point_[i]);
+  }
+  const bool gradient =
+      apart && result_.distance.normal.size() == 3 && has_effect(effects, ObjectEffects::gradient);
+  result_.gradient_evaluations = gradient ? 1 : 0;
+  result_.gradient_1.resize(gradient ? 3 : 0);
+  result_.gradient_2.resize(gradient ? 3 : 0);
+  if (!gradient) return;
+  result_.gradient_1 = result_.distance.normal;
+  result_.gradient_2 = -result_.distance.normal;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "raygauge/sets/pose.h"
+
+namespace raygauge {
+
+class BoxTree;
+
+/// Three vertices of a mesh, by number from 0 on; of a solid counterclockwise as seen from outside.
+using MeshTriangle = std::array<std::int32_t, 3>;
+
+/// What a mesh stands for.
+enum class MeshKind : std::uint8_t {
+  surface,  ///< the union of its triangles
+  solid,    ///< these, and all points about which they wind
+};
+
+/// The union of M triangles of R^3,
+///
+///     ∪_i conv{p_a, p_b, p_c},   (a, b, c) = triangle i,
+///
+/// or the solid that they bound: also all points about which the closed surface winds. It winds about a
+/// cavity, whose triangles look inwards, no times. A mesh need not be convex and is no ConvexSet; what is
+/// asked of it is in queries/mesh_distance.h. Triangles may be degenerate, cross each other and share
+/// vertices or not.
+///
+/// Immutable, and cheap to copy: copies share one tree of boxes, which takes about 150 bytes a triangle. Its
+/// boxes are in single precision, rounded outward.
+class Mesh {
+ public:
+  /// `vertices` is 3 × N, one a column. Throws EmptySetError (no triangle) or NonFiniteError (the message
+  /// names the vertex). Throws InvalidParameterError for an index that names no vertex and a coordinate
+  /// beyond 1e30; also for a solid with a hole or a triangle that is turned about, which the message names.
+  Mesh(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const MeshTriangle> triangles,
+       MeshKind kind = MeshKind::surface, int threads = 1);
+
+  MeshKind kind() const noexcept { return kind_; }
+
+  /// M.
+  std::ptrdiff_t size() const noexcept;
+
+  /// Bytes that the mesh and its copies hold.
+  std::ptrdiff_t memory() const noexcept;
+
+  /// The volume that a solid bounds, parts about which it winds twice counted twice; 0 of a surface.
+  double volume() const noexcept { return volume_; }
+
+  /// A point of each connected part of the surface.
+  const std::vector<Eigen::Vector3d>& part_points() const noexcept { return *part_points_; }
+
+  const BoxTree& tree() const noexcept { return *tree_; }
+
+ private:
+  MeshKind kind_;
+  double volume_ = 0;
+  std::shared_ptr<const BoxTree> tree_;
+  std::shared_ptr<const std::vector<Eigen::Vector3d>> part_points_;
+};
+
+/// A mesh in a pose, for the time of a query; as Posed.
+struct PosedMesh {
+  PosedMesh(const Mesh& M) : mesh(M) {}  // NOLINT(google-explicit-constructor): a mesh is a posed mesh
+  PosedMesh(const Mesh& M, const Pose& where) : mesh(M), pose(&where) {}
+
+  const Mesh& mesh;
+  const Pose* pose = nullptr;  ///< nullptr: the identity
+};
+
+}  // namespace raygauge

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "raygauge/meshes/mesh.h"
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
+
+namespace raygauge {
+
+class MeshSearch;
+
+/// The nearest triangles of the last solve of a pair: a hint, as WarmStart is.
+struct MeshWarmStart {
+  std::int32_t triangle_1 = -1, triangle_2 = -1;  ///< in the order of the trees; -1: none is known
+
+  void clear() noexcept { triangle_1 = triangle_2 = -1; }
+};
+
+/// Work of one solve.
+struct MeshCounters {
+  std::int64_t box_pairs = 0;       ///< pairs of boxes whose distance was bounded
+  std::int64_t triangle_pairs = 0;  ///< pairs of triangles, or of a triangle and a body, looked at
+  std::int64_t precise_pairs = 0;   ///< of these: solved by SpatialSolve or a general method
+  std::int64_t points_located = 0;  ///< points of which was asked whether a solid contains them
+};
+
+/// The Euclidean distance of a mesh and a convex set, or of two meshes, each in its pose:
+///
+///     d = min{|a2 - a1| : a1 in A1, a2 in A2},
+///
+/// with certified bounds: the upper one is that of two points, the lower one the least over all pairs of
+/// triangles, of which most are excluded by the distance of boxes around them. Common points are proven by
+/// two triangles that share one, or by a point of the one in the solid that the other is. Where surfaces only
+/// touch, the bounds are 0 and a number near it, and the status is `precision_limit`.
+///
+/// Depth and growth distance are defined for convex sets: an object of several convex parts has them.
+///
+/// One solver per thread; repeated solves allocate nothing once the workspace has grown.
+class MeshDistanceSolver {
+ public:
+  /// `tolerance` and `time_limit` are those of DistanceOptions; the method must be `automatic`. Throws
+  /// InvalidParameterError for an option outside its range.
+  explicit MeshDistanceSolver(const DistanceOptions& options = {});
+  ~MeshDistanceSolver();
+  MeshDistanceSolver(MeshDistanceSolver&&) noexcept;
+  MeshDistanceSolver& operator=(MeshDistanceSolver&&) noexcept;
+
+  /// See DistanceSolver::set_stop.
+  void set_stop(std::function<bool()> stop);
+
+  /// As of ObjectDistanceSolver, in the Euclidean metric. `distance.normal` is the unit vector that proves
+  /// the distance of the nearest two triangles, from A2 to A1; the rest of a mesh may be on either side of
+  /// it. Throws DimensionMismatchError (a set that is not of R^3) and InvalidParameterError for the effect
+  /// `depth`.
+  const ObjectDistance& solve(const PosedMesh& A1, const PosedMesh& A2,
+                              ObjectEffects effects = ObjectEffects::none, MeshWarmStart* warm = nullptr);
+  const ObjectDistance& solve(const PosedMesh& A1, const Posed& A2,
+                              ObjectEffects effects = ObjectEffects::none, MeshWarmStart* warm = nullptr);
+
+  /// Whether they have no point in common, proven either way. This is faster than a distance: it ends at the
+  /// first common point, and boxes that are apart are not looked into.
+  Separation separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm = nullptr);
+  Separation separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm = nullptr);
+
+  /// Of the last solve.
+  const MeshCounters& counters() const noexcept;
+
+ private:
+  std::unique_ptr<MeshSearch> search_;
+};
+
+}  // namespace raygauge
