@@ -182,7 +182,7 @@ class SceneReader {
     }
     const MotionPointer motion = read_motion(table, dimension_, folder_, scene().instants.front());
     const Body body = placed(table, [&] { return make_body(name, parts, motion); });
-    reactions_.push_back({&table, read_body_dynamics(table, body)});
+    reactions_.emplace_back(&table, read_body_dynamics(table, body));
     add(table, body,
         table.contains("group") ? texts_of(*table.get("group"), "body.group") : std::vector<std::string>());
   }

@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "raygauge/exceptions.h"
 
@@ -79,11 +78,12 @@ bool Dynamics::has_restitution() const {
 
 std::optional<ContactLaw> Dynamics::law_of(int a, int b) const {
   if (!contact) return std::nullopt;
-  for (const PairLaw& pair : std::ranges::reverse_view(pairs)) {
+  const auto names = [a, b](const PairLaw& pair) {
     const bool named = is_in(pair.group_1, a) && is_in(pair.group_2, b);
-    if (named || (is_in(pair.group_1, b) && is_in(pair.group_2, a))) return pair.law;
-  }
-  return contact;
+    return named || (is_in(pair.group_1, b) && is_in(pair.group_2, a));
+  };
+  const auto last = std::find_if(pairs.rbegin(), pairs.rend(), names);
+  return last == pairs.rend() ? contact : last->law;
 }
 
 void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
