@@ -14,7 +14,7 @@ namespace raygauge {
 
 class MeshSearch;
 
-/// The nearest triangles of the last solve of a pair: a hint, as WarmStart is.
+/// The nearest triangles of the last solve of a pair, from which the next one starts.
 struct MeshWarmStart {
   std::int32_t triangle_1 = -1, triangle_2 = -1;  ///< in the order of the trees; -1: none is known
 
