@@ -108,3 +108,14 @@ function(raygauge_room name)
   set_target_properties(raygauge_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_precompile_headers(raygauge_${name} REUSE_FROM raygauge_room_headers)
 endfunction()
+
+# raygauge_module(NAME sources... LIBRARIES libraries...) declares raygauge_NAME.so, which the program loads when it needs it
+# (results/run/own_module.h); it is installed as a component of its own.
+function(raygauge_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 _module "" "" "LIBRARIES")
+  add_library(raygauge_${name} MODULE ${_module_UNPARSED_ARGUMENTS})
+  set_target_properties(raygauge_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  target_include_directories(raygauge_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(raygauge_${name} PRIVATE ${_module_LIBRARIES} raygauge_own_code)
+  set_property(GLOBAL APPEND PROPERTY RAYGAUGE_MODULES ${name})
+endfunction()

@@ -1,5 +1,5 @@
 # The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, raygauge,
-# raygauge-mpi, python3-raygauge.
+# raygauge-mpi, raygauge-siconos, python3-raygauge.
 
 # The manual and the completion are made from the program's own help, where help2man is installed.
 find_program(RAYGAUGE_HELP2MAN help2man)
@@ -36,15 +36,18 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers and CMake package")
 if(RAYGAUGE_BUILD_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME raygauge)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, raygauge-siconos")
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "the program, its manual and completion")
 endif()
-if(TARGET raygauge_mpi)
-  list(APPEND CPACK_COMPONENTS_ALL mpi)
-  set(CPACK_DEBIAN_MPI_PACKAGE_NAME raygauge-mpi)
-  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "raygauge (= ${PROJECT_VERSION})")
-  set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
-endif()
+set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
+set(CPACK_COMPONENT_SICONOS_DESCRIPTION "friction between bodies that react")
+get_property(_modules GLOBAL PROPERTY RAYGAUGE_MODULES)
+foreach(_module IN LISTS _modules)
+  string(TOUPPER ${_module} _upper)
+  list(APPEND CPACK_COMPONENTS_ALL ${_module})
+  set(CPACK_DEBIAN_${_upper}_PACKAGE_NAME raygauge-${_module})
+  set(CPACK_DEBIAN_${_upper}_PACKAGE_DEPENDS "raygauge (= ${PROJECT_VERSION})")
+endforeach()
 if(RAYGAUGE_HAS_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-raygauge)

@@ -26,7 +26,7 @@
 #include "scene/commands/scene_input.h"
 #include "scene/file/scene_batch.h"
 #include "scene/file/simulated_tables.h"
-#include "scene/friction/siconos_friction.h"
+#include "scene/friction/loaded_friction.h"
 
 namespace raygauge::cli {
 namespace {
@@ -134,8 +134,7 @@ int simulate_file(const SimulateArguments& arguments) {
       output_place({path, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
   if (std::filesystem::exists(place.path) && !(arguments.force && is_scene_file(place.path)))
     throw ResultsExistError(path + ": exists already; --force replaces results of a scene");
-  const std::unique_ptr<FrictionSolver> friction = siconos_friction();
-  if (friction == nullptr && source.dynamics->has_friction()) throw InvalidParameterError(without_siconos());
+  const std::unique_ptr<FrictionSolver> friction = source.dynamics->has_friction() ? loaded_friction() : nullptr;
   const InterruptGuard guard(nullptr);
   ProgressDisplay display(stderr, 0);
   const auto begin = std::chrono::steady_clock::now();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/friction/siconos_friction.h"
 
-#ifdef RAYGAUGE_HAS_SICONOS
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>
 #include <NonSmoothDrivers.h>
@@ -11,15 +10,9 @@
 #include <SolverOptions.h>
 
 #include <cstdlib>
-#endif
 
 namespace raygauge {
 
-const char* without_siconos() noexcept {
-  return "friction needs Siconos numerics: apt-get install libsiconos-numerics-dev, and build again";
-}
-
-#ifdef RAYGAUGE_HAS_SICONOS
 namespace {
 
 constexpr double kEnough = 1e-10;
@@ -80,11 +73,5 @@ class SiconosFriction final : public FrictionSolver {
 }  // namespace
 
 std::unique_ptr<FrictionSolver> siconos_friction() { return std::make_unique<SiconosFriction>(); }
-
-#else
-
-std::unique_ptr<FrictionSolver> siconos_friction() { return nullptr; }
-
-#endif
 
 }  // namespace raygauge

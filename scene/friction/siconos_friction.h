@@ -9,10 +9,7 @@
 namespace raygauge {
 
 /// By Siconos numerics: nonsmooth Gauss-Seidel on the contacts, from the first guess to a relative error of
-/// 1e-10 or 20000 passes. nullptr in a build without Siconos.
+/// 1e-10 or 20000 passes.
 std::unique_ptr<FrictionSolver> siconos_friction();
-
-/// What to do about nullptr, in one line.
-const char* without_siconos() noexcept;
 
 }  // namespace raygauge

@@ -53,9 +53,10 @@ class Packages(unittest.TestCase):
         self.assertLessEqual({"libraygauge0.2", "libraygauge-dev", "raygauge"}, set(self.packages))
         self.assertRegex(field(self.packages["raygauge"], "Depends"), r"libhdf5.*libstdc\+\+6")
         self.assertIn("libgomp1", field(self.packages["libraygauge0.2"], "Depends"))
-        self.assertNotIn("mpi", field(self.packages["raygauge"], "Depends"))
-        if "raygauge-mpi" in self.packages:
-            self.assertRegex(field(self.packages["raygauge-mpi"], "Depends"), r"raygauge \(= .*libopenmpi")
+        self.assertNotRegex(field(self.packages["raygauge"], "Depends"), "mpi|siconos|mumps")
+        for module, library in (("mpi", "libopenmpi"), ("siconos", "libsiconos-numerics")):
+            if f"raygauge-{module}" in self.packages:
+                self.assertRegex(field(self.packages[f"raygauge-{module}"], "Depends"), rf"raygauge \(= .*{library}")
         for path in self.packages.values():
             self.assertIn("copyright", run("dpkg-deb", "--contents", path))
 

@@ -1,0 +1,7 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/friction/siconos_friction.h"
+
+extern "C" raygauge::FrictionSolver* raygauge_create_friction() {
+  return raygauge::siconos_friction().release();
+}
