@@ -75,13 +75,12 @@ std::string line_color(const std::string& method, const MethodList& methods) {
 
 std::string screen(double fraction) { return rounded_text(fraction, 6); }
 
-std::string one_two_five_ticks(double low, double high) {
-  constexpr std::size_t kMost = 9;  // more labels would run into each other
+std::string one_two_five_ticks(double low, double high, std::size_t most) {
   std::vector<double> ticks = round_numbers(low, high, {1, 2, 5});
-  if (ticks.size() > kMost) {
+  if (ticks.size() > most) {
     ticks = round_numbers(low, high, {1});
     // Every second, third, … power of ten.
-    const std::size_t stride = (ticks.size() + kMost - 1) / kMost;
+    const std::size_t stride = std::max<std::size_t>(1, (ticks.size() + most - 1) / most);
     for (std::size_t i = 0; i * stride < ticks.size(); ++i) ticks[i] = ticks[i * stride];
     ticks.resize((ticks.size() + stride - 1) / stride);
   }

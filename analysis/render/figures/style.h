@@ -31,9 +31,10 @@ std::string line_color(const std::string& method, const MethodList& methods);
 /// A fraction of the width or height of the whole picture, for gnuplot's "screen".
 std::string screen(double fraction);
 
-/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)"; where there are fewer
-/// than two of them, the ends with two digits.
-std::string one_two_five_ticks(double low, double high);
+/// Tick marks 1, 2, 5, 10, … within [low, high], as gnuplot's list "(200, 500, 1000)"; of more than `most`,
+/// whose labels would run into each other, powers of ten alone; where there are fewer than two of them, the
+/// ends with two digits.
+std::string one_two_five_ticks(double low, double high, std::size_t most = 9);
 
 /// About four powers of ten within [low, high], as gnuplot's list.
 std::string decade_ticks(double low, double high);

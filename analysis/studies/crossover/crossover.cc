@@ -50,6 +50,10 @@ std::vector<CellWinner> cell_winners(const std::map<CellKey, std::vector<MethodI
     if (const auto second = std::next(ranks.begin()); second != ranks.end() && std::isfinite(second->first)) {
       winner.runner_up = second->second->method;
       winner.lead = lead_over(cell, *first, *second->second);
+      if (winner.lead.ratio < 1) {  // by medians alone the other way round
+        winner = {cell, second->second->method, first->method, second->first,
+                  lead_over(cell, *second->second, *first)};
+      }
       winner.decided = winner.lead.interval.lower > 1;
     }
     winners.push_back(std::move(winner));

@@ -15,8 +15,8 @@ namespace raygauge {
 /// Which method wins a cell of the grid.
 struct CellWinner {
   CellKey cell;
-  std::string method;     ///< smallest center_of() its times
-  std::string runner_up;  ///< second smallest; "" if no other method has a finite median
+  std::string method;  ///< of the two methods with the smallest center_of() their times, the one that leads
+  std::string runner_up;  ///< the other; "" if no other method has a finite median
   double seconds = 0;     ///< of the winner
   Ratio lead;  ///< runner_up / method: paired_ratio() over common instances, of a Pool their geometric mean;
                ///< without any ratio_of_medians(); NaN without a runner-up

@@ -81,14 +81,16 @@ std::string ratio_block(std::size_t index, const std::vector<CellRatio>& ratios,
 /// The scale of the colours, right of all panels. Viridis: its lightness rises evenly, so it reads in grey
 /// and for colour-blind readers.
 std::string color_settings(const CellMap& map, const ColorRange& range, double height) {
+  constexpr double kLabel = 0.15;  // inches from one label to the next
+  const double length = height - CellMap::kBottom - kHeading;
+  const auto labels = static_cast<std::size_t>(std::clamp(length / kLabel, 2.0, 9.0));
   return "set palette defined (0 '#440154', 1 '#46327E', 2 '#365C8D', 3 '#277F8E', 4 '#1FA187', 5 "
          "'#4AC16D', 6 '#A0DA39', 7 '#FDE725')\nset logscale cb\nset cbrange [" +
          rounded_text(range.low, 6) + ":" + rounded_text(range.high, 6) + "]\nset cbtics " +
-         figure_style::one_two_five_ticks(range.low, range.high) +
+         figure_style::one_two_five_ticks(range.low, range.high, labels) +
          " scale 0.5\nset format cb '%g'\nset colorbox user origin screen " +
          screen((map.right_end() + 0.1) / map.width()) + ", screen " + screen(CellMap::kBottom / height) +
-         " size screen " + screen(0.12 / map.width()) + ", screen " +
-         screen((height - CellMap::kBottom - kHeading) / height) + " noborder\n";
+         " size screen " + screen(0.12 / map.width()) + ", screen " + screen(length / height) + " noborder\n";
 }
 
 std::string ratio_panel(const CellMap& map, double height, std::size_t index, std::size_t panels,

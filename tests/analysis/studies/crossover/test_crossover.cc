@@ -37,6 +37,17 @@ TEST(Crossover, ComparesMediansWhereTheTwoShareNoInstance) {
   EXPECT_DOUBLE_EQ(cell_winners(records).at(0).lead.ratio, 2);
 }
 
+TEST(Crossover, TheWinnerLeadsOnTheInstancesThatBothSolved) {
+  std::vector<Record> records;
+  add_records(records, "column_generation", 3, 200, {1, 2, 9, 9, 9});  // median 9, faster on three of five
+  add_records(records, "glpk_dual", 3, 200, {8, 8, 8, 10, 11});        // median 8
+  const CellWinner winner = cell_winners(records).at(0);
+  EXPECT_EQ(winner.method, "column_generation");
+  EXPECT_EQ(winner.runner_up, "glpk_dual");
+  EXPECT_GE(winner.lead.ratio, 1);
+  EXPECT_DOUBLE_EQ(winner.seconds, 9e-3);
+}
+
 TEST(Crossover, CountsDisagreementAsNeverSolved) {
   std::vector<Record> records;
   add_records(records, "column_generation", 3, 200, {1, 2, 3});
