@@ -31,6 +31,9 @@ struct Ladder::Due {
   static bool body_distance(const Ladder& ladder, const Ask& ask) {
     return open_to_bodies(ladder, ask) && !ask.is_distance_open;
   }
+  static bool mesh(const Ladder& /*ladder*/, const Ask& ask) {
+    return as_mesh(ask.first.set) != nullptr || as_mesh(ask.second.set) != nullptr;
+  }
   static bool half_space(const Ladder& /*ladder*/, const Ask& ask) {
     return as_half_space(ask.first.set) != nullptr || as_half_space(ask.second.set) != nullptr;
   }
@@ -103,6 +106,8 @@ constexpr Ladder::Rung Ladder::kRungs[] = {
      "distance of bodies", kBodies, "bodies of R² and R³, Q a ball about the origin"},
     {kGrowth | kSeparation, Group::bodies, &Due::open_to_bodies, &Solve::body_growth,  //
      "growth of bodies", kBodies, "bodies of R² and R³"},
+    {kDistance | kGrowth | kSeparation, Group::bodies, &Due::mesh, &Solve::mesh,  //
+     "mesh", kBodies, "one of the two is a mesh, Q a ball about the origin; no growth"},
     {kDistance | kGrowth | kSeparation, Group::bodies, &Due::half_space, &Solve::half_space,  //
      "half-space", "doubles, then double-double", "one of the two is a half-space: a closed form; no growth"},
     {kGrowth | kSeparation, Group::bodies, &Due::common_point, &Solve::common_point,  //
@@ -284,6 +289,7 @@ void Ladder::conclude(Separation outcome, Bounds growth) {
 void Ladder::set_options(const DistanceOptions& options) {
   if (const std::string problem = validate(options); !problem.empty()) throw InvalidParameterError(problem);
   options_ = options;
+  meshes_.reset();
 }
 
 const DistanceResult& Ladder::gauge(Ask& ask) {

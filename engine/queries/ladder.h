@@ -16,6 +16,7 @@
 #include "engine/queries/half_space_query.h"
 #include "engine/queries/pose_gradients.h"
 #include "engine/queries/spatial_query.h"
+#include "raygauge/queries/mesh_distance.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {
@@ -88,6 +89,7 @@ class Ladder {
   void tighten(const Ask& ask);
   void find_depth(const Ask& ask);
   void find_pose_gradient(const Ask& ask);
+  MeshDistanceSolver& mesh_solver();
   const SpatialPair* known_pair(const Ask& ask) const;
   double time_left() const;
   bool conclude();
@@ -98,6 +100,7 @@ class Ladder {
   Stopwatch stopwatch_;  // over all general methods that take part
   SpatialQuery bodies_;
   HalfSpaceQuery half_space_;
+  std::unique_ptr<MeshDistanceSolver> meshes_;  // once there was one: it has a ladder of its own
   GeneralMethods methods_;
   ObjectDistance answer_;
   SeparationResult separation_;
@@ -117,6 +120,7 @@ class Ladder {
 struct Ladder::Solve {
   static bool body_distance(Ladder& ladder, Ask& ask);
   static bool body_growth(Ladder& ladder, Ask& ask);
+  static bool mesh(Ladder& ladder, Ask& ask);
   static bool half_space(Ladder& ladder, Ask& ask);
   static bool common_point(Ladder& ladder, Ask& ask);
   static bool depth(Ladder& ladder, Ask& ask);

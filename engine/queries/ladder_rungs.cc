@@ -3,6 +3,7 @@
 //
 // The rungs of a Ladder that are none of the general methods, but for the first two.
 #include <algorithm>
+#include <limits>
 
 #include "engine/numerics/floating_point.h"
 #include "engine/queries/ladder.h"
@@ -19,7 +20,70 @@ void set_overlap(DistanceResult& result) {
   result.contact_point.resize(0);
 }
 
+// The normal is the gradient: solvers copy it.
+ObjectEffects without_gradient(ObjectEffects effects) {
+  return static_cast<ObjectEffects>(static_cast<unsigned>(effects) &
+                                    ~static_cast<unsigned>(ObjectEffects::gradient));
+}
+
+// The Euclidean distance, in the metric of a ball of this radius.
+void scale_to_radius(double radius, DistanceResult& result) {
+  constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
+  if (radius == 1) return;
+  result.lower = std::min(result.lower / radius * kDown, std::numeric_limits<double>::max());
+  result.upper = result.upper / radius * kUp;
+  result.distance = result.upper;
+  result.normal /= radius;
+}
+
 }  // namespace
+
+MeshDistanceSolver& Ladder::mesh_solver() {
+  if (meshes_ == nullptr) {
+    DistanceOptions options = options_;
+    options.method = DistanceMethod::automatic;
+    meshes_ = std::make_unique<MeshDistanceSolver>(options);
+    meshes_->set_stop([this] { return stop_ && stop_(); });
+  }
+  return *meshes_;
+}
+
+// The trees' search. A warm start keeps the nearest triangles, and no normal: none holds for the whole mesh.
+bool Ladder::Solve::mesh(Ladder& ladder, Ask& ask) {
+  if (ask.question == Question::growth)
+    throw InvalidParameterError("the growth distance of a mesh is not defined: ask for it of convex parts");
+  MeshWarmStart triangles;
+  if (ask.warm != nullptr && ask.warm->dimension == 3 && ask.warm->count == 1)
+    triangles = {ask.warm->point_A[0], ask.warm->point_Q[0]};
+  MeshDistanceSolver& solver = ladder.mesh_solver();
+  ObjectDistance& answer = ladder.answer_;
+  if (ask.question == Question::separation) {
+    const Separation known = solver.separation(ask.first, ask.second, &triangles);
+    answer.distance.counters = {};
+    answer.distance.counters.support_queries = solver.counters().precise_pairs;
+    ladder.conclude(known, Bounds());
+    ladder.separation_.normal.resize(0);
+  } else {
+    const double radius = radius_of_ball(*ask.metric);
+    if (!(radius > 0) || ask.metric->dimension() != 3)
+      throw InvalidParameterError("a mesh has Euclidean distances: the metric must be a ball of R^3 about 0");
+    const ObjectDistance& found =
+        solver.solve(ask.first, ask.second, without_gradient(ask.object_effects), &triangles);
+    answer.distance = found.distance;
+    answer.closest_point_1 = found.closest_point_1;
+    answer.closest_point_2 = found.closest_point_2;
+    answer.closest_point_evaluations = found.closest_point_evaluations;
+    answer.gradient_evaluations = 0;
+    scale_to_radius(radius, answer.distance);
+  }
+  if (ask.warm == nullptr) return true;
+  ask.warm->dimension = 3;
+  ask.warm->normal = {};
+  ask.warm->count = 1;
+  ask.warm->point_A = {triangles.triangle_1};
+  ask.warm->point_Q = {triangles.triangle_2};
+  return true;
+}
 
 // Closed forms, for any metric.
 bool Ladder::Solve::half_space(Ladder& ladder, Ask& ask) {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "engine/meshes/point_inside.h"
 #include "engine/meshes/triangle_pair.h"
 #include "engine/numerics/floating_point.h"
 
@@ -45,13 +44,6 @@ Separation separation_of(const ObjectDistance& answer) {
 }
 
 constexpr double kApart = std::numeric_limits<double>::min();
-
-// Farther than this from a surface, in margins, a computed point is on the same side as the point itself.
-constexpr double kClear = 4;
-
-Posed posed(const ConvexSet& set, const Pose* pose) {
-  return pose == nullptr ? Posed(set) : Posed(set, *pose);
-}
 
 DistanceOptions general_options(const DistanceOptions& options) {
   DistanceOptions general = options;
@@ -104,7 +96,8 @@ void MeshSearch::begin(const PosedMesh& A1, const Pose* pose_2) {
   first_ = &A1.mesh;
   pose_1_ = A1.pose;
   pose_2_ = pose_2;
-  out_of_time_ = meets_ = passed_over_ = has_plane_ = false;
+  out_of_time_ = meets_ = passed_over_ = has_plane_ = other_.is_half_space = false;
+  inside_by_ = 0;
   points_ = Points::unknown;
   nearest_1_ = nearest_2_ = -1;
   normal_ = {};
@@ -125,6 +118,7 @@ void MeshSearch::set_other(const ConvexSet& body) {
   other_.mesh = nullptr;
   other_.tree = nullptr;
   other_.body = &body;
+  if (const HalfSpace* half_space = as_half_space(body)) return set_half_space(*half_space);
   double magnitude[3], low[3], high[3], square = 0;
   body.magnitude_unchecked(magnitude);
   for (int k = 0; k < 3; ++k) {
@@ -142,6 +136,23 @@ void MeshSearch::set_other(const ConvexSet& body) {
   other_.box.count = 1;
   place();
   const double size = first_->tree().extent() + std::sqrt(square) + length(t_);
+  margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
+  in_range_ = size > kSmallest && size < kLargest;
+}
+
+// Its plane is the only one: x in the first frame is u·x above it, u pointing into the half-space, and all of
+// it has u·x >= plane_of_.
+void MeshSearch::set_half_space(const HalfSpace& half_space) {
+  const Vector& n = half_space.normal();
+  const Vector3 normal{n[0], n[1], n[2]};
+  const double size_of_normal = length(normal), offset = half_space.offset() / size_of_normal;
+  other_.box = {};
+  other_.box.count = 1;
+  place();
+  plane_ = R_ * normal * (-1 / size_of_normal);
+  plane_of_ = dot(plane_, t_) - offset;
+  has_plane_ = other_.is_half_space = true;
+  const double size = first_->tree().extent() + length(t_) + std::fabs(offset);
   margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
   in_range_ = size > kSmallest && size < kLargest;
 }
@@ -200,7 +211,7 @@ void MeshSearch::search(double enough, MeshWarmStart* warm) {
     lower_ = 0;
     return;
   }
-  enough_ = target_ = std::max(enough, 2 * kClear * margin_);
+  enough_ = target_ = std::max(enough, 2 * kClearMargins * margin_);
   look_around(warm);
   push(0, 0);
   while (!open_.empty() && !meets_) {
@@ -235,7 +246,7 @@ void MeshSearch::look_around(MeshWarmStart* warm) {
 void MeshSearch::push(std::int32_t one, std::int32_t two) {
   ++counters_.box_pairs;
   const BoxNode &a = first_->tree().node(one), &b = other_.node(two);
-  const double lower = std::max(box_distance(a, b), plane_distance(a));
+  const double lower = std::max(other_.is_half_space ? 0 : box_distance(a, b), plane_distance(a));
   if (is_beyond(lower)) {
     passed_over_ = true;
     return;
@@ -327,7 +338,7 @@ void MeshSearch::take(double lower, double upper, std::int32_t one, std::int32_t
 void MeshSearch::take_normal(const double* from_2_to_1, bool nearer) {
   const Vector3 u = -W_.transposed_times({from_2_to_1[0], from_2_to_1[1], from_2_to_1[2]});
   if (nearer) normal_ = u;
-  if (other_.body == nullptr) return;
+  if (other_.body == nullptr || other_.is_half_space) return;
   const Vector3 v = R_.transposed_times(u);
   const double down[3] = {-v.x, -v.y, -v.z};
   double lowest[3];
@@ -376,96 +387,6 @@ void MeshSearch::meet(std::int32_t one, std::int32_t two) {
   meets_ = true;
   nearest_1_ = one;
   nearest_2_ = two;
-}
-
-// Surfaces that are apart: one object may be inside the other.
-void MeshSearch::locate() {
-  const bool first = first_->kind() == MeshKind::solid,
-             second = other_.mesh != nullptr && other_.mesh->kind() == MeshKind::solid;
-  if ((!first && !second) || !(lower_ > 0)) return;
-  if (!(lower_ >= kClear * margin_)) {
-    lower_ = 0;
-    return;
-  }
-  if (first) ask_points_of_second();
-  if (second) ask_points_of_first();
-}
-
-void MeshSearch::ask_points_of_second() {
-  if (other_.mesh == nullptr) {
-    double c[3];
-    other_.body->center_unchecked(c);
-    return ask(*first_, to_first({c[0], c[1], c[2]}));
-  }
-  for (const Eigen::Vector3d& p : other_.mesh->part_points()) ask(*first_, to_first({p[0], p[1], p[2]}));
-}
-
-void MeshSearch::ask_points_of_first() {
-  for (const Eigen::Vector3d& p : first_->part_points())
-    ask(*other_.mesh, R_.transposed_times(Vector3{p[0], p[1], p[2]} - t_));
-}
-
-void MeshSearch::ask(const Mesh& solid, const Vector3& point) {
-  if (meets_) return;
-  ++counters_.points_located;
-  const Inside inside = point_inside(solid.tree(), point);
-  if (inside == Inside::yes) meets_ = true;
-  if (inside == Inside::unknown) lower_ = 0;
-}
-
-const ObjectDistance& MeshSearch::finish(ObjectEffects effects, MeshWarmStart* warm) {
-  DistanceResult& distance = result_.distance;
-  if (meets_) lower_ = upper_ = 0;
-  distance.upper = upper_;
-  distance.lower = std::min(lower_, upper_);
-  distance.distance = distance.upper;
-  distance.counters = {};
-  distance.counters.support_queries = counters_.precise_pairs;
-  distance.seconds = watch_.seconds();
-  const bool closed =
-      upper_ < kInfinity && distance.upper - distance.lower <= options_.tolerance * distance.upper;
-  distance.status = meets_         ? DistanceStatus::contains_origin
-                    : closed       ? DistanceStatus::optimal
-                    : out_of_time_ ? DistanceStatus::time_limit
-                                   : DistanceStatus::precision_limit;
-  const bool has_normal = distance.lower > 0 && dot(normal_, normal_) > 0;
-  distance.normal.resize(has_normal ? 3 : 0);
-  if (has_normal) {
-    const Vector3 n = W_ * -normal_;
-    distance.normal << n.x, n.y, n.z;
-  }
-  write_points(effects);
-  if (warm != nullptr && nearest_1_ >= 0) {
-    warm->triangle_1 = nearest_1_;
-    warm->triangle_2 = nearest_2_;
-  }
-  return result_;
-}
-
-void MeshSearch::write_points(ObjectEffects effects) {
-  const bool apart = result_.distance.lower > 0 && upper_ < kInfinity;
-  const bool points =
-      apart && points_ != Points::unknown && has_effect(effects, ObjectEffects::closest_points);
-  result_.closest_point_evaluations = points ? 1 : 0;
-  result_.closest_point_1.resize(points ? 3 : 0);
-  result_.closest_point_2.resize(points ? 3 : 0);
-  for (int i = 0; i < 2 && points; ++i) {
-    if (points_ == Points::in_first) {
-      const Vector3 x = W_ * (i == 0 ? point_1_ : point_2_) + w_;
-      world_point_[i][0] = x.x;
-      world_point_[i][1] = x.y;
-      world_point_[i][2] = x.z;
-    }
-    (i == 0 ? result_.closest_point_1 : result_.closest_point_2) = Eigen::Vector3d::Map(world_point_[i]);
-  }
-  const bool gradient =
-      apart && result_.distance.normal.size() == 3 && has_effect(effects, ObjectEffects::gradient);
-  result_.gradient_evaluations = gradient ? 1 : 0;
-  result_.gradient_1.resize(gradient ? 3 : 0);
-  result_.gradient_2.resize(gradient ? 3 : 0);
-  if (!gradient) return;
-  result_.gradient_1 = result_.distance.normal;
-  result_.gradient_2 = -result_.distance.normal;
 }
 
 }  // namespace raygauge

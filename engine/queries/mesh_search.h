@@ -10,11 +10,13 @@
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/sets/ball.h"
+#include "raygauge/sets/half_space.h"
 
 namespace raygauge {
 
 /// The search for the nearest two triangles of two meshes, or for the triangle of a mesh that is nearest to a
-/// body, in the frame of the first mesh. Pairs of boxes are taken depth first, the nearer one first.
+/// body or a half-space, in the frame of the first mesh. Pairs of boxes are taken depth first, the nearer one
+/// first.
 class MeshSearch {
  public:
   explicit MeshSearch(const DistanceOptions& options);
@@ -30,6 +32,12 @@ class MeshSearch {
   Separation separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm);
   Separation separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm);
 
+  /// The last answer, about the second object and the first one.
+  const ObjectDistance& turn_answer() noexcept;
+
+  /// See MeshDistanceSolver.
+  bool meets_if_moved(double way);
+
   const MeshCounters& counters() const noexcept { return counters_; }
 
  private:
@@ -39,6 +47,7 @@ class MeshSearch {
     const ConvexSet* body = nullptr;
     const BoxTree* tree = nullptr;
     BoxNode box{};
+    bool is_half_space = false;  // which has no box
 
     const BoxNode& node(std::int32_t i) const noexcept { return tree != nullptr ? tree->node(i) : box; }
   };
@@ -51,6 +60,7 @@ class MeshSearch {
   void begin(const PosedMesh& A1, const Pose* pose_2);
   void set_other(const Mesh& mesh);
   void set_other(const ConvexSet& body);
+  void set_half_space(const HalfSpace& half_space);
   void place();
   void search(double enough, MeshWarmStart* warm);
   void look_around(MeshWarmStart* warm);
@@ -77,6 +87,12 @@ class MeshSearch {
   void write_points(ObjectEffects effects);
 
   Vector3 to_first(const Vector3& x) const noexcept { return R_ * x + t_; }
+  static Posed posed(const ConvexSet& set, const Pose* pose) {
+    return pose == nullptr ? Posed(set) : Posed(set, *pose);
+  }
+
+  // Farther than this from a surface, in margins, a computed point is on the same side as the point itself.
+  static constexpr double kClearMargins = 4;
 
   DistanceOptions options_;
   std::function<bool()> stop_;
@@ -98,6 +114,7 @@ class MeshSearch {
   double target_ = 0;  // pairs at least this far apart are not looked at
   double lower_ = 0, upper_ = 0;
   bool meets_ = false, passed_over_ = false;
+  double inside_by_ = 0;  // where a point inside proves it: how far apart the surfaces are, at least
   std::int32_t nearest_1_ = -1, nearest_2_ = -1;
   enum class Points : std::uint8_t { unknown, in_first, in_world };
   Points points_ = Points::unknown;  // where the closest points are: in the first frame ...

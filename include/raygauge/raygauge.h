@@ -11,6 +11,7 @@
 #else
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 #include "raygauge/methods/validate.h"

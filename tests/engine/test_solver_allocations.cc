@@ -314,5 +314,20 @@ TEST(RepeatedMeshDistance, AllocatesNothing) {
   }
 }
 
+TEST(RepeatedMeshObject, AllocatesNothing) {
+  const testing::MeshShape torus = testing::torus_shape(2, 0.5, 60, 30);
+  const MeshObject object(Mesh(torus.vertices, torus.triangles, MeshKind::solid));
+  const HalfSpace floor(Eigen::Vector3d(0.1, 0.2, 1), -4);
+  const Ball metric(Eigen::Vector3d::Zero(), 2.0);
+  constexpr ObjectEffects kAll = ObjectEffects::closest_points | ObjectEffects::gradient;
+  ObjectDistanceSolver solver;
+  WarmStart warm;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const long before = allocations;
+    solver.solve(floor, object, metric, kAll, &warm);
+    EXPECT_TRUE(repetition == 0 || allocations == before);
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_solver_allocations
