@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/sets/hull_3d.h"
+#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/spatial_shape.h"
 
@@ -105,6 +106,16 @@ Geometry geometry_of(const ConvexSet& S, const SpatialShape& shape, Eigen::Isome
 }  // namespace
 
 std::optional<FclBody> FclBody::of(const ConvexSet& S) {
+  if (const auto* image = dynamic_cast<const AffineImage*>(&S); image != nullptr && S.dimension() == 3) {
+    constexpr double kRigid = 1e-12;
+    const Eigen::Matrix3d R = image->M();
+    if (!(R.transpose() * R).isIdentity(kRigid) || R.determinant() < 0) return std::nullopt;
+    auto body = of(*image->S());
+    if (body)
+      body = FclBody(std::make_shared<Shape>(
+          Shape{body->shape_->geometry, frame_at(image->t(), R) * body->shape_->frame}));
+    return body;
+  }
   SpatialShape shape;
   if (S.dimension() != 3 || !S.spatial_shape_unchecked(shape)) return std::nullopt;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();

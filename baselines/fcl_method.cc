@@ -20,7 +20,8 @@ namespace {
 
 class FclMethod final : public SolveMethod {
  public:
-  FclMethod(std::string name, FclSolver solver) : name_(std::move(name)), solver_(solver) {}
+  FclMethod(std::string name, FclSolver solver, double own_tolerance)
+      : name_(std::move(name)), solver_(solver), own_tolerance_(own_tolerance) {}
 
   void load(const Instance& instance) override {
     const auto* metric = dynamic_cast<const Ball*>(instance.Q.get());
@@ -39,7 +40,7 @@ class FclMethod final : public SolveMethod {
   void solve(const SolveRequest& request) override {
     if (A_ == nullptr) throw Error("method '" + name_ + "': solve before load");
     if (!query_ || tolerance_ != request.tolerance) {
-      query_.emplace(*first_, *second_, solver_, request.tolerance);
+      query_.emplace(*first_, *second_, solver_, own_tolerance_ > 0 ? own_tolerance_ : request.tolerance);
       tolerance_ = request.tolerance;
     }
     status_ = DistanceStatus::precision_limit;
@@ -89,6 +90,7 @@ class FclMethod final : public SolveMethod {
 
   std::string name_;
   FclSolver solver_;
+  double own_tolerance_;  ///< 0: that of the solve
   std::shared_ptr<const ConvexSet> A_;
   std::optional<FclBody> first_, second_;
   std::optional<FclQuery> query_;
@@ -102,9 +104,15 @@ class FclMethod final : public SolveMethod {
 Component<SolveMethod> component(const std::string& name, const std::string& by, FclSolver solver) {
   return {name,
           "the Euclidean distance of two bodies of R^3 by " + by + " of FCL " + fcl_library_version(),
-          {},
-          [name, solver](const Parameters& /*none*/) -> std::unique_ptr<SolveMethod> {
-            return std::make_unique<FclMethod>(name, solver);
+          {{"distance_tolerance",
+            0.0,
+            0.0,
+            1.0,
+            "FCL's distance_tolerance, absolute; 0: the tolerance of the solve",
+            {}}},
+          [name, solver](const Parameters& parameters) -> std::unique_ptr<SolveMethod> {
+            return std::make_unique<FclMethod>(name, solver,
+                                               real_parameter(parameters, "distance_tolerance"));
           },
           false,  // Q is a ball
           Role::baseline};

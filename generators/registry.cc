@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "generators/registry.h"
 
+#include "generators/bodies.h"
 #include "generators/clustered.h"
 #include "generators/example1.h"
 #include "generators/example2.h"
@@ -13,6 +14,7 @@
 namespace raygauge {
 
 void register_generators(GeneratorRegistry& registry) {
+  registry.add(bodies_generator());
   registry.add(clustered_generator());
   registry.add(example1_generator());
   registry.add(example2_generator());

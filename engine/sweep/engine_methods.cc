@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/solver.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/point_set.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge {
@@ -39,6 +45,64 @@ class EngineMethod final : public SolveMethod {
   DistanceOptions options_;
   DistanceSolver solver_;
   std::shared_ptr<const ConvexSet> A_, Q_;
+  const DistanceResult* result_ = nullptr;
+};
+
+/// An operand of a difference as an object that may be moved: a rigid image is its set in a pose.
+struct MovedObject {
+  std::shared_ptr<const ConvexSet> set;
+  std::optional<Pose> pose;
+
+  explicit MovedObject(std::shared_ptr<const ConvexSet> S) : set(std::move(S)) {
+    const auto* image = dynamic_cast<const AffineImage*>(set.get());
+    if (image == nullptr || !is_rotation(image->M())) return;
+    pose.emplace(image->M(), image->t());
+    set = image->S();
+  }
+
+  Posed posed() const { return pose ? Posed(*set, *pose) : Posed(*set); }
+
+ private:
+  static bool is_rotation(const DenseMatrix& M) {
+    constexpr double kRigid = 1e-12;
+    return M.rows() > 0 && (M.transpose() * M).isIdentity(kRigid) && M.determinant() > 0;
+  }
+};
+
+/// ObjectDistanceSolver behind the same interface: A is the difference of the two objects, or one beside the
+/// origin.
+class ObjectMethod final : public SolveMethod {
+ public:
+  void load(const Instance& instance) override {
+    const auto* difference = dynamic_cast<const MinkowskiDifference*>(instance.A.get());
+    const auto origin = [&] {
+      return std::make_shared<PointSet>(Eigen::MatrixXd::Zero(instance.A->dimension(), 1));
+    };
+    first_.emplace(difference == nullptr ? std::shared_ptr<const ConvexSet>(origin()) : difference->A1());
+    second_.emplace(difference == nullptr ? instance.A : difference->A2());
+    Q_ = instance.Q;
+    result_ = nullptr;
+  }
+
+  void solve(const SolveRequest& request) override {
+    if (request.tolerance != options_.tolerance || request.time_limit != options_.time_limit) {
+      options_.tolerance = request.tolerance;
+      options_.time_limit = request.time_limit;
+      solver_.emplace(options_);
+    }
+    result_ = &solver_->solve(first_->posed(), second_->posed(), *Q_).distance;
+  }
+
+  DistanceResult result() override {
+    if (result_ == nullptr) throw Error("result() of a method that has solved nothing since load()");
+    return *result_;
+  }
+
+ private:
+  DistanceOptions options_;
+  std::optional<ObjectDistanceSolver> solver_{options_};
+  std::optional<MovedObject> first_, second_;
+  std::shared_ptr<const ConvexSet> Q_;
   const DistanceResult* result_ = nullptr;
 };
 
@@ -102,6 +166,10 @@ void register_engine_methods(MethodRegistry& registry) {
                 common_parameters(), [](const Parameters& parameters) {
                   return std::make_unique<EngineMethod>(options_from(DistanceMethod::newton, parameters));
                 }});
+  registry.add({"object_distance",
+                "two objects, A = A2 - A1, as scenes ask for them: fixed-size code first",
+                {},
+                [](const Parameters& /*none*/) { return std::make_unique<ObjectMethod>(); }});
   std::vector<ParameterInfo> published = common_parameters();
   published.push_back(
       {"stop_rule",

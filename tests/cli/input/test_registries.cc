@@ -28,7 +28,7 @@ TEST(Registries, AMethodTakesPointSetsIfItSaysSo) {
 
 TEST(Registries, PointSetsAreTakenByEveryMethodButThoseOfGeneralSets) {
   const MethodRegistry methods = all_methods();
-  for (const char* name : {"column_generation", "newton", "zheng_yamane"})
+  for (const char* name : {"column_generation", "newton", "object_distance", "zheng_yamane"})
     EXPECT_TRUE(methods.find(name).point_sets);
   for (const std::string& name : methods.names())
     EXPECT_EQ(methods.find(name).point_sets,
@@ -41,7 +41,8 @@ TEST(Registries, ThreeMethodsAreTheEngines) {
   std::vector<std::string> engine;
   for (const std::string& name : methods.names())
     if (methods.find(name).role == Role::engine) engine.push_back(name);
-  EXPECT_EQ(engine, (std::vector<std::string>{"column_generation", "newton", "zheng_yamane"}));
+  EXPECT_EQ(engine,
+            (std::vector<std::string>{"column_generation", "newton", "object_distance", "zheng_yamane"}));
   EXPECT_THROW(methods.find("direct"), UnknownNameError)
       << "not even by a name from before the first release";
 }

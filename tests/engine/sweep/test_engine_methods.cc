@@ -30,7 +30,8 @@ class EngineMethods : public ::testing::Test {
 };
 
 TEST_F(EngineMethods, AllAreRegistered) {
-  EXPECT_EQ(registry_.names(), (std::vector<std::string>{"column_generation", "newton", "zheng_yamane"}));
+  EXPECT_EQ(registry_.names(),
+            (std::vector<std::string>{"column_generation", "newton", "object_distance", "zheng_yamane"}));
 }
 
 TEST_F(EngineMethods, SolveToTheRequestedTolerance) {

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "generators/bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/minkowski_difference.h"
+
+namespace raygauge::test_bodies {
+namespace {
+
+const std::string kKinds[] = {"ball", "box", "capsule", "cone", "cylinder", "ellipsoid", "hull"};
+
+Instance make(const std::string& one, const std::string& two, const std::string& place, double scale = 1,
+              int seed = 1) {
+  const Component<Generator> component = bodies_generator();
+  const Parameters parameters =
+      complete("generator 'bodies'", component.parameters,
+               {{"kind_1", one}, {"kind_2", two}, {"place", place}, {"scale", scale}});
+  InstanceKey key;
+  key.seed = static_cast<std::uint64_t>(seed);
+  key.N = 12;
+  return component.make(parameters)->generate(key);
+}
+
+const DistanceResult& distance_of(const Instance& instance, ObjectDistanceSolver& solver) {
+  const auto& difference = dynamic_cast<const MinkowskiDifference&>(*instance.A);
+  return solver.solve(*difference.A1(), *difference.A2(), *instance.Q).distance;
+}
+
+TEST(Bodies, AreAsFarApartAsPlantedWhateverTheirKindsAndSize) {
+  DistanceOptions options;
+  options.tolerance = 1e-7;
+  ObjectDistanceSolver solver(options);
+  for (const std::string& one : kKinds) {
+    for (const std::string& two : kKinds) {
+      for (const double scale : {1.0, 1e-6, 1e6}) {
+        for (const auto& [place, gap] : {std::pair{"apart", 1.0}, {"near", 1e-3}, {"grazing", 1e-6}}) {
+          const Instance instance = make(one, two, place, scale);
+          ASSERT_TRUE(instance.exact_distance.has_value());
+          EXPECT_DOUBLE_EQ(*instance.exact_distance, gap * scale);
+          const double error = instance.exact_distance_rounding * *instance.exact_distance;
+          const DistanceResult& found = distance_of(instance, solver);
+          EXPECT_LE(found.lower, *instance.exact_distance + error) << one << ' ' << two << ' ' << place;
+          EXPECT_GE(found.upper, *instance.exact_distance - error) << one << ' ' << two << ' ' << place;
+          EXPECT_EQ(found.status, DistanceStatus::optimal);
+        }
+      }
+    }
+  }
+}
+
+TEST(Bodies, OverlapWithInnerPointsInCommon) {
+  ObjectDistanceSolver solver;
+  for (const std::string& one : kKinds) {
+    for (const std::string& two : kKinds) {
+      for (int seed = 1; seed <= 5; ++seed) {
+        const Instance instance = make(one, two, "overlap", 1, seed);
+        EXPECT_EQ(instance.exact_distance, 0.0);
+        const auto& difference = dynamic_cast<const MinkowskiDifference&>(*instance.A);
+        const ObjectDistance& found =
+            solver.solve(*difference.A1(), *difference.A2(), *instance.Q, ObjectEffects::depth);
+        EXPECT_GT(found.depth.lower, 0.001) << one << ' ' << two;
+      }
+    }
+  }
+}
+
+TEST(Bodies, LiveInSpace) {
+  const Component<Generator> component = bodies_generator();
+  const auto generator = component.make(complete("bodies", component.parameters, {}));
+  InstanceKey key;
+  key.n = 4;
+  EXPECT_THROW(generator->generate(key), InvalidParameterError);
+}
+
+}  // namespace
+}  // namespace raygauge::test_bodies
