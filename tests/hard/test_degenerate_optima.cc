@@ -60,6 +60,21 @@ TEST(DegenerateOptima, AreProvenWithoutTheExactSimplex) {
   }
 }
 
+// Where the interior-point method fails on sheared points and the simplex finds no margin: by the plane of
+// the first phase's direction. It was open after 60 s of exact arithmetic.
+TEST(DegenerateOptima, OfShearedPointsThatCannotBeReachedTakeNoExactArithmetic) {
+  DistanceOptions options;
+  options.time_limit = 20;
+  DistanceSolver solver(options);
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const Parameters sheared = {{"ties", 0.05}, {"entry", std::int64_t{1000}}};
+    const Instance instance = generate("hard_planted_unreachable", {1, 300, 450, repetition}, sheared);
+    const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+    EXPECT_EQ(result.status, DistanceStatus::unreachable);
+    EXPECT_EQ(result.counters.exact_pivots, 0);
+  }
+}
+
 // The weights that prove the origin in A combine to it.
 TEST(DegenerateOptima, LeaveWeightsThatCombineToTheOrigin) {
   DistanceSolver solver;

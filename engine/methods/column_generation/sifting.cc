@@ -120,7 +120,8 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
       continue;
     }
     if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
-    if (end == PrimalSimplex::End::unreachable && !restricted && certify_by_plane(effects, result)) return;
+    const bool out_of_reach = end == PrimalSimplex::End::unreachable || end == PrimalSimplex::End::failed;
+    if (out_of_reach && !restricted && certify_by_plane(effects, result)) return;
     const double upper = prove_upper(is_final(end) || restricted || (solved && !violated));
     if (upper == 0 || Bounds(lower, upper).close(tolerance_)) return conclude(lower, upper, effects, result);
     if (!restricted && certify_refined(end, effects, result)) return;

@@ -228,7 +228,12 @@ DistanceStatus SupportColumnGeneration::iterate(const Stopwatch& stopwatch) {
     if (is_final(end)) return status_of(end);
     if (note_progress(end, best) > patience(n_)) return DistanceStatus::precision_limit;
     offered = !stuck && offer_support_points();
-    if (!offered && !prepare_next(end)) return DistanceStatus::precision_limit;
+    if (offered) continue;
+    if (end == PrimalSimplex::End::unreachable && program_.separate()) {
+      best = {};  // of another objective
+    } else if (!prepare_next(end)) {
+      return DistanceStatus::precision_limit;
+    }
   }
 }
 
