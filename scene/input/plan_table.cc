@@ -10,19 +10,41 @@
 #include "cli/input/toml_values.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "scene/planning/fixed_joints.h"
 
 namespace raygauge::cli {
 namespace {
 
-/// The values of joints by their names; those that are not named are 0.
-std::vector<double> configuration(const toml::table& plan, const std::string& key, const Robot& robot) {
+/// The state of that name, of the first group of the SRDF file that has one.
+const std::map<int, double>& named_state(const toml::node& node, const std::string& key,
+                                         const RobotSemantics& semantics) {
+  const std::string name = read_text(node, "plan." + key);
+  std::vector<std::string> known;
+  for (const JointGroup& group : semantics.groups) {
+    const auto found = group.states.find(name);
+    if (found != group.states.end()) return found->second;
+    for (const auto& [state, values] : group.states) known.push_back(state);
+  }
+  throw UnknownNameError("state of the SRDF file", name, known, place_of(node));
+}
+
+/// The values of joints by their names, or of a state; those that are not named are as `otherwise` has them.
+std::vector<double> configuration(const toml::table& plan, const std::string& key, const RobotBodies& own,
+                                  const std::vector<double>& otherwise) {
+  const Robot& robot = own.robot;
   const toml::node* node = plan.get(key);
+  std::vector<double> values = otherwise;
+  if (node != nullptr && node->is_string()) {
+    for (const auto& [joint, value] : named_state(*node, key, own.semantics))
+      values[static_cast<std::size_t>(joint)] = value;
+    return values;
+  }
   if (node == nullptr || !node->is_table()) {
-    refuse(node == nullptr ? plan : *node, "[plan] needs " + key + " = { JOINT = VALUE, ... }");
+    refuse(node == nullptr ? plan : *node,
+           "[plan] needs " + key + " = { JOINT = VALUE, ... }, or the name of a state");
   }
   const toml::table& table = *node->as_table();
   reject_unknown_keys(table, "joint in plan." + key, robot.joints);
-  std::vector<double> values(robot.joints.size(), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (const toml::node* value = table.get(robot.joints[i]))
       values[i] = read_real(*value, "plan." + key + "." + robot.joints[i], {-1e6, 1e6});
@@ -30,34 +52,43 @@ std::vector<double> configuration(const toml::table& plan, const std::string& ke
   return values;
 }
 
-/// Limits of the joints that take a value, also those of joints that follow them. A joint that turns without
-/// limits may go half a turn beyond start and goal.
-void take_limits(const toml::table& table, const Robot& robot, PlanRequest& request) {
-  const std::size_t joints = robot.joints.size();
-  request.lower.assign(joints, -kInfinity);
-  request.upper.assign(joints, kInfinity);
-  std::vector<bool> turns(joints, false);
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const TreeLink& step = robot.tree.links[i];
-    if (step.kind == JointKind::fixed) continue;
-    const auto joint = static_cast<std::size_t>(step.joint);
-    if (step.kind == JointKind::revolute) turns[joint] = true;
-    if (step.scale == 0) continue;
-    const double one = (robot.links[i].lower - step.offset) / step.scale;
-    const double other = (robot.links[i].upper - step.offset) / step.scale;
-    request.lower[joint] = std::max(request.lower[joint], std::min(one, other));
-    request.upper[joint] = std::min(request.upper[joint], std::max(one, other));
+/// Start, goal and limits of the joints that move. A joint that turns without limits may go half a turn
+/// beyond start and goal; the others must be the same at both.
+void take_joints(const toml::table& table, const std::vector<double>& goal, const std::vector<bool>& moves,
+                 PlanTable& plan) {
+  const Robot& robot = plan.robot.own.robot;
+  const std::vector<JointLimits> limits = limits_of(robot);
+  PlanRequest& request = plan.request;
+  for (std::size_t i = 0; i < goal.size(); ++i) {
+    const std::string name = "joint '" + robot.joints[i] + "'";
+    if (!moves[i] && goal[i] != plan.standing[i]) {
+      refuse(table, name + " is not of the group, and start and goal of the plan have other values for it");
+    }
+    if (!moves[i]) continue;
+    const double least = std::min(plan.standing[i], goal[i]), most = std::max(plan.standing[i], goal[i]);
+    JointLimits range = limits[i];
+    if (!range.turns && !(std::isfinite(range.lower) && std::isfinite(range.upper)))
+      refuse(table, name + " is shifted and has no limits: no path can be planned");
+    if (range.lower == -kInfinity) range.lower = least - EIGEN_PI;
+    if (range.upper == kInfinity) range.upper = most + EIGEN_PI;
+    if (least < range.lower || most > range.upper)
+      refuse(table, "start or goal of the plan is beyond the limits of " + name);
+    request.start.push_back(plan.standing[i]);
+    request.goal.push_back(goal[i]);
+    request.lower.push_back(range.lower);
+    request.upper.push_back(range.upper);
   }
-  for (std::size_t i = 0; i < joints; ++i) {
-    const double least = std::min(request.start[i], request.goal[i]);
-    const double most = std::max(request.start[i], request.goal[i]);
-    if (!turns[i] && !(std::isfinite(request.lower[i]) && std::isfinite(request.upper[i])))
-      refuse(table, "joint '" + robot.joints[i] + "' is shifted and has no limits: no path can be planned");
-    if (request.lower[i] == -kInfinity) request.lower[i] = least - EIGEN_PI;
-    if (request.upper[i] == kInfinity) request.upper[i] = most + EIGEN_PI;
-    if (least < request.lower[i] || most > request.upper[i])
-      refuse(table, "start or goal of the plan is beyond the limits of joint '" + robot.joints[i] + "'");
-  }
+}
+
+/// All joints, or those of the group.
+std::vector<bool> moving_joints(const toml::table& table, const RobotBodies& own) {
+  const toml::node* node = table.get("group");
+  if (node == nullptr) return std::vector<bool>(own.robot.joints.size(), true);
+  const std::vector<bool>& joints =
+      own.semantics.group(read_text(*node, "plan.group"), place_of(*node)).joints;
+  if (std::find(joints.begin(), joints.end(), true) == joints.end())
+    refuse(*node, "no joint of that group takes a value");
+  return joints;
 }
 
 const SceneRobot& robot_of(const toml::table& table, const std::vector<SceneRobot>& robots) {
@@ -77,7 +108,9 @@ const SceneRobot& robot_of(const toml::table& table, const std::vector<SceneRobo
 }
 
 /// The robot's bodies first, then all others.
-void take_bodies(const Scene& scene, const SceneRobot& robot, PlanRequest& request) {
+void take_bodies(const Scene& scene, const std::vector<bool>& moves, PlanTable& plan) {
+  const SceneRobot& robot = plan.robot;
+  PlanRequest& request = plan.request;
   const int count = static_cast<int>(robot.own.bodies.size());
   std::vector<int> numbers(scene.bodies.size());
   int next = count;
@@ -87,8 +120,10 @@ void take_bodies(const Scene& scene, const SceneRobot& robot, PlanRequest& reque
     if (!own) request.obstacles.push_back(scene.bodies[static_cast<std::size_t>(i)]);
   }
   RobotModel& model = request.robot;
-  model.tree = robot.own.robot.tree;
-  model.joints = static_cast<int>(robot.own.robot.joints.size());
+  FixedJoints fixed = fix_joints(robot.own.robot.tree, plan.standing, moves);
+  model.tree = std::move(fixed.tree);
+  plan.moving = std::move(fixed.moving);
+  model.joints = static_cast<int>(plan.moving.size());
   model.base = robot.own.base;
   for (int i = 0; i < count; ++i) {
     const int link = robot.own.links[static_cast<std::size_t>(i)];
@@ -103,8 +138,8 @@ void take_bodies(const Scene& scene, const SceneRobot& robot, PlanRequest& reque
 }  // namespace
 
 const std::vector<std::string>& plan_keys() {
-  static const std::vector<std::string> kKeys = {"robot",  "start",      "goal", "planner",
-                                                 "margin", "time_limit", "seed"};
+  static const std::vector<std::string> kKeys = {"robot",   "group",  "start",      "goal",
+                                                 "planner", "margin", "time_limit", "seed"};
   return kKeys;
 }
 
@@ -113,8 +148,13 @@ PlanTable read_plan(const toml::table& table, const Scene& scene, const std::vec
   PlanTable plan;
   plan.robot = robot_of(table, robots);
   PlanRequest& request = plan.request;
-  request.start = configuration(table, "start", plan.robot.own.robot);
-  request.goal = configuration(table, "goal", plan.robot.own.robot);
+  const RobotBodies& own = plan.robot.own;
+  const std::vector<bool> moves = moving_joints(table, own);
+  plan.standing = configuration(table, "start", own, std::vector<double>(own.robot.joints.size(), 0.0));
+  std::vector<double> otherwise(moves.size(), 0.0);
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (!moves[i]) otherwise[i] = plan.standing[i];
+  const std::vector<double> goal = configuration(table, "goal", own, otherwise);
   if (const toml::node* node = table.get("planner")) {
     request.planner = read_text(*node, "plan.planner");
     const std::vector<std::string>& names = planner_names();
@@ -127,8 +167,8 @@ PlanTable read_plan(const toml::table& table, const Scene& scene, const std::vec
     request.time_limit = read_real(*node, "plan.time_limit", {0, 1e9, true});
   if (const toml::node* node = table.get("seed"))
     request.seed = read_integer(*node, "plan.seed", {1, 4294967295.0});
-  take_limits(table, plan.robot.own.robot, request);
-  take_bodies(scene, plan.robot, request);
+  take_joints(table, goal, moves, plan);
+  take_bodies(scene, moves, plan);
   return plan;
 }
 
@@ -144,9 +184,15 @@ JointTrajectory PlanTable::trajectory(const PlannedPath& path, double from, doub
   }
   if (kept.size() < 2) throw InvalidParameterError("start and goal of the plan are the same");
   JointTrajectory trajectory;
-  trajectory.values.resize(path.values.rows(), static_cast<Eigen::Index>(kept.size()));
+  trajectory.values.resize(static_cast<Eigen::Index>(standing.size()),
+                           static_cast<Eigen::Index>(kept.size()));
+  trajectory.values.colwise() =
+      Vector(Vector::Map(standing.data(), static_cast<Eigen::Index>(standing.size())));
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    trajectory.values.col(static_cast<Eigen::Index>(i)) = path.values.col(kept[i]);
+    for (std::size_t j = 0; j < moving.size(); ++j) {
+      trajectory.values(moving[j], static_cast<Eigen::Index>(i)) =
+          path.values(static_cast<Eigen::Index>(j), kept[i]);
+    }
     trajectory.times.push_back(i + 1 == kept.size() ? to : from + way[i] / way.back() * (to - from));
   }
   return trajectory;
@@ -165,9 +211,8 @@ void PlanTable::stand(Scene& scene) const {
   if (robot.own.has_trajectory) return;
   JointTrajectory still;
   still.times = {scene.instants.front(), scene.instants.front() + 1};
-  still.values.resize(static_cast<Eigen::Index>(request.start.size()), 2);
-  still.values.colwise() =
-      Vector(Vector::Map(request.start.data(), static_cast<Eigen::Index>(request.start.size())));
+  still.values.resize(static_cast<Eigen::Index>(standing.size()), 2);
+  still.values.colwise() = Vector(Vector::Map(standing.data(), static_cast<Eigen::Index>(standing.size())));
   move(scene, still);
 }
 

@@ -22,10 +22,12 @@ struct SceneRobot {
 /// What [plan] asks for: a path of one robot of the scene among its other bodies.
 struct PlanTable {
   SceneRobot robot;
-  PlanRequest request;
+  PlanRequest request;           ///< of the joints that move
+  std::vector<double> standing;  ///< values of all joints at the start
+  std::vector<int> moving;       ///< the joints of the request, by their numbers in the robot
 
-  /// A path over the time from `from` to `to`; the joint that moves fastest always does so at the same speed.
-  /// Throws InvalidParameterError where start and goal are the same.
+  /// All joints along a path over the time from `from` to `to`; the joint that moves fastest always does so
+  /// at the same speed. Throws InvalidParameterError where start and goal are the same.
   JointTrajectory trajectory(const PlannedPath& path, double from, double to) const;
 
   /// The robot's bodies in the scene move along it from now on, or stand at the start unless they have a

@@ -85,6 +85,21 @@ std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
   return notes;
 }
 
+/// Adds the pairs that the SRDF file of the robot disables.
+void take_semantics(const toml::node& node, const std::filesystem::path& folder,
+                    const std::map<int, int>& body_of_link, RobotBodies& result) {
+  const std::string path = (folder / read_text(node, "robot.srdf")).string();
+  result.semantics = placed(node, [&] { return read_srdf(path, result.robot); });
+  for (const DisabledPair& pair : result.semantics.disabled) {
+    const auto a = body_of_link.find(pair.link_a), b = body_of_link.find(pair.link_b);
+    if (a != body_of_link.end() && b != body_of_link.end()) result.joined.emplace_back(a->second, b->second);
+  }
+  if (!result.semantics.unknown.empty()) {
+    result.notes.push_back("robot '" + result.name + "': its SRDF file names what the robot does not have: " +
+                           listed(result.semantics.unknown, ", "));
+  }
+}
+
 class Records final : public SceneSink {
  public:
   void store(const SceneCellResult& cell) override {
@@ -96,7 +111,7 @@ class Records final : public SceneSink {
 }  // namespace
 
 const std::vector<std::string>& robot_keys() {
-  static const std::vector<std::string> kKeys = {"name", "urdf", "base", "trajectory", "group"};
+  static const std::vector<std::string> kKeys = {"name", "urdf", "srdf", "base", "trajectory", "group"};
   return kKeys;
 }
 
@@ -138,6 +153,7 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
   result.robot = robot;
   result.base = base;
   result.has_trajectory = given != nullptr;
+  if (const toml::node* node = table.get("srdf")) take_semantics(*node, folder, body_of_link, result);
   return result;
 }
 

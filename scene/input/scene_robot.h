@@ -9,6 +9,7 @@
 
 #include "cli/input/toml_source.h"
 #include "raygauge/scene/scene.h"
+#include "scene/input/srdf_file.h"
 #include "scene/input/urdf_file.h"
 
 namespace raygauge::cli {
@@ -17,9 +18,11 @@ namespace raygauge::cli {
 struct RobotBodies {
   std::string name;
   std::vector<Body> bodies;                 ///< called ROBOT/LINK
-  std::vector<std::pair<int, int>> joined;  ///< bodies that a joint joins, also over links without a shape
+  std::vector<std::pair<int, int>> joined;  ///< bodies that a joint joins, also over links without a shape,
+                                            ///< and those that the SRDF file disables
   std::vector<std::string> notes;           ///< meshes left out, joint values beyond their limits
   Robot robot;
+  RobotSemantics semantics;  ///< empty without an SRDF file
   Placement base;
   std::vector<int> links;  ///< of each body
   bool has_trajectory = false;

@@ -231,4 +231,20 @@ Robot read_urdf(const std::string& path, const RobotMeshes& meshes) {
   return UrdfReader(path, meshes).read();
 }
 
+std::vector<JointLimits> limits_of(const Robot& robot) {
+  std::vector<JointLimits> limits(robot.joints.size());
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const TreeLink& step = robot.tree.links[i];
+    if (step.kind == JointKind::fixed) continue;
+    JointLimits& of = limits[static_cast<std::size_t>(step.joint)];
+    if (step.kind == JointKind::revolute) of.turns = true;
+    if (step.scale == 0) continue;
+    const double one = (robot.links[i].lower - step.offset) / step.scale;
+    const double other = (robot.links[i].upper - step.offset) / step.scale;
+    of.lower = std::max(of.lower, std::min(one, other));
+    of.upper = std::min(of.upper, std::max(one, other));
+  }
+  return limits;
+}
+
 }  // namespace raygauge::cli

@@ -35,7 +35,7 @@ struct Robot {
 
 /// Where the meshes of robots are, and what becomes of those that are not there.
 struct RobotMeshes {
-  std::map<std::string, std::string> packages;  ///< folders of package:// names
+  std::map<std::string, std::string> packages;  ///< folders of package:// names; else those beside the file
   bool skip_missing = false;  ///< a mesh that is not there is named in `skipped`, not refused
 };
 
@@ -45,5 +45,15 @@ struct RobotMeshes {
 /// naming file, line and link or joint, for what is not understood: a joint of another type, a mesh that is
 /// missing, a package that is not known, text that is not URDF.
 Robot read_urdf(const std::string& path, const RobotMeshes& meshes);
+
+/// What a joint that takes a value may be, as its own limits and those of its mimics have it.
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool turns = false;  ///< a link turns with it
+};
+
+/// Of the joints of a robot that take a value, in their order.
+std::vector<JointLimits> limits_of(const Robot& robot);
 
 }  // namespace raygauge::cli

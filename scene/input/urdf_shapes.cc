@@ -135,6 +135,9 @@ class ShapeReader {
     const auto folder = meshes_.packages.find(package);
     if (folder != meshes_.packages.end())
       return (fs::path(folder->second) / rest.substr(std::min(rest.size(), package.size() + 1))).string();
+    std::error_code ignored;
+    const fs::path beside = fs::path(path_).parent_path();
+    if (fs::is_directory(beside / package, ignored)) return (beside / rest).string();
     if (meshes_.skip_missing) return "";
     refuse(mesh,
            "the folder of package '" + package + "' is not known; say --package " + package + "=FOLDER");

@@ -87,7 +87,7 @@ SCENE_KEYS = {
              **{key: ("", lines) for key, lines in REACTION_KEYS.items()}},
     "robot": {"name": ("", 'name = "other"'), "urdf": ("", 'urdf = "other.urdf"'),
               "base": ("", "base = { translation = [0, 1, 0] }"), "trajectory": ("", 'trajectory = "joints.csv"'),
-              "group": ("", 'group = "a"')},
+              "group": ("", 'group = "a"'), "srdf": ("", 'srdf = "arm.srdf"')},
     "query": {"name": ("", 'name = "asked"'), "between": ("", 'between = ["a", "b"]'),
               "effects": ("", 'effects = ["distance"]'), "metric": ("", f"metric = {CUBE}"),
               "metric_body": (f"metric = {CUBE}", f'metric = {CUBE}\nmetric_body = "a"'), "within": ("", "within = 3"),
@@ -107,7 +107,10 @@ FILES = {
     "arm.urdf": '<robot name="r"><link name="u"><collision><geometry><sphere radius="1"/></geometry></collision></link>'
                 '<link name="v"><collision><origin xyz="3 0 0"/><geometry><sphere radius="1"/></geometry></collision></link>'
                 '<joint name="j" type="revolute"><origin xyz="0 0 9"/><parent link="u"/><child link="v"/><axis xyz="0 1 0"/>'
-                '<limit lower="-1" upper="1"/></joint></robot>',
+                '<limit lower="-1" upper="1"/></joint><link name="w"><collision><geometry><sphere radius="0.5"/></geometry>'
+                '</collision></link><joint name="f" type="fixed"><origin xyz="0 0 3"/><parent link="v"/><child link="w"/>'
+                "</joint></robot>",
+    "arm.srdf": '<robot name="r"><disable_collisions link1="u" link2="w" reason="Never"/></robot>',
     "other.urdf": '<robot name="r"><link name="u"><collision><geometry><sphere radius="0.5"/></geometry></collision></link>'
                   "</robot>",
     "mesh.urdf": '<robot name="r"><link name="u"><collision><geometry><mesh filename="package://p/m.obj"/></geometry>'
@@ -162,11 +165,14 @@ FILES["rods.urdf"] = (
     '<joint name="j" type="revolute"><parent link="ground"/><child link="inner"/><axis xyz="0 0 1"/>'
     '<limit lower="-2" upper="2"/></joint><joint name="k" type="revolute"><origin xyz="1 0 0"/><parent link="inner"/>'
     '<child link="outer"/><axis xyz="0 0 1"/><limit lower="-2.6" upper="2.6"/></joint></robot>')
+FILES["rods.srdf"] = ('<robot name="r"><group name="tip"><joint name="k"/></group><group name="all"><joint name="j"/></group>'
+                      '<group_state name="low" group="all"><joint name="j" value="-0.6"/></group_state></robot>')
 PLAN = """[time]
 to = 1
 [[robot]]
 name = "first"
 urdf = "rods.urdf"
+srdf = "rods.srdf"
 [[robot]]
 name = "second"
 urdf = "rods.urdf"
@@ -180,7 +186,7 @@ robot = "first"
 start = { j = -0.8 }
 goal = { j = 0.8 }
 """
-PLAN_KEYS = {"robot": 'robot = "second"', "start": "start = { j = -0.7 }", "goal": "goal = { j = 0.7, k = 0.3 }",
+PLAN_KEYS = {"robot": 'robot = "second"', "group": 'group = "tip"', "start": "start = { j = -0.7 }", "goal": "goal = { j = 0.7, k = 0.3 }",
              "planner": 'planner = "rrt"', "margin": "margin = 0.1", "time_limit": "time_limit = 1e-9", "seed": "seed = 2"}
 
 # For each table of an experiment file: values of another type than its keys have.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "raygauge/exceptions.h"
@@ -130,6 +131,9 @@ TEST_F(UrdfFile, MeshesAreScaledAndNamedByPackages) {
   EXPECT_EQ(top("filename=\"m.obj\""), 4);
   EXPECT_EQ(top("filename=\"package://p/m.obj\" scale=\"1 1 0.5\""), 2);
   EXPECT_EQ(top("filename=\"file://" + folder_.file("m.obj") + "\""), 4);
+  std::filesystem::create_directory(folder_.file("beside"));
+  testing::write_bytes(folder_.file("beside/m.obj"), "v 1 0 0\nv 0 2 0\nv 0 0 3\n");
+  EXPECT_EQ(top("filename=\"package://beside/m.obj\""), 3) << "without --package: the folder beside the file";
   EXPECT_EQ(complaint(robot(link("l", shape("<mesh filename=\"m.obj\" scale=\"1 1 0\"/>")))),
             "r.urdf:2: link 'l': scale = 0 leaves nothing of a mesh");
   testing::write_bytes(folder_.file("m.obj"), "v 1 0 0\nw 0 2 0\n");
