@@ -67,9 +67,25 @@ void DepthQuery::solve_sets(const ConvexSet& A1, const ConvexSet& A2, const Conv
   for (int k = n; k < 3; ++k) (&normal.x)[k] = 0;
   const double height = oracle.metric_upper(normal);
   put(normal, result.upper < kInfinite && height > 0 ? n : 0, 1 / height, result.normal);
-  const bool known = search_.lower() > 0 && search_.contact(normal, a1, a2);
+  // The ray that leaves D across u first: depth q with h_Q(u) = u·q. Of a ball it is the one along u.
+  Vector3 q = normal;
+  Q.support_unchecked(&normal.x, &q.x);
+  const bool known = search_.lower() > 0 && search_.contact(q, a1, a2);
   put(a1, known ? n : 0, 1, result.point_1);
   put(a2, known ? n : 0, 1, result.point_2);
+}
+
+void DepthQuery::solve_hull(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
+                            const double* start, ObjectDepth& result) {
+  const DepthEnd end = hull_.run(A1, A2, Q, tolerance, start, watch_);
+  result.lower = hull_.lower();
+  result.upper = hull_.upper();
+  result.status = result.upper == 0 ? DistanceStatus::optimal : status_of(end);
+  if (result.lower == kInfinite) result.status = DistanceStatus::unreachable;
+  result.iterations = hull_.iterations();
+  result.support_queries = hull_.queries();
+  hull_.put_normal(result.normal);
+  hull_.put_points(result.point_1, result.point_2);
 }
 
 // Directions ±e_k, with the rounding errors that ConvexSet states.
@@ -111,8 +127,11 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   by_bodies_ = fixed_size && radius > 0 && solve_bodies(A1, A2, radius, options, start, result);
   if (!by_bodies_) {
     const InPose first(A1), second(A2);
-    if (Q.dimension() <= 3) {
+    const int n = Q.dimension();
+    if (n <= 3) {
       solve_sets(first.set(), second.set(), Q, options.tolerance, start, result);
+    } else if (n <= HullDepth::kMost) {
+      solve_hull(first.set(), second.set(), Q, options.tolerance, start, result);
     } else {
       bound_along_axes(first.set(), second.set(), Q, result);
     }

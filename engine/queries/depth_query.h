@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/methods/bodies/depth_search.h"
+#include "engine/methods/bodies/hull_depth.h"
 #include "engine/queries/body_depth.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/queries/object_distance.h"
@@ -15,7 +16,7 @@ namespace raygauge {
 /// Of a ball about the origin; 0 of every other set.
 double radius_of_ball(const ConvexSet& Q);
 
-/// The depth of two objects of R^1 to R^3 in any metric: by BodyDepth where the metric is a ball about the
+/// The depth of two objects of R^1 to R^6 in any metric: by BodyDepth where the metric is a ball about the
 /// origin and both have fixed-size code, else by their support mappings in doubles. In larger spaces there
 /// are bounds only: 0, and the least of a few directions.
 class DepthQuery {
@@ -34,6 +35,8 @@ class DepthQuery {
                     const double* start, ObjectDepth& result);
   void solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
                   const double* start, ObjectDepth& result);
+  void solve_hull(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
+                  const double* start, ObjectDepth& result);
   static void bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q,
                                ObjectDepth& result);
 
@@ -41,6 +44,7 @@ class DepthQuery {
   bool by_bodies_ = false;
   BodyDepthAnswer answer_;
   DepthSearch<double> search_;
+  HullDepth hull_;
   Stopwatch watch_;
 };
 

@@ -64,4 +64,12 @@ void ContactWrenches::do_center(double* point) const {
   Eigen::Vector3d::Map(point + 3) = p_.cross(f);
 }
 
+// A torque is a difference of products, which may be much smaller than they are.
+void ContactWrenches::do_magnitude(double* magnitude) const {
+  const double force = 1 + 2 * mu_;
+  const Eigen::Vector3d p = p_.cwiseAbs();
+  Eigen::Vector3d::Map(magnitude).setConstant(force);
+  Eigen::Vector3d::Map(magnitude + 3) = force * Eigen::Vector3d(p[1] + p[2], p[2] + p[0], p[0] + p[1]);
+}
+
 }  // namespace raygauge

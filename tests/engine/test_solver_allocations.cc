@@ -4,14 +4,17 @@
 
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/depth.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/grasp_wrenches.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
@@ -238,6 +241,20 @@ TEST(RepeatedDepth, AllocatesNothing) {
     }
     EXPECT_EQ(allocations - before, 0);
   }
+}
+
+TEST(RepeatedGraspQuality, AllocatesNothing) {
+  Random random(15);
+  std::vector<GraspContact> contacts;
+  const Eigen::MatrixXd points = sphere_points(3, 7, random);
+  for (int i = 0; i < 7; ++i) contacts.push_back({points.col(i), -points.col(i), 0.5});
+  const GraspWrenches W(contacts);
+  const Ball metric(Vector::Zero(6), 1.0);
+  DepthSolver solver;
+  EXPECT_EQ(solver.solve(W, metric).status, DistanceStatus::optimal);
+  const long before = allocations;
+  EXPECT_GT(solver.solve(W, metric).lower, 0);
+  EXPECT_EQ(allocations - before, 0);
 }
 
 // Gradients by pose and contact patches of bodies with faces, edges and curved surfaces.

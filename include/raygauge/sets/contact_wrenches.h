@@ -33,6 +33,7 @@ class ContactWrenches final : public ConvexSet {
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
   SupportStructure do_structure() const noexcept override {
     return facets_ > 0 ? SupportStructure::polytope : SupportStructure::unknown;
   }

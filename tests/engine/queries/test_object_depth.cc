@@ -57,6 +57,20 @@ TEST(ObjectDepth, OfPointsOnQuarterCoordinatesIsThatOfTheBox) {
   expect_depth(solver.solve(A, A, euclidean(3), kAll).depth, 2);
 }
 
+TEST(ObjectDepth, OfBoxesInUpToSixDimensionsIsTheLeastOverlapAlongAnAxis) {
+  for (int n = 4; n <= 6; ++n) {
+    ObjectDistanceSolver solver(options());
+    const Box A(Vector::Zero(n), Vector::Ones(n)), B(Vector::Constant(n, 0.5), Vector::Constant(n, 3));
+    Vector up = Vector::Zero(n);
+    up[2] = 0.25;
+    const Pose pose(Eigen::MatrixXd::Identity(n, n), up), still(n);
+    const ObjectDepth& depth = solver.solve({A, still}, {B, pose}, euclidean(n), kAll).depth;
+    expect_depth(depth, 0.25);
+    EXPECT_LT((depth.normal + Vector::Unit(n, 2)).norm(), kRounding);
+    EXPECT_LT((depth.point_2 - depth.point_1 - 0.25 * depth.normal).norm(), kRounding);
+  }
+}
+
 TEST(ObjectDepth, OfBallsIsTheSumOfRadiiLessTheDistanceOfCentres) {
   ObjectDistanceSolver solver(options());
   const Ball A(V(0, 0, 0), 1.0), B(V(0.3, 0.4, 0), 0.75);
@@ -327,8 +341,8 @@ TEST(ObjectDepth, KeepsATimeLimit) {
 
 TEST(ObjectDepth, HasBoundsInLargerSpaces) {
   ObjectDistanceSolver solver(options());
-  const Box A(Vector::Zero(5), Vector::Ones(5)), B(Vector::Constant(5, 0.75), Vector::Constant(5, 3));
-  const ObjectDepth& depth = solver.solve(A, B, euclidean(5), kAll).depth;
+  const Box A(Vector::Zero(7), Vector::Ones(7)), B(Vector::Constant(7, 0.75), Vector::Constant(7, 3));
+  const ObjectDepth& depth = solver.solve(A, B, euclidean(7), kAll).depth;
   EXPECT_EQ(depth.status, DistanceStatus::precision_limit);
   EXPECT_EQ(depth.lower, 0);
   EXPECT_NEAR(depth.upper, 0.25, kRounding);
