@@ -159,7 +159,7 @@ TEST(MeshObject, IsRefusedByAllThatConvexSetsHave) {
   names(refusal([&] { contains(torus, kZero); }), "not convex");
   names(refusal([&] { torus.center(); }), "not convex");
   names(refusal([&] { torus.support_function(kOne); }), "not convex");
-  names(refusal([&] { solver.solve(MinkowskiSum({shared, shared}), box, kUnit); }), "not convex");
+  names(refusal([&] { solver.solve(MinkowskiSum(shared, shared), box, kUnit); }), "not convex");
   names(refusal([&] { MeshDistanceSolver().solve(Posed(box), Posed(box)); }), "neither");
 }
 
