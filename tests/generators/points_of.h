@@ -14,12 +14,12 @@ inline Eigen::MatrixXd points_of(const std::shared_ptr<const ConvexSet>& set) {
 }
 
 inline const GeneratorRegistry& all_generators() {
-  static const GeneratorRegistry registry = [] {
+  static const GeneratorRegistry kRegistry = [] {
     GeneratorRegistry made("generator");
     register_generators(made);
     return made;
   }();
-  return registry;
+  return kRegistry;
 }
 
 /// The instance that the registered generator `name` makes for `key`.
