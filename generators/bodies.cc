@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "generators/random.h"
-#include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
@@ -40,12 +39,20 @@ struct Shape {
   Eigen::MatrixXd points;
 };
 
-Shape random_shape(RandomStream& stream, std::string kind, double size, int N) {
-  Shape shape{std::move(kind), stream.rotation(3), size, {}};
+Shape random_shape(RandomStream& stream, std::string kind, double size, int n, int N) {
+  Shape shape{std::move(kind), stream.rotation(n), size, {}};
   if (shape.kind != "hull") return shape;
-  shape.points.resize(3, N);
-  for (int i = 0; i < N; ++i) shape.points.col(i) = 0.6 * size * stream.unit_vector(3);
+  shape.points.resize(n, N);
+  for (int i = 0; i < N; ++i) shape.points.col(i) = 0.6 * size * stream.unit_vector(n);
   return shape;
+}
+
+/// `count` lengths from the first to the last in even steps.
+Vector falling(double first, double last, Eigen::Index count) {
+  Vector lengths(count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    lengths[k] = first - (first - last) * static_cast<double>(k) / static_cast<double>(count - 1);
+  return lengths;
 }
 
 Body hull_at(const Shape& shape, const Vector& t) {
@@ -63,7 +70,7 @@ const std::map<std::string, MakeBody>& kinds() {
        [](const Shape& s, const Vector& t) -> Body { return std::make_shared<Ball>(t, 0.5 * s.size); }},
       {"box",
        [](const Shape& s, const Vector& t) -> Body {
-         const Vector half = s.size * Eigen::Vector3d(0.6, 0.5, 0.4);
+         const Vector half = s.size * falling(0.6, 0.4, s.R.cols());
          return AffineImage::rigid(std::make_shared<Box>(-half, half), s.R, t);
        }},
       {"capsule",
@@ -84,9 +91,8 @@ const std::map<std::string, MakeBody>& kinds() {
       {"ellipsoid",
        [](const Shape& s, const Vector& t) -> Body {
          Eigen::MatrixXd factor = s.R;
-         factor.col(0) *= 0.7 * s.size;
-         factor.col(1) *= 0.5 * s.size;
-         factor.col(2) *= 0.35 * s.size;
+         const Vector semi_axes = s.size * falling(0.7, 0.35, factor.cols());
+         for (Eigen::Index k = 0; k < factor.cols(); ++k) factor.col(k) *= semi_axes[k];
          return std::make_shared<Ellipsoid>(t, factor);
        }},
       {"hull", hull_at},
@@ -105,7 +111,8 @@ Vector support_point(const ConvexSet& S, const Vector& u) {
 /// Body 2 where its support point at -u is that of body 1 at u, and gap·u further.
 Instance apart(const Shape& one, const Shape& two, const Vector& c, const Vector& u, double gap) {
   const Body first = body_at(one, c);
-  const Vector t = support_point(*first, u) - support_point(*body_at(two, Vector::Zero(3)), -u) + gap * u;
+  const Vector t =
+      support_point(*first, u) - support_point(*body_at(two, Vector::Zero(u.size())), -u) + gap * u;
   const double size = std::max(one.size, two.size);
   return {std::make_shared<MinkowskiDifference>(body_at(two, t), first), nullptr, gap,
           kRounding * size / gap};
@@ -116,25 +123,24 @@ Instance overlapping(const Shape& one, const Shape& two, const Vector& c, const 
   const Body first = body_at(one, c);
   const bool hulls = one.kind == "hull" && two.kind == "hull";
   const Vector from = one.kind == "hull" ? Vector(c + one.points.rowwise().mean()) : c;
-  const Vector to = two.kind == "hull" ? Vector(two.points.rowwise().mean()) : Vector(Vector::Zero(3));
+  const Vector to = two.kind == "hull" ? Vector(two.points.rowwise().mean()) : Vector(Vector::Zero(u.size()));
   const Vector t = from - to + (hulls ? 0.0 : kOverlap * std::min(one.size, two.size)) * u;
   return {std::make_shared<MinkowskiDifference>(body_at(two, t), first), nullptr, 0.0};
 }
 
 Instance generate(const InstanceKey& key, const Parameters& parameters) {
-  if (key.n != 3) throw InvalidParameterError("generator 'bodies' makes bodies of R^3: n = 3");
   const double size = real_parameter(parameters, "scale");
   RandomStream of_1(key, kName, RandomPurpose::points_of_A), of_2(key, kName, RandomPurpose::points_of_Q);
-  const Shape one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.N);
-  const Shape two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.N);
+  const Shape one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.n, key.N);
+  const Shape two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.n, key.N);
   RandomStream placement(key, kName, RandomPurpose::placement);
-  const Vector u = placement.unit_vector(3);
-  const Vector c = size * placement.unit_vector(3);
+  const Vector u = placement.unit_vector(key.n);
+  const Vector c = size * placement.unit_vector(key.n);
   const std::map<std::string, double> gaps = {{"apart", kApart}, {"near", kNear}, {"grazing", kGrazing}};
   const auto gap = gaps.find(string_parameter(parameters, "place"));
   Instance instance =
       gap == gaps.end() ? overlapping(one, two, c, u) : apart(one, two, c, u, gap->second * size);
-  instance.Q = std::make_shared<Ball>(Vector::Zero(3), 1.0);
+  instance.Q = std::make_shared<Ball>(Vector::Zero(key.n), 1.0);
   return instance;
 }
 
@@ -163,8 +169,8 @@ namespace raygauge {
 
 Component<Generator> bodies_generator() {
   return with_known_distance(
-      generator_component(bodies::kName, "two bodies of R^3 at a planted Euclidean distance, or overlapping",
-                          bodies::parameters(), bodies::generate, 3),
+      generator_component(bodies::kName, "two bodies at a planted Euclidean distance, or overlapping",
+                          bodies::parameters(), bodies::generate, 2),
       bodies::kRounding);
 }
 

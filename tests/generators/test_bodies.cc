@@ -16,13 +16,14 @@ namespace {
 const std::string kKinds[] = {"ball", "box", "capsule", "cone", "cylinder", "ellipsoid", "hull"};
 
 Instance make(const std::string& one, const std::string& two, const std::string& place, double scale = 1,
-              int seed = 1) {
+              int seed = 1, int n = 3) {
   const Component<Generator> component = bodies_generator();
   const Parameters parameters =
       complete("generator 'bodies'", component.parameters,
                {{"kind_1", one}, {"kind_2", two}, {"place", place}, {"scale", scale}});
   InstanceKey key;
   key.seed = static_cast<std::uint64_t>(seed);
+  key.n = n;
   key.N = 12;
   return component.make(parameters)->generate(key);
 }
@@ -54,6 +55,18 @@ TEST(Bodies, AreAsFarApartAsPlantedWhateverTheirKindsAndSize) {
   }
 }
 
+TEST(Bodies, LiveInEveryDimensionFromThePlaneOn) {
+  ObjectDistanceSolver solver;
+  for (const int n : {2, 5, 20}) {
+    for (const std::string& kind : kKinds) {
+      const Instance instance = make(kind, "ellipsoid", "apart", 1, 3, n);
+      const DistanceResult& found = distance_of(instance, solver);
+      EXPECT_LE(found.lower, 1 + 1e-13) << kind << n;
+      EXPECT_GE(found.upper, 1 - 1e-13) << kind << n;
+    }
+  }
+}
+
 TEST(Bodies, OverlapWithInnerPointsInCommon) {
   ObjectDistanceSolver solver;
   for (const std::string& one : kKinds) {
@@ -68,14 +81,6 @@ TEST(Bodies, OverlapWithInnerPointsInCommon) {
       }
     }
   }
-}
-
-TEST(Bodies, LiveInSpace) {
-  const Component<Generator> component = bodies_generator();
-  const auto generator = component.make(complete("bodies", component.parameters, {}));
-  InstanceKey key;
-  key.n = 4;
-  EXPECT_THROW(generator->generate(key), InvalidParameterError);
 }
 
 }  // namespace
