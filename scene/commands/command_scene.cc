@@ -31,6 +31,7 @@
 #include "results/run/output_place.h"
 #include "results/run/shards.h"
 #include "results/text/language.h"
+#include "scene/commands/command_collisions.h"
 #include "scene/commands/command_simulate.h"
 #include "scene/commands/plan_motion.h"
 #include "scene/commands/scene_input.h"
@@ -331,6 +332,7 @@ void add_scene_command(Command& app, int& status) {
   run.callback([arguments, &status] { status = run_scene_file(*arguments); });
   add_plan_command(scene, arguments, status);
   add_simulate_command(scene, status);
+  add_collisions_command(scene, status);
   Command plan =
       scene.add_subcommand("explain", "Print what will be computed for which pairs, what never, and why");
   add_source_options(plan, arguments->input);

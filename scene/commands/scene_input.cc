@@ -27,8 +27,11 @@ std::map<std::string, std::string> package_folders(const std::vector<std::string
 }  // namespace
 
 SceneSource source_of(const SceneInput& input) {
-  return read_scene(input.path, input.overrides,
-                    {package_folders(input.packages), input.skip_missing_meshes});
+  return read_scene(input.path, input.overrides, meshes_of(input));
+}
+
+RobotMeshes meshes_of(const SceneInput& input) {
+  return {package_folders(input.packages), input.skip_missing_meshes};
 }
 
 SceneFile head_of(const SceneSource& source, const ScenePlan& plan) {
@@ -61,6 +64,10 @@ void add_source_options(Command& command, SceneInput& input) {
       .default_str("")
       .expected(1)
       .take_all();
+  add_mesh_options(command, input);
+}
+
+void add_mesh_options(Command& command, SceneInput& input) {
   command
       .add_option("--package", input.packages,
                   "Folder that package://NAME/ in URDF files stands for; may be repeated")

@@ -22,6 +22,11 @@ struct SceneInput {
 
 void add_source_options(Command& command, SceneInput& input);
 
+/// --package, --skip-missing-meshes and --max-input alone.
+void add_mesh_options(Command& command, SceneInput& input);
+
+RobotMeshes meshes_of(const SceneInput& input);
+
 SceneSource source_of(const SceneInput& input);
 
 /// What the results say of the scene before any of it is computed.

@@ -197,6 +197,7 @@ EXPERIMENT_KEYS = {
 }
 
 RUN, SCENE_RUN = ["run", "e.toml", "-o", "x.h5"], ["scene", "run", "scene.toml", "-o", "x.h5"]
+COLLISIONS = ["scene", "collisions", "arm.urdf"]
 SCENE_PLAN = ["scene", "plan", "plan.toml", "-o", "x.h5"]
 DISTANCE = ["distance", "A.csv", "Q.csv"]
 RERUN = ["compare", "--rerun", "e.toml", "--set", "sweep.n=3", "--set", "sweep.N=20", "--pairs", "1"]
@@ -276,6 +277,18 @@ OPTIONS = {
         "--force": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--force"], 0, says("500 steps")),
         "--quiet": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--quiet"], 0, silent),
         "--max-input": (["scene", "simulate", "heavy.toml", "--max-input", "1"], NO_EFFECT, says("--max-input")),
+    },
+    "scene collisions": {
+        "--srdf": (COLLISIONS + ["--srdf", "x.srdf"], 0, kept("x.srdf")),
+        "--compare": (COLLISIONS + ["--compare", "arm.srdf"], 0, says("differs|0 always")),
+        "--boxes": (COLLISIONS + ["--boxes", "0"], NO_EFFECT, says("--boxes")),
+        "--threads": (COLLISIONS + ["--threads", "-1"], NO_EFFECT, says("--threads")),
+        "--package": (["scene", "collisions", "arm.urdf", "--package", "p"], NO_EFFECT, says("NAME=FOLDER")),
+        "--skip-missing-meshes": (["scene", "collisions", "mesh.urdf", "--skip-missing-meshes"], NO_EFFECT,
+                                  says("fewer than two links")),
+        "--force": (COLLISIONS + ["--srdf", "A.csv", "--force"], 0, says("never")),
+        "--json": (COLLISIONS + ["--json"], 0, says("^{")),
+        "--max-input": (["scene", "collisions", "arm.urdf", "--max-input", "0"], NO_EFFECT, says("--max-input")),
     },
     "distance": {
         "--tolerance": (DISTANCE + ["--tolerance", "1e-3"], 0, says("tolerance 0.001|tolerance 1e-3")),

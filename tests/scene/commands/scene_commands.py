@@ -171,6 +171,27 @@ class Scenes(unittest.TestCase):
             (self.work / "bad.toml").write_text(scene.read_text().replace(*change))
             self.assertIn(message, self.run_raygauge("scene", "explain", self.work / "bad.toml", status=2).stderr)
 
+    def test_which_links_meet_is_proven_and_written_as_an_srdf_file(self):
+        arm, srdf = self.scenes / "arm.urdf", self.work / "proven.srdf"
+        told = json.loads(self.run_raygauge("scene", "collisions", arm, "--boxes", "5000", "--srdf", srdf, "--json").stdout)
+        self.assertEqual(len(told["pairs"]), 8 * 7 // 2)
+        contact = {tuple(pair["links"]): pair["contact"] for pair in told["pairs"]}
+        self.assertEqual(contact["forearm", "wrist"], "always")
+        self.assertEqual(contact["shoulder", "forearm"], "never")
+        self.assertEqual(contact["base", "hand"], "sometimes")
+        self.assertEqual([pair["undecided"] for pair in told["pairs"] if pair["contact"] != "undecided"],
+                         [0] * sum(kind != "undecided" for kind in contact.values()))
+        self.assertEqual(told["joints"], ["turn", "lift", "elbow", "roll", "bend", "grip"])
+        written = srdf.read_text()
+        for (a, b), kind in contact.items():
+            self.assertEqual(f'link1="{a}" link2="{b}"' in written, kind in ("never", "always") or (a, b) in {
+                (pair["links"][0], pair["links"][1]) for pair in told["pairs"] if pair["adjacent"]})
+        same = self.run_raygauge("scene", "collisions", arm, "--boxes", "5000", "--compare", srdf, "--threads", "1").stdout
+        self.assertNotIn("differs", same)
+        srdf.write_text(written.replace("</robot>", '<disable_collisions link1="base" link2="hand" reason="Never"/></robot>'))
+        self.assertIn("differs    base and hand: the file says Never, proven: sometimes",
+                      self.run_raygauge("scene", "collisions", arm, "--boxes", "5000", "--compare", srdf).stdout)
+
     def test_every_shipped_scene_of_bodies_that_react_is_simulated_and_proven(self):
         scenes = sorted((self.scenes / "dynamics").glob("*.toml"))
         self.assertGreaterEqual(len(scenes), 4)

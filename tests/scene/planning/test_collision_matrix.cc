@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/planning/collision_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include "raygauge/exceptions.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/capsule.h"
+#include "scene/planning/joint_box.h"
+#include "tests/scene/planning/random_robots.h"
+
+namespace raygauge::test_collision_matrix {
+namespace {
+
+using namespace random_robots;
+
+SmallVector vector3(double x, double y, double z) {
+  SmallVector v(3);
+  v << x, y, z;
+  return v;
+}
+
+/// Rods of length 1 and this radius that turn in the plane, each on the end of the one before it.
+RobotModel planar_arm(int rods, double radius) {
+  RobotModel robot;
+  robot.joints = rods;
+  for (int i = 0; i < rods; ++i) {
+    TreeLink link;
+    link.parent = i - 1;
+    link.kind = JointKind::revolute;
+    link.axis = Eigen::Vector3d::UnitZ();
+    link.joint = i;
+    link.origin = Placement::identity(3);
+    if (i > 0) link.origin.t = vector3(1, 0, 0);
+    robot.tree.links.push_back(link);
+    RobotBody body;
+    body.name = "rod " + std::to_string(i);
+    body.link = i;
+    body.parts = {std::make_shared<Capsule>(vector3(0, 0, 0), vector3(1, 0, 0), radius)};
+    robot.bodies.push_back(body);
+  }
+  return robot;
+}
+
+std::vector<JointRange> ranges(int joints, double most) {
+  return std::vector<JointRange>(static_cast<std::size_t>(joints), JointRange{-most, most});
+}
+
+// Rods that share a joint meet; with both joints at the angle q rods 0 and 2 are (1 + 2 cos(q)) apart at the
+// tips, and meet as soon as the arm closes to a triangle, beyond 2 pi / 3.
+TEST(CollisionMatrix, RodsMeetAtTheAngleOfTheClosedForm) {
+  const double radius = 0.01;
+  for (const bool closes : {false, true}) {
+    const double most = closes ? 2.2 : 1.9;
+    const auto verdicts = collision_matrix(planar_arm(3, radius), ranges(3, most));
+    ASSERT_EQ(verdicts.size(), 3U);
+    EXPECT_EQ(verdicts[0].contact, LinkContact::always);
+    EXPECT_EQ(verdicts[2].contact, LinkContact::always);
+    EXPECT_EQ(verdicts[1].joints, 2);
+    EXPECT_EQ(verdicts[1].contact, closes ? LinkContact::sometimes : LinkContact::never);
+    EXPECT_EQ(verdicts[1].contact_at.empty(), !closes);
+    if (closes) continue;
+    EXPECT_EQ(verdicts[1].undecided, 0);
+    EXPECT_GT(verdicts[1].least, 0);
+    EXPECT_LT(verdicts[1].least, 1 + 2 * std::cos(most) - 2 * radius + 1e-9);
+  }
+}
+
+TEST(CollisionMatrix, WhatIsNotProvenWithinTheBoxesIsSaid) {
+  CollisionMatrixOptions options;
+  options.max_boxes = 20;
+  const auto verdicts = collision_matrix(planar_arm(3, 0.01), ranges(3, 2.05), options);
+  EXPECT_EQ(verdicts[1].contact, LinkContact::undecided);
+  EXPECT_GT(verdicts[1].undecided, 0);
+  EXPECT_LE(verdicts[1].undecided, 1);
+}
+
+// A ball that is in contact nowhere but around one value of a joint.
+TEST(CollisionMatrix, ARareContactIsFound) {
+  RobotModel robot = planar_arm(3, 0.01);
+  RobotBody tip;
+  tip.name = "tip";
+  tip.link = 2;
+  tip.origin.t = vector3(1.5, 0, 0);
+  tip.parts = {std::make_shared<Ball>(Vector::Zero(3), 1e-3)};
+  RobotBody post = tip;
+  post.link = 0;
+  post.origin.t = vector3(-0.6, 1.5, 0);
+  robot.bodies = {post, tip};
+  const auto verdicts = collision_matrix(robot, ranges(3, 2));
+  ASSERT_EQ(verdicts[0].contact, LinkContact::sometimes);
+  EdgeChecker checker(robot, {});
+  EXPECT_EQ(checker.configuration(verdicts[0].contact_at).outcome, EdgeOutcome::contact);
+  EXPECT_EQ(checker.configuration(verdicts[0].free_at).outcome, EdgeOutcome::free);
+}
+
+// Dense sampling contradicts no verdict, and every witness is one.
+TEST(CollisionMatrix, SamplesOfRandomRobotsContradictNoVerdict) {
+  Random random(11);
+  CollisionMatrixOptions options;
+  options.max_boxes = 1000;
+  options.threads = 2;
+  int counts[4] = {};
+  for (int trial = 0; trial < 12; ++trial) {
+    RobotModel model = robot(random);
+    model.ignored.clear();
+    std::vector<JointRange> box;
+    for (int j = 0; j < model.joints; ++j) {
+      const double lower = uniform(random, -2, 2);
+      box.push_back({lower, lower + uniform(random, 0, 1.5)});
+    }
+    for (const LinkVerdict& verdict : collision_matrix(model, box, options)) {
+      ++counts[static_cast<int>(verdict.contact)];
+      RobotModel two = model;
+      two.bodies = {model.bodies[static_cast<std::size_t>(verdict.body_a)],
+                    model.bodies[static_cast<std::size_t>(verdict.body_b)]};
+      EdgeChecker checker(two, {});
+      const auto outcome = [&](const std::vector<double>& q) { return checker.configuration(q).outcome; };
+      if (verdict.contact == LinkContact::sometimes) {
+        EXPECT_EQ(outcome(verdict.contact_at), EdgeOutcome::contact) << trial;
+        EXPECT_EQ(outcome(verdict.free_at), EdgeOutcome::free) << trial;
+      }
+      for (int k = 0; k < 20; ++k) {
+        std::vector<double> q;
+        for (const JointRange& range : box) q.push_back(uniform(random, range.lower, range.upper));
+        if (verdict.contact == LinkContact::never) {
+          EXPECT_EQ(outcome(q), EdgeOutcome::free) << trial;
+        } else if (verdict.contact == LinkContact::always) {
+          EXPECT_EQ(outcome(q), EdgeOutcome::contact) << trial;
+        }
+      }
+    }
+  }
+  for (int kind = 0; kind < 3; ++kind) EXPECT_GT(counts[kind], 10) << kind;
+}
+
+// No point of two bodies moves farther, seen from anywhere between them, than is said.
+TEST(JointsBetween, BoundsTheChangeOfEveryDistanceOfTwoPoints) {
+  Random random(5);
+  int tried = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const RobotModel model = robot(random);
+    if (model.bodies.size() < 2) continue;
+    RobotChain chain(model.tree, model.joints, model.base);
+    std::vector<EdgeBody> bodies = edge_bodies(model, {}, chain);
+    const EdgeBody &a = bodies.front(), &b = bodies.back();
+    JointsBetween between(model.tree, chain, a.link, b.link);
+    const auto links = static_cast<std::size_t>(chain.links());
+    std::vector<Frame> middle(links), there(links);
+    const std::vector<double> q = configuration(random, model, 1);
+    std::vector<double> half, other = q;
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      half.push_back(uniform(random, 0, trial % 2 == 0 ? 0.1 : 3.5));
+      other[j] += uniform(random, -1, 1) * half[j];
+    }
+    chain.follow(q, q, 0, 1);
+    chain.place(0, middle.data());
+    chain.follow(other, other, 0, 1);
+    chain.place(0, there.data());
+    between.stand(middle.data(), a, b);
+    const double motion = between.motion(half);
+    const auto vertex = [&](const EdgeBody& body) {
+      return Eigen::Vector3d(body.body.parts[0].set->support_mapping(uniform_vector(random, 3, 1.0)));
+    };
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector3d p = vertex(a), r = vertex(b);
+      const auto distance = [&](const std::vector<Frame>& frames) {
+        const Frame &at = frames[static_cast<std::size_t>(a.link)],
+                    &to = frames[static_cast<std::size_t>(b.link)];
+        return (at.R * p + at.t - to.R * r - to.t).norm();
+      };
+      EXPECT_LE(std::fabs(distance(there) - distance(middle)), motion + 1e-12) << trial;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 1000);
+}
+
+TEST(CollisionMatrix, RangesAreCheckedAndThreadsChangeNothing) {
+  const RobotModel arm = planar_arm(3, 0.01);
+  EXPECT_THROW(collision_matrix(arm, ranges(2, 1)), InvalidParameterError);
+  EXPECT_THROW(collision_matrix(arm, {{0, 1}, {1, 0}, {0, 1}}), InvalidParameterError);
+  EXPECT_THROW(collision_matrix(arm, {{0, 1}, {0, std::numeric_limits<double>::infinity()}, {0, 1}}),
+               InvalidParameterError);
+  CollisionMatrixOptions two;
+  two.threads = 2;
+  const auto one = collision_matrix(arm, ranges(3, 1.9)), other = collision_matrix(arm, ranges(3, 1.9), two);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].boxes, other[i].boxes);
+    EXPECT_EQ(one[i].least, other[i].least);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_collision_matrix
