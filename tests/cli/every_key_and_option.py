@@ -286,7 +286,7 @@ OPTIONS = {
         "--package": (["scene", "collisions", "arm.urdf", "--package", "p"], NO_EFFECT, says("NAME=FOLDER")),
         "--skip-missing-meshes": (["scene", "collisions", "mesh.urdf", "--skip-missing-meshes"], NO_EFFECT,
                                   says("fewer than two links")),
-        "--force": (COLLISIONS + ["--srdf", "A.csv", "--force"], 0, says("never")),
+        "--force": (COLLISIONS + ["--srdf", "taken.svg", "--force"], 0, says("never")),
         "--json": (COLLISIONS + ["--json"], 0, says("^{")),
         "--max-input": (["scene", "collisions", "arm.urdf", "--max-input", "0"], NO_EFFECT, says("--max-input")),
     },
@@ -578,7 +578,7 @@ class NothingIsIgnored(unittest.TestCase):
                 continue
             for option, (arguments, status, shown) in options.items():
                 with self.subTest(command=command, option=option):
-                    for left in ("x.h5", "x.svg", "x.html", "x.csv", "x.txt", "x.shard-1-of-2.h5", "x.shard-1-of-1.h5", "x.path.csv"):
+                    for left in ("x.h5", "x.svg", "x.html", "x.csv", "x.txt", "x.shard-1-of-2.h5", "x.shard-1-of-1.h5", "x.path.csv", "x.srdf"):
                         (self.work / left).unlink(missing_ok=True)
                     done = self.run_raygauge(*arguments)
                     self.assertEqual(done.returncode, status, done.stdout + done.stderr)
