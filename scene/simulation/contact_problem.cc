@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "raygauge/numerics/vector3.h"
+#include "scene/simulation/friction_newton.h"
 
 namespace raygauge {
 namespace {
@@ -148,8 +149,24 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
       problem.q[k] = 0;
     }
   }
-  friction_->solve(problem, r);
-  return friction_residual(problem, r);
+  return with_friction(problem, r);
+}
+
+// Newton's method from what is known of the step before; where that does not end, from where the solver's
+// passes do.
+double ContactProblem::with_friction(const FrictionProblem& problem, Eigen::VectorXd& r) {
+  constexpr double kEnough = 1e-11;
+  constexpr std::size_t kMostContacts = 150;  // of one factorization before the passes
+  Eigen::VectorXd own = r;
+  double residual = friction_residual(problem, own);
+  if (residual > kEnough && problem.mu.size() <= kMostContacts) residual = improve_friction(problem, own);
+  if (residual > kEnough) {
+    friction_->solve(problem, r);
+    const double passes = improve_friction(problem, r);
+    if (passes < residual) return passes;
+  }
+  r = own;
+  return residual;
 }
 
 }  // namespace raygauge

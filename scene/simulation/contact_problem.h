@@ -36,6 +36,8 @@ class ContactProblem {
   double impulses(const std::vector<ContactUnknown*>& contacts, const Eigen::MatrixXd& W,
                   const Eigen::VectorXd& q, Eigen::VectorXd& r);
 
+  double with_friction(const FrictionProblem& problem, Eigen::VectorXd& r);
+
   int n_;
   FrictionSolver* friction_;
   SimulationCounters& counters_;
