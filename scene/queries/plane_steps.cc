@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raygauge {
 namespace {
@@ -109,9 +110,8 @@ void PlaneSteps::change_carrier(const PairMotion& motion, double longest, double
 }
 
 // The bodies are as at the time of the look.
-void PlaneSteps::begin(const PartLook& look) {
-  now_.u = look.normal / look.normal.norm();
-  now_.apart = look.lower;
+void PlaneSteps::begin(const SmallVector& normal) {
+  now_.u = normal / normal.norm();
   at_a_ = watch_.placement_a();
   at_b_ = watch_.placement_b();
   error_a_ = watch_.error_a();
@@ -122,11 +122,23 @@ void PlaneSteps::begin(const PartLook& look) {
 double PlaneSteps::least_until(const PartLook& look, double end, const PairMotion& motion) {
   if (!(look.lower > 0)) return 0;
   watch_.place(look.time);
-  begin(look);
+  begin(look.normal);
+  now_.apart = look.lower;
+  return least_from(look.time, end, motion, 0);
+}
+
+double PlaneSteps::least_along(const SmallVector& u, double from, double end, const PairMotion& motion) {
+  watch_.place(from);
+  begin(u);
+  look_along(from, now_);
+  return least_from(from, end, motion, -std::numeric_limits<double>::infinity());
+}
+
+// At least `least`, which is proven otherwise.
+double PlaneSteps::least_from(double from, double end, const PairMotion& motion, double least) {
   watch_.place(end);
-  const double time = std::fabs(end - look.time);
+  const double time = std::fabs(end - from);
   const double astray = time * (motion.a.velocity_error + motion.b.velocity_error);
-  double least = 0;
   const bool bounded = watch_.a().is_bounded() && watch_.b().is_bounded();
   for (const Carrier carrier : {Carrier::space, Carrier::a, Carrier::b}) {
     if (!bounded && carrier != Carrier::space) break;
@@ -134,7 +146,8 @@ double PlaneSteps::least_until(const PartLook& look, double end, const PairMotio
     look_along(end, then_);
     const double places = std::max(now_.way.norm(), then_.way.norm()) + astray;
     const double over = bulge(motion, places, carrier).over(time) + rounding(carrier);
-    const double found = std::min(now_.apart, then_.apart) - over;
+    const double apart = std::min(now_.apart, then_.apart);
+    const double found = (apart < 0 ? apart * kOutward : apart) - over;
     if (found > least) least = found;  // not where it is no number
   }
   return least;
@@ -143,7 +156,8 @@ double PlaneSteps::least_until(const PartLook& look, double end, const PairMotio
 double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
   const double t = look.time;
   if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;
-  begin(look);
+  begin(look.normal);
+  now_.apart = look.lower;
   now_.arm_a = look.answer.point_a - at_a_.t;
   now_.arm_b = look.answer.point_b - at_b_.t;
   const bool varies = motion.varies();

@@ -46,6 +46,10 @@ class PlaneSteps {
   /// by planes across the normal of the look, which `motion` bounds in between; 0 where none is proven.
   double least_until(const PartLook& look, double end, const PairMotion& motion);
 
+  /// The same across the vector u at the time `from`, of bodies that may overlap too: of these it is a lower
+  /// bound on the signed distance, minus the depth.
+  double least_along(const SmallVector& u, double from, double end, const PairMotion& motion);
+
  private:
   enum class Carrier : std::uint8_t { space, a, b };
 
@@ -62,7 +66,8 @@ class PlaneSteps {
     double over(double T) const;
   };
 
-  void begin(const PartLook& look);
+  void begin(const SmallVector& normal);
+  double least_from(double from, double end, const PairMotion& motion, double least);
   void look_along(double t, Planes& planes);
   double predicted(const PairMotion& motion, double longest, Carrier carrier) const;
   double closing_speed(const PairMotion& motion, Carrier carrier) const;

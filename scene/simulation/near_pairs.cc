@@ -7,10 +7,15 @@
 #include <set>
 #include <utility>
 
+#include "scene/queries/plane_steps.h"
+
 namespace raygauge {
 namespace {
 
 constexpr double kOutward = 1 + 1e-9;
+constexpr double kUsual = 0.4, kMore = 0.2;  // of δ
+
+const SceneMetric kEuclidean;
 
 Placement placement_of(const SimulatedBody& body, int n) {
   return {SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
@@ -26,8 +31,8 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       scales_(scales),
       counters_(counters),
       n_(scene.dimension()),
-      finder_(n_),
-      solver_(n_) {
+      solver_(n_),
+      planes_(std::make_unique<PairSolver>(n_)) {
   std::set<BodyPair> ignored;
   for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
@@ -37,34 +42,34 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
           bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
       if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
       if (const auto law = dynamics.law_of(a, b))
-        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), {}, -1});
+        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1});
     }
   }
 }
 
 // Of the ball around a part.
-Eigen::Vector3d NearPairs::middle(int part) const {
-  const SimulatedPart& p = parts_[static_cast<std::size_t>(part)];
+Eigen::Vector3d NearPairs::middle(int number) const {
+  const SimulatedPart& p = this->part(number);
   const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
   Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  c.head(n_) = p.real.ball.center;
+  c.head(n_) = p.body.ball.center;
   return body.x + body.R * c;
 }
 
 // No point of a part moves farther within dt, as its body moves.
-double NearPairs::travel(int part, double t, double dt) const {
-  const SimulatedPart& p = parts_[static_cast<std::size_t>(part)];
+double NearPairs::travel(int number, double t, double dt) const {
+  const SimulatedPart& p = this->part(number);
   const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
-  if (body.motion != nullptr) return body.motion->bound(t, t + dt).speed(p.real.reach) * dt;
+  if (body.motion != nullptr) return body.motion->bound(t, t + dt).speed(p.body.reach) * dt;
   const double g = dynamics_.gravity ? dynamics_.gravity->norm() : 0.0;
-  return (body.v.norm() + g * dt + body.spin.norm() * p.real.reach) * dt;
+  return (body.v.norm() + g * dt + body.spin.norm() * p.body.reach) * dt;
 }
 
 bool NearPairs::may_meet(const Candidate& candidate, double t, double dt, double beyond) {
   ++counters_.ball_tests;
   const auto a = static_cast<std::size_t>(candidate.part_a), b = static_cast<std::size_t>(candidate.part_b);
   const Eigen::Vector3d from = middle(candidate.part_a), to = middle(candidate.part_b);
-  const double radii = parts_[a].real.ball.radius + parts_[b].real.ball.radius;
+  const double radii = parts_[a].body.ball.radius + parts_[b].body.ball.radius;
   const double reached = radii + travel(candidate.part_a, t, dt) + travel(candidate.part_b, t, dt) + beyond;
   return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
 }
@@ -72,12 +77,11 @@ bool NearPairs::may_meet(const Candidate& candidate, double t, double dt, double
 void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
                      PartContact& contact) {
   ++counters_.contact_queries;
-  const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].real.parts.front().set;
-  const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].real.parts.front().set;
+  const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].body.parts.front().set;
+  const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].body.parts.front().set;
   const Pose pose_a(Eigen::MatrixXd(at_a.R), Eigen::VectorXd(at_a.t)),
       pose_b(Eigen::MatrixXd(at_b.R), Eigen::VectorXd(at_b.t));
-  WarmStart warm = candidate.warm;
-  finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, warm, contact);
+  finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
 }
 
 // Before its step, a body's motion is not known: its travel is that of its velocities.
@@ -100,6 +104,7 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
     look(candidate, placement_of(bodies_[static_cast<std::size_t>(pair.a)], n_),
          placement_of(bodies_[static_cast<std::size_t>(pair.b)], n_), band, pair.contact);
     candidate.normal = pair.contact.normal;
+    if (pair.contact.points.empty()) continue;
     candidate.near = static_cast<int>(near_.size());
     near_.push_back(std::move(pair));
   }
@@ -117,10 +122,7 @@ double NearPairs::closer_than(const NearPair& pair, double end, double allowed) 
 }
 
 void NearPairs::hand_motions() {
-  for (SimulatedPart& part : parts_) {
-    part.real.motion = part.shrunk.motion = part.narrower.motion =
-        bodies_[static_cast<std::size_t>(part.owner)].motion;
-  }
+  for (SimulatedPart& part : parts_) part.body.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
 }
 
 double NearPairs::proven_until(double t, double end) {
@@ -134,6 +136,8 @@ double NearPairs::proven_until(double t, double end) {
   }
   return proven;
 }
+
+NearPairs::~NearPairs() = default;
 
 // Without a contact up to there, or with one exactly there.
 double NearPairs::free_until(const Body& a, const Body& b, double from, double to, double contact) {
@@ -149,24 +153,51 @@ double NearPairs::free_until(const Body& a, const Body& b, double from, double t
   return found.outcome == ImpactResult::Outcome::free ? to : found.lower;
 }
 
-double NearPairs::proven_pair(const Candidate& candidate, double t, double end) {
-  constexpr double kNearly = 1e-3;
-  constexpr double kAway =
-      0.75;  // of δ: a rebound higher than δ is then above 0.6 δ, which is past `arrival`
-  const SimulatedPart& a = parts_[static_cast<std::size_t>(candidate.part_a)];
-  const SimulatedPart& b = parts_[static_cast<std::size_t>(candidate.part_b)];
-  const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
-  if (near == nullptr || near->role == PairRole::apart)
-    return free_until(a.real, b.real, t, end, scales_.arrival());
-  nothing_touched_ = false;
-  if (near->role == PairRole::contact) {
-    const double until = free_until(a.narrower, b.narrower, t, end, kNearly * scales_.delta);
-    return until > t ? until : free_until(a.shrunk, b.shrunk, t, end, kNearly * scales_.delta);
+// The time up to which the parts overlap by `most` at most, by planes across the normal where they are, or
+// across that at the end of what is looked at; halves of it where neither proves it.
+double NearPairs::overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from,
+                                double to, double most) {
+  constexpr int kMostLooks = 60;
+  constexpr double kShortest = 1e-6;  // of the whole
+  ++counters_.motion_proofs;
+  const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
+  PartWatch watch(*planes_, a, b, kEuclidean, nullptr);
+  PlaneSteps steps(watch);
+  SmallVector u = normal.head(n_);
+  double proven = from, length = to - from;
+  for (int k = 0; k < kMostLooks && proven < to && length > kShortest * (to - from); ++k) {
+    const double until = to - proven <= length * (1 + 1e-9) ? to : proven + length;
+    const PairMotion motion(watch, proven, until);
+    bool holds = steps.least_along(u, proven, until, motion) >= -most;
+    if (!holds) {
+      PartContact then;
+      look(candidate, a.motion->at(until), b.motion->at(until), 0, then);
+      const SmallVector other = then.normal.head(n_);
+      holds = then.lower >= -most && steps.least_along(other, proven, until, motion) >= -most;
+      if (holds) u = other;
+    }
+    if (holds) proven = until;
+    length *= holds ? 2 : 0.5;
   }
-  // Bodies that leave each other: until they are as far as a new impact needs, the shrunk ones.
-  const double away = std::min(end, t + kAway * scales_.delta / std::max(-near->closing, 1e-300));
-  const double first = free_until(a.shrunk, b.shrunk, t, away, kNearly * scales_.delta);
-  return first < away ? first : std::max(away, free_until(a.real, b.real, away, end, scales_.arrival()));
+  return proven;
+}
+
+double NearPairs::proven_pair(const Candidate& candidate, double t, double end) {
+  // Of δ: how far bodies that leave each other are away when a new impact may come, which is past `arrival`.
+  constexpr double kAway = 0.75;
+  constexpr double kInside = 1 - 1e-9;
+  const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
+  const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
+  if (near == nullptr || near->role == PairRole::apart) return free_until(a, b, t, end, scales_.arrival());
+  nothing_touched_ = false;
+  const Eigen::Vector3d& normal = near->contact.normal;
+  const double deep = std::max(0.0, -near->contact.lower);
+  // Half of δ is left for pairs that begin deeper than others end.
+  const double most = scales_.delta * (deep < kUsual * scales_.delta ? kUsual + kMore : kInside);
+  if (near->role == PairRole::contact) return overlap_until(candidate, normal, t, end, most);
+  const double away = std::min(end, t + (kAway * scales_.delta + deep) / std::max(-near->closing, 1e-300));
+  const double first = overlap_until(candidate, normal, t, away, most);
+  return first < away ? first : std::max(away, free_until(a, b, away, end, scales_.arrival()));
 }
 
 }  // namespace raygauge

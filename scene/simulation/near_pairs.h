@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "raygauge/scene/continuous.h"
@@ -42,6 +43,10 @@ class NearPairs {
   NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
             std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters);
 
+  ~NearPairs();
+  NearPairs(const NearPairs&) = delete;
+  NearPairs& operator=(const NearPairs&) = delete;
+
   /// The pairs that may meet within dt, where the bodies are now, with their contacts.
   std::vector<NearPair>& find(double t, double dt);
 
@@ -61,7 +66,6 @@ class NearPairs {
     int part_a, part_b;
     ContactLaw law;
     Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-    WarmStart warm;
     int near = -1;  ///< its number among the near pairs
   };
 
@@ -70,6 +74,9 @@ class NearPairs {
   double travel(int part, double t, double dt) const;
   void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
             PartContact& contact);
+  const SimulatedPart& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
+  double overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from, double to,
+                       double most);
   double proven_pair(const Candidate& candidate, double t, double end);
   double free_until(const Body& a, const Body& b, double from, double to, double contact);
   void hand_motions();
@@ -84,6 +91,7 @@ class NearPairs {
   std::vector<NearPair> near_;
   ContactFinder finder_;
   ContinuousSolver solver_;
+  std::unique_ptr<class PairSolver> planes_;
   bool nothing_touched_ = true;
 };
 

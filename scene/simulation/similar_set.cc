@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/similar_set.h"
 
-#include <cmath>
-
-#include "raygauge/exceptions.h"
-#include "raygauge/scene/body.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
@@ -45,28 +41,6 @@ SetPointer similar_set(const SetPointer& S, double scale, const SmallVector& shi
   }
   const int n = S->dimension();
   return std::make_shared<AffineImage>(S, scale * Eigen::MatrixXd::Identity(n, n), t);
-}
-
-SetPointer shrunk_set(const SetPointer& S, double margin) {
-  const int n = S->dimension();
-  const ConvexSet* set = S.get();
-  if (const auto* ball = dynamic_cast<const Ball*>(set); ball != nullptr && ball->radius() > margin)
-    return std::make_shared<Ball>(ball->center(), ball->radius() - margin);
-  if (const auto* capsule = dynamic_cast<const Capsule*>(set);
-      capsule != nullptr && capsule->radius() > margin)
-    return std::make_shared<Capsule>(capsule->p(), capsule->q(), capsule->radius() - margin);
-  if (const auto* box = dynamic_cast<const Box*>(set)) {
-    const Eigen::VectorXd inward = Eigen::VectorXd::Constant(n, margin / std::sqrt(n));
-    const Eigen::VectorXd lower = box->lower() + inward, upper = box->upper() - inward;
-    if ((lower.array() <= upper.array()).all()) return std::make_shared<Box>(lower, upper);
-  }
-  const BoundingBall ball = bounding_ball(*S);
-  const SmallVector c = S->center();
-  const double farthest = (ball.center - c).norm() + ball.radius;
-  if (!(margin < farthest / 2))
-    throw InvalidParameterError("dynamics: a body is too small for the tolerance");
-  const double scale = 1 - margin / farthest;
-  return similar_set(S, scale, (1 - scale) * c);
 }
 
 }  // namespace raygauge

@@ -13,9 +13,4 @@ namespace raygauge {
 std::shared_ptr<const ConvexSet> similar_set(const std::shared_ptr<const ConvexSet>& S, double scale,
                                              const SmallVector& shift);
 
-/// A set S' ⊆ S with h_S(u) - h_S'(u) <= margin for every unit vector u: bodies whose S' are disjoint overlap
-/// by the sum of their margins at most. A ball and a capsule lose `margin` of the radius, a box margin/√n at
-/// every face, other sets are scaled about their centres. Throws InvalidParameterError where S is too small.
-std::shared_ptr<const ConvexSet> shrunk_set(const std::shared_ptr<const ConvexSet>& S, double margin);
-
 }  // namespace raygauge

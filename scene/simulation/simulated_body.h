@@ -43,9 +43,7 @@ struct SimulatedBody {
 /// One convex part, as the body that it is alone.
 struct SimulatedPart {
   int owner = 0;
-  Body real;
-  Body shrunk;    ///< by a share of δ: see shrunk_set()
-  Body narrower;  ///< by less: what a step may use of δ that does not begin deeper already
+  Body body;
 };
 
 }  // namespace raygauge

@@ -17,8 +17,8 @@ namespace {
 constexpr int kMostTrials = 12;      // of one substep, shorter each time
 constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
-constexpr double kShrink = 0.45;     // of δ, for each body of a pair: what is left covers rounding
-constexpr double kNarrower = 0.2;    // the same, of what a step may use
+constexpr double kDeep = 0.25;       // of δ: pairs end a step no deeper, where they did not begin it so
+constexpr double kRecovered = 0.8;   // what is left of the depth of those that did
 constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
 
 Eigen::Vector3d in_space(const SmallVector& v) {
@@ -96,12 +96,8 @@ void Simulator::make_parts() {
   if (!dynamics_.contact) return;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Body& body = out_.scene.bodies[b];
-    for (const BodyPart& part : body.parts) {
-      parts_.push_back(
-          {static_cast<int>(b), make_body(body.name, {part.set}, body.motion),
-           make_body(body.name, {shrunk_set(part.set, kShrink * scales_.delta)}, body.motion),
-           make_body(body.name, {shrunk_set(part.set, kNarrower * scales_.delta)}, body.motion)});
-    }
+    for (const BodyPart& part : body.parts)
+      parts_.push_back({static_cast<int>(b), make_body(body.name, {part.set}, body.motion)});
   }
 }
 
@@ -264,6 +260,10 @@ bool Simulator::move(double dt) {
   for (int trial = 0; trial < kMostTrials; ++trial) {
     bodies_ = before;
     bool possible = push_and_move(dt, before);
+    while (possible && catch_leaving()) {
+      bodies_ = before;
+      possible = push_and_move(dt, before);
+    }
     for (int k = 0; possible && k < kMostCorrections && corrected(dt); ++k) {
       bodies_ = before;
       possible = push_and_move(dt, before);
@@ -279,7 +279,10 @@ bool Simulator::move(double dt) {
       commit(end);
       return true;
     }
-    if (proven - t_ < shortest) break;
+    if (proven - t_ < shortest) {
+      dt = std::min(dt, 1e-2 * dynamics_.step);
+      break;
+    }
     dt = trial < 3 ? proven - t_ : std::min(proven - t_, dt / 2);
     bodies_ = before;
     choose_roles(dt);
@@ -356,6 +359,19 @@ bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, do
   return true;
 }
 
+// Pairs that touch and were thought to separate, but that the impulses of others close: they join the
+// problem.
+bool Simulator::catch_leaving() {
+  bool any = false;
+  for (NearPair& pair : *near_) {
+    if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
+    if (!(closing_speed(pair) > 0)) continue;
+    pair.role = PairRole::contact;
+    any = true;
+  }
+  return any;
+}
+
 // Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
 // more.
 bool Simulator::corrected(double dt) {
@@ -367,10 +383,12 @@ bool Simulator::corrected(double dt) {
     const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
     const double reach = out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach +
                          out_.scene.bodies[static_cast<std::size_t>(pair.b)].reach;
-    if (turn * turn * std::min(reach, 1e150) < scales_.delta / 8) continue;
-    const double closer =
-        pairs_->closer_than(pair, end_of(dt), std::min(0.0, pair.contact.lower) - scales_.delta / 8);
-    if (closer < 0) pair.correction += closer - scales_.delta / 8;
+    const bool deep = pair.contact.lower < -kDeep * scales_.delta;
+    if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
+    // Deep ones are to end less deep.
+    const double allowed = std::min(kRecovered * pair.contact.lower, -kDeep * scales_.delta);
+    const double closer = pairs_->closer_than(pair, end_of(dt), allowed);
+    if (closer < 0) pair.correction += closer - kDeep / 2 * scales_.delta;
     any = any || closer < 0;
   }
   return any;

@@ -34,6 +34,7 @@ class Simulator {
   bool push_and_move(double dt, const std::vector<SimulatedBody>& before);
   void accelerate(SimulatedBody& body, double dt);
   bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
+  bool catch_leaving();
   bool corrected(double dt);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
   void commit(double end);

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/contact_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+
+namespace raygauge::test_contact_finder {
+namespace {
+
+using Eigen::Vector3d;
+
+const Box kBox(Vector3d(-0.3, -0.2, -0.1), Vector3d(0.3, 0.2, 0.1));
+const Ball kBall(Vector3d(0, 0, 0), 0.25);
+
+// A ball touches a corner, an edge and a face: the point is where the ball is, not a far corner of the box.
+TEST(ContactFinder, a_ball_touches_a_box_in_one_point) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Pose at_box(turn, Vector3d(1, 2, 3));
+  ContactFinder finder;
+  PartContact contact;
+  for (const Vector3d& way : {Vector3d(1, 2, 3), Vector3d(0, 1, 1), Vector3d(0, 0, 1)}) {
+    const Vector3d u = way.normalized();
+    const Vector3d corner(way[0] > 0 ? 0.3 : 0.07, way[1] > 0 ? 0.2 : 0.05, 0.1);
+    for (const double gap : {3.6e-7, 1e-12, -3.6e-7}) {
+      const Vector3d center = turn * (corner + (0.25 + gap) * u) + Vector3d(1, 2, 3);
+      const Pose at_ball(Eigen::Matrix3d(turn.transpose()), center);
+      finder.find({kBox, at_box}, {kBall, at_ball}, 1e-5, Vector3d::UnitX(), contact);
+      ASSERT_EQ(contact.points.size(), 1U) << way.transpose() << " " << gap;
+      EXPECT_LE((contact.points[0].at - (turn * corner + Vector3d(1, 2, 3))).norm(), 1e-6);
+      EXPECT_NEAR(contact.points[0].gap, gap, 1e-9);
+      EXPECT_LE((contact.normal + turn * u).norm(), 1e-5);
+    }
+  }
+}
+
+// Gaps of a face on a face are linear in the place, to the last digits.
+TEST(ContactFinder, four_corners_of_a_face_have_consistent_gaps) {
+  const Box floor(Vector3d(-5, -5, -1), Vector3d(5, 5, 0));
+  ContactFinder finder;
+  PartContact contact;
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.4, Vector3d::UnitZ()) * Eigen::AngleAxisd(1e-7, Vector3d::UnitX()))
+          .toRotationMatrix();
+  const Pose at_box(turn, Vector3d(0.1, 0.2, 0.1 + 1e-6));
+  finder.find({kBox, at_box}, {floor}, 1e-5, Vector3d::UnitX(), contact);
+  ASSERT_EQ(contact.points.size(), 4U);
+  Eigen::Matrix4d rows;
+  Eigen::Vector4d gaps;
+  for (int k = 0; k < 4; ++k) {
+    const GapPoint& point = contact.points[static_cast<std::size_t>(k)];
+    rows.row(k) << 1, point.at[0], point.at[1], 0;
+    gaps[k] = point.gap;
+    EXPECT_NEAR(point.gap,
+                (turn * (turn.transpose() * (point.at - Vector3d(0.1, 0.2, 0.1 + 1e-6))))[2] + 0.1 + 1e-6,
+                1e-6);
+  }
+  const Eigen::Vector4d linear = rows * rows.completeOrthogonalDecomposition().solve(gaps);
+  EXPECT_LE((linear - gaps).lpNorm<Eigen::Infinity>(), 1e-15);
+}
+
+TEST(ContactFinder, bodies_farther_apart_than_the_band_have_no_points) {
+  ContactFinder finder;
+  PartContact contact;
+  const Pose away(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), Vector3d(0, 0, 0.36));
+  finder.find({kBox}, {kBall, away}, 1e-3, Vector3d::UnitX(), contact);
+  EXPECT_TRUE(contact.points.empty());
+  EXPECT_NEAR(contact.lower, 0.01, 1e-9);
+}
+
+}  // namespace
+}  // namespace raygauge::test_contact_finder
