@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "tests/scene/simulation/reacting_scenes.h"
+
+/// Hard cases with known truth, at steps that differ by powers of ten.
+namespace raygauge::test_hard_motions {
+namespace {
+
+using namespace reacting_scenes;
+
+constexpr double kSteps[] = {1e-2, 1e-3, 1e-4};
+
+void expect_proven(const Simulation& found) {
+  for (const StepRecord& step : found.steps) {
+    EXPECT_GE(step.least_distance, -found.tolerance) << step.time;
+    EXPECT_LE(step.residual, 1e-8) << step.time;
+  }
+}
+
+const PiecewiseMotion& motion_of(const Simulation& found, std::size_t body) {
+  return dynamic_cast<const PiecewiseMotion&>(*found.scene.bodies[body].motion);
+}
+
+// The first ball meets four that touch each other: its velocity goes on to the last one.
+TEST(HardMotions, a_row_of_balls_hands_on_velocity_and_energy_at_every_step) {
+  for (const double step : kSteps) {
+    Reacting scene(0.2);
+    scene.dynamics.step = step;
+    scene.dynamics.contact = ContactLaw{std::nullopt, 1.0};
+    for (int k = 0; k < 5; ++k) scene.add(ball(0.1), v(k == 0 ? -0.1 : 0.2 * k, 0, 0), 1);
+    scene.dynamics.bodies[0].velocity = v(3, 0, 0);
+    const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
+    expect_proven(found);
+    // The first one has a way of 0.1 to go.
+    EXPECT_NEAR(motion_of(found, 4).at(0.2).t[0], 0.8 + 3 * 0.2 - 0.1, 1e-6);
+    for (const StepRecord& row : found.steps) EXPECT_NEAR(row.kinetic, 4.5, 1e-9);
+  }
+}
+
+// A body 10^4 times as heavy rests on a light one.
+TEST(HardMotions, a_heavy_cube_rests_on_a_light_one_at_every_step) {
+  for (const double step : {1e-2, 1e-3}) {
+    Reacting scene(0.5);
+    scene.dynamics.step = step;
+    scene.dynamics.gravity = v(0, 0, -9.81);
+    scene.dynamics.contact = ContactLaw{};
+    scene.add(box(0.1, 0.1, 0.1), v(0, 0, 0.1), 1);
+    scene.add(box(0.1, 0.1, 0.1), v(0, 0, 0.3), 1e4);
+    scene.add(floor(), v(0, 0, 0), 0);
+    const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
+    expect_proven(found);
+    for (const std::size_t k : {0U, 1U})
+      EXPECT_LE((motion_of(found, k).at(0.5).t - scene.scene.bodies[k].motion->at(0).t).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_hard_motions
