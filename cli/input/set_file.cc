@@ -47,10 +47,16 @@ class SetTable final : public ShapeValues {
   }
 
   SetPointer file(const std::string& name) const override {
-    const std::string source = read_text(node(name), full(name));
+    return placed(place_of(node(name)), [&] { return file_.read_named(path(name)); });
+  }
+
+  std::string text(const std::string& name) const override { return read_text(node(name), full(name)); }
+
+  std::string path(const std::string& name) const override {
+    const std::string source = text(name);
     return placed(place_of(node(name)), [&] {
       if (source == kStandardInput) throw InvalidParameterError("a set file cannot name standard input");
-      return file_.read_named((file_.folder / source).string());
+      return (file_.folder / source).string();
     });
   }
 

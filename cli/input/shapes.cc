@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/input/mesh_object_file.h"
 #include "cli/input/rotation_note.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
@@ -60,6 +61,13 @@ auto file(const char* name, const char* description) {
   return typed(name, "a file name", description, &ShapeValues::file);
 }
 
+auto path(const char* name, const char* description) {
+  return typed(name, "a file name", description, &ShapeValues::path);
+}
+auto text(const char* name, const char* description) {
+  return typed(name, "a word", description, &ShapeValues::text);
+}
+
 /// A shape whose set is `make` of the parameters' values, in their order.
 template <class Make, class... Reads>
 Shape made_by(Make make, const char* name, const char* description, const Typed<Reads>&... parameters) {
@@ -94,6 +102,11 @@ SetPointer rigid_image(const SetPointer& S, const Eigen::MatrixXd& R, const Vect
 
 SetPointer itself(const SetPointer& set) { return set; }
 
+Shape mesh() {
+  return made_by(read_mesh_as, "mesh", "the triangles of a file, with --between", path("file", "a mesh"),
+                 text("as", "hull, surface, or solid: what they bound too"));
+}
+
 }  // namespace
 
 const std::vector<Shape>& shapes() {
@@ -110,9 +123,9 @@ const std::vector<Shape>& shapes() {
       shape<Box>("box", "{x : lower <= x <= upper}", vector("lower"), vector("upper", ">= lower")),
       shape<Simplex>("simplex", "conv{corner, corner + legs_1 e_1, …, corner + legs_n e_n}", vector("corner"),
                      vector("legs", "of either sign")),
-      shape<HPolytope>("h_polytope", "{x : G x <= g}, bounded", matrix("G", "one inequality a row"),
-                       vector("g")),
+      shape<HPolytope>("h_polytope", "{x : G x <= g}, bounded", matrix("G", "inequalities"), vector("g")),
       shape<HalfSpace>("half_space", "{x : n·x <= b}, unbounded", vector("normal"), number("offset")),
+      mesh(),
       made_by(zonotope, "zonotope", "{center + Σ t_i g_i : |t_i| <= 1}", vector("center"),
               matrix("generators", "one generator g_i a row")),
       shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),

@@ -28,6 +28,10 @@ class ShapeValues {
   virtual SetPointer set(const std::string& name) const = 0;
   virtual std::vector<SetPointer> sets(const std::string& name) const = 0;
   virtual SetPointer file(const std::string& name) const = 0;
+  virtual std::string text(const std::string& name) const = 0;
+
+  /// The name of a file, with the folder that it starts at.
+  virtual std::string path(const std::string& name) const = 0;
 };
 
 /// What the table of shapes says of one parameter. All of them are needed: none has a default.

@@ -78,6 +78,30 @@ Raises InvalidParameterError, NonFiniteError.
 -0.25
 )";
 
+inline constexpr const char* kMeshDoc =
+    R"(The union of triangles of R^3 or, if solid, also what they bound. It need not be convex.
+
+vertices: shape (N, 3). triangles: shape (M, 3), numbers of vertices from 0 on. solid: the surface must be closed, its triangles
+counterclockwise as seen from outside. object_distance, object_distances and separation take it, in the Euclidean metric;
+all else raises InvalidParameterError, a depth or a growth distance too: convex parts have these.
+
+size: M. volume: of a solid. Raises EmptySetError, InvalidParameterError, NonFiniteError.
+
+>>> corner = rg.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], solid=True)
+>>> r = rg.object_distance(corner, rg.Ball([2, 0, 0], 0.5), rg.Ball([0, 0, 0]))
+>>> round(r.distance, 6)
+0.5
+)";
+
+inline constexpr const char* kMeshFromFileDoc =
+    R"(The mesh of a file: .obj, .off, .stl, .ply or .dae, also .gz (docs/meshes.md).
+
+Raises Error, with the file's name; ProgramError where the package was built without the program.
+
+>>> rg.Mesh.from_file("cube.obj").size
+4
+)";
+
 inline constexpr const char* kZonotopeDoc =
     R"({center + t_1 g_1 + ... + t_m g_m : -1 <= t_i <= 1}, a sum of segments.
 

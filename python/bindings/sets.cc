@@ -6,6 +6,7 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/meshes.h"
 #include "python/bindings/set_docs.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
@@ -352,6 +353,7 @@ void bind_sets(py::module_& module) {
   bind_bodies_of_revolution(module);
   bind_polytopes(module);
   bind_half_spaces(module);
+  bind_meshes(module);
   bind_wrenches(module);
   bind_combinators(module);
 }

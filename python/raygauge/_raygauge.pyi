@@ -1,5 +1,6 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
+import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from enum import StrEnum
 from typing import Any, Literal, TypeAlias, overload
@@ -68,6 +69,19 @@ class HPolytope(ConvexSet):
 
 class HalfSpace(ConvexSet):
     def __init__(self, normal: ArrayLike, offset: float) -> None: ...
+
+class Mesh(ConvexSet):
+    def __init__(self, vertices: ArrayLike, triangles: ArrayLike, solid: bool = False) -> None: ...
+    @staticmethod
+    def from_file(source: str | os.PathLike[str], solid: bool = False) -> Mesh: ...
+    @property
+    def solid(self) -> bool: ...
+    @property
+    def size(self) -> int: ...
+    @property
+    def volume(self) -> float: ...
+    @property
+    def memory(self) -> int: ...
 
 class Zonotope(ConvexSet):
     def __init__(self, center: ArrayLike, generators: ArrayLike) -> None: ...

@@ -4,7 +4,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from ._raygauge import Array, ConvexSet
+from ._raygauge import Array, ConvexSet, Mesh
 from .components import Component
 
 class RobotFile:
@@ -33,6 +33,7 @@ class SceneFile:
     def columns(self, threads: int) -> dict[str, NDArray[Any]]: ...
 
 def load_set(source: str, skip_header: bool) -> ConvexSet: ...
+def load_mesh(source: str, solid: bool) -> Mesh: ...
 def load_robot(path: str, packages: dict[str, str]) -> RobotFile: ...
 def load_scene(path: str, overrides: list[str], packages: dict[str, str]) -> SceneFile: ...
 

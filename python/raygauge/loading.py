@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._raygauge import ConvexSet, InvalidParameterError, UnknownNameError
+from ._raygauge import ConvexSet, InvalidParameterError, Mesh, UnknownNameError
 from .scenes import SceneAnswers
 from .sweeps import ProgramError
 
@@ -47,6 +47,12 @@ def load_set(source: str | os.PathLike[str], *, skip_header: bool = False) -> Co
     1.0
     """
     found: ConvexSet = _readers().load_set(os.fspath(source), skip_header)
+    return found
+
+
+def load_mesh(source: str | os.PathLike[str], solid: bool) -> Mesh:
+    """See Mesh.from_file."""
+    found: Mesh = _readers().load_mesh(os.fspath(source), solid)
     return found
 
 

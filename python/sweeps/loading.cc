@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/input/mesh_object_file.h"
 #include "cli/input/set_source.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/scene_answers.h"
@@ -33,6 +34,10 @@ MutableSet load_set(const std::string& source, bool skip_header) {
   cli::PointFormat format;
   format.skip_header = skip_header;
   return for_python(cli::read_set_source(source, format));
+}
+
+MutableSet load_mesh(const std::string& source, bool solid) {
+  return for_python(cli::read_mesh_as(source, solid ? "solid" : "surface"));
 }
 
 std::vector<std::string> link_names(const Robot& robot) {
@@ -155,6 +160,7 @@ void bind_scene_files(py::module_& module) {
 
 void bind_loading(py::module_& module) {
   module.def("load_set", &load_set, py::arg("source"), py::arg("skip_header"));
+  module.def("load_mesh", &load_mesh, py::arg("source"), py::arg("solid"));
   bind_robots(module);
   bind_scene_files(module);
 }

@@ -141,6 +141,7 @@ SHAPES = {
     "simplex": {"corner": ("[3, 1, 1]", "[4, 1, 1]"), "legs": ("[-1, 1, 1]", "[-1.5, 1, 1]")},
     "h_polytope": {"G": ("[[-1, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]", "[[-2, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]"),
                    "g": ("[-1, -1, -1, 5]", "[-2, -1, -1, 5]")},
+    "mesh": {"file": ('"two.obj"', '"one.obj"'), "as": ('"surface"', '"hull"')},
     "half_space": {"normal": ("[0, 0, 1]", "[0, 1, 1]"), "offset": ("1", "2")},
     "zonotope": {"center": ("[3, 1, 1]", "[4, 1, 1]"), "generators": ("[[1, 0, 0], [0, 1, 0]]", "[[0.5, 0, 0], [0, 1, 0]]")},
     "capsule": {"p": ("[3, 1, 1]", "[2.5, 1, 1]"), "q": ("[3, 1, 2]", "[2, 1, 2]"), "radius": ("0.5", "0.25")},
@@ -534,6 +535,9 @@ class NothingIsIgnored(unittest.TestCase):
                          {name: set(keys) for name, keys in SHAPES.items()})
         (self.work / "ball3.toml").write_text('shape = "ball"\ncenter = [0.1, 0, 0]\nradius = 1\n')
         (self.work / "ball6.toml").write_text('shape = "ball"\ncenter = [0.1, 0, 0, 0, 0, 0]\nradius = 1\n')
+        triangles = ["v 10 10 0\nv 10 12 0\nv 12 10 1\n", "v 10 -10 0\nv 10 -12 0\nv 12 -10 1\n"]
+        (self.work / "one.obj").write_text(triangles[0] + "f 1 2 3\n")
+        (self.work / "two.obj").write_text("".join(triangles) + "f 1 2 3\nf 4 5 6\n")
         for shape, keys in SHAPES.items():
             values = {key: one for key, (one, _) in keys.items()}
             for key, (_, other) in keys.items():
@@ -549,9 +553,9 @@ class NothingIsIgnored(unittest.TestCase):
             (self.work / "moved.toml").write_text(
                 f'shape = "minkowski_sum"\nA = {{ shape = "file", file = "set.toml" }}\n'
                 f'B = {{ shape = "point_set", points = [{shift}] }}\n')
-            if shape == "half_space":  # takes no sums
+            if shape in ("half_space", "mesh"):  # take no sums
                 (self.work / "moved.toml").write_text(f'shape = "ball"\ncenter = {shift}\nradius = 1\n')
-                operands = ["set.toml", "moved.toml", "--between", "--signed"]
+                operands = ["set.toml", "moved.toml", "--between"] + ["--signed"] * (shape == "half_space")
             else:
                 operands = ["moved.toml", f"ball{n}.toml"]
             done = self.run_raygauge("distance", *operands, "--json", "--tolerance", "1e-9")

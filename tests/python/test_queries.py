@@ -154,6 +154,34 @@ class Objects(unittest.TestCase):
             with self.assertRaisesRegex(rg.InvalidParameterError, "half-space"):
                 use()
 
+    def test_a_mesh_is_its_triangles_or_the_solid_that_they_bound(self):
+        corners = np.array([[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)], dtype=float)
+        faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+        surface, solid = rg.Mesh(corners, faces), rg.Mesh(corners, faces, solid=True)
+        self.assertEqual((solid.size, solid.volume, solid.solid, surface.solid), (12, 64, True, False))
+        ball, metric = rg.Ball([2, 2, 1.5], 0.5), rg.Ball([0, 0, 0])
+        r = rg.object_distance(surface, ball, metric, closest_points=True)
+        self.assertAlmostEqual(float(r), 1, places=6)
+        np.testing.assert_allclose(r.closest_point_1, [2, 2, 0], atol=1e-5)
+        self.assertEqual(rg.object_distance(ball, solid, metric).status, rg.Status.contains_origin)
+        self.assertEqual(rg.separation(solid, ball).outcome, rg.Separation.intersecting)
+        self.assertEqual(rg.separation(surface, ball).outcome, rg.Separation.separated)
+        self.assertAlmostEqual(float(rg.object_distance(surface, rg.HalfSpace([0, 0, 1], -3), metric)), 3, places=6)
+        poses = np.tile(np.eye(4), (3, 1, 1))
+        poses[:, 0, 3] = [10, 5, 4.5]
+        np.testing.assert_allclose(rg.object_distances(surface, solid, metric, poses_2=poses).distance, [6, 1, 0.5], atol=1e-5)
+        again = pickle.loads(pickle.dumps(solid))
+        self.assertEqual((again.volume, again.solid), (64, True))
+        for use in (lambda: rg.growth_distance(solid, ball), lambda: rg.object_distance(solid, ball, metric, signed=True)):
+            with self.assertRaisesRegex(rg.InvalidParameterError, "convex parts"):
+                use()
+        with self.assertRaisesRegex(rg.InvalidParameterError, "Euclidean"):
+            rg.object_distance(solid, ball, rg.Box([-1] * 3, [1] * 3))
+        with self.assertRaisesRegex(rg.InvalidParameterError, "closed surface"):
+            rg.Mesh(corners, faces[1:], solid=True)
+        with self.assertRaisesRegex(rg.InvalidParameterError, "names no vertex"):
+            rg.Mesh(corners, [[0, 1, 2.5]])
+
     def test_closest_points_and_gradients_of_two_balls(self):
         unit = rg.Ball([0, 0, 0])
         result = rg.object_distance(

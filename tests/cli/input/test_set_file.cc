@@ -8,6 +8,7 @@
 
 #include "cli/input/set_source.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/results/support.h"
@@ -51,6 +52,9 @@ struct Described {
 const double kLength = std::sqrt(5.0);  // of (1, 2)
 
 /// One text for each shape.
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
 std::map<std::string, Described> described_shapes() {
   const std::string ball = "{shape = \"ball\", center = [1, 0], radius = 2}";
   return {
@@ -63,6 +67,7 @@ std::map<std::string, Described> described_shapes() {
       {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
       {"h_polytope", {"G = [[1, 0], [0, 1], [-1, -1]]\ng = [3, 4, 5]", 3 + 8}},
       {"half_space", {"normal = [1, 2]\noffset = 7", 7}},
+      {"mesh", {"file = \"tetra.obj\"\nas = \"hull\"", 5}},
       {"zonotope", {"center = [1, 1]\ngenerators = [[1, 0], [0, 2], [1, -1]]", 3 + 1 + 4 + 1}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
       {"cylinder", {"p = [0, 0]\nq = [3, 0]\nradius = 2", 3 + 4}},
@@ -80,6 +85,7 @@ std::map<std::string, Described> described_shapes() {
 
 TEST_F(SetFiles, DescribeEveryShape) {
   write_bytes(folder_.file("points.csv"), "1 4\n3 -1\n");
+  write_bytes(folder_.file("tetra.obj"), kTetrahedron);
   const std::map<std::string, Described> described = described_shapes();
   for (const Shape& shape : shapes()) {
     SCOPED_TRACE(shape.name);
@@ -94,6 +100,34 @@ TEST_F(SetFiles, DescribeEveryShape) {
                                                        half_space->normal().squaredNorm();
     EXPECT_NEAR(support, found->second.support, 1e-14);
   }
+}
+
+TEST_F(SetFiles, TakeAMeshAsItsHullItsSurfaceOrTheSolidThatItBounds) {
+  write_bytes(folder_.file("tetra.obj"), kTetrahedron);
+  write_bytes(folder_.file("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto take = [&](const std::string& file, const std::string& as) {
+    return read("shape = \"mesh\"\nfile = \"" + file + "\"\nas = \"" + as + "\"\n");
+  };
+  EXPECT_EQ(as_mesh(*take("tetra.obj", "hull")), nullptr);
+  const SetPointer surface = take("tetra.obj", "surface"), solid = take("tetra.obj", "solid");
+  ASSERT_NE(as_mesh(*surface), nullptr);
+  EXPECT_EQ(as_mesh(*surface)->kind(), MeshKind::surface);
+  ASSERT_NE(as_mesh(*solid), nullptr);
+  EXPECT_DOUBLE_EQ(as_mesh(*solid)->volume(), 1.0 * 2 * 3 / 6);
+  EXPECT_NO_THROW(take("open.obj", "surface"));
+  const auto complaint = [&](const std::string& file, const std::string& as) {
+    try {
+      take(file, as);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaint("open.obj", "solid").find("open.obj: a solid needs a closed surface"),
+            std::string::npos)
+      << complaint("open.obj", "solid");
+  EXPECT_NE(complaint("tetra.obj", "sold").find("solid"), std::string::npos);
+  EXPECT_NE(complaint("none.obj", "solid").find("none.obj"), std::string::npos);
 }
 
 TEST_F(SetFiles, AreDocumentedShapeByShape) {
