@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <sstream>
 
+#include "engine/meshes/box_tree.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "scene/input/scene_source.h"
 #include "scene/queries/timeline.h"
 
@@ -27,6 +29,15 @@ class Checksum {
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
+void add_mesh(const Mesh& mesh, Checksum& shapes) {
+  shapes.add(mesh.kind() == MeshKind::solid ? 1 : 0);
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    for (const Vector3& p : mesh.tree().triangle(i).corner) {
+      for (const double x : {p.x, p.y, p.z}) shapes.add(x);
+    }
+  }
+}
+
 }  // namespace
 
 std::string scene_identity(const SceneSource& source) {
@@ -44,6 +55,7 @@ std::string scene_identity(const SceneSource& source) {
       shapes.add(part.ball.center);
       shapes.add(part.ball.radius);
       shapes.add(part.magnitude);
+      if (const Mesh* mesh = as_mesh(*part.set)) add_mesh(*mesh, shapes);
     }
     for (std::size_t k = 0; k < timeline.size(); ++k) {
       places.add(timeline.placement(b, k).t);

@@ -8,13 +8,17 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/input/mesh_file.h"
+#include "cli/input/mesh_object_file.h"
 #include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
+#include "engine/meshes/box_tree.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
@@ -50,7 +54,23 @@ std::vector<std::string> texts_of(const toml::node& node, const std::string& key
 
 constexpr double kLargestScale = 1e300;
 
+// A negative scale turns the surface inside out, and its triangles about.
+SetPointer scaled_mesh(const Mesh& mesh, double scale) {
+  Eigen::Matrix3Xd corners(3, 3 * mesh.size());
+  std::vector<MeshTriangle> triangles(static_cast<std::size_t>(mesh.size()));
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const Vector3& p = mesh.tree().triangle(i).corner[c];
+      corners.col(3 * Eigen::Index{i} + c) = scale * Eigen::Vector3d(p.x, p.y, p.z);
+    }
+    const std::int32_t first = 3 * i, one = scale > 0 ? 1 : 2;
+    triangles[static_cast<std::size_t>(i)] = {first, first + one, first + 3 - one};
+  }
+  return std::make_shared<MeshObject>(Mesh(corners, triangles, mesh.kind()));
+}
+
 SetPointer scaled(const SetPointer& set, double scale) {
+  if (const Mesh* mesh = as_mesh(*set)) return scaled_mesh(*mesh, scale);
   if (const PointSet* points = as_point_set(*set))
     return std::make_shared<PointSet>(scale * points->points());
   if (const HalfSpace* half_space = as_half_space(*set)) {
@@ -146,6 +166,39 @@ class SceneReader {
                           [this](const std::string& name) { return read_named(name); });
   }
 
+  /// A mesh as the body says: as its hull, as it is, or a folder of convex parts, a file each.
+  std::vector<SetPointer> read_file(const std::string& name, const toml::table& table) {
+    const toml::node* node = table.get("as");
+    if (node == nullptr) return {read_named(name)};
+    const std::string as = read_text(*node, "body.as");
+    const std::vector<std::string> known = {"hull", "surface", "solid", "parts"};
+    if (std::find(known.begin(), known.end(), as) == known.end())
+      throw UnknownNameError("body.as", as, known, place_of(*node));
+    if (as == "parts") return read_parts(name);
+    if (!is_mesh_file(name))
+      refuse(*node, "body.as is for meshes and folders of them, which " + name + " is not");
+    SetPointer set = read_mesh_as(name, as);
+    if (const Mesh* mesh = as_mesh(*set))
+      add_note(name + ": taken as it is, as a " + as + " of " + std::to_string(mesh->size()) + " triangles",
+               source_.notes);
+    return {std::move(set)};
+  }
+
+  std::vector<SetPointer> read_parts(const std::string& folder) {
+    if (!std::filesystem::is_directory(folder))
+      throw InvalidParameterError(folder + ": as = \"parts\" needs a folder of meshes, a convex part each");
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (is_mesh_file(entry.path().string())) files.push_back(entry.path().string());
+    if (files.empty()) throw EmptySetError(folder + ": no mesh in this folder");
+    std::sort(files.begin(), files.end());
+    std::vector<SetPointer> parts;
+    for (const std::string& file : files) parts.push_back(read_named(file));
+    add_note(folder + ": " + std::to_string(files.size()) + " parts, each the convex hull of a file",
+             source_.notes);
+    return parts;
+  }
+
   std::vector<SetPointer> parts_of(const toml::table& table) {
     const int given = static_cast<int>(table.contains("shape")) + static_cast<int>(table.contains("parts")) +
                       static_cast<int>(table.contains("file"));
@@ -158,7 +211,9 @@ class SceneReader {
     }
     if (const toml::node* node = table.get("file")) {
       const std::string name = (folder_ / read_text(*node, "body.file")).string();
-      parts.push_back(placed(*node, [&] { return read_named(name); }));
+      parts = placed(*node, [&] { return read_file(name, table); });
+    } else if (const toml::node* as = table.get("as")) {
+      refuse(*as, "body.as says how a mesh is taken that body.file names");
     }
     if (const toml::node* node = table.get("scale")) {
       const double scale = read_real(*node, "body.scale", {-kLargestScale, kLargestScale});
@@ -364,8 +419,8 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
        {"name", "description", "dimension", "time", "dynamics", "body", "robot", "plan", "ignore", "query"}},
       {"time", {"from", "to", "instants"}},
       {"body",
-       {"name", "group", "shape", "parts", "file", "scale", "pose", "motion", "density", "mass", "inertia",
-        "velocity", "angular_velocity"}},
+       {"name", "group", "shape", "parts", "file", "as", "scale", "pose", "motion", "density", "mass",
+        "inertia", "velocity", "angular_velocity"}},
       {"robot", robot_keys()},
       {"plan", plan_keys()},
       {"query",

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/meshes/box_tree.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
@@ -73,6 +75,36 @@ std::shared_ptr<const ConvexSet> prepared_if_it_pays(const std::shared_ptr<const
   return pays ? std::make_shared<PreparedSet>(*points) : S;
 }
 
+// use(p) for the corners of all triangles.
+template <class Use>
+void for_each_corner(const Mesh& mesh, const Use& use) {
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    for (const Vector3& p : mesh.tree().triangle(i).corner) use(Eigen::Vector3d(p.x, p.y, p.z));
+  }
+}
+
+void measure(const ConvexSet& S, SmallVector& magnitude) {
+  if (const Mesh* mesh = as_mesh(S)) {
+    magnitude.setZero();
+    for_each_corner(*mesh, [&](const Eigen::Vector3d& p) { magnitude = magnitude.cwiseMax(p.cwiseAbs()); });
+  } else {
+    S.magnitude_unchecked(magnitude.data());
+  }
+}
+
+BoundingBall ball_of(const Mesh& mesh) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(kInfinity), high = -low;
+  for_each_corner(mesh, [&](const Eigen::Vector3d& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  });
+  const Eigen::Vector3d center = low + 0.5 * (high - low);
+  double square = 0;
+  for_each_corner(mesh,
+                  [&](const Eigen::Vector3d& p) { square = std::max(square, (p - center).squaredNorm()); });
+  return {SmallVector(center), std::sqrt(square)};
+}
+
 // About the point of the plane that is nearest to the body's origin.
 void take_half_space(const std::shared_ptr<const ConvexSet>& set, const HalfSpace& half_space, Body& body) {
   BodyPart part;
@@ -91,6 +123,11 @@ void take_half_space(const std::shared_ptr<const ConvexSet>& set, const HalfSpac
 BoundingBall bounding_ball(const ConvexSet& S) {
   const int n = S.dimension();
   BoundingBall ball{SmallVector(n), 0};
+  if (const Mesh* mesh = as_mesh(S)) {
+    ball = ball_of(*mesh);
+    ball.radius = ball.radius * kOutward + kUnderflow;
+    return ball;
+  }
   SmallVector u = SmallVector::Zero(n), half(n), point(n), magnitude(n);
   for (int k = 0; k < n; ++k) {
     u[k] = 1;
@@ -145,7 +182,7 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
     part.reach = (part.ball.center.norm() + part.ball.radius) * kOutward;
     part.core_reach = reach_of_core(*set, part.reach);
     part.magnitude.resize(n);
-    set->magnitude_unchecked(part.magnitude.data());
+    measure(*set, part.magnitude);
     part.turned_magnitude = turned_magnitude(part.magnitude);
     body.core_reach = std::max(body.core_reach, part.core_reach);
     body.reach = std::max(body.reach, part.reach);

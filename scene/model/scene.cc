@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/half_space.h"
 
 namespace raygauge {
@@ -78,6 +79,28 @@ void check_half_spaces(const Scene& scene, const SceneQuery& query, const std::s
   }
 }
 
+bool has_mesh(const Body& body) {
+  return std::any_of(body.parts.begin(), body.parts.end(),
+                     [](const BodyPart& part) { return as_mesh(*part.set) != nullptr; });
+}
+
+// What a mesh cannot be asked.
+void check_meshes(const Scene& scene, const SceneQuery& query, const std::string& place) {
+  if (!query.metric.euclidean() && as_mesh(*query.metric.Q) != nullptr)
+    refuse(place + ": the metric is a mesh, which is not convex");
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), has_mesh)) return;
+  for (const BodyPair pair : pairs_of(scene, query)) {
+    const Body &a = scene.bodies[static_cast<std::size_t>(pair.a)],
+               &b = scene.bodies[static_cast<std::size_t>(pair.b)];
+    if (!has_mesh(a) && !has_mesh(b)) continue;
+    const std::string name = "body '" + (has_mesh(a) ? a : b).name + "' is a mesh as it is";
+    if (!query.metric.euclidean()) refuse(place + ": " + name + ": its distances are Euclidean");
+    if (has_effect(query.effects, SceneEffects::depth | SceneEffects::growth))
+      refuse(place + ": " + name +
+             ": depth and growth are those of convex bodies; give its hull, or convex parts by `parts`");
+  }
+}
+
 void check_query(const Scene& scene, const SceneQuery& query) {
   const std::string place = "query '" + query.name + "'";
   const int bodies = static_cast<int>(scene.bodies.size());
@@ -102,6 +125,7 @@ void check_query(const Scene& scene, const SceneQuery& query) {
   if (query.nearest < 0) refuse(place + ": nearest must not be negative");
   check_effects(query, place);
   check_half_spaces(scene, query, place);
+  check_meshes(scene, query, place);
 }
 
 }  // namespace

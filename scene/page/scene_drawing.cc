@@ -6,8 +6,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
+#include "engine/meshes/box_tree.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "scene/page/plane_patch.h"
 #include "scene/page/support_mesh.h"
 
@@ -51,6 +54,26 @@ json mesh_of(const ConvexSet& set, std::size_t most) {
   return {{"vertices", vertices}, {"triangles", triangles}};
 }
 
+/// The triangles of a mesh, the largest ones of very many.
+json triangles_of(const Mesh& mesh) {
+  constexpr std::int32_t kMostTriangles = 20'000;
+  std::vector<std::pair<double, std::int32_t>> order;
+  for (std::int32_t i = 0; i < mesh.size(); ++i)
+    order.emplace_back(-length(mesh.tree().triangle(i).normal()), i);
+  if (mesh.size() > kMostTriangles) {
+    std::nth_element(order.begin(), order.begin() + kMostTriangles, order.end());
+    order.resize(kMostTriangles);
+  }
+  json vertices = json::array(), triangles = json::array();
+  for (const auto& [size, i] : order) {
+    for (const Vector3& p : mesh.tree().triangle(i).corner) {
+      triangles.push_back(triangles.size());
+      for (const double x : {p.x, p.y, p.z}) vertices.push_back(short_number(x));
+    }
+  }
+  return {{"vertices", vertices}, {"triangles", triangles}};
+}
+
 json pose_of(const Placement& where) {
   json pose = json::array();
   for (Eigen::Index k = 0; k < where.t.size(); ++k) pose.push_back(short_number(where.t[k]));
@@ -78,6 +101,10 @@ std::string drawing_of(const Scene& scene) {
     for (const BodyPart& part : body.parts) {
       if (const HalfSpace* half_space = as_half_space(*part.set)) {
         shapes.push_back(plane_patch(scene, body, *half_space));
+        continue;
+      }
+      if (const Mesh* mesh = as_mesh(*part.set)) {
+        shapes.push_back(triangles_of(*mesh));
         continue;
       }
       shapes.push_back(n == 2 ? polygon_of(*part.set, detail) : mesh_of(*part.set, detail));

@@ -129,7 +129,7 @@ class ClearanceSearch {
   // By planes between the bodies at the end where they are nearer: over short times they lose far less than
   // the speeds of both bodies say, where the distance hardly changes.
   void bound_by_planes(Span& span) {
-    if (!watch_.metric().euclidean()) return;
+    if (!watch_.metric().euclidean() || !watch_.is_convex()) return;
     const PairMotion motion(watch_, span.first.time, span.last.time);
     const bool forward = span.first.lower <= span.last.lower;
     const PartLook& near = forward ? span.first : span.last;

@@ -18,8 +18,7 @@ const SceneMetric kEuclidean;
 double safe_until(const PartWatch& watch, const PartLook& look, const PairMotion& speeds, double end) {
   const double t = look.time;
   const auto reached = [&](const PairMotion& over, double ahead) {
-    const double speed = over.b.speed_along(look.normal, watch.b().core_reach) +
-                         over.a.speed_along(SmallVector(-look.normal), watch.a().core_reach);
+    const double speed = watch.closing_speed(look.normal, over.a, over.b);
     if (speed <= 0) return ahead == end ? kInfinity : ahead;
     const double next = t + look.lower / speed * (1 - 1e-13);
     if (next > ahead) return ahead == end ? kInfinity : ahead;
@@ -114,7 +113,8 @@ class Advance {
       end_free();
       return false;
     }
-    const double next = safe >= end ? end : planes_.next(look, speeds_, safe, end);
+    const double by_planes = watch_.is_convex() && safe < end ? planes_.next(look, speeds_, safe, end) : safe;
+    const double next = safe >= end ? end : by_planes;
     if (!(next > t_)) return look_ahead();
     t_ = next;
     return true;

@@ -45,6 +45,9 @@ class PairSolver {
   /// needed. The answer belongs to the solver and lives until the next distance.
   const PairAnswer& distance(PairMemory& memory, double enough, bool closest_points, bool gradient);
 
+  /// As of PartSolver, of the parts that the last distance was solved of.
+  bool meets_if_moved(double way) { return solver_.meets_if_moved(way); }
+
   /// The same with closest points and gradient, and of bodies that are not proven to be apart the depth: the
   /// greatest over all pairs of parts, with the points in contact and the gradient of the deepest. No shorter
   /// translation separates the bodies; of bodies of one part each it does.

@@ -12,6 +12,12 @@ constexpr double kOutward = 1 + 1e-13;
 constexpr double kFirstTolerance = 1e-6;
 constexpr double kNoThreshold = std::numeric_limits<double>::quiet_NaN();
 
+DistanceOptions mesh_options(double tolerance) {
+  DistanceOptions options;
+  options.tolerance = tolerance;
+  return options;
+}
+
 DistanceOptions newton_options(double tolerance) {
   DistanceOptions options;
   options.method = DistanceMethod::newton;
@@ -39,13 +45,16 @@ PartSolver::PartSolver()
     : tolerance_(kFirstTolerance),
       distance_(newton_options(kFirstTolerance)),
       separation_(newton_options(kFirstTolerance)),
-      growth_(newton_options(kFirstTolerance)) {}
+      growth_(newton_options(kFirstTolerance)),
+      meshes_(mesh_options(kFirstTolerance)) {}
 
 void PartSolver::set_tolerance(double tolerance) {
   if (tolerance == tolerance_) return;
   tolerance_ = tolerance;
   distance_ = ObjectDistanceSolver(newton_options(tolerance));
   growth_ = GrowthDistanceSolver(newton_options(tolerance));
+  meshes_ = MeshDistanceSolver(mesh_options(tolerance));
+  last_is_mesh_ = false;
 }
 
 // The solve by fixed-size code about two parts where they stand; nullptr where there is none.
@@ -99,10 +108,31 @@ bool PartSolver::distance_by_fixed_code(const PlacedPair& pair, PartNumbers part
 void PartSolver::distance(PlacedPair& pair, PartNumbers parts, bool closest_points, PartMemory& memory,
                           PairAnswer& answer, SceneCounters& counters) {
   ++counters.distance_solves;
+  last_is_mesh_ = pair.is_mesh(parts);
+  if (last_is_mesh_) return mesh_distance(pair, parts, closest_points, memory, answer, counters);
   if (still_overlap(pair, parts, memory, counters)) return say_overlap(answer);
   if (distance_by_fixed_code(pair, parts, closest_points, memory, answer, counters)) return;
   solve(pair, parts, closest_points ? ObjectEffects::closest_points : ObjectEffects::none, memory, answer,
         counters);
+}
+
+// The normal is that of the nearest triangles: no plane across it need lie between the parts, and none is
+// kept. The distance falls by no more than the parts move, in whatever direction.
+void PartSolver::mesh_distance(PlacedPair& pair, PartNumbers parts, bool closest_points, PartMemory& memory,
+                               PairAnswer& answer, SceneCounters& counters) {
+  const auto effects = closest_points ? ObjectEffects::closest_points : ObjectEffects::none;
+  const ObjectDistance& found =
+      meshes_.solve(pair.posed_a(parts), pair.posed_b(parts), effects, &memory.mesh);
+  const DistanceResult& distance = found.distance;
+  counters.closest_points += found.closest_point_evaluations;
+  counters.support_queries += distance.counters.support_queries;
+  answer.lower = distance.lower;
+  answer.value = answer.upper = distance.upper;
+  answer.status = distance.status;
+  answer.rate = kOutward;
+  answer.point_a = found.closest_point_1;
+  answer.point_b = found.closest_point_2;
+  answer.normal = distance.normal;
 }
 
 // By the general solver.
@@ -147,9 +177,15 @@ void PartSolver::signed_distance(PlacedPair& pair, PartNumbers parts, PartMemory
 
 Separation PartSolver::separation(PlacedPair& pair, PartNumbers parts, PartMemory& memory,
                                   SceneCounters& counters) {
+  ++counters.separation_solves;
+  if (pair.is_mesh(parts)) {
+    last_is_mesh_ = false;  // no distance
+    const Separation known = meshes_.separation(pair.posed_a(parts), pair.posed_b(parts), &memory.mesh);
+    counters.support_queries += meshes_.counters().precise_pairs;
+    return known;
+  }
   const SeparationResult& found =
       separation_.separation(pair.posed_a(parts), pair.posed_b(parts), &memory.growth);
-  ++counters.separation_solves;
   counters.support_queries += found.counters.support_queries;
   if (found.outcome == Separation::separated) memory.normal = found.normal;
   return found.outcome;

@@ -4,6 +4,7 @@
 
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/scene/continuous.h"
 #include "raygauge/scene/scene_record.h"
@@ -17,6 +18,7 @@ struct PartMemory {
   SmallVector normal;       ///< of a plane that lay between them; empty: none
   bool overlapped = false;  ///< whether they shared a point when last solved
   WarmStart distance, growth;
+  MeshWarmStart mesh;
 };
 
 /// Solves about two convex parts where they stand. One a thread: it owns the workspace. What was computed is
@@ -39,6 +41,10 @@ class PartSolver {
   void signed_distance(PlacedPair& pair, PartNumbers parts, PartMemory& memory, PairAnswer& answer,
                        SceneCounters& counters);
 
+  /// Whether the parts of the last distance share a point however both move by at most `way` in all; false
+  /// where that is not proven, and where neither was a mesh.
+  bool meets_if_moved(double way) { return last_is_mesh_ && meshes_.meets_if_moved(way); }
+
   /// Whether they are apart.
   Separation separation(PlacedPair& pair, PartNumbers parts, PartMemory& memory, SceneCounters& counters);
 
@@ -52,11 +58,15 @@ class PartSolver {
                               PartMemory& memory, PairAnswer& answer, SceneCounters& counters);
   const ObjectDistance& solve(PlacedPair& pair, PartNumbers parts, ObjectEffects effects, PartMemory& memory,
                               PairAnswer& answer, SceneCounters& counters);
+  void mesh_distance(PlacedPair& pair, PartNumbers parts, bool closest_points, PartMemory& memory,
+                     PairAnswer& answer, SceneCounters& counters);
   bool still_overlap(PlacedPair& pair, PartNumbers parts, PartMemory& memory, SceneCounters& counters);
 
   double tolerance_;
   ObjectDistanceSolver distance_;
   GrowthDistanceSolver separation_, growth_;
+  MeshDistanceSolver meshes_;
+  bool last_is_mesh_ = false;
   SpatialSolve fixed_;
   const ConvexSet* first_ = nullptr;  ///< what fixed_ is about
   const ConvexSet* second_ = nullptr;

@@ -6,11 +6,17 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {
+
+bool is_convex_body(const Body& body) {
+  return std::none_of(body.parts.begin(), body.parts.end(),
+                      [](const BodyPart& part) { return as_mesh(*part.set) != nullptr; });
+}
 
 /// The body of one part of `body`.
 Body part_of(const Body& body, int number) {
@@ -28,7 +34,8 @@ Body part_of(const Body& body, int number) {
 
 PartWatch::PartWatch(PairSolver& solver, const Body& a, const Body& b, const SceneMetric& metric,
                      const Body* metric_body)
-    : solver_(solver),
+    : convex_(is_convex_body(a) && is_convex_body(b)),
+      solver_(solver),
       a_(a),
       b_(b),
       metric_(metric),
@@ -75,6 +82,7 @@ PartLook PartWatch::at(double t, bool closest_points) {
 bool PartWatch::meets_wherever_shifted() {
   if (slack_ == 0) return true;
   if (!(slack_ < kInfinity)) return false;
+  if (!convex_) return solver_.meets_if_moved(slack_);
   const int n = a_.dimension();
   const Placement at_a = solver_.placement_a(), at_b = solver_.placement_b();
   bool meets = true;
@@ -119,9 +127,24 @@ double PartWatch::end_of_piece(double t, double to) const {
 }
 
 double PartWatch::closing_speed(const SmallVector& u, double from, double to) const {
+  return closing_speed(u, a_.motion->bound(from, to), b_.motion->bound(from, to));
+}
+
+double PartWatch::closing_speed(const SmallVector& u, const MotionBound& a, const MotionBound& b) const {
+  if (!convex_) {
+    MotionBound between = b;  // of the origins
+    between.velocity -= a.velocity;
+    between.velocity_error += a.velocity_error + 1e-13 * (a.velocity.lpNorm<1>() + b.velocity.lpNorm<1>());
+    between.spin.setZero();
+    between.spin_error = 0;
+    MotionBound turning_a = a, turning_b = b;
+    turning_a.velocity.setZero();
+    turning_b.velocity.setZero();
+    turning_a.velocity_error = turning_b.velocity_error = 0;
+    return between.speed(0) + turning_a.speed(a_.reach) + turning_b.speed(b_.reach);
+  }
   const SmallVector minus = -u;
-  return b_.motion->bound(from, to).speed_along(u, b_.core_reach) +
-         a_.motion->bound(from, to).speed_along(minus, a_.core_reach);
+  return b.speed_along(u, b_.core_reach) + a.speed_along(minus, a_.core_reach);
 }
 
 std::vector<PartPair> part_pairs(const Body& a, const Body& b, double t) {

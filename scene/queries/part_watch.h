@@ -63,8 +63,13 @@ class PartWatch {
   /// The end of the piece of the motions that t is in, at most `to`.
   double end_of_piece(double t, double to) const;
 
-  /// How fast the pair can close along u, at most, over [from, to].
+  /// How fast the pair can close along u, at most, over [from, to]; of a mesh, which may be met from any
+  /// side, in any direction.
   double closing_speed(const SmallVector& u, double from, double to) const;
+  double closing_speed(const SmallVector& u, const MotionBound& a, const MotionBound& b) const;
+
+  /// False where a part is a mesh: planes prove nothing of it.
+  bool is_convex() const noexcept { return convex_; }
 
   const Body& a() const noexcept { return a_; }
   const Body& b() const noexcept { return b_; }
@@ -75,6 +80,7 @@ class PartWatch {
   bool meets_wherever_shifted();
   double slack_in_metric();
 
+  bool convex_;
   PairSolver& solver_;
   const Body& a_;
   const Body& b_;

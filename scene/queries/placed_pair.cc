@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {
@@ -109,6 +110,10 @@ double PlacedPair::apart_from_plane(const SmallVector& u, SmallVector& arm_a, Sm
 }
 
 double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
+  if (is_mesh({0, 0})) {  // no plane need lie between
+    arm_a = arm_b = SmallVector::Zero(dimension_);
+    return -kInfinity;
+  }
   if (!bounded_) return apart_from_plane(u, arm_a, arm_b);
   SmallVector point_a, point_b;
   const double depth = depth_along({0, 0}, u, point_a, point_b);
@@ -119,6 +124,7 @@ double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVe
 
 // Weak duality (10) at u: -h_A(u) / h_Q(-u).
 double PlacedPair::plane_bound(PartNumbers parts, const SmallVector& u) {
+  if (is_mesh(parts)) return 0;
   if (!bounded_) {
     check_placements();
     half_space_.bind(posed_a(parts), posed_b(parts));
@@ -156,6 +162,10 @@ void PlacedPair::pose_bodies() {
   pose_a_.assign_checked(at_a_.R.data(), at_a_.t.data(), at_a_.defect);
   pose_b_.assign_checked(at_b_.R.data(), at_b_.t.data(), at_b_.defect);
   posed_ = true;
+}
+
+bool PlacedPair::is_mesh(PartNumbers parts) const noexcept {
+  return as_mesh(set_a(parts)) != nullptr || as_mesh(set_b(parts)) != nullptr;
 }
 
 Posed PlacedPair::posed_a(PartNumbers parts) {

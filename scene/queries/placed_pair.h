@@ -47,6 +47,9 @@ class PlacedPair {
     return *b_->parts[static_cast<std::size_t>(parts.b)].set;
   }
 
+  /// Whether one of the parts is a mesh, which no plane need touch.
+  bool is_mesh(PartNumbers parts) const noexcept;
+
   /// Both parts where they stand, as solvers take them: as numbers, checked once a place, or as poses.
   PoseNumbers numbers_a() const { return {at_a_.R.data(), at_a_.t.data(), at_a_.defect}; }
   PoseNumbers numbers_b() const { return {at_b_.R.data(), at_b_.t.data(), at_b_.defect}; }
@@ -63,7 +66,7 @@ class PlacedPair {
   double part_ball_bound(PartNumbers parts) const;
 
   /// A certified lower bound on the distance of two parts from planes across u; 0 where they prove nothing.
-  /// Of a half-space from its own plane, whatever u is.
+  /// Of a half-space from its own plane, whatever u is; of meshes there is none.
   double plane_bound(PartNumbers parts, const SmallVector& u);
 
   /// That bound falls by at most so much times the distance that points of both bodies move. Useless under a

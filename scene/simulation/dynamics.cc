@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 
 namespace raygauge {
 namespace {
@@ -90,6 +91,13 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
   const int n = scene.dimension();
   if (n != 2 && n != 3) refuse("bodies react in 2 or 3 dimensions, not in " + std::to_string(n));
   if (dynamics.bodies.size() != scene.bodies.size()) refuse("every body of the scene needs its entry");
+  for (const Body& body : scene.bodies) {
+    for (const BodyPart& part : body.parts) {
+      if (as_mesh(*part.set) != nullptr)
+        refuse("body '" + body.name +
+               "' is a mesh as it is: contacts are those of its hull or of convex parts");
+    }
+  }
   bool any = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     check_body(scene.bodies[b], dynamics.bodies[b], n);

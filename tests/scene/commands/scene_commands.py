@@ -192,6 +192,51 @@ class Scenes(unittest.TestCase):
         self.assertIn("differs    base and hand: the file says Never, proven: sometimes",
                       self.run_raygauge("scene", "collisions", arm, "--boxes", "5000", "--compare", srdf).stdout)
 
+    def test_a_mesh_is_taken_as_its_body_says(self):
+        points = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 1)]
+        faces = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+
+        def obj(moves):
+            vertices = "".join(f"v {x} {y} {z + up}\n" for up in moves for x, y, z in points)
+            return vertices + "".join(f"f {a + n} {b + n} {c + n}\n" for n in range(1, 8 * len(moves), 8) for a, b, c in faces)
+
+        (self.work / "plates.obj").write_text(obj([0, 6]))
+        (self.work / "plates").mkdir()
+        for name, up in (("low", 0), ("high", 6)):
+            (self.work / "plates" / f"{name}.obj").write_text(obj([up]))
+        scene = self.work / "plates.toml"
+
+        def answers(body, effects='"distance"'):
+            scene.write_text(f'[[body]]\nname = "plates"\n{body}\n[[body]]\nname = "ball"\nshape = {{ shape = "ball", '
+                             f'center = [4, 4, 3], radius = 1 }}\n[[query]]\neffects = [{effects}]\n')
+            self.run_raygauge("scene", "run", scene, "-q", "-o", self.work / "plates.h5", "--force")
+            rows = subprocess.run([self.raygauge, "export", self.work / "plates.h5", "--csv", "-"], capture_output=True, text=True).stdout
+            names, row = [line.split(",") for line in rows.splitlines()[:2]]
+            return float(row[names.index("distance")])
+
+        def note(body):
+            answers(body)
+            return self.run_raygauge("scene", "explain", scene).stderr
+
+        self.assertEqual(answers('file = "plates.obj"'), 0)
+        for body in ('file = "plates.obj"\nas = "solid"', 'file = "plates.obj"\nas = "surface"', 'file = "plates"\nas = "parts"'):
+            self.assertAlmostEqual(answers(body), 1, places=5)
+        self.assertAlmostEqual(answers('file = "plates.obj"\nas = "solid"\nscale = -2\npose = { translation = [4, 4, 9] }'), 3, places=5)
+        self.assertIn("plates.obj: taken as it is, as a solid of 24 triangles", note('file = "plates.obj"\nas = "solid"'))
+        self.assertIn("plates: 2 parts, each the convex hull of a file", note('file = "plates"\nas = "parts"'))
+
+        def refusal(body, effects='"distance"'):
+            scene.write_text(f'[[body]]\nname = "plates"\n{body}\n[[body]]\nshape = {{ shape = "ball", center = [4, 4, 3], '
+                             f'radius = 1 }}\n[[query]]\neffects = [{effects}]\n')
+            done = subprocess.run([self.raygauge, "scene", "explain", scene], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            return done.stderr
+
+        self.assertRegex(refusal('file = "plates.obj"\nas = "solid"', '"depth"'), "'plates' is a mesh as it is.*parts")
+        self.assertRegex(refusal('file = "plates.obj"\nas = "sold"'), "solid")
+        self.assertRegex(refusal('file = "plates.obj"\nas = "parts"'), "folder")
+        self.assertRegex(refusal('shape = { shape = "ball", center = [4, 4, 3], radius = 1 }\nas = "hull"'), "body.file")
+
     def test_every_shipped_scene_of_bodies_that_react_is_simulated_and_proven(self):
         scenes = sorted((self.scenes / "dynamics").glob("*.toml"))
         self.assertGreaterEqual(len(scenes), 4)
