@@ -27,6 +27,7 @@ class OptimalFace {
   /// Chooses the pivots. False where there are none.
   bool choose(const Stopwatch& stopwatch);
   int rank() const noexcept { return static_cast<int>(pivots_.size()); }
+  int pivot_row(int i) const { return pivots_[static_cast<std::size_t>(i)].row; }  ///< i < rank()
 
   /// Σ c_i x_i of a solution that is proven to be positive, rounded up, for b = e_m; +infinity where none is.
   /// The weights of the pivots become that solution, to a double.

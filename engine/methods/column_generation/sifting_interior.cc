@@ -167,18 +167,25 @@ bool Sifting::certify_by_plane(double near, Effects effects, DistanceResult& res
   const std::vector<bool> in_plane = collect_plane(u.data(), near);
   if (!face_.choose(*stopwatch_)) return false;
   const double error = face_.enclose_orthogonal(u.data(), *stopwatch_);
-  double length = 0;
-  for (const double coordinate : u) length += std::fabs(coordinate);
-  const auto margin = [&](const ColumnPool& pool) {
-    return 1.01 * pool.magnitude() * (n_ * error + 2 * n_ * kUnitRoundoff * length) + kUnderflow;
+  if (!(error < kInfinity)) return false;
+  std::vector<double> uncertain(static_cast<std::size_t>(n_)), point(static_cast<std::size_t>(n_));
+  std::transform(u.begin(), u.end(), uncertain.begin(),
+                 [&](double coordinate) { return 2 * n_ * kUnitRoundoff * std::fabs(coordinate); });
+  for (int i = 0; i < face_.rank(); ++i) uncertain[static_cast<std::size_t>(face_.pivot_row(i))] += error;
+  // How far the computed u·p may be from that of the orthogonal direction, whose other coordinates are u's.
+  const auto margin = [&](const ColumnPool& pool, std::ptrdiff_t i) {
+    pool.copy_point(i, point.data());
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k) sum += uncertain[k] * std::fabs(point[k]);
+    return 1.01 * sum + kUnderflow;
   };
   const double* values = products_with(working_A_, u.data());
   for (std::ptrdiff_t i = 0; i < working_A_.size(); ++i) {
-    if (!(values[i] < -margin(working_A_))) return false;
+    if (!(values[i] < -margin(working_A_, i))) return false;
   }
   values = products_with(working_Q_, u.data());
   for (std::ptrdiff_t j = 0; j < working_Q_.size(); ++j) {
-    if (!in_plane[static_cast<std::size_t>(j)] && !(values[j] > margin(working_Q_))) return false;
+    if (!in_plane[static_cast<std::size_t>(j)] && !(values[j] > margin(working_Q_, j))) return false;
   }
   for (int k = 0; k < n_; ++k) {
     const double component = u[static_cast<std::size_t>(k)];
