@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/sets/place_shape.h"
+#include "raygauge/sets/half_space.h"
 
 namespace raygauge {
 namespace {
@@ -67,6 +68,15 @@ bool PoseGradients::has_one_top(const Vector3& normal) const {
          raygauge::has_one_top(pair_->shape(1), pair_->rotation().transposed_times(-n), kTilt, isa_);
 }
 
+bool PoseGradients::is_half_space(int i) const { return as_half_space(posed_[i]->set) != nullptr; }
+
+// Of a half-space and a body: whether one point of the body is the nearest to the plane, or the deepest.
+bool PoseGradients::has_one_lowest(const Vector3& by_translation) {
+  const int body = is_half_space(0) ? 1 : 0;
+  const Vector3 n = by_translation * ((body == 0 ? -1 : 1) / length(by_translation));
+  return faces_.bind(*posed_[body], *posed_[body], isa_) && faces_.has_one_top(0, n, kTilt);
+}
+
 PoseGradient::Candidate PoseGradients::candidate(const Vector3& by_translation, const Vector3& x1,
                                                  const Vector3& x2) const {
   const Vector3& n = by_translation;
@@ -99,6 +109,10 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
   gradient.body_1 = first.body_1;
   gradient.body_2 = first.body_2;
   gradient.kind = by_ball ? GradientKind::unique : GradientKind::undecided;
+  if (by_ball && is_half_space(0) != is_half_space(1)) {
+    if (!has_one_lowest(by_translation)) gradient.kind = GradientKind::undecided;
+    return;
+  }
   if (!by_ball || (other_normals_.empty() && is_rounded())) return;
   const Vector3 way = by_translation * (-1 / length(by_translation));
   if (other_normals_.empty() && has_one_top(way)) return;

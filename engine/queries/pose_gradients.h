@@ -31,6 +31,8 @@ class PoseGradients {
 
   bool bind();
   bool is_rounded() const;
+  bool is_half_space(int i) const;
+  bool has_one_lowest(const Vector3& by_translation);
   bool has_one_top(const Vector3& normal) const;
   Candidate candidate(const Vector3& by_translation, const Vector3& x1, const Vector3& x2) const;
   void add_candidates(const Vector3& by_translation, const Vector3& n, int number, PoseGradient& gradient);

@@ -10,6 +10,7 @@
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/half_space.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "tests/engine/queries/depth_cases.h"
@@ -104,6 +105,42 @@ void check_distances(double away, double tolerance, bool overlapping) {
 TEST(PoseGradient, OfDistancesIsThatOfCentralDifferences) { check_distances(3, 1e-12, false); }
 
 TEST(PoseGradient, OfDepthsIsThatOfCentralDifferences) { check_distances(0.4, 1e-10, true); }
+
+// Apart and overlapping, the floor first and second; after a depth of two other bodies.
+TEST(PoseGradient, OfHalfSpacesIsThatOfCentralDifferences) {
+  Random random(47);
+  ObjectDistanceSolver solver(options(1e-12));
+  const Ball Q = euclidean(3);
+  const HalfSpace floor(V(0.3, -0.2, 1), 0.1);
+  std::vector<double> errors;
+  for (const auto& [name, body] : depth_bodies()) {
+    for (int i = 0; i < 4; ++i) {
+      const ConvexSet &first = i < 2 ? static_cast<const ConvexSet&>(floor) : *body,
+                      &second = i < 2 ? *body : static_cast<const ConvexSet&>(floor);
+      const Pose p1 = random_pose(random, i % 2 == 0 ? 0.2 : 3.0), p2 = random_pose(random, 0.1);
+      solver.solve({*body, p1}, {*body, p2}, Q, kWanted);
+      const ObjectDistance r = solver.solve({first, p1}, {second, p2}, Q, kWanted);
+      EXPECT_EQ(r.pose_gradient.kind, GradientKind::unique) << name;
+      const auto value = [&](const Pose& a, const Pose& b) {
+        return solver.solve({first, a}, {second, b}, Q, ObjectEffects::depth).signed_distance();
+      };
+      errors.push_back(error_of(r.pose_gradient, value, p1, p2));
+      EXPECT_LT(errors.back(), 1e-6) << name;
+    }
+  }
+  expect_errors(errors, 40);
+}
+
+TEST(PoseGradient, OfAFaceOnAHalfSpaceIsNotUnique) {
+  ObjectDistanceSolver solver(options(1e-12));
+  const HalfSpace floor(V(0, 0, 1), 0);
+  for (const double height : {-0.25, 0.5}) {
+    const Box box(V(-1, -1, height), V(1, 1, 3));
+    const PoseGradient& g = solver.solve(box, floor, euclidean(3), kWanted).pose_gradient;
+    EXPECT_EQ(g.kind, GradientKind::undecided);
+    EXPECT_LT((numbers(g.body_1).head<3>() - V(0, 0, 1)).norm(), kRounding);
+  }
+}
 
 TEST(PoseGradient, OfGrowthDistancesIsThatOfCentralDifferences) {
   Random random(43);
