@@ -1,0 +1,423 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// What does accuracy cost in planning? Every problem of a MotionBenchMaker set is planned by RRT-Connect with
+// proven motions, and again with OMPL's check of motions at samples, finer and finer; every plan is then
+// proven, or proven to collide.
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/geometric/PathSimplifier.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "bench/program.h"
+#include "bench/timed_medians.h"
+#include "raygauge/ompl.h"
+#include "results/text/language.h"
+#include "scene/input/moveit_file.h"
+#include "scene/input/srdf_file.h"
+#include "scene/planning/fixed_joints.h"
+
+namespace raygauge::bench {
+namespace {
+
+namespace fs = std::filesystem;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+struct Settings {
+  std::string folder;
+  int problems = 5;
+  double time_limit = 10;
+  std::string csv = "motionbench.csv";
+};
+
+/// Shares of the default resolution at which OMPL checks motions; 0: proven.
+constexpr double kResolutions[] = {0, 1, 0.5, 0.25, 0.125};
+
+/// The folder of the problems, unpacked where they are packed.
+class Problems {
+ public:
+  explicit Problems(const fs::path& folder) : folder_(folder / "problems") {
+    if (fs::is_directory(folder_)) return;
+    unpacked_ = fs::temp_directory_path() / ("raygauge_motionbench." + std::to_string(::getpid()));
+    fs::create_directories(unpacked_);
+    const std::string archive = (folder / "problems.tar.bz2").string(), into = unpacked_.string();
+    std::string words[] = {"tar", "-xjf", archive, "-C", into};
+    char* arguments[] = {words[0].data(), words[1].data(), words[2].data(),
+                         words[3].data(), words[4].data(), nullptr};
+    pid_t child = 0;
+    int status = 1;
+    if (::posix_spawnp(&child, "tar", nullptr, nullptr, arguments, environ) == 0)
+      ::waitpid(child, &status, 0);
+    if (status != 0) throw InvalidParameterError("tar could not unpack " + archive);
+    folder_ = unpacked_ / "problems";
+  }
+  ~Problems() {
+    std::error_code ignored;
+    if (!unpacked_.empty()) fs::remove_all(unpacked_, ignored);
+  }
+  Problems(const Problems&) = delete;
+  Problems& operator=(const Problems&) = delete;
+
+  /// Names, sorted: those of `suffix` in a folder, or the folders.
+  static std::vector<fs::path> sorted(const fs::path& folder, const std::string& prefix) {
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (entry.path().filename().string().starts_with(prefix)) found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  const fs::path& folder() const noexcept { return folder_; }
+
+ private:
+  fs::path folder_, unpacked_;
+};
+
+/// A problem: joints of the group, bodies, start and goal.
+struct Problem {
+  std::string environment, name;
+  RobotModel robot;
+  std::vector<Body> obstacles;
+  std::vector<double> start, goal, lower, upper;
+};
+
+/// The robot of a folder, and what its files leave out.
+struct BenchRobot {
+  cli::Robot robot;
+  cli::RobotSemantics semantics;
+  RobotModel model;
+};
+
+fs::path only(const fs::path& folder, const std::string& extension) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == extension) return entry.path();
+  throw InvalidParameterError("there is no *" + extension + " in " + folder.string());
+}
+
+BenchRobot robot_of(const fs::path& folder) {
+  BenchRobot bench;
+  cli::RobotMeshes meshes;
+  meshes.packages["meshes"] = (folder / "meshes").string();
+  bench.robot = cli::read_urdf(only(folder, ".urdf").string(), meshes);
+  bench.semantics = cli::read_srdf(only(folder, ".srdf").string(), bench.robot);
+  bench.model.base = Placement::identity(3);
+  std::vector<int> body_of(bench.robot.links.size(), -1);
+  for (std::size_t i = 0; i < bench.robot.links.size(); ++i) {
+    if (bench.robot.links[i].shapes.empty()) continue;
+    body_of[i] = static_cast<int>(bench.model.bodies.size());
+    bench.model.bodies.push_back(
+        {bench.robot.links[i].name, static_cast<int>(i), bench.robot.links[i].shapes});
+  }
+  bench.model.tree = bench.robot.tree;
+  bench.model.ignored = joined_bodies(bench.model);
+  for (const cli::DisabledPair& pair : bench.semantics.disabled) {
+    const int a = body_of[static_cast<std::size_t>(pair.link_a)];
+    const int b = body_of[static_cast<std::size_t>(pair.link_b)];
+    if (a >= 0 && b >= 0) bench.model.ignored.emplace_back(a, b);
+  }
+  return bench;
+}
+
+Problem problem_of(const BenchRobot& bench, const fs::path& request_file) {
+  const std::string number = request_file.stem().string().substr(std::string("request").size());
+  const cli::MoveItRequest request = cli::read_moveit_request(request_file.string());
+  Problem problem;
+  problem.environment = request_file.parent_path().filename().string();
+  problem.name = number;
+  problem.obstacles =
+      cli::read_moveit_scene((request_file.parent_path() / ("scene" + number + ".yaml")).string()).obstacles;
+  const std::vector<bool>& moves = bench.semantics.group(request.group, request_file.string()).joints;
+  const std::vector<cli::JointLimits> limits = cli::limits_of(bench.robot);
+  std::vector<double> standing(moves.size(), 0.0);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const std::string& joint = bench.robot.joints[i];
+    const auto start = request.start.find(joint), goal = request.goal.find(joint);
+    if (start != request.start.end()) standing[i] = start->second;
+    if (!moves[i]) continue;
+    if (goal == request.goal.end())
+      throw InvalidParameterError(request_file.string() + ": there is no goal for joint '" + joint + "'");
+    problem.start.push_back(standing[i]);
+    problem.goal.push_back(goal->second);
+    const double least = std::min(standing[i], goal->second), most = std::max(standing[i], goal->second);
+    problem.lower.push_back(std::isfinite(limits[i].lower) ? limits[i].lower : least - EIGEN_PI);
+    problem.upper.push_back(std::isfinite(limits[i].upper) ? limits[i].upper : most + EIGEN_PI);
+  }
+  problem.robot = bench.model;
+  FixedJoints fixed = fix_joints(bench.robot.tree, standing, moves);
+  problem.robot.tree = std::move(fixed.tree);
+  problem.robot.joints = static_cast<int>(fixed.moving.size());
+  return problem;
+}
+
+/// Times of edges, by outcome.
+struct EdgeTimes {
+  std::vector<double> free, contact;
+  std::int64_t undecided = 0;
+};
+
+/// As ProvenMotionValidity, timed.
+class TimedValidity final : public ob::MotionValidator {
+ public:
+  TimedValidity(const ob::SpaceInformationPtr& space, std::shared_ptr<EdgeCheckers> checkers,
+                EdgeTimes& times)
+      : MotionValidator(space), checkers_(std::move(checkers)), times_(times) {}
+
+  bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
+    if (!si_->satisfiesBounds(s2)) return false;
+    const int joints = checkers_->joints();
+    EdgeOutcome outcome = EdgeOutcome::undecided;
+    const double seconds = seconds_of([&] {
+      outcome = checkers_->mine()
+                    .edge(ompl_detail::values_of(s1, joints), ompl_detail::values_of(s2, joints))
+                    .outcome;
+    });
+    if (outcome == EdgeOutcome::free) times_.free.push_back(seconds);
+    if (outcome == EdgeOutcome::contact) times_.contact.push_back(seconds);
+    if (outcome == EdgeOutcome::undecided) ++times_.undecided;
+    return outcome == EdgeOutcome::free;
+  }
+
+  bool checkMotion(const ob::State* s1, const ob::State* s2,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    if (checkMotion(s1, s2)) return true;
+    last_valid.second = 0;
+    if (last_valid.first != nullptr) si_->copyState(last_valid.first, s1);
+    return false;
+  }
+
+ private:
+  std::shared_ptr<EdgeCheckers> checkers_;
+  EdgeTimes& times_;
+};
+
+/// One plan of one problem, and its proof.
+struct Row {
+  std::string environment, problem, status = "unsolved";
+  double resolution = 0;  ///< 0: proven
+  double search_seconds = 0, plan_seconds = 0, proof_seconds = 0;
+  JointTrajectory path;
+  std::string proof;  ///< of the whole plan
+  EdgeResult contact;
+  std::string body_a, body_b;
+};
+
+ob::SpaceInformationPtr space_of(const Problem& problem, double resolution,
+                                 const std::shared_ptr<EdgeCheckers>& checkers, EdgeTimes& times) {
+  const auto joints = static_cast<unsigned>(problem.lower.size());
+  const auto space = std::make_shared<ob::RealVectorStateSpace>(joints);
+  ob::RealVectorBounds bounds(joints);
+  bounds.low = problem.lower;
+  bounds.high = problem.upper;
+  space->setBounds(bounds);
+  if (resolution > 0)
+    space->setLongestValidSegmentFraction(space->getLongestValidSegmentFraction() * resolution);
+  auto information = std::make_shared<ob::SpaceInformation>(space);
+  information->setStateValidityChecker(std::make_shared<ProvenStateValidity>(information, checkers));
+  if (resolution == 0)
+    information->setMotionValidator(std::make_shared<TimedValidity>(information, checkers, times));
+  information->setup();
+  return information;
+}
+
+JointTrajectory trajectory_of(const og::PathGeometric& path, std::size_t joints) {
+  JointTrajectory trajectory;
+  trajectory.values.resize(static_cast<Eigen::Index>(joints),
+                           static_cast<Eigen::Index>(path.getStateCount()));
+  for (std::size_t k = 0; k < path.getStateCount(); ++k) {
+    const auto values =
+        ompl_detail::values_of(path.getState(static_cast<unsigned>(k)), static_cast<int>(joints));
+    trajectory.times.push_back(static_cast<double>(k));
+    for (std::size_t i = 0; i < joints; ++i)
+      trajectory.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = values[i];
+  }
+  return trajectory;
+}
+
+/// RRT-Connect, then shortened, with this resolution.
+void plan(const Problem& problem, const Settings& settings, EdgeTimes& times, Row& row) {
+  const auto checkers = std::make_shared<EdgeCheckers>(problem.robot, problem.obstacles);
+  const ob::SpaceInformationPtr space = space_of(problem, row.resolution, checkers, times);
+  const auto definition = std::make_shared<ob::ProblemDefinition>(space);
+  ob::ScopedState<ob::RealVectorStateSpace> start(space), goal(space);
+  std::copy(problem.start.begin(), problem.start.end(), start->values);
+  std::copy(problem.goal.begin(), problem.goal.end(), goal->values);
+  definition->setStartAndGoalStates(start, goal);
+  og::RRTConnect planner(space);
+  planner.setProblemDefinition(definition);
+  planner.setup();
+  bool solved = false;
+  row.search_seconds = seconds_of([&] {
+    solved = planner.solve(ob::timedPlannerTerminationCondition(settings.time_limit)) ==
+             ob::PlannerStatus::EXACT_SOLUTION;
+  });
+  row.plan_seconds = row.search_seconds;
+  if (!solved) return;
+  row.status = "solved";
+  og::PathGeometric path(static_cast<const og::PathGeometric&>(*definition->getSolutionPath()));
+  row.plan_seconds += seconds_of([&] {
+    og::PathSimplifier simplifier(space);
+    simplifier.reduceVertices(path);
+    simplifier.shortcutPath(path);
+  });
+  row.path = trajectory_of(path, problem.start.size());
+}
+
+/// By a checker that knows nothing of the search.
+void prove(const Problem& problem, Row& row) {
+  EdgeOptions options;
+  options.witness = true;
+  EdgeChecker checker(problem.robot, problem.obstacles, options);
+  row.proof_seconds = seconds_of([&] { row.contact = checker.path(row.path); });
+  const EdgeOutcome outcome = row.contact.outcome;
+  row.proof =
+      outcome == EdgeOutcome::free ? "free" : (outcome == EdgeOutcome::contact ? "contact" : "undecided");
+  if (outcome == EdgeOutcome::free) return;
+  row.body_a = checker.name(row.contact.body_a);
+  row.body_b = checker.name(row.contact.body_b);
+}
+
+/// "" where start and goal are free; else what is wrong with them.
+std::string wrong_end(const Problem& problem) {
+  EdgeChecker checker(problem.robot, problem.obstacles);
+  for (const bool is_start : {true, false}) {
+    const std::vector<double>& q = is_start ? problem.start : problem.goal;
+    const EdgeResult& result = checker.configuration(q);
+    if (result.outcome == EdgeOutcome::free) continue;
+    return std::string(is_start ? "start" : "goal") +
+           (result.outcome == EdgeOutcome::contact ? " in contact" : " undecided") + ": " +
+           checker.name(result.body_a) + " and " + checker.name(result.body_b);
+  }
+  return "";
+}
+
+double length_of(const JointTrajectory& path) {
+  double length = 0;
+  for (Eigen::Index k = 0; k + 1 < path.values.cols(); ++k)
+    length += (path.values.col(k + 1) - path.values.col(k)).norm();
+  return length;
+}
+
+constexpr const char* kHeader =
+    "environment,problem,validator,resolution,status,search_seconds,plan_seconds,configurations,length,proof,"
+    "proof_seconds,contact_time,contact_depth,body_a,body_b\n";
+
+std::string csv_of(const Row& row) {
+  char numbers[200];
+  std::string text = language::csv(row.environment) + "," + row.problem + "," +
+                     (row.resolution == 0 ? "proven" : "discrete");
+  std::snprintf(numbers, sizeof numbers, ",%g,%s,%.6g,%.6g,%zu,%.6g,%s,%.6g", row.resolution,
+                row.status.c_str(), row.search_seconds, row.plan_seconds, row.path.times.size(),
+                length_of(row.path), row.proof.c_str(), row.proof_seconds);
+  text += numbers;
+  std::snprintf(numbers, sizeof numbers, ",%.9g,%.6g,", row.contact.time, row.contact.depth);
+  return text + numbers + language::csv(row.body_a) + "," + language::csv(row.body_b) + "\n";
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+void print(const std::vector<Row>& rows, const EdgeTimes& times) {
+  std::printf("%-12s %8s %14s %14s %14s %10s %10s %12s\n", "resolution", "solved", "search (ms)", "plan (ms)",
+              "proof (ms)", "in contact", "undecided", "deepest (mm)");
+  for (const double resolution : kResolutions) {
+    std::vector<double> search, whole, proof;
+    int all = 0, contacts = 0, undecided = 0;
+    double deepest = 0;
+    for (const Row& row : rows) {
+      if (row.resolution != resolution) continue;
+      ++all;
+      if (row.status != "solved") continue;
+      search.push_back(row.search_seconds);
+      whole.push_back(row.plan_seconds + row.proof_seconds);
+      proof.push_back(row.proof_seconds);
+      if (row.proof == "contact") ++contacts;
+      if (row.proof == "undecided") ++undecided;
+      if (row.contact.depth > deepest) deepest = row.contact.depth;
+    }
+    char name[32] = "proven";
+    if (resolution > 0) std::snprintf(name, sizeof name, "%g", resolution);
+    std::printf("%-12s %4zu/%-3d %14.3f %14.3f %14.3f %10d %10d %12.3f\n", name, search.size(), all,
+                1e3 * median(search), 1e3 * median(whole), 1e3 * median(proof), contacts, undecided,
+                1e3 * deepest);
+  }
+  std::printf(
+      "edges of the proven searches: %zu free, median %.4f ms; %zu in contact, median %.4f ms; %lld "
+      "undecided\n",
+      times.free.size(), 1e3 * median(times.free), times.contact.size(), 1e3 * median(times.contact),
+      static_cast<long long>(times.undecided));
+}
+
+/// Every plan of the proven searches is proven again.
+bool run_all(const Settings& settings) {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  const BenchRobot bench = robot_of(settings.folder);
+  const Problems problems(settings.folder);
+  std::ofstream csv(settings.csv);
+  csv << kHeader;
+  std::vector<Row> rows;
+  EdgeTimes times;
+  bool proven = true;
+  for (const fs::path& environment : Problems::sorted(problems.folder(), "")) {
+    std::vector<fs::path> requests = Problems::sorted(environment, "request");
+    requests.resize(std::min(requests.size(), static_cast<std::size_t>(settings.problems)));
+    for (const fs::path& request : requests) {
+      const Problem problem = problem_of(bench, request);
+      const std::string wrong = wrong_end(problem);
+      if (!wrong.empty()) {
+        std::printf("left out: %s %s: %s\n", problem.environment.c_str(), problem.name.c_str(),
+                    wrong.c_str());
+        continue;
+      }
+      for (const double resolution : kResolutions) {
+        ompl::RNG::setSeed(1);
+        Row row;
+        row.environment = problem.environment;
+        row.problem = problem.name;
+        row.resolution = resolution;
+        plan(problem, settings, times, row);
+        if (row.status == "solved") prove(problem, row);
+        if (resolution == 0 && row.status == "solved" && row.proof != "free") proven = false;
+        csv << csv_of(row) << std::flush;
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  print(rows, times);
+  if (!csv) throw InvalidParameterError("could not write " + settings.csv);
+  return proven;
+}
+
+void add_options(CLI::App& app, Settings& settings) {
+  app.add_option("folder", settings.folder, "of a robot: URDF, SRDF, meshes/ and problems.tar.bz2")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--problems", settings.problems, "of each environment")->check(CLI::PositiveNumber);
+  app.add_option("--time-limit", settings.time_limit, "seconds for a search")->check(CLI::PositiveNumber);
+  app.add_option("--csv", settings.csv, "a line for each plan");
+}
+
+void run(const Settings& settings) {
+  if (!run_all(settings)) throw Error("a plan of the proven search is not proven");
+}
+
+}  // namespace
+}  // namespace raygauge::bench
+
+int main(int argc, char** argv) {
+  return raygauge::bench::run_with_options("raygauge_motionbench",
+                                           "Plans of MotionBenchMaker problems: proven, and at samples.",
+                                           raygauge::bench::add_options, raygauge::bench::run, argc, argv);
+}
