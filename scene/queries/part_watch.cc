@@ -72,14 +72,15 @@ PartLook PartWatch::at(double t, bool closest_points) {
   if (!(look.upper >= 0)) look.upper = kInfinity;
   const double lower = look.answer.lower - slack_ * look.answer.rate;
   if (look.normal.size() > 0 && lower > 0 && lower <= look.upper) look.lower = lower;
-  look.meets = look.answer.intersecting() && meets_wherever_shifted();
+  look.meets = look.answer.intersecting() && meets_wherever_shifted(look.answer);
   return look;
 }
 
 // A set of vectors by which a body can be shifted so that it still meets the other is convex: if it holds the
 // corners of a cross-polytope it holds the ball inside, and then the bodies meet for all support functions
-// that differ by no more than its radius.
-bool PartWatch::meets_wherever_shifted() {
+// that differ by no more than its radius. Of bodies of several parts that holds for each pair of parts: all
+// corners have to meet by the same one.
+bool PartWatch::meets_wherever_shifted(const PairAnswer& unmoved) {
   if (slack_ == 0) return true;
   if (!(slack_ < kInfinity)) return false;
   if (!convex_) return solver_.meets_if_moved(slack_);
@@ -92,7 +93,8 @@ bool PartWatch::meets_wherever_shifted() {
     Placement at_metric;
     if (metric_body_ != nullptr) at_metric = metric_body_->motion->at(placed_at_);
     solver_.place(at_a, shifted, metric_body_ == nullptr ? nullptr : &at_metric);
-    meets = solver_.distance(memory_, kInfinity, false, false).intersecting();
+    const PairAnswer& moved = solver_.distance(memory_, kInfinity, false, false);
+    meets = moved.intersecting() && moved.part_a == unmoved.part_a && moved.part_b == unmoved.part_b;
   }
   placed_at_ = std::numeric_limits<double>::quiet_NaN();
   return meets;

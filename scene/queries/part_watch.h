@@ -77,7 +77,7 @@ class PartWatch {
   const Body* metric_body() const noexcept { return metric_body_; }
 
  private:
-  bool meets_wherever_shifted();
+  bool meets_wherever_shifted(const PairAnswer& unmoved);
   double slack_in_metric();
 
   bool convex_;
