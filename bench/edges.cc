@@ -42,16 +42,11 @@ struct Joints {
 };
 
 /// The limits of the joints that take a value, ±π where there are none.
-Joints limits_of(const cli::Robot& robot) {
+Joints joints_of(const cli::Robot& robot) {
   Joints joints;
-  joints.lower.assign(robot.joints.size(), -EIGEN_PI);
-  joints.upper.assign(robot.joints.size(), EIGEN_PI);
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const TreeLink& link = robot.tree.links[i];
-    if (link.kind == JointKind::fixed || link.scale != 1 || link.offset != 0) continue;
-    const auto joint = static_cast<std::size_t>(link.joint);
-    joints.lower[joint] = std::max(joints.lower[joint], robot.links[i].lower);
-    joints.upper[joint] = std::min(joints.upper[joint], robot.links[i].upper);
+  for (const cli::JointLimits& limits : cli::limits_of(robot)) {
+    joints.lower.push_back(std::max<double>(limits.lower, -EIGEN_PI));
+    joints.upper.push_back(std::min<double>(limits.upper, EIGEN_PI));
   }
   return joints;
 }
@@ -172,7 +167,7 @@ void time_edge(EdgeChecker& checker, const std::vector<double>& q0, const std::v
 
 void run(const Settings& settings) {
   const cli::Robot robot = robot_of(settings);
-  const Joints joints = limits_of(robot);
+  const Joints joints = joints_of(robot);
   const RobotModel model = model_of(robot, joints);
   Random random(1);
   EdgeOptions options;

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/scene/body.h"
+#include "raygauge/scene/edge_checker.h"
 #include "scene/input/srdf_file.h"
 #include "scene/input/urdf_file.h"
-#include "scene/model/body.h"
 
 namespace raygauge::bench {
 
