@@ -134,7 +134,8 @@ int simulate_file(const SimulateArguments& arguments) {
       output_place({path, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
   if (std::filesystem::exists(place.path) && !(arguments.force && is_scene_file(place.path)))
     throw ResultsExistError(path + ": exists already; --force replaces results of a scene");
-  const std::unique_ptr<FrictionSolver> friction = source.dynamics->has_friction() ? loaded_friction() : nullptr;
+  const std::unique_ptr<FrictionSolver> friction =
+      source.dynamics->has_friction() ? loaded_friction() : nullptr;
   const InterruptGuard guard(nullptr);
   ProgressDisplay display(stderr, 0);
   const auto begin = std::chrono::steady_clock::now();
