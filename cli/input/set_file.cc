@@ -18,6 +18,7 @@ namespace {
 struct SetFile {
   std::filesystem::path folder;
   const ReadNamedSet& read_named;
+  const NoteNamedFile& note_file;
 
   SetPointer set_of(const toml::table& table, int depth) const;
 };
@@ -47,12 +48,19 @@ class SetTable final : public ShapeValues {
   }
 
   SetPointer file(const std::string& name) const override {
-    return placed(place_of(node(name)), [&] { return file_.read_named(path(name)); });
+    return placed(place_of(node(name)), [&] { return file_.read_named(resolved(name)); });
   }
 
   std::string text(const std::string& name) const override { return read_text(node(name), full(name)); }
 
   std::string path(const std::string& name) const override {
+    std::string found = resolved(name);
+    if (file_.note_file) placed(place_of(node(name)), [&] { file_.note_file(found); });
+    return found;
+  }
+
+ private:
+  std::string resolved(const std::string& name) const {
     const std::string source = text(name);
     return placed(place_of(node(name)), [&] {
       if (source == kStandardInput) throw InvalidParameterError("a set file cannot name standard input");
@@ -60,7 +68,6 @@ class SetTable final : public ShapeValues {
     });
   }
 
- private:
   const toml::node& node(const std::string& name) const {
     if (const toml::node* found = table_.get(name)) return *found;
     throw InvalidParameterError(place_of(*table_.get("shape")) + ": " + shape_.name + " needs the key '" +
@@ -101,14 +108,15 @@ SetPointer SetFile::set_of(const toml::table& table, int depth) const {
 
 bool is_set_file(const std::string& source) { return source.ends_with(".toml"); }
 
-SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named) {
+SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named,
+                         const NoteNamedFile& note_file) {
   const TomlSource source = read_toml(path, {});
-  return SetFile{std::filesystem::path(path).parent_path(), read_named}.set_of(source.root, 0);
+  return SetFile{std::filesystem::path(path).parent_path(), read_named, note_file}.set_of(source.root, 0);
 }
 
 SetPointer read_set_table(const toml::table& table, const std::filesystem::path& folder,
                           const ReadNamedSet& read_named) {
-  return SetFile{folder, read_named}.set_of(table, 0);
+  return SetFile{folder, read_named, {}}.set_of(table, 0);
 }
 
 }  // namespace raygauge::cli

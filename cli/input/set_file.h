@@ -18,6 +18,9 @@ bool is_set_file(const std::string& source);
 /// folder of the set file. Throws Error.
 using ReadNamedSet = std::function<SetPointer(const std::string& source)>;
 
+/// Called with every other file that a set is made of, a mesh, after the same folder.
+using NoteNamedFile = std::function<void(const std::string& path)>;
+
 /// The set that a TOML file describes,
 ///
 ///     shape = "capsule"      # a name of shapes()
@@ -28,7 +31,8 @@ using ReadNamedSet = std::function<SetPointer(const std::string& source)>;
 /// where a set among the parameters is a table of the same kind, up to kDeepestSet of them inside one
 /// another. Throws Error, with file and line: unreadable file, TOML syntax, unknown shape or key, a missing
 /// key, values that the shape does not take.
-SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named);
+SetPointer read_set_file(const std::string& path, const ReadNamedSet& read_named,
+                         const NoteNamedFile& note_file = {});
 
 /// The set of one such table inside a file of another kind, whose relative names start at `folder`.
 SetPointer read_set_table(const toml::table& table, const std::filesystem::path& folder,

@@ -54,10 +54,13 @@ class SetReader {
     if (std::find(open.begin(), open.end(), now_open.back()) != open.end())
       throw InvalidParameterError(source + ": this set file names itself");
     std::string contents = digests_ ? read_input(source) : "";
-    SetPointer set = read_set_file(source, [&](const std::string& named) {
+    const auto read_named = [&](const std::string& named) {
       const DigestedSet inner = read(named, now_open);
       contents += " " + std::to_string(inner.digest);
       return inner.set;
+    };
+    SetPointer set = read_set_file(source, read_named, [&](const std::string& mesh) {
+      if (digests_) contents += " " + std::to_string(stable_hash(read_input(mesh)));
     });
     return {std::move(set), stable_hash(contents)};
   }

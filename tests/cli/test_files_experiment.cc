@@ -221,6 +221,20 @@ TEST_F(FilesExperiment, RefusesToResumeWithOtherContents) {
       << changed.err;
 }
 
+TEST_F(FilesExperiment, RefusesToResumeWithAnotherMeshInASetFile) {
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  write("data/tetra.obj", "v 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\n" + faces);
+  write("data/tetra.toml", "shape = \"mesh\"\nfile = \"tetra.obj\"\nas = \"hull\"\n");
+  write("data/ball3.toml", "shape = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n");
+  write_experiment("A = \"data/tetra.toml\"\nQ = \"data/ball3.toml\"");
+  ASSERT_EQ(run().status, 0);
+  EXPECT_EQ(run({"--resume"}).status, 0);
+  write("data/tetra.obj", "v 1.5 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\n" + faces);
+  const ProgramResult changed = run({"--resume"});
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_NE(changed.err.find("own.h5: holds another experiment"), std::string::npos) << changed.err;
+}
+
 TEST_F(FilesExperiment, TellsPlaceAndCauseOfWhatItCannotTake) {
   struct Mistake {
     const char* generator;
