@@ -16,7 +16,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kEnough = 1e-10;
-constexpr int kMostIterations = 20'000;
+constexpr int kMostIterations = 4'000;
 
 struct FreeMatrix {
   void operator()(NumericsMatrix* matrix) const {

@@ -4,6 +4,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <utility>
+
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/half_space.h"
 
 namespace raygauge {
 namespace {
@@ -42,10 +47,49 @@ void straighten(const Eigen::Vector3d& normal, double rounding, std::vector<GapP
   for (Eigen::Index k = 0; k < count; ++k) points[static_cast<std::size_t>(k)].gap = linear[k];
 }
 
+// What a half-space is to a body near it: a box below its plane, twice as wide and thick as the body.
+// Its half extents and its pose.
+std::pair<Eigen::VectorXd, Pose> box_below(const Posed& half_space, const Posed& body) {
+  const HalfSpace& H = *as_half_space(half_space.set);
+  const int n = H.dimension();
+  Eigen::VectorXd normal = H.normal() / H.normal().norm();
+  double offset = H.offset() / H.normal().norm();
+  if (half_space.pose != nullptr) {
+    normal = half_space.pose->rotation() * normal;
+    offset += normal.dot(Eigen::VectorXd(half_space.pose->translation()));
+  }
+  Eigen::MatrixXd axes = Eigen::HouseholderQR<Eigen::MatrixXd>(normal).householderQ();
+  axes.col(0) = normal;
+  if (axes.determinant() < 0) axes.col(n - 1) = -axes.col(n - 1);
+  Eigen::VectorXd half(n), center(n);
+  for (int k = 0; k < n; ++k) {
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    axis.head(n) = axes.col(k);
+    const double high = axis.dot(support_point(body, axis)), low = axis.dot(support_point(body, -axis));
+    half[k] = high - low + (k == 0 ? std::max(0.0, offset - low) : 0);
+    center[k] = k == 0 ? offset - half[k] : (high + low) / 2;
+  }
+  return {half, Pose(axes, axes * center)};
+}
+
 }  // namespace
 
 void ContactFinder::find(const Posed& a, const Posed& b, double band, const Eigen::Vector3d& previous,
                          PartContact& contact) {
+  const bool below_a = as_half_space(a.set) != nullptr;
+  if (!below_a && as_half_space(b.set) == nullptr) return find_of_bounded(a, b, band, previous, contact);
+  const auto& [half, pose] = below_a ? box_below(a, b) : box_below(b, a);
+  const Box box(-half, half);
+  const Posed floor(box, pose);
+  find_of_bounded(below_a ? floor : a, below_a ? b : floor, band, previous, contact);
+  const ObjectDistance& proven =
+      distances_.solve(a, b, Ball(Vector::Zero(a.dimension()), 1), ObjectEffects::depth);
+  contact.lower = proven.depth.evaluations > 0 ? -proven.depth.upper : proven.distance.lower;
+  contact.overlap = proven.depth.evaluations > 0 ? std::max(0.0, proven.depth.lower) : 0;
+}
+
+void ContactFinder::find_of_bounded(const Posed& a, const Posed& b, double band,
+                                    const Eigen::Vector3d& previous, PartContact& contact) {
   const ContactPatch& patch = solver_.solve(a, b, band);
   contact.lower = patch.lower;
   contact.overlap = std::max(0.0, -patch.upper);

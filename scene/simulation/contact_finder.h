@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/object_distance.h"
 
 namespace raygauge {
 
@@ -32,7 +33,11 @@ class ContactFinder {
             PartContact& contact);
 
  private:
+  void find_of_bounded(const Posed& a, const Posed& b, double band, const Eigen::Vector3d& previous,
+                       PartContact& contact);
+
   ContactPatchSolver solver_;
+  ObjectDistanceSolver distances_;  ///< from half-spaces, which have no patch of their own
 };
 
 }  // namespace raygauge

@@ -9,6 +9,7 @@
 
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
+#include "raygauge/sets/half_space.h"
 
 namespace raygauge::test_contact_finder {
 namespace {
@@ -62,6 +63,43 @@ TEST(ContactFinder, four_corners_of_a_face_have_consistent_gaps) {
   }
   const Eigen::Vector4d linear = rows * rows.completeOrthogonalDecomposition().solve(gaps);
   EXPECT_LE((linear - gaps).lpNorm<Eigen::Infinity>(), 1e-15);
+}
+
+// A half-space, turned and moved, on either side: four corners of the box, each as far above the plane as it
+// stands.
+TEST(ContactFinder, a_box_stands_on_a_half_space_on_four_corners) {
+  const HalfSpace floor(Vector3d(0, 0, 2), 1.0);  // z <= 0.5
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  const Pose at_floor(turn, Vector3d(3, -1, 2));
+  ContactFinder finder;
+  PartContact contact;
+  for (const double gap : {2e-6, 0.0, -2e-6}) {
+    const Pose at_box(turn, Vector3d(turn * Vector3d(0.7, 40, 0.6 + gap) + Vector3d(3, -1, 2)));
+    for (const bool floor_first : {false, true}) {
+      if (floor_first) {
+        finder.find({floor, at_floor}, {kBox, at_box}, 1e-5, Vector3d::UnitX(), contact);
+      } else {
+        finder.find({kBox, at_box}, {floor, at_floor}, 1e-5, Vector3d::UnitX(), contact);
+      }
+      ASSERT_EQ(contact.points.size(), 4U) << gap;
+      for (const GapPoint& point : contact.points) EXPECT_NEAR(point.gap, gap, 1e-13);
+      EXPECT_LE((contact.normal - (floor_first ? -1 : 1) * turn.col(2)).norm(), 1e-12);
+      EXPECT_LE(contact.lower, gap + 1e-13);
+      EXPECT_GE(contact.lower, gap - 1e-11);
+      EXPECT_NEAR(contact.overlap, std::max(0.0, -gap), 1e-11);
+    }
+  }
+}
+
+TEST(ContactFinder, a_square_stands_on_a_half_plane_on_two_corners) {
+  const HalfSpace floor(Eigen::Vector2d(0, 1), 0.0);
+  const Box square(Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 1));
+  ContactFinder finder;
+  PartContact contact;
+  finder.find(square, floor, 1e-5, Vector3d::UnitX(), contact);
+  ASSERT_EQ(contact.points.size(), 2U);
+  EXPECT_NEAR((contact.points[0].at - contact.points[1].at).norm(), 2, 1e-12);
+  EXPECT_LE((contact.normal - Vector3d::UnitY()).norm(), 1e-12);
 }
 
 TEST(ContactFinder, bodies_farther_apart_than_the_band_have_no_points) {
