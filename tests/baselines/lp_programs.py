@@ -10,7 +10,7 @@ import unittest
 
 RAYGAUGE, EXPERIMENT, QSOPT_EX = sys.argv[1:4]
 ROOT = pathlib.Path(EXPERIMENT).resolve().parents[1]
-HIGHS = ROOT / "baselines/programs/highs.py"
+HIGHS = ROOT / "docs/examples/highs.py"
 PROGRAMS = [[QSOPT_EX], [sys.executable, HIGHS, "highs-ds"], [sys.executable, HIGHS, "highs-ipm"]]
 TRIANGLE_AND_SQUARE = "points 3 4 2\n2 0\n4 -1\n4 1\n1 0\n-1 0\n0 1\n0 -1\n"
 UNREACHABLE = "points 1 1 2\n1 0\n0 1\n"
