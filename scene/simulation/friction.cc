@@ -7,10 +7,7 @@
 #include <cmath>
 
 namespace raygauge {
-namespace {
-
-// The point of {r : |r_t| <= μ r_n} nearest to x.
-Eigen::Vector3d in_cone(const Eigen::Vector3d& x, double mu) {
+Eigen::Vector3d nearest_in_cone(const Eigen::Vector3d& x, double mu) {
   const double tangential = x.tail<2>().norm();
   if (tangential <= mu * x[0]) return x;
   if (mu * tangential <= -x[0]) return Eigen::Vector3d::Zero();
@@ -19,6 +16,8 @@ Eigen::Vector3d in_cone(const Eigen::Vector3d& x, double mu) {
   nearest << normal, mu * normal / tangential * x.tail<2>();
   return nearest;
 }
+
+namespace {
 
 double scale_of(const Eigen::MatrixXd& W) {
   const double size = W.cwiseAbs().rowwise().sum().maxCoeff();
@@ -73,7 +72,7 @@ double friction_residual(const FrictionProblem& problem, const Eigen::VectorXd& 
     Eigen::Vector3d changed = u.segment<3>(at);
     changed[0] += problem.mu[c] * changed.tail<2>().norm();
     const Eigen::Vector3d here = r.segment<3>(at);
-    square += (here - in_cone(here - s * changed, problem.mu[c])).squaredNorm();
+    square += (here - nearest_in_cone(here - s * changed, problem.mu[c])).squaredNorm();
   }
   return std::sqrt(square) / (s * problem.q.norm());
 }

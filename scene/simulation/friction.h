@@ -30,6 +30,9 @@ class FrictionSolver {
   FrictionSolver() = default;
 };
 
+/// The point of {r : |r_t| <= μ r_n} nearest to x = (x_n, x_t1, x_t2).
+Eigen::Vector3d nearest_in_cone(const Eigen::Vector3d& x, double mu);
+
 /// How far r is from a solution, relative to |q|: with s = 1/‖W‖ and the velocities ũ = u + μ|u_t| e_n of De
 /// Saxcé, |r - P_K(r - s ũ)| / (s |q|), P_K the projection to the cones of friction. 0 for q = 0.
 double friction_residual(const FrictionProblem& problem, const Eigen::VectorXd& r);

@@ -72,21 +72,6 @@ class Equations {
   Eigen::MatrixXd slope_;
 };
 
-}  // namespace
-
-namespace {
-
-// The point of the cone of friction nearest to x.
-Eigen::Vector3d in_cone(const Eigen::Vector3d& x, double mu) {
-  const double tangential = x.tail<2>().norm();
-  if (tangential <= mu * x[0]) return x;
-  if (mu * tangential <= -x[0]) return Eigen::Vector3d::Zero();
-  const double normal = (x[0] + mu * tangential) / (1 + mu * mu);
-  Eigen::Vector3d nearest;
-  nearest << normal, mu * normal / tangential * x.tail<2>();
-  return nearest;
-}
-
 // Passes over the contacts, each brought nearer to its own law while the others stay.
 void relax(const FrictionProblem& problem, int passes, Eigen::VectorXd& r) {
   constexpr int kInner = 5;
@@ -100,7 +85,7 @@ void relax(const FrictionProblem& problem, int passes, Eigen::VectorXd& r) {
         const Eigen::Vector3d before = r.segment<3>(at);
         Eigen::Vector3d changed = u;
         changed[0] += problem.mu[c] * u.tail<2>().norm();
-        r.segment<3>(at) = in_cone(before - rho * changed, problem.mu[c]);
+        r.segment<3>(at) = nearest_in_cone(before - rho * changed, problem.mu[c]);
         u += own * (r.segment<3>(at) - before);
       }
     }
