@@ -16,10 +16,34 @@
 namespace raygauge {
 namespace {
 
-/// DistanceSolver behind the interface of a sweep. There is no model to build: load chooses the sets.
-class EngineMethod final : public SolveMethod {
+/// What a method of the engine keeps between load() and result(). There is no model to build: load chooses
+/// the sets.
+class EngineMethod : public SolveMethod {
  public:
-  explicit EngineMethod(const DistanceOptions& options) : options_(options), solver_(options) {}
+  DistanceResult result() override {
+    if (result_ == nullptr) throw Error("result() of a method that has solved nothing since load()");
+    return *result_;
+  }
+
+ protected:
+  explicit EngineMethod(const DistanceOptions& options) : options_(options) {}
+
+  /// Whether the options differ from now on.
+  bool take(const SolveRequest& request) {
+    if (request.tolerance == options_.tolerance && request.time_limit == options_.time_limit) return false;
+    options_.tolerance = request.tolerance;
+    options_.time_limit = request.time_limit;
+    return true;
+  }
+
+  DistanceOptions options_;
+  const DistanceResult* result_ = nullptr;  ///< of the last solve since load()
+};
+
+/// DistanceSolver behind the interface of a sweep.
+class DistanceMethodOfEngine final : public EngineMethod {
+ public:
+  explicit DistanceMethodOfEngine(const DistanceOptions& options) : EngineMethod(options), solver_(options) {}
 
   void load(const Instance& instance) override {
     A_ = instance.A;
@@ -28,24 +52,13 @@ class EngineMethod final : public SolveMethod {
   }
 
   void solve(const SolveRequest& request) override {
-    if (request.tolerance != options_.tolerance || request.time_limit != options_.time_limit) {
-      options_.tolerance = request.tolerance;
-      options_.time_limit = request.time_limit;
-      solver_.set_options(options_);
-    }
+    if (take(request)) solver_.set_options(options_);
     result_ = &solver_.solve(*A_, *Q_);
   }
 
-  DistanceResult result() override {
-    if (result_ == nullptr) throw Error("result() of a method that has solved nothing since load()");
-    return *result_;
-  }
-
  private:
-  DistanceOptions options_;
   DistanceSolver solver_;
   std::shared_ptr<const ConvexSet> A_, Q_;
-  const DistanceResult* result_ = nullptr;
 };
 
 /// An operand of a difference as an object that may be moved: a rigid image is its set in a pose.
@@ -71,8 +84,10 @@ struct MovedObject {
 
 /// ObjectDistanceSolver behind the same interface: A is the difference of the two objects, or one beside the
 /// origin.
-class ObjectMethod final : public SolveMethod {
+class ObjectMethod final : public EngineMethod {
  public:
+  ObjectMethod() : EngineMethod(DistanceOptions()), solver_(std::in_place) {}
+
   void load(const Instance& instance) override {
     const auto* difference = dynamic_cast<const MinkowskiDifference*>(instance.A.get());
     const auto origin = [&] {
@@ -85,25 +100,14 @@ class ObjectMethod final : public SolveMethod {
   }
 
   void solve(const SolveRequest& request) override {
-    if (request.tolerance != options_.tolerance || request.time_limit != options_.time_limit) {
-      options_.tolerance = request.tolerance;
-      options_.time_limit = request.time_limit;
-      solver_.emplace(options_);
-    }
+    if (take(request)) solver_.emplace(options_);
     result_ = &solver_->solve(first_->posed(), second_->posed(), *Q_).distance;
   }
 
-  DistanceResult result() override {
-    if (result_ == nullptr) throw Error("result() of a method that has solved nothing since load()");
-    return *result_;
-  }
-
  private:
-  DistanceOptions options_;
-  std::optional<ObjectDistanceSolver> solver_{options_};
+  std::optional<ObjectDistanceSolver> solver_;
   std::optional<MovedObject> first_, second_;
   std::shared_ptr<const ConvexSet> Q_;
-  const DistanceResult* result_ = nullptr;
 };
 
 const std::map<std::string, InstructionSet> kInstructionSets = {{"automatic", InstructionSet::automatic},
@@ -159,13 +163,13 @@ void register_engine_methods(MethodRegistry& registry) {
                 std::move(of_column_generation), [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::column_generation, parameters);
                   options.threads = static_cast<int>(integer_parameter(parameters, "threads"));
-                  return std::make_unique<EngineMethod>(options);
+                  return std::make_unique<DistanceMethodOfEngine>(options);
                 }});
-  registry.add({"newton",
-                "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
-                common_parameters(), [](const Parameters& parameters) {
-                  return std::make_unique<EngineMethod>(options_from(DistanceMethod::newton, parameters));
-                }});
+  registry.add(
+      {"newton", "Newton steps on the dual with the Hessians of the support functions, for smooth sets",
+       common_parameters(), [](const Parameters& parameters) {
+         return std::make_unique<DistanceMethodOfEngine>(options_from(DistanceMethod::newton, parameters));
+       }});
   registry.add({"object_distance",
                 "two objects, A = A2 - A1, as scenes ask for them: fixed-size code first",
                 {},
@@ -182,7 +186,7 @@ void register_engine_methods(MethodRegistry& registry) {
                 [](const Parameters& parameters) {
                   DistanceOptions options = options_from(DistanceMethod::zheng_yamane, parameters);
                   options.stop_rule = kStopRules.at(string_parameter(parameters, "stop_rule"));
-                  return std::make_unique<EngineMethod>(options);
+                  return std::make_unique<DistanceMethodOfEngine>(options);
                 }});
 }
 
