@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/sets/hull_3d.h"
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/prepared_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

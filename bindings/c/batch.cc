@@ -8,7 +8,7 @@
 
 #include "bindings/c/handles.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 
 namespace {
 

@@ -26,7 +26,7 @@
 #include "cli/input/shapes.h"
 #include "cli/output/distance_report.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 #include "results/schema/dataset.h"
 
 namespace raygauge::cli {

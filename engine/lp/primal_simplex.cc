@@ -44,17 +44,6 @@ bool is_final(PrimalSimplex::End end) noexcept {
          end == PrimalSimplex::End::time_limit;
 }
 
-DistanceStatus status_of(PrimalSimplex::End end) noexcept {
-  switch (end) {
-    case PrimalSimplex::End::pivot_limit:
-      return DistanceStatus::iteration_limit;
-    case PrimalSimplex::End::time_limit:
-      return DistanceStatus::time_limit;
-    default:
-      return DistanceStatus::precision_limit;
-  }
-}
-
 void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, const Kernels& kernels,
                           bool impatient) {
   n_ = n;

@@ -13,7 +13,7 @@
 #include "engine/lp/weighted_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
-#include "raygauge/methods/result.h"
+#include "raygauge/sets/point_weight.h"
 
 namespace raygauge {
 
@@ -181,8 +181,7 @@ class PrimalSimplex {
   AlignedBuffer<float> single_;
 };
 
-/// Ends after which nothing more can be done, and what a result says of them.
+/// Ends after which nothing more can be done.
 bool is_final(PrimalSimplex::End end) noexcept;
-DistanceStatus status_of(PrimalSimplex::End end) noexcept;
 
 }  // namespace raygauge

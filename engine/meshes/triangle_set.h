@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/meshes/box_tree.h"
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

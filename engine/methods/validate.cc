@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/number_text.h"

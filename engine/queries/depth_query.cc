@@ -9,7 +9,7 @@
 #include "engine/methods/bodies/general_oracle.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/posed_view.h"
-#include "raygauge/sets/spatial_shape.h"
+#include "engine/sets/spatial_shape.h"
 
 namespace raygauge {
 namespace {

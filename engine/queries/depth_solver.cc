@@ -8,7 +8,7 @@
 #include "engine/queries/depth_query.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 #include "raygauge/queries/depth.h"
 #include "raygauge/sets/ball.h"
 

@@ -10,7 +10,7 @@
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 namespace {

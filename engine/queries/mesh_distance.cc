@@ -7,7 +7,7 @@
 
 #include "engine/queries/mesh_search.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/pose.h"
@@ -41,9 +42,9 @@ AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<co
   check_dimension("affine image", "t", t_.size(), dimension());
   check_finite_matrix("affine image", "M", M_);
   if (is_singular(M_)) throw InvalidParameterError("affine image: M must be invertible, but it is singular");
-  inverse_ = BoundedInverse(M_);
+  inverse_ = std::make_shared<const BoundedInverse>(M_);
   Map map = make_map(M_.data(), t_.data(), dimension());
-  map.inverse = &inverse_;
+  map.inverse = inverse_.get();
   look_at(*S_, map);
 }
 

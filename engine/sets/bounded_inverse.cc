@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/bounded_inverse.h"
+#include "engine/sets/bounded_inverse.h"
 
 #include <Eigen/LU>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raygauge/sets/spatial_shape.h"
+#include "engine/sets/spatial_shape.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/direction_table.h"
+#include "engine/sets/direction_table.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/exceptions.h"
@@ -52,7 +53,7 @@ Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen:
   if (factor_.cols() < 1) throw InvalidParameterError("ellipsoid: factor needs at least one column");
   check_finite_matrix("ellipsoid", "factor", factor_);
   shape_ = factor_ * factor_.transpose();
-  inverse_ = BoundedInverse(factor_);
+  inverse_ = std::make_shared<const BoundedInverse>(factor_);
 }
 
 template <class Real>
@@ -83,8 +84,8 @@ void Ellipsoid::do_magnitude(double* magnitude) const {
 
 // With g = |L⁻¹(x - c)| < 1, every x + (1 - g) L z, |z| <= 1, is in the set.
 double Ellipsoid::do_inner_radius(const double* x) const {
-  const double shift = inverse_.image_length(x, center_.data());
-  return shift < 1 ? (1 - shift) * inverse_.least_stretch() * (1 - 0x1p-50) : 0.0;
+  const double shift = inverse_->image_length(x, center_.data());
+  return shift < 1 ? (1 - shift) * inverse_->least_stretch() * (1 - 0x1p-50) : 0.0;
 }
 
 const GaugeFormula* Ellipsoid::do_gauge_formula() const noexcept {
@@ -111,7 +112,7 @@ bool Ellipsoid::do_spatial_shape(SpatialShape& shape) const {
     shape.axis.column[j] = spatial(factor_.col(j), n);
     square += dot(shape.axis.column[j], shape.axis.column[j]);
   }
-  shape.inner_radius = inverse_.least_stretch() * (1 - 0x1p-50);
+  shape.inner_radius = inverse_->least_stretch() * (1 - 0x1p-50);
   shape.extent = length(shape.center) + std::sqrt(square);
   return true;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/axis.h"
 #include "engine/sets/place_shape.h"
 
 namespace raygauge {
@@ -19,7 +20,7 @@ constexpr double kPassesBy = 0.5;
 Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base_radius,
                  const ConstVectorRef& top, double top_radius)
     : ConvexSet(static_cast<int>(base.size())),
-      axis_(set, base, top),
+      axis_(std::make_shared<const Axis>(set, base, top)),
       base_(base),
       top_(top),
       base_radius_(base_radius),
@@ -31,7 +32,7 @@ Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base
 
 double Frustum::do_support(const double* u, double* point) const {
   const int n = dimension();
-  const double across = axis_.radial_part(u, point);
+  const double across = axis_->radial_part(u, point);
   const double base_value = dot(u, base_.data(), n) + base_radius_ * across;
   const double top_value = dot(u, top_.data(), n) + top_radius_ * across;
   const bool at_top = top_value > base_value;
@@ -44,7 +45,7 @@ double Frustum::do_support(const double* u, double* point) const {
 void Frustum::do_center(double* point) const { Vector::Map(point, dimension()) = 0.5 * base_ + 0.5 * top_; }
 
 void Frustum::do_magnitude(double* magnitude) const {
-  const Vector& a = axis_.direction();
+  const Vector& a = axis_->direction();
   const double share = 4 * a.lpNorm<1>();  // of the axis in the rounding errors of u_⊥
   Vector::Map(magnitude, dimension()) = base_.cwiseAbs().cwiseMax(top_.cwiseAbs()).array() +
                                         std::max(base_radius_, top_radius_) * (2 + share * a.array().abs());
@@ -54,7 +55,7 @@ void Frustum::do_magnitude(double* magnitude) const {
 // of c and the axis.
 double Frustum::do_inner_radius(const double* c) const {
   const int n = dimension();
-  const double* a = axis_.direction().data();
+  const double* a = axis_->direction().data();
   Scratch offset(n), radial(n);
   double size = base_radius_ + top_radius_;
   double height = 0;
@@ -65,7 +66,7 @@ double Frustum::do_inner_radius(const double* c) const {
   }
   if (!(height > 0)) return 0;
   const double z = dot(offset.data(), a, n);
-  const double away = axis_.radial_part(offset.data(), radial.data());
+  const double away = axis_->radial_part(offset.data(), radial.data());
   const double slope = (base_radius_ - top_radius_) / height;
   const double to_nappe = (base_radius_ - slope * z - away) / std::sqrt(1 + slope * slope);
   return proven_length(std::min({z, height - z, to_nappe}), size, n);
@@ -76,11 +77,11 @@ template <class Real>
 void Frustum::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   if (capacity < 2) return;
   const int n = dimension();
-  const Real* a = axis_.components<Real>();
+  const Real* a = axis_->components<Real>();
   Real* unit = pieces.point(0);
   Real* H_b = pieces.hessian(0);
   Real* H_t = pieces.hessian(1);
-  const Real across = axis_.radial_part(u, unit);
+  const Real across = axis_->radial_part(u, unit);
   const Real curvature = across > 0 ? 1 / across : Real{0};
   for (int j = 0; j < n; ++j) {
     for (int k = 0; k < n; ++k) {
@@ -100,7 +101,7 @@ void Frustum::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int c
 template <class Real>
 bool Frustum::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
   const int n = dimension();
-  const Real* a = axis_.components<Real>();
+  const Real* a = axis_->components<Real>();
   const Real along_u = dot(u, a, n);
   const Real along_v = dot(v, a, n);
   Real begin = 0, way = 0, progress = 0;  // |u_⊥|², |v_⊥ - u_⊥|², -u_⊥·(v_⊥ - u_⊥)
@@ -124,12 +125,12 @@ bool Frustum::find_facet_normal(const Real* u, const Real* v, Real* normal) cons
 template <class Real>
 void Frustum::find_facet_point(const Real* normal, const Real* target, Real* point) const {
   const int n = dimension();
-  const bool at_top = dot(normal, axis_.components<Real>(), n) > 0;
+  const bool at_top = dot(normal, axis_->components<Real>(), n) > 0;
   const Vector& disc = at_top ? top_ : base_;
   BasicScratch<Real> offset(n);
   for (int k = 0; k < n; ++k) offset.data()[k] = target[k] - disc[k];
   const Real radius = at_top ? top_radius_ : base_radius_;
-  const Real away = std::min(axis_.radial_part(offset.data(), point), radius);
+  const Real away = std::min(axis_->radial_part(offset.data(), point), radius);
   for (int k = 0; k < n; ++k) point[k] = disc[k] + away * point[k];
 }
 
@@ -138,7 +139,7 @@ bool Frustum::do_spatial_shape(SpatialShape& shape) const {
   if (n != 3) return false;
   place(shape, 0.5 * base_ + 0.5 * top_, n);
   shape.kind = SpatialShape::Kind::frustum;
-  shape.axis.column[0] = spatial(axis_.direction(), n);
+  shape.axis.column[0] = spatial(axis_->direction(), n);
   shape.base = spatial(base_, n);
   shape.top = spatial(top_, n);
   shape.base_radius = base_radius_;

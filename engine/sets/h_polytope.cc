@@ -9,6 +9,7 @@
 
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/inequality_simplex.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 
@@ -94,15 +95,62 @@ double size_of(const InequalitySimplex::RowMatrix& G, Eigen::Index i, const Cons
   return G.row(i).cwiseAbs().dot(x.cwiseAbs());
 }
 
+// h(u) <= constant + rest R for any R >= |x_k|, x in S.
+struct Bound {
+  double constant = 0, rest = 0;
+};
+
+// Weak duality with the multipliers that are positive.
+Bound bound_height(const InequalitySimplex& program, const ConstVectorRef& u,
+                   const InequalitySimplex::Vertex& at) {
+  const int n = static_cast<int>(u.size());
+  const InequalitySimplex::RowMatrix& G = program.G();
+  const Vector& g = program.g();
+  const Vector lambda = program.multipliers(u, at);
+  DoubleDouble constant;
+  double size = 0;
+  Bound bound;
+  for (int i = 0; i < n; ++i) {
+    const int row = at.active[static_cast<std::size_t>(i)];
+    if (row < 0 || !(lambda[i] > 0)) continue;
+    constant = constant + two_product(g[row], lambda[i]);
+    size += std::fabs(g[row]) * lambda[i];
+  }
+  for (int k = 0; k < n; ++k) {
+    DoubleDouble rest{u[k], 0};
+    double sizes = std::fabs(u[k]);
+    for (int i = 0; i < n; ++i) {
+      const int row = at.active[static_cast<std::size_t>(i)];
+      if (row < 0 || !(lambda[i] > 0)) continue;
+      rest = rest - two_product(G(row, k), lambda[i]);
+      sizes += std::fabs(G(row, k)) * lambda[i];
+    }
+    bound.rest += std::fabs(rest.rounded()) + n * kTwofold * sizes;
+  }
+  bound.constant = constant.rounded() + kUnitRoundoff * std::fabs(constant.rounded()) + n * kTwofold * size;
+  bound.rest *= 1 + 2 * n * kUnitRoundoff;
+  return bound;
+}
+
 }  // namespace
 
+struct HPolytope::Program {
+  Program(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g) : simplex(G, g) {}
+
+  InequalitySimplex simplex;
+  InequalitySimplex::Vertex start;
+};
+
 HPolytope::HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g)
-    : ConvexSet(static_cast<int>(G.cols())), program_(checked_rows(G, g), g) {
+    : ConvexSet(static_cast<int>(G.cols())), program_(std::make_shared<Program>(checked_rows(G, g), g)) {
   find_center();
   find_extent();
 }
 
 HPolytope::~HPolytope() = default;
+
+const InequalitySimplex::RowMatrix& HPolytope::G() const noexcept { return program_->simplex.G(); }
+const Vector& HPolytope::g() const noexcept { return program_->simplex.g(); }
 
 // That of a largest ball inside (Chebyshev).
 void HPolytope::find_center() {
@@ -124,35 +172,6 @@ void HPolytope::find_center() {
 // What rounding may add to g_i - G_i·x.
 double HPolytope::rounding_of(Eigen::Index i, const ConstVectorRef& x) const {
   return 2 * (dimension() + 4) * kUnitRoundoff * (size_of(G(), i, x) + std::fabs(g()[i]));
-}
-
-// Weak duality with the multipliers that are positive.
-HPolytope::Bound HPolytope::bound(const ConstVectorRef& u, const InequalitySimplex::Vertex& at) const {
-  const int n = dimension();
-  const Vector lambda = program_.multipliers(u, at);
-  DoubleDouble constant;
-  double size = 0;
-  Bound bound;
-  for (int i = 0; i < n; ++i) {
-    const int row = at.active[static_cast<std::size_t>(i)];
-    if (row < 0 || !(lambda[i] > 0)) continue;
-    constant = constant + two_product(g()[row], lambda[i]);
-    size += std::fabs(g()[row]) * lambda[i];
-  }
-  for (int k = 0; k < n; ++k) {
-    DoubleDouble rest{u[k], 0};
-    double sizes = std::fabs(u[k]);
-    for (int i = 0; i < n; ++i) {
-      const int row = at.active[static_cast<std::size_t>(i)];
-      if (row < 0 || !(lambda[i] > 0)) continue;
-      rest = rest - two_product(G()(row, k), lambda[i]);
-      sizes += std::fabs(G()(row, k)) * lambda[i];
-    }
-    bound.rest += std::fabs(rest.rounded()) + n * kTwofold * sizes;
-  }
-  bound.constant = constant.rounded() + kUnitRoundoff * std::fabs(constant.rounded()) + n * kTwofold * size;
-  bound.rest *= 1 + 2 * n * kUnitRoundoff;
-  return bound;
 }
 
 // Onto the way to the centre, as far as the inequality that x breaks most asks.
@@ -182,15 +201,17 @@ double HPolytope::bound_by_one_row(int k, double sign) const {
 // From the centre to a vertex, and from there to the extents along the axes.
 void HPolytope::find_extent() {
   const int n = dimension();
-  start_ = program_.start_at(center_);
+  const InequalitySimplex& program = program_->simplex;
+  InequalitySimplex::Vertex& start = program_->start;
+  start = program.start_at(center_);
   magnitude_ = center_.cwiseAbs();
   double constant = 0, rest = 0;  // R <= constant + rest R
   for (int k = 0; k < n; ++k) {
     for (const double sign : {1.0, -1.0}) {
       const Vector u = sign * Vector::Unit(n, k);
-      if (program_.maximise(u, start_) == End::unbounded) throw_unbounded();
-      magnitude_ = magnitude_.cwiseMax(start_.x.cwiseAbs());
-      Bound of_axis = bound(u, start_);
+      if (program.maximise(u, start) == End::unbounded) throw_unbounded();
+      magnitude_ = magnitude_.cwiseMax(start.x.cwiseAbs());
+      Bound of_axis = bound_height(program, u, start);
       if (!(of_axis.rest < kLargestRest)) of_axis = {bound_by_one_row(k, sign), 0};
       constant = std::max(constant, of_axis.constant);
       rest = std::max(rest, of_axis.rest);
@@ -204,9 +225,9 @@ void HPolytope::find_extent() {
 
 double HPolytope::do_support(const double* u, double* point) const {
   const Eigen::Map<const Eigen::VectorXd> direction(u, dimension());
-  InequalitySimplex::Vertex at = start_;
-  program_.maximise(direction, at);
-  const Bound proven = bound(direction, at);
+  InequalitySimplex::Vertex at = program_->start;
+  program_->simplex.maximise(direction, at);
+  const Bound proven = bound_height(program_->simplex, direction, at);
   const double by_extent = direction.lpNorm<1>() * extent_ * (1 + 2 * dimension() * kUnitRoundoff);
   const double by_duality = proven.constant + proven.rest * extent_;
   if (!at.x.allFinite()) at.x = center_;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/inequality_simplex.h"
+#include "engine/sets/inequality_simplex.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/capability_queries.h"
 #include "engine/sets/set_sums.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/sets/convex_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

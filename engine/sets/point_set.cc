@@ -7,11 +7,13 @@
 #include <limits>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/cluster_tree.h"
 #include "engine/sets/highest_points.h"
+#include "engine/sets/isotropic_map.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/exceptions.h"
 
@@ -60,7 +62,7 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   // The mean of points divided by N beforehand, so that no partial sum overflows.
   center_ = (points / static_cast<double>(size_)).rowwise().sum();
   center_ = center_.cwiseMax(points.rowwise().minCoeff()).cwiseMin(points.rowwise().maxCoeff());
-  isotropic_ = isotropic_map(points);
+  if (auto map = isotropic_map(points)) isotropic_ = std::make_unique<const IsotropicMap>(std::move(*map));
 }
 
 PointSet::~PointSet() = default;

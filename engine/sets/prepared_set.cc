@@ -10,7 +10,9 @@
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/cluster_tree.h"
+#include "engine/sets/direction_table.h"
 #include "engine/sets/hull_3d.h"
+#include "engine/sets/spatial_shape.h"
 
 namespace raygauge {
 namespace {
@@ -66,15 +68,18 @@ void PreparedSet::keep(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   points_ = PointSet::clustered(points);
   extent_ = points.colwise().norm().maxCoeff() * kRadiusRounding;
   if (dimension() != 3) return;
-  points_->spatial_shape_unchecked(shape_);
-  shape_.center = {center_[0], center_[1], center_[2]};
-  shape_.extent = extent_;
-  shape_.inner_radius = inner_radius_;
-  table_ = DirectionTable(points_->points());
+  table_ = std::make_shared<const DirectionTable>(points_->points());
+  SpatialShape shape;
+  points_->spatial_shape_unchecked(shape);
+  shape.center = {center_[0], center_[1], center_[2]};
+  shape.extent = extent_;
+  shape.inner_radius = inner_radius_;
+  shape.table = table_.get();
+  shape_ = std::make_shared<const SpatialShape>(shape);
 }
 
 double PreparedSet::do_support(const double* u, double* point) const {
-  const std::int32_t i = table_.empty() ? -1 : table_.highest({u[0], u[1], u[2]});
+  const std::int32_t i = table_ == nullptr ? -1 : table_->highest({u[0], u[1], u[2]});
   if (i < 0) return points_->support_unchecked(u, point);
   points_->copy_point(i, point);
   return dot(u, point, 3);
@@ -93,8 +98,7 @@ SupportStructure PreparedSet::do_structure() const noexcept { return points_->st
 
 bool PreparedSet::do_spatial_shape(SpatialShape& shape) const {
   if (dimension() != 3) return points_->spatial_shape_unchecked(shape);
-  shape = shape_;
-  shape.table = &table_;
+  shape = *shape_;
   return true;
 }
 
@@ -104,7 +108,8 @@ std::ptrdiff_t PreparedSet::memory() const noexcept {
                                     ? 0
                                     : points_->single_block_count() * PointSet::kSingleLanes * dimension();
   const std::ptrdiff_t tree = points_->tree() == nullptr ? 0 : points_->tree()->memory();
-  return numbers * 8 + single * 4 + tree + static_cast<std::ptrdiff_t>(table_.memory());
+  return numbers * 8 + single * 4 + tree +
+         (table_ == nullptr ? 0 : static_cast<std::ptrdiff_t>(table_->memory()));
 }
 
 const PointSet* as_point_set(const ConvexSet& S) noexcept {

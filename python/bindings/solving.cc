@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 
 namespace raygauge::python {
 namespace {

@@ -8,12 +8,12 @@
 
 #include "engine/meshes/box_tree.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "engine/lp/affords.h"
 #include "engine/lp/shared_pass.h"
+#include "engine/methods/column_generation/simplex_status.h"
 #include "engine/methods/problem.h"
 #include "engine/numerics/floating_point.h"
 

@@ -7,6 +7,7 @@
 #include "engine/lp/affords.h"
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/sets/isotropic_map.h"
 
 namespace raygauge {
 namespace {

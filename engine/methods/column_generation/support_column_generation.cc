@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/lp/scaling.h"
+#include "engine/methods/column_generation/simplex_status.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {

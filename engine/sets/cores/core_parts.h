@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "engine/numerics/real.h"
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/numerics/instruction_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
 

@@ -7,7 +7,7 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/sets/cores/core_parts.h"
-#include "raygauge/sets/direction_table.h"
+#include "engine/sets/direction_table.h"
 
 namespace raygauge {
 

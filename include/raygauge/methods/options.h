@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "raygauge/numerics/instruction_set.h"
@@ -67,5 +68,10 @@ struct DistanceOptions {
   /// instructions.
   InstructionSet instruction_set = InstructionSet::automatic;
 };
+
+/// What is wrong with `options`, the first thing in one line that begins with the name of the option:
+/// "tolerance must lie in (0, 1), got 2"; empty if nothing is. A solver throws InvalidParameterError with
+/// this line.
+std::string validate(const DistanceOptions& options);
 
 }  // namespace raygauge

@@ -33,7 +33,7 @@ class AffineImage final : public LinearImage {
   std::shared_ptr<const ConvexSet> S_;
   DenseMatrix M_;
   Vector t_;
-  BoundedInverse inverse_;  // of M
+  std::shared_ptr<const BoundedInverse> inverse_;  // of M
 };
 
 }  // namespace raygauge

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/bounded_inverse.h"
+#include <memory>
+
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
+
+class BoundedInverse;
 
 /// {c + L z : |z| <= 1}, an ellipsoid of any orientation, kept as its factor L (n × m). The shape matrix L Lᵀ
 /// is never formed: it would square the ratio of the axes. Semi-axes a along the columns of a rotation R are
@@ -42,8 +45,8 @@ class Ellipsoid final : public ConvexSet, private SmoothSupport, private GaugeFo
 
   Vector center_;
   DenseMatrix factor_;
-  DenseMatrix shape_;       // L Lᵀ in double precision, for Hessians alone: no bound depends on it
-  BoundedInverse inverse_;  // of L, where L is square
+  DenseMatrix shape_;  // L Lᵀ in double precision, for Hessians alone: no bound depends on it
+  std::shared_ptr<const BoundedInverse> inverse_;  // of L, which proves something where L is square
 };
 
 }  // namespace raygauge

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "raygauge/sets/axis.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
+
+class Axis;
 
 /// The hull of two discs across one axis, in R^n balls of n - 1 dimensions: what a truncated cone and a
 /// cylinder are, by the names of their own parameters. Its support function has a piece for each disc,
@@ -50,7 +52,7 @@ class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
   template <class Real>
   void find_facet_point(const Real* normal, const Real* target, Real* point) const;
 
-  Axis axis_;  // from base to top
+  std::shared_ptr<const Axis> axis_;  // from base to top
   Vector base_;
   Vector top_;
   double base_radius_;

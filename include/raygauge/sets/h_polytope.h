@@ -3,15 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "raygauge/sets/convex_set.h"
-#include "raygauge/sets/inequality_simplex.h"
 
 namespace raygauge {
 
 /// {x : G x <= g}, a bounded polytope with interior, given by its m inequalities (an H-polytope).
 ///
-///     h(u) = max{u·x : G x <= g},   s(u) a vertex: one linear program, by InequalitySimplex from a stored
+///     h(u) = max{u·x : G x <= g},   s(u) a vertex: one linear program, by a simplex method from a stored
 ///     vertex; gauge(x) = max(0, max_i (G_i·x) / g_i)   where g > 0, that is where the origin is inside.
 ///
 /// h(u) is a proven upper bound, whatever rounding does to the program. With multipliers λ >= 0 and a bound R
@@ -30,8 +30,8 @@ class HPolytope final : public ConvexSet, private GaugeFormula {
   ~HPolytope() override;
 
   /// The inequalities, each multiplied by a power of two.
-  const InequalitySimplex::RowMatrix& G() const noexcept { return program_.G(); }
-  const Vector& g() const noexcept { return program_.g(); }
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& G() const noexcept;
+  const Vector& g() const noexcept;
 
  private:
   double do_support(const double* u, double* point) const override;
@@ -42,19 +42,15 @@ class HPolytope final : public ConvexSet, private GaugeFormula {
   SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
   const GaugeFormula* do_gauge_formula() const noexcept override { return this; }
 
-  /// h(u) <= constant + rest R for any R >= |x_k|, x in S.
-  struct Bound {
-    double constant = 0, rest = 0;
-  };
-  Bound bound(const ConstVectorRef& u, const InequalitySimplex::Vertex& at) const;
   double rounding_of(Eigen::Index i, const ConstVectorRef& x) const;
   double bound_by_one_row(int k, double sign) const;
   void draw_inside(Vector& x) const;
   void find_center();
   void find_extent();
 
-  InequalitySimplex program_;
-  InequalitySimplex::Vertex start_;
+  struct Program;  // with the vertex that it starts from
+
+  std::shared_ptr<Program> program_;
   Vector center_;
   Vector margins_;     // g - G center, at least
   double extent_ = 0;  // R

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/bounded_inverse.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
+
+class BoundedInverse;
 
 /// {M x + t : x in S}, what AffineImage, sets in poses and placed bodies have in common; it refers to S, M
 /// and t, which its subclass keeps.

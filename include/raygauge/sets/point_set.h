@@ -4,14 +4,13 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 #include "raygauge/sets/convex_set.h"
-#include "raygauge/sets/isotropic_map.h"
 
 namespace raygauge {
 
 class ClusterTree;
+struct IsotropicMap;
 
 /// conv{p_1, …, p_N}, the convex hull of N points of R^n (a V-polytope).
 ///
@@ -75,7 +74,7 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   double spacing() const noexcept { return spacing_; }
 
   /// The isotropic map of the points; nullptr where they need none.
-  const IsotropicMap* isotropic() const noexcept { return isotropic_ ? &*isotropic_ : nullptr; }
+  const IsotropicMap* isotropic() const noexcept { return isotropic_.get(); }
 
   /// Copies point i to `out` (dimension() doubles); unchecked.
   void copy_point(std::ptrdiff_t i, double* out) const noexcept {
@@ -110,7 +109,7 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   Vector smallest_magnitude_;
   Vector center_;
   double spacing_;
-  std::optional<IsotropicMap> isotropic_;
+  std::unique_ptr<const IsotropicMap> isotropic_;
   std::unique_ptr<const ClusterTree> tree_;
 };
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "raygauge/sets/direction_table.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/spatial_shape.h"
 
 namespace raygauge {
+
+class DirectionTable;
 
 /// conv{p_1, …, p_N}, prepared once for many queries; immutable and shared between threads.
 ///
@@ -57,8 +57,8 @@ class PreparedSet final : public ConvexSet {
   double inner_radius_ = 0;  // about it
   double extent_ = 0;
   std::ptrdiff_t vertex_count_ = 0;
-  DirectionTable table_;
-  SpatialShape shape_;  // for n = 3
+  std::shared_ptr<const DirectionTable> table_;  // for n = 3, as the shape is
+  std::shared_ptr<const SpatialShape> shape_;
 };
 
 }  // namespace raygauge

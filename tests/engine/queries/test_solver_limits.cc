@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/methods/validate.h"
+#include "raygauge/methods/options.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/h_polytope.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "engine/sets/axis.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/axis.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"

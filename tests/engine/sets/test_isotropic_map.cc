@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/isotropic_map.h"
+#include "engine/sets/isotropic_map.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,9 @@
 #include <random>
 #include <string>
 
+#include "engine/sets/direction_table.h"
+#include "engine/sets/spatial_shape.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/direction_table.h"
 
 namespace raygauge::test_prepared_set {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sets/bounded_inverse.h"
 #include "engine/sets/capability_queries.h"
-#include "raygauge/sets/bounded_inverse.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_set_pieces {
