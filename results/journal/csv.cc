@@ -40,6 +40,8 @@ struct Field {
 
 }  // namespace
 
+std::string csv_field(const Value& value) { return std::visit(Field{}, value); }
+
 std::string csv_header() {
   std::string text;
   for (const Column<Record>& column : record_columns()) text += (text.empty() ? "" : ",") + column.name;

@@ -25,6 +25,9 @@ std::string csv_columns(const std::vector<Record>& records, int time_digits = 17
 std::string csv_header();
 std::string csv_rows(const std::vector<Record>& records, int time_digits = 17);
 
+/// One field of it.
+std::string csv_field(const Value& value);
+
 /// The inverse of csv_rows(), bit for bit where it wrote all digits. Throws ResultsError that names row (from
 /// 1) and column: "row 3, column seconds: 'soon' is not of type float64".
 std::vector<Record> read_csv_rows(std::string_view rows);

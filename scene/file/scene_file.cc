@@ -3,8 +3,6 @@
 #include "scene/file/scene_file.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -14,11 +12,11 @@
 #include "results/exceptions.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
+#include "results/journal/csv.h"
 #include "results/run/run_directory.h"
 #include "results/schema/column_io.h"
 #include "results/schema/session_tables.h"
 #include "results/schema/table_reader.h"
-#include "results/text/language.h"
 #include "scene/file/scene_writer.h"
 
 namespace raygauge {
@@ -35,24 +33,6 @@ void check_format(const H5::Group& root, const std::string& file) {
   }
   const std::int64_t version = hdf5::read_integer_attribute(root, "schema_version", file);
   require_schema_version(file + ": a scene", version, kReadSceneSchemas);
-}
-
-std::string field_of(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) {
-    return language::csv(*text);
-  }
-  if (const auto* number = std::get_if<double>(&value)) {
-    if (std::isnan(*number)) return "nan";
-    char buffer[32];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, *number);
-    return error == std::errc() ? std::string(buffer, end) : std::string();
-  }
-  return std::visit(
-      [](const auto& entry) -> std::string {
-        if constexpr (std::is_integral_v<std::decay_t<decltype(entry)>>) return std::to_string(entry);
-        return {};
-      },
-      value);
 }
 
 void require_row(std::int64_t row, std::size_t rows, const char* table, const std::string& path) {
@@ -218,12 +198,12 @@ std::string exported(const SceneFile& file, const std::vector<std::string>& quer
                      const Column<SceneRow>& column, const SceneRow& row) {
   const SceneRecord& record = row.record;
   const auto body = [&](std::int32_t number) {
-    return field_of(file.bodies.at(static_cast<std::size_t>(number)).name);
+    return csv_field(file.bodies.at(static_cast<std::size_t>(number)).name);
   };
-  if (column.name == "query") return field_of(queries.at(static_cast<std::size_t>(record.query)));
+  if (column.name == "query") return csv_field(queries.at(static_cast<std::size_t>(record.query)));
   if (column.name == "body_a") return body(record.body_a);
   if (column.name == "body_b") return body(record.body_b);
-  return field_of(column.get(row));
+  return csv_field(column.get(row));
 }
 
 }  // namespace

@@ -2,29 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/file/simulation_tables.h"
 
-#include <charconv>
-#include <cmath>
-
-#include "results/text/language.h"
+#include "results/journal/csv.h"
 
 namespace raygauge {
 namespace {
-
-std::string field_of(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return language::csv(*text);
-  if (const auto* number = std::get_if<double>(&value)) {
-    if (std::isnan(*number)) return "nan";
-    char buffer[32];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, *number);
-    return error == std::errc() ? std::string(buffer, end) : std::string();
-  }
-  return std::visit(
-      [](const auto& entry) -> std::string {
-        if constexpr (std::is_integral_v<std::decay_t<decltype(entry)>>) return std::to_string(entry);
-        return {};
-      },
-      value);
-}
 
 template <class Row>
 std::string csv_of(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows,
@@ -37,8 +18,8 @@ std::string csv_of(const std::vector<Column<Row>>& columns, const std::vector<Ro
       if (&column != &columns.front()) text += ',';
       const Value value = column.get(row);
       const bool name = column.name.starts_with("body");
-      text += name ? language::csv(bodies.at(static_cast<std::size_t>(std::get<std::int32_t>(value))))
-                   : field_of(value);
+      text += name ? csv_field(bodies.at(static_cast<std::size_t>(std::get<std::int32_t>(value))))
+                   : csv_field(value);
     }
     text += '\n';
   }
