@@ -16,19 +16,19 @@ import io
 import json
 import pathlib
 import re
-import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from browser import Failures, check_silence, start_browser  # noqa: E402
 
 MOST_BYTES = 5_000_000
 
@@ -49,22 +49,6 @@ return chart.data.datasets.map((dataset, index) => {
 """
 
 
-class Failures(list):
-    def expect(self, holds, message):
-        if not holds:
-            self.append(message)
-
-
-def start_browser(profile):
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--window-size=1280,900", "--disable-background-networking", f"--user-data-dir={profile}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-
-
 def open_page(browser, page):
     """Seconds until everything is drawn."""
     start = time.monotonic()
@@ -72,19 +56,6 @@ def open_page(browser, page):
     ready = "return document.documentElement.dataset.ready === 'true'"
     WebDriverWait(browser, 60).until(lambda b: b.execute_script(ready))
     return time.monotonic() - start
-
-
-def check_silence(browser, page, failures):
-    for entry in browser.get_log("browser"):
-        if "Multiple readback operations" in entry["message"]:
-            continue  # of CURVE_PIXELS above, not of the page
-        failures.append(f"console: {entry['message']}")
-    for entry in browser.get_log("performance"):
-        message = json.loads(entry["message"])["message"]
-        if message["method"] == "Network.requestWillBeSent":
-            url = message["params"]["request"]["url"]
-            inside = url == page.as_uri() or url.startswith(("data:", "blob:", "chrome:"))
-            failures.expect(inside, f"request to {url[:200]}")
 
 
 def check_curves(browser, failures, when):
@@ -279,7 +250,7 @@ def check_small_page(browser, arguments, folder, failures):
     exported = subprocess.check_output([arguments.raygauge, "export", arguments.results, "--csv", "-", "--where", few], text=True)
     open_page(browser, page)
     check_download(browser, failures, exported)
-    check_silence(browser, page, failures)
+    check_silence(browser, failures, page.as_uri())
 
 
 def main():
@@ -317,7 +288,7 @@ def main():
             check_tables(browser, failures, "phone")
             check_words(browser, failures, "phone")
             shoot(browser, arguments.screenshots, "phone")
-            check_silence(browser, page, failures)
+            check_silence(browser, failures, page.as_uri())
             check_small_page(browser, arguments, folder, failures)
         finally:
             browser.quit()

@@ -9,19 +9,18 @@ nowhere, or content wider than a phone.
 """
 import argparse
 import html
-import json
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 import urllib.parse
 
-from selenium import webdriver
 from selenium.common.exceptions import TimeoutException
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from browser import Failures, check_silence, start_browser  # noqa: E402
 
 # What a reader types, and the page that must be among the results.
 SEARCHES = {
@@ -32,16 +31,6 @@ SEARCHES = {
     "warm start": "glossary.html",
 }
 RESULTS = ".md-search-result__item a.md-search-result__link"
-
-
-def start_browser(profile):
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--window-size=1280,900", "--disable-background-networking", f"--user-data-dir={profile}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
 
 
 def found_pages(browser, words):
@@ -143,23 +132,13 @@ def check_cpp_includes(site, failures):
                  if re.search(r"([:,=]|\b(gives|is|of|and|that|where|for))$", brief)]
 
 
-def check_silence(browser, failures):
-    failures += [f"console: {entry['message']}" for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
-    for entry in browser.get_log("performance"):
-        message = json.loads(entry["message"])["message"]
-        if message["method"] == "Network.requestWillBeSent":
-            url = message["params"]["request"]["url"]
-            if not url.startswith(("file:", "data:", "blob:", "chrome:")):
-                failures.append(f"request to {url[:100]}")
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("site", type=pathlib.Path)
     parser.add_argument("--screenshots", type=pathlib.Path)
     arguments = parser.parse_args()
     site = arguments.site.resolve()
-    failures = []
+    failures = Failures()
     with tempfile.TemporaryDirectory() as profile:
         browser = start_browser(profile)
         try:
@@ -170,7 +149,7 @@ def main():
             check_dark(browser, site, failures)
             check_cpp_includes(site, failures)
             check_width(browser, site, failures, arguments.screenshots)
-            check_silence(browser, failures)
+            check_silence(browser, failures, "file:")
         finally:
             browser.quit()
     for failure in failures:

@@ -12,22 +12,21 @@ phone.
 import argparse
 import csv
 import io
-import json
 import math
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
 import h5py
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from browser import Failures, check_silence, start_browser  # noqa: E402
 
 # How many pixels of the view differ from those of the picture without bodies in it.
 DRAWN_PIXELS = """
@@ -62,17 +61,6 @@ NUMBERS = [12200, 1e-10, 1e-300, 0, math.inf]
 
 VERDICTS = {"two_vehicles": "safe: never closer than ", "falling_box": "not safe: ", "costs": "safe: never closer than ",
             "arm": "safe: never closer than ", "gripper": "not safe: ", "grasp": "contact forces that the task needs: 1.06"}
-
-
-def start_browser(profile):
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                     "--disable-dev-shm-usage", "--window-size=1280,900", "--disable-background-networking",
-                     f"--user-data-dir={profile}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
 
 
 def expected_events(raygauge, results):
@@ -243,15 +231,6 @@ class Page:
             self.press(Keys.ARROW_LEFT)
             self.expect(self.browser.execute_script(picture) != first, "keys do not turn the picture")
 
-    def check_logs(self):
-        for entry in self.browser.get_log("browser"):
-            self.expect(entry["level"] != "SEVERE", f"console: {entry['message']}")
-        for entry in self.browser.get_log("performance"):
-            message = json.loads(entry["message"])["message"]
-            if message["method"] == "Network.requestWillBeSent":
-                url = message["params"]["request"]["url"]
-                self.expect(url == self.path.as_uri() or url.startswith(("data:", "blob:", "chrome:")), f"request to {url[:100]}")
-
 
 def number(text):
     return math.inf if text == "∞" else float(text)
@@ -321,7 +300,7 @@ def look_at(browser, page_path, results, scheme, width, arguments, failures):
         page.check_keyboard()
         if page_path.stem != "grasp":
             page.check_names()
-    page.check_logs()
+    check_silence(browser, page, page.path.as_uri())
 
 
 def main():
@@ -330,7 +309,7 @@ def main():
     parser.add_argument("--scenes", type=pathlib.Path, required=True)
     parser.add_argument("--screenshots", type=pathlib.Path)
     arguments = parser.parse_args()
-    failures = []
+    failures = Failures()
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         pages = [make(arguments, work, name) for name in ("two_vehicles", "falling_box", "arm", "gripper", "grasp")]
@@ -339,14 +318,14 @@ def main():
         costs = text.replace('metric_body = "ego"', 'metric_body = "ego"\ntolerance = [1e-2, 1e-5, 1e-8]')
         pages.append(make(arguments, work, "costs", costs))
         numbers = make_numbers(arguments, work)
-        browser = start_browser(work / "profile")
+        browser = start_browser(work / "profile", draws_in_3d=True)
         try:
             for results, page in pages:
                 for scheme, width in (("light", 1280), ("dark", 1280), ("light", 390)):
                     look_at(browser, page, results, scheme, width, arguments, failures)
             page = Page(browser, numbers[1], failures)
             check_numbers(page, numbers[0])
-            page.check_logs()
+            check_silence(browser, page, page.path.as_uri())
         finally:
             browser.quit()
     for failure in failures:
