@@ -22,7 +22,8 @@ std::string documentation_of(const std::string& names, const ColumnInfo& column)
   return "- " + names + ", " + std::string(to_string(column.type)) + unit + ": " + column.description + "\n";
 }
 
-/// The lines of all columns; `point_1` and its successors `point_2`, … share one.
+/// The lines of all columns. `point_1` and its successors `point_2`, … share one, and so do `x` and the
+/// columns after it that are "the same".
 template <class Row>
 std::string documentation_of(const std::vector<Column<Row>>& columns) {
   std::string lines;
@@ -34,8 +35,10 @@ std::string documentation_of(const std::vector<Column<Row>>& columns) {
       return i + 1 < columns.size() && columns[i + 1].name == stem + std::to_string(i + 2 - first);
     };
     while (name == stem + "1" && is_next()) ++i;
-    lines += documentation_of("`" + name + "`" + (i == first ? "" : " … `" + columns[i].name + "`"),
-                              columns[first]);
+    std::string names = "`" + name + "`" + (i == first ? "" : " … `" + columns[i].name + "`");
+    while (i + 1 < columns.size() && columns[i + 1].description == "the same")
+      names += ", `" + columns[++i].name + "`";
+    lines += documentation_of(names, columns[first]);
   }
   return lines;
 }
