@@ -29,8 +29,9 @@
 
 namespace raygauge {
 
-/// An EdgeChecker for each thread that asks, made when it first does. OMPL asks from several threads at once.
-/// Obstacles must stand still: a planner knows no time. The objects outlive the planners that use them.
+/// One EdgeChecker for each thread, made when the thread first needs it. OMPL uses several threads at once.
+/// Obstacles must stand still, because planners do not know time. The objects outlive the planners that use
+/// them.
 class EdgeCheckers {
  public:
   /// Throws what EdgeChecker throws.
@@ -39,7 +40,7 @@ class EdgeCheckers {
     mine();
   }
 
-  /// That of the calling thread.
+  /// The checker of the calling thread.
   EdgeChecker& mine() {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<EdgeChecker>& own = checkers_[std::this_thread::get_id()];
@@ -74,7 +75,7 @@ inline std::span<const double> values_of(const ompl::base::State* state, int joi
   return {state->as<ompl::base::RealVectorStateSpace::StateType>()->values, static_cast<std::size_t>(joints)};
 }
 
-/// Throws InvalidParameterError unless states are vectors of as many numbers as the robot has joints.
+/// Throws InvalidParameterError unless a state has one number for each joint of the robot.
 inline void check_space(const ompl::base::SpaceInformation& space, int joints) {
   const auto* vectors = dynamic_cast<const ompl::base::RealVectorStateSpace*>(space.getStateSpace().get());
   if (vectors != nullptr && static_cast<int>(vectors->getDimension()) == joints) return;
@@ -153,7 +154,7 @@ class ProvenMotionValidity final : public ompl::base::MotionValidator {
   std::shared_ptr<EdgeCheckers> checkers_;
 };
 
-/// Both, for the planners of `space`.
+/// Sets both for the planners of `space`.
 inline void set_proven_validity(const ompl::base::SpaceInformationPtr& space,
                                 const std::shared_ptr<EdgeCheckers>& checkers) {
   space->setStateValidityChecker(std::make_shared<ProvenStateValidity>(space, checkers));

@@ -46,7 +46,7 @@ enum {
   RG_DIMENSION_MISMATCH = 2, /* two objects that must live in the same R^n do not */
   RG_NON_FINITE = 3,         /* a NaN or an infinity where a finite number is needed */
   RG_EMPTY_SET = 4,          /* a set without a single point */
-  RG_UNKNOWN_NAME = 5,       /* a name that nothing is known by */
+  RG_UNKNOWN_NAME = 5,       /* an unknown name */
   RG_OUT_OF_MEMORY = 6,
   RG_CALLBACK_FAILED = 7, /* the caller's support mapping returned something other than 0 */
   RG_INTERNAL = 8         /* a defect of the library: please report it */

@@ -22,7 +22,7 @@ using MeshTriangle = std::array<std::int32_t, 3>;
 /// What a mesh stands for.
 enum class MeshKind : std::uint8_t {
   surface,  ///< the union of its triangles
-  solid,    ///< these, and all points about which they wind
+  solid,    ///< also all points about which the triangles wind
 };
 
 /// The union of M triangles of R^3,
@@ -46,13 +46,13 @@ class Mesh {
 
   MeshKind kind() const noexcept { return kind_; }
 
-  /// M.
+  /// The number M of triangles.
   std::ptrdiff_t size() const noexcept;
 
   /// Bytes that the mesh and its copies hold.
   std::ptrdiff_t memory() const noexcept;
 
-  /// The volume that a solid bounds, parts about which it winds twice counted twice; 0 of a surface.
+  /// The volume that a solid bounds; a part about which it winds twice counts twice. 0 for a surface.
   double volume() const noexcept { return volume_; }
 
   /// A point of each connected part of the surface.
@@ -67,7 +67,7 @@ class Mesh {
   std::shared_ptr<const std::vector<Eigen::Vector3d>> part_points_;
 };
 
-/// A mesh in a pose, for the time of a query; as Posed.
+/// A mesh in a pose, for the time of a query, as Posed is for sets.
 struct PosedMesh {
   PosedMesh(const Mesh& M) : mesh(M) {}  // NOLINT(google-explicit-constructor): a mesh is a posed mesh
   PosedMesh(const Mesh& M, const Pose& where) : mesh(M), pose(&where) {}

@@ -16,9 +16,9 @@ namespace raygauge {
 ///     distance, closest points, gradient   in the Euclidean metric, Q a ball about the origin,
 ///     separation                           whose result has no normal: no plane need lie between them.
 ///
-/// Whatever else asks it for a support point or a centre gets InvalidParameterError: as a gauge body, as an
-/// operand of other sets, for a depth or a growth distance. Convex parts have these, and so has the hull of
-/// the vertices.
+/// Every other use needs a support point or a centre and throws InvalidParameterError: a gauge body, an
+/// operand of other sets, a depth or a growth distance. Convex parts have these, and so has the hull of the
+/// vertices.
 class MeshObject final : public ConvexSet {
  public:
   explicit MeshObject(Mesh mesh) : ConvexSet(3), mesh_(std::move(mesh)) {}

@@ -70,8 +70,8 @@ struct DistanceOptions {
 };
 
 /// What is wrong with `options`, the first thing in one line that begins with the name of the option:
-/// "tolerance must lie in (0, 1), got 2"; empty if nothing is. A solver throws InvalidParameterError with
-/// this line.
+/// "tolerance must lie in (0, 1), got 2"; empty if nothing is wrong. A solver throws InvalidParameterError
+/// with this line.
 std::string validate(const DistanceOptions& options);
 
 }  // namespace raygauge

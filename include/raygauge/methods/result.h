@@ -38,7 +38,7 @@ struct DistanceCounters {
       0;                    ///< N_rs of the paper: iterations of the ray shooter, all outer ones together
   std::int64_t pivots = 0;  ///< basis changes
   std::int64_t support_queries = 0;  ///< evaluations of h_A or h_Q over a whole set
-  /// points whose reduced cost was computed, working sets included, or spared by the tree of a prepared set
+  /// points whose reduced cost was computed, working sets included, or skipped by the tree of a prepared set
   std::int64_t points_priced = 0;
   std::int64_t refactorisations = 0;     ///< basis inverses computed afresh
   std::int64_t exact_pivots = 0;         ///< basis changes in exact arithmetic, where doubles did not suffice

@@ -30,7 +30,7 @@ struct ContactPoint {
 ///
 /// While the same faces and edges are within the margin, points move continuously with the bodies. Corners of
 /// the disc are fixed to its body. Where corners miss the nearest or deepest pair by more than a hundredth of
-/// the margin, that is the last one; the others go around the patch in order.
+/// the margin, this pair is added as the last one; the others go around the patch in order.
 struct ContactPatch {
   static constexpr int kMost = 8;
 

@@ -35,7 +35,7 @@ struct Twist {
   Vector3 linear, angular;
 };
 
-/// Of a gradient and a twist: the derivative along it.
+/// The derivative along a twist: the scalar product of the gradient and the twist.
 inline double dot(const Twist& gradient, const Twist& twist) noexcept {
   return dot(gradient.linear, twist.linear) + dot(gradient.angular, twist.angular);
 }

@@ -24,9 +24,9 @@ struct MeshWarmStart {
 /// Work of one solve.
 struct MeshCounters {
   std::int64_t box_pairs = 0;       ///< pairs of boxes whose distance was bounded
-  std::int64_t triangle_pairs = 0;  ///< pairs of triangles, or of a triangle and a body, looked at
+  std::int64_t triangle_pairs = 0;  ///< pairs of triangles, or of a triangle and a body, that were examined
   std::int64_t precise_pairs = 0;   ///< of these: solved by SpatialSolve or a general method
-  std::int64_t points_located = 0;  ///< points of which was asked whether a solid contains them
+  std::int64_t points_located = 0;  ///< tests whether a solid contains a point
 };
 
 /// The Euclidean distance of a mesh and a convex set, or of two meshes, each in its pose:
@@ -69,7 +69,7 @@ class MeshDistanceSolver {
                               MeshWarmStart* warm = nullptr);
 
   /// Whether they have no point in common, proven either way. This is faster than a distance: it ends at the
-  /// first common point, and boxes that are apart are not looked into.
+  /// first common point, and boxes that are apart are not opened.
   Separation separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm = nullptr);
   Separation separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm = nullptr);
   Separation separation(const Posed& A1, const Posed& A2, MeshWarmStart* warm = nullptr);
@@ -80,7 +80,7 @@ class MeshDistanceSolver {
   /// solid stays there while the surfaces are farther apart than `way`.
   bool meets_if_moved(double way);
 
-  /// Of the last solve.
+  /// The work of the last solve.
   const MeshCounters& counters() const noexcept;
 
  private:

@@ -53,8 +53,8 @@ struct ObjectDepth {
   Vector point_1;  ///< a1 in A1, and ...
   Vector point_2;  ///< ... a2 in A2, the points in contact: a2 - a1 is in D, on its face across u or nearly
   std::int64_t evaluations = 0;      ///< depths computed: 0 or 1
-  std::int64_t iterations = 0;       ///< facets expanded for it
-  std::int64_t support_queries = 0;  ///< asked for it
+  std::int64_t iterations = 0;       ///< facets expanded for the depth
+  std::int64_t support_queries = 0;  ///< support queries for the depth
 };
 
 /// The distance of two objects. Vectors that were not requested, or that do not exist (the objects meet, or

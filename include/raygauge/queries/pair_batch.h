@@ -23,7 +23,7 @@ struct PosedPair {
 };
 
 /// Gives pair i, in thread 0, 1, … of the batch, which solves it before it asks for another: sets and poses
-/// that are made for the pair may be kept in one place a thread. What it throws ends the batch.
+/// that are made for the pair may be kept in one place per thread. What it throws ends the batch.
 using PairSource = std::function<PosedPair(std::size_t i, int thread)>;
 
 /// Output arrays of the caller; entry i is for pair i. Empty arrays are not computed; any other has room for
@@ -59,8 +59,8 @@ class PairBatch {
   PairBatch(PairBatch&&) noexcept;
   PairBatch& operator=(PairBatch&&) noexcept;
 
-  /// Every thread asks it before each pair and during solves; once it says true no pair is begun. To be
-  /// called from all threads at once.
+  /// Every thread asks it before each pair and during solves; once it returns true no pair is begun. It must
+  /// be safe to call from all threads at once.
   void set_stop(std::function<bool()> stop);
 
   /// The distance of each pair in the metric of Q. `warm` is empty, or has one entry a pair that is updated.
@@ -79,7 +79,7 @@ class PairBatch {
                  ObjectEffects effects = ObjectEffects::none);
 
   /// d_Q(A) of each of `count` pairs of a set A and a gauge Q of R^n. With `along_path` a pair starts from
-  /// what the one before it left, but for each whose number is a multiple of 16.
+  /// what the one before it left, except for each pair whose number is a multiple of 16.
   void gauge_distances(std::size_t count, const PairSource& pairs, int n, const BatchAnswers& answers,
                        bool along_path = false);
 

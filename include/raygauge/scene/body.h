@@ -22,8 +22,8 @@ struct BoundingBall {
 /// point; exact for point sets. 2n support queries, in 3 dimensions 26.
 BoundingBall bounding_ball(const ConvexSet& S);
 
-/// One convex part of a body, in the frame of the body. Of a half-space the ball is infinite and so is the
-/// reach, and the magnitude is its normal.
+/// One convex part of a body, in the frame of the body. For a half-space, ball and reach are infinite, and
+/// the magnitude is its normal.
 struct BodyPart {
   std::shared_ptr<const ConvexSet> set;
   BoundingBall ball;

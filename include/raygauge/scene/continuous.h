@@ -71,7 +71,8 @@ struct ContinuousOptions {
   std::function<bool()> stop;  ///< asked at every step; true: answer with what is proven by now
 };
 
-/// Answers questions about two bodies over an interval of time. One a thread: it owns the workspace.
+/// Answers questions about two bodies over an interval of time. Use one for each thread: it owns the
+/// workspace.
 class ContinuousSolver {
  public:
   explicit ContinuousSolver(int dimension);
@@ -82,13 +83,13 @@ class ContinuousSolver {
   /// Conservative advancement. From a certified distance L with normal u there is no contact for the time
   /// L / v, where v bounds the closing speed along u over the time ahead, rounded up. There is no contact for
   /// a time T either, if planes across u that touch the bodies are apart at both ends of it by more than T²/8
-  /// Σ reach |ω||ω × u|. Steps as those of Newton's method use this. Contact is a matter of Euclidean
+  /// Σ reach |ω||ω × u|. Steps like those of Newton's method use this. Contact means Euclidean
   /// distance, whatever the metric.
   ImpactResult time_of_impact(const Body& a, const Body& b, const ContinuousOptions& options);
 
   /// Branch and bound on intervals of time. Between two moments the distance is at least the distance at
-  /// either of them, less the speed times the time from there. For the Euclidean distance, planes as those of
-  /// time_of_impact() are used as well. Two links of one robot are seen from the link that carries both.
+  /// either of them, less the speed times the time from there. For the Euclidean distance, planes like those
+  /// of time_of_impact() are used as well. Two links of one robot are seen from the link that carries both.
   /// `metric_body` is the body that the metric follows, or nullptr.
   ClearanceResult clearance(const Body& a, const Body& b, const SceneMetric& metric, const Body* metric_body,
                             const ContinuousOptions& options);

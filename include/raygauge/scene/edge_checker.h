@@ -30,13 +30,13 @@ struct RobotModel {
   Placement base = Placement::identity(3);
   std::vector<RobotBody> bodies;
 
-  /// Pairs of bodies that never count, as links that a joint joins. A number from bodies.size() on is an
-  /// obstacle: a grasped object may touch the table that it stands on.
+  /// Pairs of bodies that are never tested, such as links that share a joint. A number from bodies.size() on
+  /// is an obstacle: a grasped object may touch the table that it stands on.
   std::vector<std::pair<int, int>> ignored;
 };
 
 /// The pairs of bodies of one link, and of bodies whose links a joint joins, also over links without a body:
-/// they touch by design. Of a robot without grasped objects, whose pairs are the caller's to say.
+/// they touch by design. For a robot without grasped objects; the caller names the pairs of those.
 std::vector<std::pair<int, int>> joined_bodies(const RobotModel& robot);
 
 struct EdgeOptions {
@@ -56,7 +56,7 @@ enum class EdgeOutcome : std::uint8_t {
 struct EdgeResult {
   EdgeOutcome outcome = EdgeOutcome::undecided;
   double time = std::numeric_limits<double>::quiet_NaN();  ///< of the contact, not always of the first one;
-                                                           ///< undecided: near what is not decided
+                                                           ///< undecided: near the undecided part
   int body_a = -1, body_b = -1;  ///< numbers: first the bodies of the robot, then the obstacles; -1: none
   int part_a = -1, part_b = -1;
   double lower = 0;  ///< of a contact: certified bounds on the distance of these parts
@@ -87,11 +87,12 @@ struct EdgeResult {
 /// seen from the last link that carries both.
 ///
 /// What is kept from one edge to the next (planes, warm starts, the pair in contact) saves time; every proof
-/// is made anew. Where there are several contacts, which of them is found may depend on it. One checker a
-/// thread; a repeated edge() or configuration() allocates nothing if the motions of obstacles do not.
+/// is made anew. Where there are several contacts, which of them is found may depend on it. Use one checker
+/// for each thread; a repeated edge() or configuration() allocates nothing if the motions of obstacles do
+/// not.
 class EdgeChecker {
  public:
-  /// Obstacles stand or move (any Motion of R^3); pairs of obstacles are not looked at. Throws
+  /// Obstacles stand or move (any Motion of R^3); pairs of obstacles are not tested. Throws
   /// InvalidParameterError for a link, a joint or a body that does not exist and for options out of range,
   /// what make_body() throws of parts, and DimensionMismatchError for bodies not of R^3.
   EdgeChecker(const RobotModel& robot, const std::vector<Body>& obstacles, const EdgeOptions& options = {});
@@ -109,7 +110,7 @@ class EdgeChecker {
   const EdgeResult& configuration(std::span<const double> q, double time = 0);
 
   /// The edges of a path, one after the other up to the first that is not free: its verdict, or `free`.
-  /// Throws also what a LinkMotion throws of the trajectory.
+  /// Also throws what LinkMotion throws for the trajectory.
   const EdgeResult& path(const JointTrajectory& trajectory);
 
   /// Forgets what is kept: the next answer has the bits that a new checker gives.
@@ -118,7 +119,7 @@ class EdgeChecker {
   int joints() const noexcept;
   int bodies() const noexcept;  ///< of the robot and obstacles
 
-  /// Of body i, in the numbers of EdgeResult.
+  /// The name of body i, numbered as in EdgeResult.
   const std::string& name(int i) const;
 
   const EdgeOptions& options() const noexcept;

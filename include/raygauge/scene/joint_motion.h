@@ -52,11 +52,11 @@ class LinkMotion final : public Motion {
                             std::shared_ptr<const JointTrajectory> trajectory, Placement base, int link,
                             int above = -1);
 
-  /// The last link that both hang on, one of them perhaps itself; -1 where there is none, or where they are
-  /// not links of one robot.
+  /// The last link that carries both, possibly one of the two; -1 where there is none, or where they are not
+  /// links of one robot.
   static int common_link(const LinkMotion& one, const LinkMotion& other);
 
-  /// This link as seen from that one, which it hangs on.
+  /// The motion of this link in the frame of the link `above`, which carries it.
   MotionPointer seen_from(int above) const;
 
   /// The motion of another link of the same robot.
@@ -100,7 +100,7 @@ struct SharedRide {
   MotionPointer carrier, a, b;
 };
 
-/// That of two links of one robot that a moving link carries; nothing for other motions.
+/// The carrier of two links of one robot that a moving link carries; nothing for other motions.
 std::optional<SharedRide> shared_ride(const Motion& a, const Motion& b);
 
 }  // namespace raygauge

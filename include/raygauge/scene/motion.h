@@ -24,14 +24,14 @@ struct MotionBound {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   double spin_error = 0;
 
-  /// Of a motion of which nothing is known.
+  /// The bound of a motion of which nothing is known: both errors are infinite.
   static MotionBound unknown(int n);
 
   /// An upper bound on u·velocity over all points within `reach` of the origin, rounded up; negative if all
   /// of them move against u.
   double speed_along(const SmallVector& u, double reach) const;
 
-  /// velocity + spin × arm: of the point at `arm` from the body's origin, up to the errors.
+  /// velocity + spin × arm, the velocity of the point at `arm` from the body's origin, up to the errors.
   SmallVector velocity_of(const SmallVector& arm) const;
 
   /// |spin × u|: how fast u turns in the frame of the body, up to the error.
@@ -45,13 +45,14 @@ struct MotionBound {
 ///
 ///     |t' - t| <= place,      ‖R' - R‖ <= turn  in the spectral norm.
 ///
-/// A sum over the terms that the placement is computed of, never a share of the result: terms cancel where a
-/// body comes to rest or a chain of links folds back. +infinity where nothing is proven, never NaN.
+/// The error is a sum over the terms of which the placement is computed, never a share of the result: terms
+/// cancel where a body comes to rest or a chain of links folds back. +infinity where nothing is proven, never
+/// NaN.
 struct PlacementError {
   double place = 0;
   double turn = 0;
 
-  /// Of all points within `reach` of the body's origin.
+  /// A bound on the error of all points within `reach` of the body's origin.
   double of_points(double reach) const { return turn > 0 ? place + turn * reach : place; }
 };
 

@@ -32,11 +32,11 @@ struct Placement {
   SmallVector turned(const SmallVector& u) const;
   SmallVector turned_back(const SmallVector& u) const;
 
-  /// First `inner`, then this.
+  /// The placement that applies first `inner`, then this.
   Placement operator*(const Placement& inner) const;
 };
 
-/// The placement with these, with R replaced by nearest_rotation() and made orthonormal. Throws
+/// The placement with this R and t, R replaced by nearest_rotation() and made orthonormal. Throws
 /// DimensionMismatchError, NonFiniteError, or InvalidParameterError where nearest_rotation() does.
 Placement make_placement(const Eigen::Ref<const Eigen::MatrixXd>& R, const ConstVectorRef& t);
 

@@ -63,10 +63,10 @@ struct SceneQuery {
   SceneMetric metric;
   SceneEffects effects = SceneEffects::distance;
 
-  /// Only pairs whose distance is at most this are of interest; of others it is proven that it is more.
+  /// Only pairs at most this far apart are recorded; the others are proven to be farther apart.
   double within = std::numeric_limits<double>::infinity();
 
-  /// Only so many nearest pairs of an instant are of interest; 0: all.
+  /// Only this many nearest pairs of an instant are recorded; 0: all.
   int nearest = 0;
 
   /// Distances are certified to upper - lower <= tolerance * upper.

@@ -26,7 +26,7 @@ class HPolytope final : public ConvexSet, private GaugeFormula {
   /// interior), EmptySetError, DimensionMismatchError or NonFiniteError.
   HPolytope(const Eigen::Ref<const Eigen::MatrixXd>& G, const ConstVectorRef& g);
 
-  /// In the library, whose flags Eigen's allocator had when it made the matrices inside.
+  /// Defined in the library: Eigen's allocator depends on compiler flags, and the library made the matrices.
   ~HPolytope() override;
 
   /// The inequalities, each multiplied by a power of two.

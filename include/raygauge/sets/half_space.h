@@ -16,9 +16,9 @@ namespace raygauge {
 ///
 ///     distance = g / h_Q(±n)  for g > 0,      depth = -g / h_Q(∓n)  for g < 0,
 ///
-/// in closed form. Whatever else asks it for a support point or a centre gets InvalidParameterError: as a
-/// gauge body, as an operand of other sets, and beside another half-space. There is no growth distance,
-/// because there is no centre to scale it about.
+/// in closed form. Every other use needs a support point or a centre and throws InvalidParameterError: a
+/// gauge body, an operand of other sets, a pair of half-spaces. There is no growth distance, because there
+/// is no centre to scale it about.
 class HalfSpace final : public ConvexSet {
  public:
   /// Throws InvalidParameterError (n = 0; no dimension; b/|n| out of the range of numbers) or NonFiniteError.

@@ -46,8 +46,8 @@ class Pose {
   Pose(const Eigen::Isometry3d& pose);  // NOLINT(google-explicit-constructor)
   Pose(const Eigen::Isometry2d& pose);  // NOLINT(google-explicit-constructor)
 
-  /// The pose with these, R n × n by columns, t of n numbers, in the same space; no allocation unless R is
-  /// replaced. Throws as the constructors do, and is then not to be used.
+  /// The pose with this R, n × n by columns, and this t, n numbers, in the same space; no allocation unless R
+  /// is replaced. Throws as the constructors do; the pose must not be used after that.
   void assign(const double* R, const double* t);
 
   /// The same for numbers that a pose was made of before, when its defect() was `defect`: they are not

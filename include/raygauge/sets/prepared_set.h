@@ -32,7 +32,7 @@ class PreparedSet final : public ConvexSet {
   /// Whether this build has hulls with adjacency.
   static bool has_hulls() noexcept;
 
-  /// The points that are left, in their order. Indices in results count these.
+  /// The points that were kept, in their order. Indices in results count these.
   const PointSet& points() const noexcept { return *points_; }
 
   /// Vertices of the hull; 0 where Qhull did not find it.

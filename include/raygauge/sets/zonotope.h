@@ -9,8 +9,7 @@
 namespace raygauge {
 
 /// {c + Σ_i t_i g_i : |t_i| <= 1}, the zonotope with centre c and generators g_i: the Minkowski sum of the
-/// segments
-/// [-g_i, g_i], about c.
+/// segments [-g_i, g_i], about c.
 ///
 ///     h(u) = u·c + Σ_i |u·g_i|,      s(u) = c + Σ_i sign(u·g_i) g_i  (+ for 0).
 ///

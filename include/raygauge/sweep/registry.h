@@ -52,7 +52,7 @@ struct GeneratorPromises {
   double distance_rounding = 0;  ///< relative error of the stated distance; 0: exact for the doubles
 };
 
-/// The name of a declaration that stands for any other parameter, of any type: it is carried along as given.
+/// A declaration of this name accepts every other parameter, of any type, which is kept as given.
 inline constexpr const char* kAnyParameter = "*";
 
 /// Declares one parameter: the type of `default_value` is the parameter's type (an integer is accepted for a

@@ -68,8 +68,8 @@ struct SweepSummary {
                             ///< its cell was done
 };
 
-/// Threads that a sweep of so many cells starts: one for TimingMode::serial, else Experiment::threads (0: one
-/// for each CPU that the process may use), but no more than there are cells.
+/// How many threads a sweep of `cells` cells starts: one for TimingMode::serial, else Experiment::threads (0:
+/// one for each CPU that the process may use), but no more than there are cells.
 int sweep_threads(const Experiment& experiment, std::size_t cells);
 
 /// Runs every cell of the experiment that is not in `done`, storing each in `sink` as it finishes. The
