@@ -41,6 +41,24 @@ std::string marked(std::string_view text, std::string_view special, char mark) {
   return result;
 }
 
+/// A character as HTML, SVG and XML write it.
+std::string entity(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return std::string(1, c);
+  }
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -120,26 +138,24 @@ std::string gnuplot(std::string_view text) {
 
 std::string markup(std::string_view text) {
   std::string result;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
+  for (const char c : printable(text)) result += entity(c);
+  return result;
+}
+
+std::string xml_attribute(std::string_view whole) {
+  std::string result;
+  std::string_view text = whole;
+  while (!text.empty()) {
+    const std::string_view character = utf8::first_character(text);
+    const bool is_space = character == "\t" || character == "\n" || character == "\r";
+    if (character.empty() || character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF" ||
+        (static_cast<unsigned char>(character.front()) < 0x20 && !is_space)) {
+      throw InvalidParameterError("'" + printable(whole) + "' cannot be written to an XML file");
     }
+    // A reader takes those that are written as they are for blanks.
+    if (is_space) result += "&#" + std::to_string(static_cast<int>(character.front())) + ";";
+    if (!is_space) result += character.size() == 1 ? entity(character.front()) : std::string(character);
+    text.remove_prefix(character.size());
   }
   return result;
 }

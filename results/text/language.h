@@ -33,6 +33,11 @@ std::string gnuplot(std::string_view text);
 /// printable(text) within an element or an attribute of HTML or SVG.
 std::string markup(std::string_view text);
 
+/// The value of an attribute of XML 1.0, without its quotes; read back, it is the same bytes. Throws
+/// InvalidParameterError for a text that no XML file can hold: with bytes that are not UTF-8, U+FFFE, U+FFFF,
+/// or control characters other than tabs and ends of lines.
+std::string xml_attribute(std::string_view text);
+
 /// JSON within a script element of HTML: no "<" can begin or end anything there.
 std::string script(std::string_view json);
 

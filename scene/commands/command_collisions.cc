@@ -93,7 +93,9 @@ Matrix matrix_of(const CollisionArguments& arguments) {
   model.joints = static_cast<int>(matrix.robot.joints.size());
   for (std::size_t i = 0; i < matrix.robot.links.size(); ++i) {
     const RobotLink& link = matrix.robot.links[i];
-    if (!link.shapes.empty()) model.bodies.push_back({link.name, static_cast<int>(i), link.shapes});
+    if (link.shapes.empty()) continue;
+    model.bodies.push_back({link.name, static_cast<int>(i), link.shapes});
+    if (!arguments.srdf.empty()) language::xml_attribute(link.name);  // refused before hours of proofs
   }
   if (model.bodies.size() < 2)
     throw EmptySetError(arguments.input.path + ": fewer than two links have a collision shape");
@@ -200,15 +202,16 @@ Json json_of(const Matrix& matrix) {
 
 std::string srdf_of(const Matrix& matrix) {
   std::string text =
-      "<?xml version=\"1.0\"?>\n<robot name=\"" + language::markup(matrix.robot.name) + "\">\n";
+      "<?xml version=\"1.0\"?>\n<robot name=\"" + language::xml_attribute(matrix.robot.name) + "\">\n";
   for (const LinkVerdict& verdict : matrix.verdicts) {
     std::string reason;
     if (verdict.contact == LinkContact::never) reason = "Never";
     if (verdict.contact == LinkContact::always) reason = "Always";
     if (matrix.is_joined(verdict)) reason = "Adjacent";
     if (reason.empty()) continue;
-    text += "  <disable_collisions link1=\"" + language::markup(matrix.name(verdict.body_a)) + "\" link2=\"" +
-            language::markup(matrix.name(verdict.body_b)) + "\" reason=\"" + reason + "\"/>\n";
+    text += "  <disable_collisions link1=\"" + language::xml_attribute(matrix.name(verdict.body_a)) +
+            "\" link2=\"" + language::xml_attribute(matrix.name(verdict.body_b)) + "\" reason=\"" + reason +
+            "\"/>\n";
   }
   return text + "</robot>\n";
 }

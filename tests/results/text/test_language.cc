@@ -144,6 +144,14 @@ TEST(Markup, HasNoTagAndNoQuote) {
   EXPECT_EQ(language::markup("<b a='\"'>&\n"), "&lt;b a=&#39;&quot;&#39;&gt;&amp;␊");
 }
 
+TEST(XmlAttribute, HoldsEveryTextOrRefusesIt) {
+  EXPECT_EQ(language::xml_attribute("<b a='\"'>&é\x7F"), "&lt;b a=&#39;&quot;&#39;&gt;&amp;é\x7F");
+  EXPECT_EQ(language::xml_attribute("a\nb\tc\rd"), "a&#10;b&#9;c&#13;d");
+  for (const char* text : {"a\x01", "\x1B[0m", "\xFF", "\xEF\xBF\xBF"})
+    EXPECT_NE(error_of([text] { language::xml_attribute(text); }), "") << text;
+  EXPECT_NE(error_of([] { language::xml_attribute(std::string_view("\0", 1)); }), "");
+}
+
 TEST(Script, HasNoTag) {
   EXPECT_EQ(language::script("[\"<!--<script></script>\"]"), "[\"\\u003c!--\\u003cscript>\\u003c/script>\"]");
 }

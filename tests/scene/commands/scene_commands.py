@@ -7,6 +7,7 @@
 import argparse
 import csv
 import io
+import itertools
 import json
 import pathlib
 import re
@@ -16,6 +17,8 @@ import sys
 import tempfile
 import time
 import unittest
+from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
 
 GOOD = """
 [time]
@@ -191,6 +194,22 @@ class Scenes(unittest.TestCase):
         srdf.write_text(written.replace("</robot>", '<disable_collisions link1="base" link2="hand" reason="Never"/></robot>'))
         self.assertIn("differs    base and hand: the file says Never, proven: sometimes",
                       self.run_raygauge("scene", "collisions", arm, "--boxes", "5000", "--compare", srdf).stdout)
+
+    def test_names_of_links_are_read_back_from_an_srdf_file_as_they_are(self):
+        names = ["base", "a\nb\t'\"<&>\r", "tip\u2028é"]
+        shape = '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
+        links = "".join(f"<link name={quoteattr(name)}>{shape}</link>" for name in names)
+        joints = "".join(f'<joint name="j{i}" type="fixed"><origin xyz="{1 + i} 0 0"/><parent link={quoteattr(names[i])}/>'
+                         f"<child link={quoteattr(names[i + 1])}/></joint>" for i in range(2))
+        robot, srdf = self.work / "named.urdf", self.work / "named.srdf"
+        robot.write_text(f'<robot name="r">{links}{joints}</robot>')
+        self.run_raygauge("scene", "collisions", robot, "--srdf", srdf)
+        pairs = {(pair.get("link1"), pair.get("link2")) for pair in ElementTree.parse(srdf).getroot()}
+        self.assertEqual(pairs, set(itertools.combinations(names, 2)))
+        self.assertNotIn("differs", self.run_raygauge("scene", "collisions", robot, "--compare", srdf).stdout)
+        robot.write_text(robot.read_text().replace("tip", "tip\x7f&#1;"))
+        self.assertIn("cannot be written to an XML file",
+                      self.run_raygauge("scene", "collisions", robot, "--srdf", srdf, status=2).stderr)
 
     def test_a_mesh_is_taken_as_its_body_says(self):
         points = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 1)]
