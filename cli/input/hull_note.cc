@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/meshes/convexity.h"
 #include "results/text/language.h"
 
 namespace raygauge::cli {
@@ -17,21 +16,23 @@ std::string number_text(double value) {
   return text;
 }
 
-std::string how_much(const HullCost& cost) {
-  if (!cost.closed) return "the surface is not closed, so it bounds no volume";
-  if (!(cost.hull_volume > cost.volume)) return "";  // also where there is no hull to compare with
-  return "the hull has " + number_text(cost.hull_volume) + " of volume, the mesh " + number_text(cost.volume);
-}
-
 }  // namespace
+
+std::string volumes_of(const HullCost& cost) {
+  if (!cost.closed) return ": the surface is not closed, so it bounds no volume";
+  if (!(cost.hull_volume > cost.volume)) return "";  // also where there is no hull to compare with
+  return ": the hull has " + number_text(cost.hull_volume) + " of volume, the mesh " +
+         number_text(cost.volume);
+}
 
 std::string hull_note(const std::string& name, const MeshFile& mesh) {
   if (mesh.triangles.empty()) return "";
   const HullCost cost = hull_cost(mesh.vertices, mesh.triangles);
   if (cost.convex) return "";
-  const std::string share = how_much(cost);
-  return name + ": this mesh is not convex, and its convex hull stands for it" +
-         (share.empty() ? "" : ": " + share) + "; convex parts of it, a file each, keep its shape";
+  return name + ": this mesh is not convex, and its convex hull stands for it" + volumes_of(cost) +
+         "; shape = \"mesh\" of a set file takes it as it is, convex parts in a scene (as = \"parts\") keep "
+         "its"
+         " shape and have a depth";
 }
 
 void add_note(const std::string& note, Notes& notes) {

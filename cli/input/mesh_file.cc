@@ -58,10 +58,14 @@ MeshFile read_mesh(const std::string& path) {
   mesh.vertices = Eigen::Matrix3Xd::Map(text.vertices.front().data(), 3,
                                         static_cast<std::ptrdiff_t>(text.vertices.size()));
   const std::vector<std::uint32_t>& corners = text.faces.corners;
-  std::size_t begin = 0;
+  std::size_t begin = 0, face = 0;
   for (const std::size_t end : text.faces.ends) {
+    if (const std::size_t run = mesh.runs.size(); run < text.runs.size() && text.runs[run].first == face)
+      mesh.runs.push_back({text.runs[run].name, mesh.triangles.size(), 0});
     cut_polygon(text.vertices, {corners.data() + begin, end - begin}, mesh.triangles);
+    if (!mesh.runs.empty()) mesh.runs.back().end = mesh.triangles.size();
     begin = end;
+    ++face;
   }
   return mesh;
 }

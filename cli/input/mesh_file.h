@@ -14,10 +14,17 @@ namespace raygauge::cli {
 /// it.
 bool is_mesh_file(const std::string& path);
 
+/// An object of a file, or a group: triangles [begin, end).
+struct MeshRun {
+  std::string name;
+  std::size_t begin = 0, end = 0;
+};
+
 /// What a mesh file holds: vertices in the order of the file, 3 × N, and its faces cut into triangles.
 struct MeshFile {
   Eigen::Matrix3Xd vertices;
   std::vector<Triangle> triangles;
+  std::vector<MeshRun> runs = {};  ///< of an OBJ file with objects, or else groups: all triangles, in order
 };
 
 /// Throws as read_mesh_vertices does, and InvalidParameterError for more vertices than 2^31.

@@ -22,10 +22,17 @@ struct Polygons {
   void close() { ends.push_back(corners.size()); }
 };
 
+/// Faces from `first` on, up to those of the next run, that belong to an object or a group.
+struct FaceRun {
+  std::string name;
+  std::size_t first = 0;
+};
+
 /// What a mesh file says: its vertices, those too that no face uses, and its faces.
 struct MeshText {
   std::vector<Vertex> vertices;
   Polygons faces;
+  std::vector<FaceRun> runs = {};  ///< of an OBJ file with names, without those that have no face
 };
 
 /// Mesh files in their own axes and units. The size of the
@@ -35,7 +42,8 @@ struct MeshText {
 /// `name` is what messages call the file.
 
 /// OBJ: polygons. A vertex has 3 numbers, also with a weight of 1 or three numbers of a colour behind them.
-/// Faces, lines and points must name vertices that are there. Free-form curves and surfaces, and what is no
+/// Faces, lines and points must name vertices that are there. Objects (`o`) name the runs of faces, or groups
+/// (`g`) in a file without objects. Free-form curves and surfaces, and what is no
 /// keyword of the format, are refused.
 MeshText obj_mesh(std::string_view text, const std::string& name);
 

@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "cli/input/hull_note.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge::cli {
@@ -13,5 +15,19 @@ namespace raygauge::cli {
 /// (a MeshObject). Throws what read_mesh and the constructor of Mesh throw, with the name of the file, and
 /// UnknownNameError for another word.
 std::shared_ptr<const ConvexSet> read_mesh_as(const std::string& path, const std::string& as);
+
+/// The mesh of a file as it is: its hull where it is convex (see hull_cost) or has no faces, else a solid
+/// where its surface is closed, else that surface. A note names the last two, and the way to the hull.
+std::shared_ptr<const ConvexSet> read_mesh_as_it_is(const std::string& path, Notes& notes);
+
+/// Convex parts as programs for convex decomposition write them, each the hull of
+///   - a mesh of a folder, in the order of names, if the only source is one;
+///   - an object of an OBJ file (`o`, or else `g`), of the vertices that its faces use, if the only source is
+///     one; runs of the same name are one object;
+///   - a mesh of a list of files.
+/// Notes say how many there are and which mesh is not convex. Throws what read_mesh throws, EmptySetError for
+/// a folder without meshes, InvalidParameterError for a file without two objects.
+std::vector<std::shared_ptr<const ConvexSet>> read_parts(const std::vector<std::string>& sources,
+                                                         Notes& notes);
 
 }  // namespace raygauge::cli

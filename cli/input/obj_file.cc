@@ -22,9 +22,9 @@ bool is_among(std::string_view word, const std::array<std::string_view, N>& list
 }
 
 /// Names, groups, materials and ways of drawing: no vertex depends on them.
-constexpr std::array<std::string_view, 14> kWithoutEffect = {
-    "g",      "o",     "s",        "mg",       "usemtl", "mtllib",     "usemap",
-    "maplib", "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 12> kWithoutEffect = {"s",        "mg",     "usemtl",     "mtllib",
+                                                             "usemap",   "maplib", "bevel",      "c_interp",
+                                                             "d_interp", "lod",    "shadow_obj", "trace_obj"};
 
 constexpr std::array<std::string_view, 24> kFreeForm = {
     "vp",  "deg",  "cstype", "curv",  "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",   "end",
@@ -43,7 +43,8 @@ class ObjReader {
       throw InvalidParameterError(place_of_greatest_ + "vertex " + std::to_string(greatest_) +
                                   " is not there: the file has " + std::to_string(vertices_.size()));
     check_promise();
-    return {std::move(vertices_), std::move(polygons_)};
+    std::vector<FaceRun> runs = with_faces(objects_.empty() ? groups_ : objects_);
+    return {std::move(vertices_), std::move(polygons_), std::move(runs)};
   }
 
  private:
@@ -71,11 +72,30 @@ class ObjReader {
     if (keyword == "f" || keyword == "l" || keyword == "p") return take_element();
     if (keyword == "vt") return require_numbers(1, 3);
     if (keyword == "vn") return require_numbers(3, 3);
+    if (keyword == "o") return begin_run(objects_);
+    if (keyword == "g") return begin_run(groups_);
     if (is_among(keyword, kWithoutEffect)) return;
     if (is_among(keyword, kFreeForm))
       reader_.fail("free-form curves and surfaces are not read, here " + quoted(keyword));
     if (took_promise()) return;
     reader_.fail(quoted(keyword) + " is no keyword of an OBJ file");
+  }
+
+  /// Faces before the first name belong to a run without one.
+  void begin_run(std::vector<FaceRun>& runs) {
+    if (runs.empty()) runs.push_back({"", 0});
+    std::string name;
+    for (std::size_t i = 1; i < words_.size(); ++i) name.append(i > 1 ? " " : "").append(words_[i]);
+    runs.push_back({std::move(name), polygons_.ends.size()});
+  }
+
+  std::vector<FaceRun> with_faces(const std::vector<FaceRun>& runs) const {
+    std::vector<FaceRun> kept;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : polygons_.ends.size();
+      if (runs[i].first < end) kept.push_back(runs[i]);
+    }
+    return kept;
   }
 
   /// Some programs write how many vertices and faces there are in front of them.
@@ -157,6 +177,7 @@ class ObjReader {
   ByteReader reader_;
   std::vector<Vertex> vertices_;
   Polygons polygons_;
+  std::vector<FaceRun> objects_, groups_;
   Words words_;
   std::string joined_;
   std::uint64_t faces_ = 0;

@@ -159,22 +159,34 @@ class SceneReader {
 
   SetPointer read_named(const std::string& name) { return read_set_source(name, {}, &source_.notes); }
 
-  SetPointer set_of(const toml::node& node, const std::string& what) {
-    if (node.is_string())
-      return placed(node, [&] { return read_named((folder_ / read_text(node, what)).string()); });
+  /// A set by name or by a table; a mesh that is named is taken `as_it_is`, or its hull.
+  SetPointer set_of(const toml::node& node, const std::string& what, bool as_it_is) {
+    if (node.is_string()) {
+      const std::string name = (folder_ / read_text(node, what)).string();
+      return placed(node, [&] { return as_it_is ? set_as_it_is(name) : read_named(name); });
+    }
     return read_set_table(table_of(node, what), folder_,
                           [this](const std::string& name) { return read_named(name); });
   }
 
-  /// A mesh as the body says: as its hull, as it is, or a folder of convex parts, a file each.
-  std::vector<SetPointer> read_file(const std::string& name, const toml::table& table) {
+  SetPointer set_as_it_is(const std::string& name) {
+    return is_mesh_file(name) ? read_mesh_as_it_is(name, source_.notes) : read_named(name);
+  }
+
+  /// body.file as body.as says.
+  std::vector<SetPointer> read_file(const toml::node& file, const toml::table& table) {
+    std::vector<std::string> names = texts_of(file, "body.file");
+    for (std::string& name : names) name = (folder_ / name).string();
     const toml::node* node = table.get("as");
-    if (node == nullptr) return {read_named(name)};
-    const std::string as = read_text(*node, "body.as");
+    const std::string as = node == nullptr ? "" : read_text(*node, "body.as");
     const std::vector<std::string> known = {"hull", "surface", "solid", "parts"};
-    if (std::find(known.begin(), known.end(), as) == known.end())
+    if (node != nullptr && std::find(known.begin(), known.end(), as) == known.end())
       throw UnknownNameError("body.as", as, known, place_of(*node));
-    if (as == "parts") return read_parts(name);
+    if (file.is_array() && (as != "parts" || names.empty()))
+      refuse(file, "a list of files is for as = \"parts\", a convex part each");
+    if (as == "parts") return read_parts(names, source_.notes);
+    const std::string& name = names.front();
+    if (as.empty()) return {set_as_it_is(name)};
     if (!is_mesh_file(name))
       refuse(*node, "body.as is for meshes and folders of them, which " + name + " is not");
     SetPointer set = read_mesh_as(name, as);
@@ -184,34 +196,19 @@ class SceneReader {
     return {std::move(set)};
   }
 
-  std::vector<SetPointer> read_parts(const std::string& folder) {
-    if (!std::filesystem::is_directory(folder))
-      throw InvalidParameterError(folder + ": as = \"parts\" needs a folder of meshes, a convex part each");
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (is_mesh_file(entry.path().string())) files.push_back(entry.path().string());
-    if (files.empty()) throw EmptySetError(folder + ": no mesh in this folder");
-    std::sort(files.begin(), files.end());
-    std::vector<SetPointer> parts;
-    for (const std::string& file : files) parts.push_back(read_named(file));
-    add_note(folder + ": " + std::to_string(files.size()) + " parts, each the convex hull of a file",
-             source_.notes);
-    return parts;
-  }
-
   std::vector<SetPointer> parts_of(const toml::table& table) {
     const int given = static_cast<int>(table.contains("shape")) + static_cast<int>(table.contains("parts")) +
                       static_cast<int>(table.contains("file"));
     if (given != 1) refuse(table, "a body needs one of shape, parts and file");
     std::vector<SetPointer> parts;
-    if (const toml::node* node = table.get("shape")) parts.push_back(set_of(*node, "body.shape"));
+    if (const toml::node* node = table.get("shape")) parts.push_back(set_of(*node, "body.shape", true));
     if (const toml::node* node = table.get("parts")) {
       if (!node->is_array()) refuse(*node, "body.parts must be a list of shapes");
-      for (const toml::node& element : *node->as_array()) parts.push_back(set_of(element, "body.parts"));
+      for (const toml::node& element : *node->as_array())
+        parts.push_back(set_of(element, "body.parts", true));
     }
     if (const toml::node* node = table.get("file")) {
-      const std::string name = (folder_ / read_text(*node, "body.file")).string();
-      parts = placed(*node, [&] { return read_file(name, table); });
+      parts = placed(*node, [&] { return read_file(*node, table); });
     } else if (const toml::node* as = table.get("as")) {
       refuse(*as, "body.as says how a mesh is taken that body.file names");
     }
@@ -389,7 +386,7 @@ class SceneReader {
       if (node->is_table() && node->as_table()->get("shape") != nullptr) {
         word = read_text(*node->as_table()->get("shape"), "shape");
       }
-      query.metric.Q = placed(*node, [&] { return set_of(*node, "query.metric"); });
+      query.metric.Q = placed(*node, [&] { return set_of(*node, "query.metric", false); });
     }
     if (const toml::node* body = table.get("metric_body")) {
       if (query.metric.euclidean()) refuse(*body, "query.metric_body needs a metric of its own");

@@ -97,7 +97,7 @@ void check_meshes(const Scene& scene, const SceneQuery& query, const std::string
     if (!query.metric.euclidean()) refuse(place + ": " + name + ": its distances are Euclidean");
     if (has_effect(query.effects, SceneEffects::depth | SceneEffects::growth))
       refuse(place + ": " + name +
-             ": depth and growth are those of convex bodies; give its hull, or convex parts by `parts`");
+             ": depth and growth are those of convex bodies; take its hull (as = \"hull\") or convex parts");
   }
 }
 

@@ -130,8 +130,12 @@ class Scenes(unittest.TestCase):
         robot.write_text('[[robot]]\nurdf = "corner.urdf"\n[[body]]\nshape = { shape = "ball", center = [5, 0, 0], '
                          'radius = 1 }\n[[query]]\neffects = ["distance"]\n')
         said = "corner.obj: this mesh is not convex, and its convex hull stands for it"
-        runs = [("scene", "explain", scene), ("scene", "run", scene, "-o", self.work / "c.h5"),
-                ("distance", self.work / "corner.obj", self.work / "corner.obj"),
+        as_it_is = "corner.obj: this mesh is not convex and is taken as it is, as a solid of 6 triangles"
+        for arguments in (("scene", "explain", scene), ("scene", "run", scene, "-o", self.work / "c.h5")):
+            error = self.run_raygauge(*arguments).stderr
+            self.assertEqual(error.count(as_it_is), 1, error)
+            self.assertNotIn(said, error)
+        runs = [("distance", self.work / "corner.obj", self.work / "corner.obj"),
                 ("distance", self.work / "corner.obj", self.work / "corner.obj", "--between")]
         for arguments in runs:
             error = self.run_raygauge(*arguments).stderr
@@ -237,11 +241,19 @@ class Scenes(unittest.TestCase):
             answers(body)
             return self.run_raygauge("scene", "explain", scene).stderr
 
-        self.assertEqual(answers('file = "plates.obj"'), 0)
-        for body in ('file = "plates.obj"\nas = "solid"', 'file = "plates.obj"\nas = "surface"', 'file = "plates"\nas = "parts"'):
+        self.assertEqual(answers('file = "plates.obj"\nas = "hull"'), 0)
+        two = (self.work / "plates.obj").read_text().replace("f 9", "o high\nf 9", 1)
+        self.assertIn("o high", two)
+        (self.work / "two.obj").write_text("o low\n" + two)
+        for body in ('file = "plates.obj"', 'shape = "plates.obj"', 'file = "two.obj"\nas = "parts"',
+                     'file = ["plates/low.obj", "plates/high.obj"]\nas = "parts"',
+                     'file = "plates.obj"\nas = "solid"', 'file = "plates.obj"\nas = "surface"', 'file = "plates"\nas = "parts"'):
             self.assertAlmostEqual(answers(body), 1, places=5)
         self.assertAlmostEqual(answers('file = "plates.obj"\nas = "solid"\nscale = -2\npose = { translation = [4, 4, 9] }'), 3, places=5)
         self.assertIn("plates.obj: taken as it is, as a solid of 24 triangles", note('file = "plates.obj"\nas = "solid"'))
+        self.assertRegex(note('file = "plates.obj"'), 'plates.obj: this mesh is not convex and is taken as it is, as a solid of 24 '
+                         'triangles; as = "hull" takes its convex hull')
+        self.assertIn("two.obj: 2 parts, each the convex hull of an object", note('file = "two.obj"\nas = "parts"'))
         self.assertIn("plates: 2 parts, each the convex hull of a file", note('file = "plates"\nas = "parts"'))
 
         def refusal(body, effects='"distance"'):
@@ -253,7 +265,9 @@ class Scenes(unittest.TestCase):
 
         self.assertRegex(refusal('file = "plates.obj"\nas = "solid"', '"depth"'), "'plates' is a mesh as it is.*parts")
         self.assertRegex(refusal('file = "plates.obj"\nas = "sold"'), "solid")
-        self.assertRegex(refusal('file = "plates.obj"\nas = "parts"'), "folder")
+        self.assertRegex(refusal('file = "plates.obj"', '"depth"'), "'plates' is a mesh as it is.*hull.*parts")
+        self.assertRegex(refusal('file = "plates.obj"\nas = "parts"'), r"plates.obj: .*folder.*objects or groups \(o, g\)")
+        self.assertRegex(refusal('file = ["plates.obj", "two.obj"]'), r"plates.toml:3: a list of files is for as = \"parts\"")
         self.assertRegex(refusal('shape = { shape = "ball", center = [4, 4, 3], radius = 1 }\nas = "hull"'), "body.file")
 
     def test_every_shipped_scene_of_bodies_that_react_is_simulated_and_proven(self):
