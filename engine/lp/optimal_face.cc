@@ -91,15 +91,17 @@ bool OptimalFace::choose(const Stopwatch& stopwatch) {
   return true;
 }
 
-// (b - M x)_R over the columns that are no pivots. Returns a bound on its rounding error in any entry.
+// (b - M x)_R over the columns that are no pivots, and b_low_. Returns a bound on its rounding error in any
+// entry.
 double OptimalFace::set_right_hand_side() {
   is_pivot_.assign(ids_.size(), false);
   for (const Pivot& pivot : pivots_) is_pivot_[static_cast<std::size_t>(pivot.column)] = true;
+  b_low_.assign(static_cast<std::size_t>(rank()), 0.0);
   double error = 0;
   for (int k = 0; k < rank(); ++k) {
     const int row = pivots_[static_cast<std::size_t>(k)].row;
     DoubleDouble sum{row == m_ - 1 ? 1.0 : 0.0};
-    double size = sum.high;
+    double size = 0;
     for (int i = 0; i < count(); ++i) {
       if (is_pivot_[static_cast<std::size_t>(i)]) continue;
       const DoubleDouble term = two_product(weight(i), column(i)[row]);
@@ -107,21 +109,45 @@ double OptimalFace::set_right_hand_side() {
       size += std::fabs(term.high);
     }
     basis_.right_hand_side()[k] = sum.high;
-    error = std::max(error, std::fabs(sum.low) + count() * 0x1p-99 * size);
+    b_low_[static_cast<std::size_t>(k)] = sum.low;
+    if (size > 0) error = std::max(error, count() * 0x1p-99 * (size + 1) + kUnderflow);
   }
-  return error > 0 ? error + kUnderflow : 0;
+  return error;
 }
 
-// A bound on the error of x + x_low_, for a right-hand side of which every entry is known to `error_of_b`.
-double OptimalFace::enclose(Basis& basis, double error_of_b) {
+// A bound on |R (b - B (x + x_low_))|∞ of the solution for the right-hand side b, from x on.
+double OptimalFace::refine(Basis& basis) {
   BasisView& view = basis.view();
-  if (!basis.refactor()) return kInfinity;
-  x_low_.reserve(static_cast<std::size_t>(view.P));
   std::fill_n(x_low_.data(), view.P, 0.0);
   for (int step = 0; step < kSteps; ++step)
     kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), true);
+  return kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), false);
+}
+
+// A bound on the error of x + x_low_, for a right-hand side + b_low_ of which every entry is known to
+// `error_of_b`. The low parts are solved for on their own.
+double OptimalFace::enclose(Basis& basis, double error_of_b) {
+  BasisView& view = basis.view();
+  const auto r = static_cast<std::size_t>(rank());
+  if (!basis.refactor()) return kInfinity;
+  x_low_.reserve(static_cast<std::size_t>(view.P));
   const double share = basis.residual_share();
-  const double residual = kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), false);
+  double residual = refine(basis);
+  if (std::any_of(b_low_.begin(), b_low_.end(), [](double low) { return low != 0; })) {
+    const std::vector<double> x(view.x(), view.x() + r), x_low(x_low_.data(), x_low_.data() + r);
+    std::copy(b_low_.begin(), b_low_.end(), basis.right_hand_side());
+    std::fill_n(view.x(), view.P, 0.0);
+    residual += refine(basis);
+    double size = 0;
+    for (std::size_t i = 0; i < r; ++i) {
+      const double y = view.x()[i];
+      const DoubleDouble sum = two_sum(x[i], x_low[i]) + two_sum(y, x_low_[i]);
+      view.x()[i] = sum.high;
+      x_low_[i] = sum.low;
+      size = std::max(size, std::fabs(x[i]) + std::fabs(y));
+    }
+    residual += 0x1p-100 * size;
+  }
   if (!(share < 0.5) || !std::isfinite(residual)) return kInfinity;
   const double norm = error_of_b > 0 ? kernels_->norms(&view).R : 0;
   return kRoundedUp * (residual + norm * error_of_b) / (1 - share);
@@ -194,7 +220,7 @@ void OptimalFace::refine_duals(double* y, double* y_low) {
 }
 
 // M_RPᵀ u_R = -M_PᵀU over the other rows, whose coordinates stay.
-double OptimalFace::enclose_orthogonal(double* u, const Stopwatch& stopwatch) {
+double OptimalFace::enclose_orthogonal(double* u, double* u_low, const Stopwatch& stopwatch) {
   const int r = rank();
   if (r == m_ || !affords(stopwatch, 3 * cube(r))) return kInfinity;  // of m columns: u = 0 only
   std::vector<bool> is_pivot(static_cast<std::size_t>(m_), false);
@@ -208,6 +234,7 @@ double OptimalFace::enclose_orthogonal(double* u, const Stopwatch& stopwatch) {
     }
     transposed_.set_column(k, work_.data(), 0, k);
   }
+  b_low_.assign(static_cast<std::size_t>(r), 0.0);
   double error = 0;
   for (int i = 0; i < r; ++i) {
     const double* p = column(pivots_[static_cast<std::size_t>(i)].column);
@@ -220,17 +247,19 @@ double OptimalFace::enclose_orthogonal(double* u, const Stopwatch& stopwatch) {
       size += std::fabs(term.high);
     }
     transposed_.right_hand_side()[i] = sum.high;
-    error = std::max(error, std::fabs(sum.low) + m_ * 0x1p-99 * size + kUnderflow);
+    b_low_[static_cast<std::size_t>(i)] = sum.low;
+    error = std::max(error, m_ * 0x1p-99 * size + kUnderflow);
   }
   error = enclose(transposed_, error);
   if (!(error < kInfinity) || !spans(false, stopwatch)) return kInfinity;
-  double largest = 0;
+  std::fill_n(u_low, m_, 0.0);
   for (int k = 0; k < r; ++k) {
-    const double value = transposed_.view().x()[k];
-    u[pivots_[static_cast<std::size_t>(k)].row] = value;
-    largest = std::max(largest, std::fabs(value));
+    const int row = pivots_[static_cast<std::size_t>(k)].row;
+    const DoubleDouble value = two_sum(transposed_.view().x()[k], x_low_[static_cast<std::size_t>(k)]);
+    u[row] = value.high;
+    u_low[row] = value.low;
   }
-  return error + 2 * kUnitRoundoff * largest;  // x_low_ is left out
+  return error;
 }
 
 }  // namespace raygauge

@@ -40,10 +40,10 @@ class OptimalFace {
   /// to some 30 digits where they were nearly.
   void refine_duals(double* y, double* y_low);
 
-  /// For Farkas directions u (m doubles, nearly orthogonal to all columns): changes u in the pivot rows by so
-  /// little that within the error returned of it, in these coordinates, there is one that is exactly
-  /// orthogonal. +infinity where that is not proven.
-  double enclose_orthogonal(double* u, const Stopwatch& stopwatch);
+  /// For Farkas directions u (m doubles, nearly orthogonal to all columns): changes u to u + u_low in the
+  /// pivot rows by so little that within the error returned of it, in these coordinates, there is one that is
+  /// exactly orthogonal. +infinity where that is not proven.
+  double enclose_orthogonal(double* u, double* u_low, const Stopwatch& stopwatch);
 
   double weight(int i) const { return weights_[static_cast<std::size_t>(i)]; }
   std::int64_t id(int i) const { return ids_[static_cast<std::size_t>(i)]; }
@@ -57,6 +57,7 @@ class OptimalFace {
   void eliminate(const Stopwatch& stopwatch);
   bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
   double enclose(Basis& basis, double error_of_b);
+  double refine(Basis& basis);
   double set_right_hand_side();
 
   int m_ = 0;
@@ -67,6 +68,7 @@ class OptimalFace {
   std::vector<Pivot> pivots_;
   std::vector<bool> is_pivot_;  // of columns
   std::vector<double> work_;
+  std::vector<double> b_low_;  // of the right-hand side at hand
   bool rounded_ = false;
   Basis basis_;       // M_RP
   Basis transposed_;  // its transpose

@@ -67,10 +67,13 @@ class Sifting {
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_carriers(double distance, Effects effects, DistanceResult& result);
   double upper_of_face();
+  bool collect_face(double least);
   void find_origin_weights(std::vector<PointWeight>& weights);
   void weights_of_face(std::vector<PointWeight>& weights) const;
   bool certify_by_plane(Effects effects, DistanceResult& result);
   bool certify_by_plane(double near, Effects effects, DistanceResult& result);
+  bool is_beyond(const ColumnPool& pool, const std::vector<double>& u, const std::vector<double>& u_low,
+                 double sign, const std::vector<double>& uncertain, const std::vector<bool>& left_out);
   std::vector<bool> collect_plane(const double* u, double near);
   const double* products_with(const ColumnPool& pool, const double* u);
   void conclude(double lower, double upper, Effects effects, DistanceResult& result);

@@ -14,8 +14,9 @@ namespace {
 // A distance that small, in units where both sets have magnitude 1, may be zero.
 constexpr double kMaybeZero = 1e-4;
 
-// A weight above carries, others are zero but for rounding.
-constexpr double kCarries = 1e-9;
+// A weight above carries, others are zero but for rounding: of most bases, and of those that a shear has left
+// so ill-conditioned that weights of 1e-4 are rounding.
+constexpr double kCarries[] = {1e-9, 1e-3};
 
 // That exact arithmetic may take for weights that other arithmetic has as good.
 constexpr double kSecondsForWeights = 1e-3;
@@ -105,15 +106,27 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
 
 // An upper bound from the basic columns with weight alone: at a degenerate optimum the others prove nothing.
 double Sifting::upper_of_face() {
+  int tried = 0;
+  for (const double least : kCarries) {
+    if (!collect_face(least) || face_.count() == tried) break;
+    tried = face_.count();
+    const double upper = face_.choose(*stopwatch_) ? face_.upper(*stopwatch_) : kInfinity;
+    if (upper < kInfinity) return upper;
+  }
+  return kInfinity;
+}
+
+// The basic columns with a weight above `least`, into face_. False where an artificial one is among them.
+bool Sifting::collect_face(double least) {
   const BasisView& view = program_.basis().view();
   face_.begin(n_ + 1, *kernels_);
   for (int i = 0; i <= n_; ++i) {
     const double weight = view.x()[i];
-    if (!(weight > kCarries)) continue;
-    if (is_artificial(view.id[i])) return kInfinity;
+    if (!(weight > least)) continue;
+    if (is_artificial(view.id[i])) return false;
     face_.add(program_.basis().column(i), is_from_Q(view.id[i]) ? 1.0 : 0.0, weight, view.id[i]);
   }
-  return face_.choose(*stopwatch_) ? face_.upper(*stopwatch_) : kInfinity;
+  return true;
 }
 
 void Sifting::weights_of_face(std::vector<PointWeight>& weights) const {
@@ -166,27 +179,17 @@ bool Sifting::certify_by_plane(double near, Effects effects, DistanceResult& res
   for (double& coordinate : u) coordinate /= size;
   const std::vector<bool> in_plane = collect_plane(u.data(), near);
   if (!face_.choose(*stopwatch_)) return false;
-  const double error = face_.enclose_orthogonal(u.data(), *stopwatch_);
+  std::vector<double> u_low(u.size()), uncertain(u.size());
+  const double error = face_.enclose_orthogonal(u.data(), u_low.data(), *stopwatch_);
   if (!(error < kInfinity)) return false;
-  std::vector<double> uncertain(static_cast<std::size_t>(n_)), point(static_cast<std::size_t>(n_));
+  // How far the computed u·p may be from that of the orthogonal direction, for each |p_k|: the error of
+  // Kernels::products_twofold, and that of the enclosure.
+  const double rounding = 8.0 * (n_ + 4) * (n_ + 4) * 0x1p-106;
   std::transform(u.begin(), u.end(), uncertain.begin(),
-                 [&](double coordinate) { return 2 * n_ * kUnitRoundoff * std::fabs(coordinate); });
+                 [&](double coordinate) { return rounding * std::fabs(coordinate); });
   for (int i = 0; i < face_.rank(); ++i) uncertain[static_cast<std::size_t>(face_.pivot_row(i))] += error;
-  // How far the computed u·p may be from that of the orthogonal direction, whose other coordinates are u's.
-  const auto margin = [&](const ColumnPool& pool, std::ptrdiff_t i) {
-    pool.copy_point(i, point.data());
-    double sum = 0;
-    for (std::size_t k = 0; k < point.size(); ++k) sum += uncertain[k] * std::fabs(point[k]);
-    return 1.01 * sum + kUnderflow;
-  };
-  const double* values = products_with(working_A_, u.data());
-  for (std::ptrdiff_t i = 0; i < working_A_.size(); ++i) {
-    if (!(values[i] < -margin(working_A_, i))) return false;
-  }
-  values = products_with(working_Q_, u.data());
-  for (std::ptrdiff_t j = 0; j < working_Q_.size(); ++j) {
-    if (!in_plane[static_cast<std::size_t>(j)] && !(values[j] > margin(working_Q_, j))) return false;
-  }
+  if (!is_beyond(working_A_, u, u_low, -1, uncertain, {})) return false;
+  if (!is_beyond(working_Q_, u, u_low, 1, uncertain, in_plane)) return false;
   for (int k = 0; k < n_; ++k) {
     const double component = u[static_cast<std::size_t>(k)];
     direction_[static_cast<std::size_t>(n_) + static_cast<std::size_t>(k)] =
@@ -194,6 +197,25 @@ bool Sifting::certify_by_plane(double near, Effects effects, DistanceResult& res
   }
   h_Q_ = {};
   finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+  return true;
+}
+
+// Whether sign u·p > 0 by more than `uncertain` for all points p that are not left out.
+bool Sifting::is_beyond(const ColumnPool& pool, const std::vector<double>& u,
+                        const std::vector<double>& u_low, double sign, const std::vector<double>& uncertain,
+                        const std::vector<bool>& left_out) {
+  const PricedPoints points = pool.view();
+  collected_value_.reserve(static_cast<std::size_t>(points.block_count) * PointSet::kLanes);
+  kernels_->products_twofold(points.blocks, points.block_count, n_, u.data(), u_low.data(),
+                             collected_value_.data());
+  std::vector<double> point(u.size());
+  for (std::ptrdiff_t i = 0; i < pool.size(); ++i) {
+    if (!left_out.empty() && left_out[static_cast<std::size_t>(i)]) continue;
+    pool.copy_point(i, point.data());
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k) sum += uncertain[k] * std::fabs(point[k]);
+    if (!(sign * collected_value_[static_cast<std::size_t>(i)] > 1.01 * sum + kUnderflow)) return false;
+  }
   return true;
 }
 
