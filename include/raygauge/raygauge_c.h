@@ -8,14 +8,14 @@
    in one line. Outputs are then unchanged, except for arrays of a batch. What a solve finds out is no error:
    it is the status in its answer. No C++ exception leaves a function.
 
-   Handles. rg_set, rg_pose, rg_warm, rg_solver and rg_batch are made by a function that writes the handle to
-   its last argument, and given back by the function of their name that ends in _free, which takes a null
-   pointer too. A set that is made of others keeps what it needs of them: their handles may be freed before
-   it.
+   Handles. rg_set, rg_pose, rg_warm, rg_solver, rg_batch, rg_robot and rg_checker are made by a function that
+   writes the handle to its last argument, and given back by the function of their name that ends in _free,
+   which takes a null pointer too. What is made of others keeps what it needs of them: their handles may be
+   freed before it.
 
    Threads. A set never changes: any number of threads may use one at once. A pose may be shared as long as
-   nobody assigns to it. A solver, a batch and a warm start are for one thread at a time. Messages are kept
-   for each thread.
+   nobody assigns to it, a robot as long as nobody adds to it. A solver, a batch, a checker and a warm start
+   are for one thread at a time. Messages are kept for each thread.
 
    Numbers. Lists of vectors are stored one vector after the other, n doubles each. Matrices are stored by
    columns, as in Octave, Julia and LAPACK. Everything is copied from the caller's arrays; none needs to
@@ -85,11 +85,23 @@ enum {
   RG_GRADIENT_2 = 5  /* ... and when the second is; with RG_GRADIENT */
 };
 
+/* What a joint lets its link do. */
+enum { RG_FIXED = 0, RG_REVOLUTE = 1, RG_PRISMATIC = 2 };
+
+/* What is proven of a motion of a robot. */
+enum {
+  RG_EDGE_FREE = 0,     /* no distance is ever `margin` or less */
+  RG_EDGE_CONTACT = 1,  /* at `time` a distance is at most margin + contact */
+  RG_EDGE_UNDECIDED = 2 /* neither */
+};
+
 typedef struct rg_set rg_set;   /* a nonempty compact convex set of R^n */
 typedef struct rg_pose rg_pose; /* a rigid motion x -> R x + t of R^n */
 typedef struct rg_warm rg_warm; /* what earlier solves of some pairs have found: a hint, never an answer */
 typedef struct rg_solver rg_solver; /* options and workspace of single queries */
 typedef struct rg_batch rg_batch;   /* options and workspaces of many queries at once, on threads */
+typedef struct rg_robot rg_robot; /* links, joints and bodies of a robot in R^3, and what stands around it */
+typedef struct rg_checker rg_checker; /* proves motions of a robot free, or finds a contact */
 
 /* Two sets, each in its pose; a null pose is the identity. */
 typedef struct rg_pair {
@@ -120,6 +132,37 @@ typedef struct rg_batch_answers {
   double* closest_points_1; /* n doubles a pair; rg_batch_object_distances only */
   double* closest_points_2;
 } rg_batch_answers;
+
+/* A link of a robot and the joint that it hangs on: its frame is that of the parent, moved by `origin`, then
+   turned about, or shifted along, `axis` by scale * (joint value) + offset. */
+typedef struct rg_link {
+  int32_t parent; /* a link that was added before; -1: the base */
+  int32_t kind;   /* RG_FIXED, ... */
+  int32_t joint;  /* whose value it is, from 0; of a fixed link nothing is read from here on but origin */
+  const rg_pose* origin; /* null: the identity */
+  double axis[3];        /* of length 1 to 1e-12 */
+  double scale;          /* 1, or of a joint that mimics another; not 0 */
+  double offset;
+} rg_link;
+
+/* Options of a checker. */
+typedef struct rg_checker_options {
+  double margin;     /* free motions keep more than this distance; 0 or more */
+  double contact;    /* a distance of at most margin + contact is a contact; 0 stands for 1e-6 */
+  int64_t max_looks; /* pairs solved for one edge until it is undecided; 0 stands for 20000 */
+  int32_t witness;   /* not 0: of a contact also points and depth */
+} rg_checker_options;
+
+/* The verdict of a checker. Bodies have the numbers that rg_robot_add_body and rg_robot_add_obstacle gave
+   them, parts their places in the list; -1: none. NaN where there is no such number. */
+typedef struct rg_verdict {
+  int32_t outcome; /* RG_EDGE_FREE, ... */
+  int32_t body_1, body_2, part_1, part_2;
+  double time; /* of the contact, not always the first one: 1.5 is halfway from configuration 1 to 2 */
+  double lower, upper;           /* of a contact: certified bounds on the distance of these parts */
+  double depth;                  /* with witness: by how much they overlap; 0: they do not */
+  double point_1[3], point_2[3]; /* with witness: the closest points, or those to be pushed apart */
+} rg_verdict;
 
 /* ---- The library ---- */
 
@@ -314,6 +357,45 @@ RG_API rg_error rg_batch_object_distances(rg_batch* batch, int64_t count, const 
 /* rg_growth_distance of count pairs. */
 RG_API rg_error rg_batch_growth_distances(rg_batch* batch, int64_t count, const rg_pair* pairs, rg_warm* warm,
                                           const rg_batch_answers* answers);
+
+/* ---- Motions of a robot, since version 2 of the interface ---- */
+
+/* A robot with so many joints, without links; its base is the frame of the scene. */
+RG_API rg_error rg_robot_create(int32_t joints, rg_robot** robot);
+RG_API void rg_robot_free(rg_robot* robot);
+
+/* Adds a link; number, which may be null, is its number: 0, 1, 2, ... */
+RG_API rg_error rg_robot_add_link(rg_robot* robot, const rg_link* link, int32_t* number);
+
+/* Adds a rigid body, the union of count sets of R^3, to a link, by `origin` on it (null: the identity). */
+RG_API rg_error rg_robot_add_body(rg_robot* robot, int32_t link, int64_t count, const rg_set* const* parts,
+                                  const rg_pose* origin, int32_t* number);
+
+/* Adds a body that stands still. The robot has got all of its bodies before. */
+RG_API rg_error rg_robot_add_obstacle(rg_robot* robot, int64_t count, const rg_set* const* parts,
+                                      const rg_pose* pose, int32_t* number);
+
+/* These two bodies never count. */
+RG_API rg_error rg_robot_ignore(rg_robot* robot, int32_t body_1, int32_t body_2);
+
+/* So do bodies of one link, and of links that a joint joins, also over links without a body. To be called
+   before what the robot has grasped is added to it. */
+RG_API rg_error rg_robot_ignore_joined(rg_robot* robot);
+
+/* A checker of this robot as it is now; null options are the default. */
+RG_API rg_error rg_checker_create(const rg_robot* robot, const rg_checker_options* options,
+                                  rg_checker** checker);
+RG_API void rg_checker_free(rg_checker* checker);
+
+/* Whether the robot moves without contact through these configurations, straight in the space of its joints
+   from each to the next: count * joints doubles, one configuration after the other. It ends with the first
+   edge that is not free. count = 1: one configuration. */
+RG_API rg_error rg_checker_prove(rg_checker* checker, int64_t count, const double* configurations,
+                                 rg_verdict* verdict);
+
+/* Forgets what is kept from earlier edges to save time: answers are then those of a new checker, bit for bit.
+ */
+RG_API rg_error rg_checker_forget(rg_checker* checker);
 
 /* NOLINTEND */
 

@@ -43,6 +43,7 @@ void test_batches(void);
 void test_options(void);
 void test_poses(void);
 void test_refusals(void);
+void test_robots(void);
 void test_sets(void);
 void test_threads(void);
 

@@ -20,6 +20,7 @@ int main(void) {
   test_options();
   test_batches();
   test_refusals();
+  test_robots();
   test_threads();
   printf("%d checks failed\n", failed_checks);
   return failed_checks == 0 ? 0 : 1;

@@ -38,6 +38,24 @@ static void query(long calls) {
     OK(rg_object_distance(solver, &pair, NULL, RG_CLOSEST_POINTS, NULL, &answer));
 }
 
+/* A link that turns with a ball, past another one. */
+static void prove_edge(const rg_set* ball) {
+  const rg_link link = {-1, RG_REVOLUTE, 0, NULL, {0, 0, 1}, 1, 0};
+  const double line[2] = {0, 1};
+  rg_robot* robot = NULL;
+  rg_checker* checker = NULL;
+  rg_verdict verdict;
+  OK(rg_robot_create(1, &robot));
+  OK(rg_robot_add_link(robot, &link, NULL));
+  OK(rg_robot_add_body(robot, 0, 1, &ball, NULL, NULL));
+  OK(rg_robot_add_obstacle(robot, 1, &ball, NULL, NULL));
+  CHECK(rg_robot_ignore(robot, 0, 2) != RG_OK);
+  OK(rg_checker_create(robot, NULL, &checker));
+  rg_robot_free(robot);
+  OK(rg_checker_prove(checker, 2, line, &verdict));
+  rg_checker_free(checker);
+}
+
 static void make_and_free(long calls) {
   const double lost[4] = {0, NAN, 0, 0};
   for (long i = 0; i < calls; ++i) {
@@ -47,6 +65,7 @@ static void make_and_free(long calls) {
     rg_batch* batch = NULL;
     rg_solver* solver = NULL;
     OK(rg_set_sum(ball, ball, &sum));
+    if (i % 10 == 0) prove_edge(ball);
     rg_set_free(ball);
     OK(rg_pose_create(3, NULL, NULL, &pose));
     OK(rg_warm_create(2, &warm));
