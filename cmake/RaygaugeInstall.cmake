@@ -24,6 +24,39 @@ add_library(raygauge_sweep_shared INTERFACE)  # the same object, as its users na
 set_target_properties(raygauge_sweep_shared PROPERTIES EXPORT_NAME sweep)
 target_link_libraries(raygauge_sweep_shared INTERFACE raygauge_shared)
 
+# The same as an archive, for programs that stand alone: component static. What it needs beside is named for the linker.
+add_library(raygauge_static STATIC $<TARGET_OBJECTS:raygauge_engine> $<TARGET_OBJECTS:raygauge_sweep> $<TARGET_OBJECTS:raygauge_scene>)
+set(_static_libraries -lgomp)
+if(RAYGAUGE_HAS_FLOAT128)
+  list(APPEND _static_libraries -lquadmath)
+endif()
+if(RAYGAUGE_HAS_QHULL)
+  list(APPEND _static_libraries -lqhullcpp -lqhull_r)
+endif()
+target_link_libraries(raygauge_static INTERFACE Eigen3::Eigen ${_static_libraries} -pthread)
+target_include_directories(raygauge_static INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_features(raygauge_static INTERFACE cxx_std_20)
+set_target_properties(raygauge_static PROPERTIES OUTPUT_NAME raygauge EXPORT_NAME static LINKER_LANGUAGE CXX)
+install(TARGETS raygauge_static EXPORT raygauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+list(JOIN _static_libraries " " _static_libraries)  # for pkg-config --static
+
+# raygauge/results.h: the results files of sweeps, which need HDF5; a component of its own, results.
+if(RAYGAUGE_BUILD_PROGRAM)
+  add_library(raygauge_results_shared SHARED ${PROJECT_BINARY_DIR}/shared_library.cc)
+  target_link_libraries(raygauge_results_shared PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,raygauge_results>
+                                                INTERFACE raygauge_sweep_shared)
+  target_link_options(raygauge_results_shared PRIVATE -Wl,--gc-sections -Wl,--no-undefined
+                      -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/packaging/visible_results.map)
+  set_target_properties(raygauge_results_shared PROPERTIES
+    OUTPUT_NAME raygauge_results EXPORT_NAME results
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/packaging/visible_results.map
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/shared)
+  install(TARGETS raygauge_results_shared EXPORT raygauge_results LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT results)
+  install(EXPORT raygauge_results FILE raygaugeResultsTargets.cmake NAMESPACE raygauge:: DESTINATION ${_package}
+          COMPONENT results)
+endif()
+
 install(TARGETS raygauge_shared EXPORT raygauge LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
                                                         NAMELINK_COMPONENT development)
 install(TARGETS raygauge_sweep_shared EXPORT raygauge)

@@ -1,7 +1,7 @@
 # Build options, language level and warnings: decided once, for every room.
 
 option(RAYGAUGE_BUILD_PROGRAM "Build generators, baselines, results, analysis and the program" ${PROJECT_IS_TOP_LEVEL})
-option(RAYGAUGE_BUILD_C "Build the C interface, the shared library raygauge_c" ${PROJECT_IS_TOP_LEVEL})
+option(RAYGAUGE_BUILD_C "Build the C interface, the shared library raygauge_c" ${RAYGAUGE_BUILD_PROGRAM})
 option(RAYGAUGE_BUILD_TESTS "Build the test suite" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_BUILD_BENCH "Build the Google Benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(RAYGAUGE_FUZZ "Build the libFuzzer targets too (preset fuzz)" OFF)
@@ -13,7 +13,7 @@ include(RaygaugeOptional)
 # The Python package belongs to Debian's interpreter, which another one may hide on PATH; it needs NumPy to be imported.
 set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter that the Python package is built for")
 set(_python_default OFF)
-if(PROJECT_IS_TOP_LEVEL)
+if(RAYGAUGE_BUILD_PROGRAM)
   set(_python_default AUTO)
 endif()
 raygauge_option(RAYGAUGE_BUILD_PYTHON "Build the Python package" ${_python_default})

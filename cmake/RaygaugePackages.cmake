@@ -1,4 +1,4 @@
-# The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, raygauge,
+# The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, libraygauge-results, raygauge,
 # raygauge-mpi, raygauge-siconos, python3-raygauge.
 
 # The manual and the completion are made from the program's own help, where help2man is installed.
@@ -38,6 +38,12 @@ if(RAYGAUGE_BUILD_PROGRAM)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME raygauge)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, raygauge-siconos")
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "the program, its manual and completion")
+endif()
+if(RAYGAUGE_BUILD_PROGRAM)
+  list(APPEND CPACK_COMPONENTS_ALL results)
+  set(CPACK_DEBIAN_RESULTS_PACKAGE_NAME libraygauge-results)
+  set(CPACK_DEBIAN_RESULTS_PACKAGE_RECOMMENDS libraygauge-dev)
+  set(CPACK_COMPONENT_RESULTS_DESCRIPTION "results files of sweeps, for C++ programs")
 endif()
 set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
 set(CPACK_COMPONENT_SICONOS_DESCRIPTION "friction between bodies that react")

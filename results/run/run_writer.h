@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "raygauge/results.h"
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/record.h"
 #include "raygauge/sweep/sweep.h"
@@ -21,13 +22,6 @@
 #include "results/run/stored_records.h"
 
 namespace raygauge {
-
-/// What may already be where a run is to be written.
-enum class RunMode : std::uint8_t {
-  create,  ///< nothing
-  resume,  ///< the same experiment, unfinished or finished; or nothing
-  force,   ///< any run; it is discarded when the first cell of the new one is stored
-};
 
 /// A run being written: from the first cell, through any number of kills and resumes, to the one file.
 ///

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 //
-// A sweep with a generator of one's own and no file: balls of radius 1 around points at distance 3 from the
-// origin, measured by the unit ball. The distance is 2 whatever the dimension.
+// usage: small_sweep RESULTS.h5. A sweep with a generator of one's own: balls of radius 1 around points at
+// distance 3 from the origin, measured by the unit ball. The distance is 2 whatever the dimension. The file
+// is for `raygauge table` and the like; called again it finishes a sweep that was interrupted.
 #include <raygauge/raygauge.h>
+#include <raygauge/results.h>
 #include <raygauge/sweep.h>
 
 #include <cmath>
@@ -22,21 +24,27 @@ class DistantBalls final : public raygauge::Generator {
   }
 };
 
-// Takes each finished cell; a results file would be another sink.
+// Looks at each finished cell before the file gets it.
 class Check final : public raygauge::RecordSink {
  public:
+  explicit Check(raygauge::ResultsWriter& file) : file_(file) {}
   void store(const raygauge::CellResult& cell) override {
     for (const raygauge::Record& record : cell.records) {
       ++records;
       if (!(std::abs(record.distance - 2) <= 1e-6)) ++wrong;
     }
+    file_.store(cell);
   }
   int records = 0, wrong = 0;
+
+ private:
+  raygauge::ResultsWriter& file_;
 };
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) try {
+  if (argc != 2) throw raygauge::InvalidParameterError("usage: small_sweep RESULTS.h5");
   raygauge::GeneratorRegistry generators("generator");
   generators.add({"distant_balls", "unit balls at distance 3", {}, [](const raygauge::Parameters&) {
                     return std::make_unique<DistantBalls>();
@@ -54,8 +62,14 @@ int main() {
   experiment.generators = {balls};
   experiment.methods = {{"newton", "newton", {}}, {"zheng_yamane", "zheng_yamane", {}}};
 
-  Check check;
-  raygauge::run_sweep(experiment, generators, methods, check);
+  raygauge::ResultsWriter file(argv[1], experiment, raygauge::RunMode::resume);
+  Check check(file);
+  const raygauge::SweepSummary summary =
+      raygauge::run_sweep(experiment, generators, methods, check, file.done());
+  file.finish(summary.calibration);
   std::printf("%d records, %d wrong\n", check.records, check.wrong);
   return check.wrong == 0 ? 0 : 1;
+} catch (const raygauge::Error& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }

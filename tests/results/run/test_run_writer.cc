@@ -43,6 +43,27 @@ TEST_F(RunWriterTest, AWholeRunIsOneFileOfAllRecordsInOrder) {
   EXPECT_EQ(entries_of(folder_.path()), std::vector<std::string>{"x.h5"});
 }
 
+TEST_F(RunWriterTest, AProgramWritesTheFileOfASweepThatHasNoText) {
+  experiment_.text.clear();
+  experiment_.name = "a \"quoted\" \\ name\nof two lines";
+  {
+    ResultsWriter run(path_, experiment_);
+    for (const std::uint64_t cell : {2, 0}) run.store(cell_result(experiment_, cell));
+  }  // as if it had been killed
+  EXPECT_NE(error_of([&] { ResultsWriter(path_, experiment_); }), "");
+  ResultsWriter run(path_, experiment_, RunMode::resume);
+  EXPECT_EQ(run.done(), (std::set<std::uint64_t>{0, 2}));
+  EXPECT_NE(error_of([&] { run.store(cell_result(experiment_, 0)); }), "");
+  for (const std::uint64_t cell : {1, 3}) run.store(cell_result(experiment_, cell));
+  run.finish();
+  const ResultsFile results = read_results(path_);
+  EXPECT_NE(results.provenance.experiment_text.find(R"(name = "a \"quoted\" \\ name\u000aof two lines")"),
+            std::string::npos);
+  EXPECT_TRUE(results.finished());
+  EXPECT_EQ(results.records.size(), expected().size());
+  EXPECT_EQ(results.records.front().host, results.provenance.sessions.front().machine.hostname);
+}
+
 TEST_F(RunWriterTest, FoldersOnTheWayAreCreated) {
   path_ = folder_.file("out/today/x.h5");
   write(RunMode::create, {0, 1, 2, 3}, true);
