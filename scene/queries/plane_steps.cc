@@ -153,6 +153,45 @@ double PlaneSteps::least_from(double from, double end, const PairMotion& motion,
   return least;
 }
 
+// w = Rᵀu of either body as in bulge(), with ω of the planes in place of the carrier's.
+double PlaneSteps::least_turning(const SmallVector& u, const SmallVector& u_end, double from, double end,
+                                 const PairMotion& motion) {
+  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+  constexpr double kAngleError = 4e-15;  // of the angle between two vectors of length 1, rounded
+  const double time = std::fabs(end - from);
+  if (!watch_.a().is_bounded() || !watch_.b().is_bounded() || !(time > 0)) return kUnknown;
+  watch_.place(from);
+  begin(u);
+  look_along(from, now_);
+  watch_.place(end);
+  then_.u = u_end / u_end.norm();
+  look_along(end, then_);
+  const double chord = (then_.u - now_.u).norm();
+  if (!(chord < 1)) return kUnknown;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero(), last = first;
+  first.head(u.size()) = now_.u;
+  last.head(u.size()) = then_.u;
+  const Eigen::Vector3d axis = first.cross(last - first);
+  const double rate = (2 * std::asin(chord / 2) + kAngleError) / time;
+  const Eigen::Vector3d spin = axis.norm() > 0 ? Eigen::Vector3d(rate / axis.norm() * axis) : axis;
+  // The axis is known to the error of the chord, across the planes' path.
+  const double astray = 2 * kAngleError / time;
+  const auto curvature = [&](const MotionBound& body, double reach) {
+    return reach * ((spin - body.spin).norm() + astray) * (rate + body.spin.norm());
+  };
+  const double reach_a = watch_.a().core_reach, reach_b = watch_.b().core_reach;
+  const double errors = motion.a.velocity_error + motion.b.velocity_error;
+  const double places = std::max(now_.way.norm(), then_.way.norm()) + time * errors;
+  const double speed = (motion.b.velocity - motion.a.velocity).norm() +
+                       1e-13 * (motion.a.velocity.lpNorm<1>() + motion.b.velocity.lpNorm<1>());
+  const double of_turns = curvature(motion.a, reach_a) + curvature(motion.b, reach_b);
+  const double of_way = (2 * speed + places * rate) * rate;
+  const double drift = errors + reach_a * motion.a.spin_error + reach_b * motion.b.spin_error;
+  const double over = Bulge{(of_turns + of_way) / 8, 2 * drift}.over(time);
+  const double apart = std::min(now_.apart, then_.apart);
+  return (apart < 0 ? apart * kOutward : apart / kOutward) - over;
+}
+
 double PlaneSteps::next(const PartLook& look, const PairMotion& motion, double safe, double end) {
   const double t = look.time;
   if (!(look.lower > 0) || look.answer.point_a.size() == 0) return safe;

@@ -28,12 +28,15 @@ struct PairMotion {
 ///   planes that stand still:   c = Σ reach |ω| |ω × u|, each body's own,
 ///   planes that turn with A:   c = reach_B |ω_A - ω_B| (|ω_A × u| + |ω_B|)
 ///                                  + (2 |v_B - v_A| + |p_B - p_A| |ω_A|) |ω_A × u|,
+///   planes that turn at ω:     c = Σ reach |ω - ω_i| (|ω| + |ω_i|) + (2 |v_B - v_A| + |p_B - p_A| |ω|) |ω|,
+///                              each body's own ω_i, ω across u,
 /// p the places of the bodies' origins, v their velocities, ω their angular velocities, reach as in
 /// BodyPart::core_reach. Where velocities are known to an error e_v and angular velocities to e_ω only, what
 /// is between the planes differs after the time T by at most D T from that of constant velocities, which
 /// takes 2 D T:
 ///   planes that stand still:   D = Σ (e_v / 4 + reach e_ω),
-///   planes that turn with A:   D = e_v,A + e_v,B + |p_B - p_A| e_ω,A + reach_B (e_ω,A + e_ω,B).
+///   planes that turn with A:   D = e_v,A + e_v,B + |p_B - p_A| e_ω,A + reach_B (e_ω,A + e_ω,B),
+///   planes that turn at ω:     D = Σ (e_v + reach e_ω).
 class PlaneSteps {
  public:
   explicit PlaneSteps(PartWatch& watch) : watch_(watch) {}
@@ -49,6 +52,11 @@ class PlaneSteps {
   /// The same across the vector u at the time `from`, of bodies that may overlap too: of these it is a lower
   /// bound on the signed distance, minus the depth.
   double least_along(const SmallVector& u, double from, double end, const PairMotion& motion);
+
+  /// The same by planes that turn from `u` to `u_end` at a constant rate: two edges that cross stay in them.
+  /// -infinity where these are 60 degrees apart or more, or a body is not bounded.
+  double least_turning(const SmallVector& u, const SmallVector& u_end, double from, double end,
+                       const PairMotion& motion);
 
  private:
   enum class Carrier : std::uint8_t { space, a, b };

@@ -154,7 +154,8 @@ double NearPairs::free_until(const Body& a, const Body& b, double from, double t
 }
 
 // The time up to which the parts overlap by `most` at most, by planes across the normal where they are, or
-// across that at the end of what is looked at; halves of it where neither proves it.
+// across that at the end of what is looked at, or that turn from one to the other; halves of it where none
+// proves it.
 double NearPairs::overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from,
                                 double to, double most) {
   constexpr int kMostLooks = 60;
@@ -171,9 +172,13 @@ double NearPairs::overlap_until(const Candidate& candidate, const Eigen::Vector3
     bool holds = steps.least_along(u, proven, until, motion) >= -most;
     if (!holds) {
       PartContact then;
-      look(candidate, a.motion->at(until), b.motion->at(until), 0, then);
+      // Farther apart than the band no normal is found.
+      const double band =
+          scales_.delta + motion.a.speed(a.reach) * (until - from) + motion.b.speed(b.reach) * (until - from);
+      look(candidate, a.motion->at(until), b.motion->at(until), band, then);
       const SmallVector other = then.normal.head(n_);
-      holds = then.lower >= -most && steps.least_along(other, proven, until, motion) >= -most;
+      holds = then.lower >= -most && (steps.least_along(other, proven, until, motion) >= -most ||
+                                      steps.least_turning(u, other, proven, until, motion) >= -most);
       if (holds) u = other;
     }
     if (holds) proven = until;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 #include "tests/scene/simulation/reacting_scenes.h"
 
 /// Hard cases with known truth, at steps that differ by powers of ten.
@@ -54,6 +57,25 @@ TEST(HardMotions, a_heavy_cube_rests_on_a_light_one_at_every_step) {
     for (const std::size_t k : {0U, 1U})
       EXPECT_LE((motion_of(found, k).at(0.5).t - scene.scene.bodies[k].motion->at(0).t).norm(), 1e-9);
   }
+}
+
+// Two edges cross, and one of them tips: the plane between them turns with neither body.
+TEST(HardMotions, a_rod_that_tips_across_an_edge_needs_few_cuts) {
+  Reacting scene(0.05);
+  scene.dynamics.gravity = v(0, 0, -9.81);
+  scene.dynamics.contact = ContactLaw{};
+  const double side = 0.1, top = std::sqrt(2.0) * side;
+  const auto quarter = [](const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(std::acos(-1.0) / 4, axis).toRotationMatrix();
+  };
+  scene.add(box(1, side, side), v(0, 0, -top), 0, quarter(v(1, 0, 0)));
+  scene.add(box(side, 0.5, side), v(0, 0.1, top), 1, quarter(v(0, 1, 0)));
+  scene.dynamics.bodies[1].spin = v(2, 0.5, 0);
+  const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
+  expect_proven(found);
+  std::int64_t substeps = 0;
+  for (const StepRecord& step : found.steps) substeps += step.substeps;
+  EXPECT_LE(substeps, 3 * static_cast<std::int64_t>(found.steps.size()));
 }
 
 }  // namespace
