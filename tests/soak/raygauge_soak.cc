@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions` and `scenes` check random
-// pairs of convex sets, posed bodies, bodies at known distances, overlaps, used solvers, depths, moving
-// bodies and scenes: docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions`, `edges` and `scenes`
+// check random pairs of convex sets, posed bodies, bodies at known distances, overlaps, used solvers, depths,
+// moving bodies, edges of robots and scenes: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -17,6 +17,7 @@
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_depths.h"
+#include "tests/soak/random_edges.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
@@ -133,7 +134,7 @@ CLI::App* declare(CLI::App& app, const std::string& name, const std::string& des
                   PairsCommandLine& asked) {
   CLI::App* command = app.add_subcommand(name, description);
   command->option_defaults()->always_capture_default();
-  command->add_option("--pairs", asked.pairs, "how many pairs, motions or scenes")
+  command->add_option("--pairs", asked.pairs, "how many pairs, motions, robots or scenes")
       ->check(CLI::PositiveNumber);
   command->add_option("--first", asked.first, "number of the first one")->check(CLI::NonNegativeNumber);
   command->add_option("--seed", asked.seed, "seed of all random numbers");
@@ -171,6 +172,8 @@ int main(int count, char** arguments) {
   const CLI::App* motions = raygauge::soak::declare(
       app, "motions", "Times of impact of random moving bodies, against distances at single moments.",
       asked_pairs);
+  const CLI::App* edges = raygauge::soak::declare(
+      app, "edges", "Edges of random robots, 10 a robot, against distances at 41 moments.", asked_pairs);
   const CLI::App* scenes = raygauge::soak::declare(
       app, "scenes", "Random scenes with every effect, against brute force.", asked_pairs);
   CLI11_PARSE(app, count, arguments);
@@ -184,6 +187,7 @@ int main(int count, char** arguments) {
     if (*used) return raygauge::soak::soak_pairs<raygauge::soak::UsedSolvers>(asked_pairs);
     if (*depths) return raygauge::soak::soak_pairs<raygauge::soak::RandomDepths>(asked_pairs);
     if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
+    if (*edges) return raygauge::soak::soak_pairs<raygauge::soak::RandomEdges>(asked_pairs);
     if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);
     return raygauge::soak::soak(asked);
   } catch (const std::exception& error) {

@@ -16,6 +16,7 @@
 #include "tests/soak/placed_bodies.h"
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_depths.h"
+#include "tests/soak/random_edges.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/run.h"
@@ -202,6 +203,18 @@ TEST(Soak, TimesOfImpactAreThoseOfBisectionsAndOfQuadruplePrecision) {
   EXPECT_GT(motions.tally().grazing, 20);
   EXPECT_EQ(motions.tally().exact, 100);
   EXPECT_LT(motions.tally().exact_undecided, 60);  // half of them graze by less than poses can tell
+}
+
+TEST(Soak, VerdictsOnEdgesHoldAtEveryMoment) {
+  soak::RandomEdges edges(1);
+  for (std::int64_t i = 0; i < 60; ++i) {
+    ASSERT_EQ(edges.check(i).value_or(""), "");
+  }
+  EXPECT_GT(edges.tally().free, 100);
+  EXPECT_GT(edges.tally().contact, 100);
+  EXPECT_GT(edges.tally().grazing, 100);
+  EXPECT_GT(edges.tally().samples, 1000);
+  EXPECT_EQ(edges.tally().undecided, 0);
 }
 
 TEST(Soak, ScenesHaveTheAnswersOfBruteForce) {
