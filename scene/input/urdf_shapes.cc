@@ -15,11 +15,16 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Hulls of so many points are prepared, once for all checkers and scenes of the robot: of the UR5's, with 70
+/// to 220 vertices among 230 to 600 points, this took a fifth off the time of a free edge.
+constexpr Eigen::Index kPrepared = 100;
 
 /// Reads the shapes of one link.
 class ShapeReader {
@@ -116,7 +121,8 @@ class ShapeReader {
     } catch (const Error& error) {
       refuse(mesh, error.what());
     }
-    return made<PointSet>(placed_points(scale.asDiagonal() * vertices, where));
+    const Eigen::MatrixXd placed = placed_points(scale.asDiagonal() * vertices, where);
+    return placed.cols() < kPrepared ? made<PointSet>(placed) : made<PreparedSet>(placed);
   }
 
   bool skip(const std::string& name) const {
