@@ -24,7 +24,7 @@ ROOT = HERE.parent.parent
 # Pages by kind, in order; what is in docs/ but not here stands under "More".
 NAVIGATION = {
     "Tutorials": ["tutorials", "tutorial-scenes", "python", "pandas"],
-    "How-to": ["user-guide", "experiments", "analysis", "scenes", "depth", "scaling", "bindings", "contributing"],
+    "How-to": ["user-guide", "experiments", "analysis", "scenes", "depth", "scaling", "bindings", "beside", "contributing"],
     "Reference": ["python-api", "file-format", "columns", "promises", "sets", "generators", "baselines", "dependencies", "glossary"],
     "Explanation": ["quantities", "methods", "three-dimensions", "numerics", "performance", "soak"],
     "Gallery": ["gallery"],
