@@ -104,6 +104,30 @@ assert (r.distance(7), rg_object_distance (pairs{7, :}).distance);
 r = rg_growth_distances (pairs, 'tolerance', 1e-9);
 assert (r.lower <= (3:52)' / 2 & (3:52)' / 2 <= r.upper);
 
+% A bar that turns about e_3 past a ball: at the angle q they are 0.8 cos q - 0.3 apart.
+robot.joints = 1;
+robot.links = struct ('kind', 'revolute', 'joint', 1, 'axis', [0; 0; 1]);
+robot.bodies = struct ('link', 1, 'set', rg_set ('capsule', o, x, 0.1));
+robot.obstacles = struct ('set', ball ([0; 0.8; 0], 0.2));
+assert (rg_prove_motion (robot, [0 1.18]).outcome, 'free');
+assert (rg_prove_motion (robot, [0 1.18], 0.01).outcome, 'contact');
+r = rg_prove_motion (robot, [-1 0 1.5]);
+assert (r.outcome, 'contact');
+assert (r.bodies, [1 2]);
+assert (r.time > 1.7 && r.time <= 2);
+robot.ignored = [1; 2];
+assert (rg_prove_motion (robot, [-1 0 1.5]).outcome, 'free');
+refused ('RG_DIMENSION_MISMATCH', 'rows', @() rg_prove_motion (robot, [1; 2]));
+refused ('RG_NON_FINITE', 'joint', @() rg_prove_motion (robot, [0 NaN]));
+refused ('RG_INVALID_PARAMETER', 'margin', @() rg_prove_motion (robot, 0, -1));
+robot.ignored = [1; 3];
+refused ('RG_INVALID_PARAMETER', 'body_2', @() rg_prove_motion (robot, 0));
+robot.bodies.link = 2;
+refused ('RG_INVALID_PARAMETER', 'link', @() rg_prove_motion (robot, 0));
+robot.links.kind = 'ball';
+refused ('RG_UNKNOWN_NAME', 'revolute', @() rg_prove_motion (robot, 0));
+refused ('RG_INVALID_PARAMETER', 'struct', @() rg_prove_motion (3, 0));
+
 % Mistakes.
 own = rg_set ('support_mapping', o, @(v) error ('mine'));
 refused ('RG_INVALID_PARAMETER', 'radius', @() rg_support (ball (o, -1), x));

@@ -7,6 +7,8 @@
 
 void end_call(Call* call) {
   rg_batch_free(call->batch);
+  rg_checker_free(call->checker);
+  rg_robot_free(call->robot);
   rg_solver_free(call->solver);
   rg_pose_free(call->poses[0]);
   rg_pose_free(call->poses[1]);

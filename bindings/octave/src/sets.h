@@ -13,6 +13,8 @@ typedef struct Call {
   rg_solver* solver;
   rg_batch* batch;
   rg_pose* poses[2];
+  rg_robot* robot;
+  rg_checker* checker;
 } Call;
 
 /* Frees what the call made. */
