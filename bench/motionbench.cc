@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "bench/motionbench_problems.h"
+#include "bench/motionbench_results.h"
 #include "bench/program.h"
 #include "bench/timed_medians.h"
 #include "raygauge/ompl.h"
@@ -32,6 +33,7 @@ struct Settings {
   int problems = 5;
   double time_limit = 10;
   std::string csv = "motionbench.csv";
+  std::string output;  ///< HDF5; resumed where it is there
 };
 
 /// Shares of the default resolution at which OMPL checks motions; 0: proven.
@@ -239,41 +241,74 @@ void print(const std::vector<Row>& rows, const EdgeTimes& times) {
       static_cast<long long>(times.undecided));
 }
 
+PlanRecord record_of(const Row& row) {
+  return {row.resolution, row.status == "solved", row.proof == "contact", row.plan_seconds,
+          length_of(row.path)};
+}
+
+std::unique_ptr<PlanResults> results_of(const Settings& settings, const std::vector<fs::path>& environments) {
+  if (settings.output.empty() || environments.empty()) return nullptr;
+  std::vector<std::string> names;
+  for (const fs::path& environment : environments) names.push_back(environment.filename().string());
+  const Problem first =
+      problem_of(robot_of(settings.folder), Problems::sorted(environments.front(), "request").front());
+  return std::make_unique<PlanResults>(
+      settings.output, names, std::vector<double>(std::begin(kResolutions), std::end(kResolutions)),
+      settings.problems, settings.time_limit, static_cast<int>(first.start.size()),
+      static_cast<int>(first.robot.bodies.size()));
+}
+
+/// A plan of each resolution, and its proof.
+std::vector<Row> plans_of(const Problem& problem, const Settings& settings, EdgeTimes& times) {
+  std::vector<Row> rows;
+  for (const double resolution : kResolutions) {
+    ompl::RNG::setSeed(1);
+    Row row;
+    row.environment = problem.environment;
+    row.problem = problem.name;
+    row.resolution = resolution;
+    plan(problem, settings, times, row);
+    if (row.status == "solved") prove(problem, row);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 /// Every plan of the proven searches is proven again.
 bool run_all(const Settings& settings) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const BenchRobot bench = robot_of(settings.folder);
   const Problems problems(settings.folder);
+  const std::vector<fs::path> environments = Problems::sorted(problems.folder(), "");
+  const std::unique_ptr<PlanResults> results = results_of(settings, environments);
   std::ofstream csv(settings.csv);
   csv << kHeader;
   std::vector<Row> rows;
   EdgeTimes times;
   bool proven = true;
-  for (const fs::path& environment : Problems::sorted(problems.folder(), "")) {
-    std::vector<fs::path> requests = Problems::sorted(environment, "request");
+  for (std::size_t e = 0; e < environments.size(); ++e) {
+    std::vector<fs::path> requests = Problems::sorted(environments[e], "request");
     requests.resize(std::min(requests.size(), static_cast<std::size_t>(settings.problems)));
-    for (const fs::path& request : requests) {
-      const Problem problem = problem_of(bench, request);
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      if (results && results->has(e, static_cast<int>(k))) continue;
+      const Problem problem = problem_of(bench, requests[k]);
       const std::string wrong = wrong_end(problem);
       if (!wrong.empty()) {
         std::printf("left out: %s %s: %s\n", problem.environment.c_str(), problem.name.c_str(),
                     wrong.c_str());
         continue;
       }
-      for (const double resolution : kResolutions) {
-        ompl::RNG::setSeed(1);
-        Row row;
-        row.environment = problem.environment;
-        row.problem = problem.name;
-        row.resolution = resolution;
-        plan(problem, settings, times, row);
-        if (row.status == "solved") prove(problem, row);
-        if (resolution == 0 && row.status == "solved" && row.proof != "free") proven = false;
+      std::vector<PlanRecord> records;
+      for (Row& row : plans_of(problem, settings, times)) {
+        if (row.resolution == 0 && row.status == "solved" && row.proof != "free") proven = false;
         csv << csv_of(row) << std::flush;
+        records.push_back(record_of(row));
         rows.push_back(std::move(row));
       }
+      if (results) results->store(e, static_cast<int>(k), records);
     }
   }
+  if (results) results->finish();
   print(rows, times);
   if (!csv) throw InvalidParameterError("could not write " + settings.csv);
   return proven;
@@ -285,7 +320,10 @@ void add_options(CLI::App& app, Settings& settings) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--problems", settings.problems, "of each environment")->check(CLI::PositiveNumber);
   app.add_option("--time-limit", settings.time_limit, "seconds for a search")->check(CLI::PositiveNumber);
-  app.add_option("--csv", settings.csv, "a line for each plan");
+  app.add_option("--csv", settings.csv, "a line for each plan of this session");
+  app.add_option(
+      "-o,--output", settings.output,
+      "also an HDF5 file for raygauge table, info and export; problems that it has are not planned again");
 }
 
 void run(const Settings& settings) {

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "bench/motionbench_results.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "raygauge/scene/edge_checker.h"
+
+namespace raygauge::bench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string label_of_resolution(double resolution) {
+  char text[40] = "proven";
+  if (resolution > 0) std::snprintf(text, sizeof text, "samples %g", resolution);
+  return text;
+}
+
+}  // namespace
+
+PlanResults::PlanResults(const std::string& path, const std::vector<std::string>& environments,
+                         const std::vector<double>& resolutions, int problems, double time_limit, int joints,
+                         int bodies) {
+  experiment_.name = "motionbench";
+  experiment_.text = "# written by raygauge_motionbench: plans of MotionBenchMaker problems, not a sweep\n";
+  experiment_.repetitions = problems;
+  experiment_.warmup = 0;
+  experiment_.time_limit = time_limit;
+  experiment_.timing = TimingMode::serial;
+  experiment_.threads = 1;
+  experiment_.n = {joints};
+  experiment_.N = {bodies};
+  experiment_.tolerance = {EdgeOptions().contact};
+  for (const std::string& environment : environments) {
+    GeneratorSpec generator;
+    generator.name = generator.label = environment;
+    experiment_.generators.push_back(generator);
+  }
+  for (const double resolution : resolutions) {
+    ComponentSpec method;
+    method.name = "rrt_connect";
+    method.label = label_of_resolution(resolution);
+    method.parameters["resolution"] = resolution;
+    experiment_.methods.push_back(method);
+  }
+  validate(experiment_);
+  run_ =
+      std::make_unique<RunWriter>(path, experiment_, RunMode::resume, describe_session(experiment_, 1, {}));
+  for (const Record& record : run_->results().records) stored_.emplace(record.cell, record.repetition);
+}
+
+bool PlanResults::has(std::size_t environment, int problem) const {
+  return stored_.count({environment, problem}) != 0;
+}
+
+void PlanResults::store(std::size_t environment, int problem, const std::vector<PlanRecord>& plans) {
+  CellResult cell;
+  cell.cell = environment;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const PlanRecord& plan = plans[i];
+    Record record;
+    record.cell = environment;
+    record.generator = experiment_.generators[environment].name;
+    record.method = experiment_.methods[i].label;
+    record.method_name = experiment_.methods[i].name;
+    record.method_parameters = to_string(experiment_.methods[i].parameters);
+    record.role = plan.resolution == 0 ? Role::engine : Role::baseline;
+    record.n = experiment_.n.front();
+    record.N = experiment_.N.front();
+    record.tolerance = experiment_.tolerance.front();
+    record.seed = experiment_.seed;
+    record.repetition = problem;
+    record.seconds = plan.seconds;
+    record.distance = plan.solved ? plan.length : kNaN;
+    record.lower = record.upper = record.exact_distance = kNaN;
+    record.status = plan.solved ? DistanceStatus::optimal : DistanceStatus::time_limit;
+    record.agrees = !plan.collides;
+    cell.records.push_back(record);
+  }
+  run_->store(cell);
+}
+
+}  // namespace raygauge::bench
