@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <pybind11/numpy.h>
+
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <string_view>
-#include <utility>
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
@@ -11,6 +13,7 @@
 #include "python/bindings/poses.h"
 #include "python/bindings/query_docs.h"
 #include "python/bindings/solving.h"
+#include "python/bindings/thread_count.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/growth_distance.h"
@@ -123,24 +126,64 @@ py::object contains_origin_inside(const SetLike& Q, double time_limit) {
   return py::bool_(answer == OriginInInterior::Answer::holds);
 }
 
-std::pair<double, double> gauge_bounds(const SetLike& S, const ArrayLike& x, double tolerance) {
-  const SetPointer set = as_set(S, "S");
-  const Vector point = as_vector(x, "x");
-  const py::gil_scoped_release release;
-  const GaugeBounds bounds = gauge(*set, point, tolerance);
-  return {bounds.lower, bounds.upper};
+// The rows of x on `threads`, with Ctrl-C: what `ask` returns of them as columns.
+template <class Ask>
+auto of_rows(const ArrayLike& x, double tolerance, int threads, const Ask& ask) {
+  const Eigen::MatrixXd X = as_matrix(x, "x").transpose();
+  std::atomic<bool> stop = false;
+  const PointsOptions options{tolerance, batch_threads(threads),
+                              [&stop] { return stop.load(std::memory_order_relaxed); }};
+  decltype(ask(X, options)) answers;
+  run_interruptibly(stop, [&] { answers = ask(X, options); });
+  return answers;
 }
 
-py::object whether_contains(const SetLike& S, const ArrayLike& x, double tolerance) {
+bool is_one_point(const ArrayLike& x) { return as_doubles(x, "x").ndim() != 2; }
+
+py::object gauge_bounds(const SetLike& S, const ArrayLike& x, double tolerance, int threads) {
   const SetPointer set = as_set(S, "S");
-  const Vector point = as_vector(x, "x");
-  Membership membership{};
-  {
-    const py::gil_scoped_release release;
-    membership = contains(*set, point, tolerance);
+  if (is_one_point(x)) {
+    const Vector point = as_vector(x, "x");
+    GaugeBounds bounds;
+    {
+      const py::gil_scoped_release release;
+      bounds = gauge(*set, point, tolerance);
+    }
+    return py::make_tuple(bounds.lower, bounds.upper);
   }
-  if (membership == Membership::undecided) return py::none();
-  return py::bool_(membership == Membership::inside);
+  const auto bounds = of_rows(x, tolerance, threads, [&](const auto& X, const PointsOptions& options) {
+    return gauges(*set, X, options);
+  });
+  py::array_t<double> lower(std::ssize(bounds)), upper(std::ssize(bounds));
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    lower.mutable_data()[i] = bounds[i].lower;
+    upper.mutable_data()[i] = bounds[i].upper;
+  }
+  return py::make_tuple(lower, upper);
+}
+
+// Masked where nothing is proven.
+py::object whether_contains(const SetLike& S, const ArrayLike& x, double tolerance, int threads) {
+  const SetPointer set = as_set(S, "S");
+  if (is_one_point(x)) {
+    const Vector point = as_vector(x, "x");
+    Membership membership{};
+    {
+      const py::gil_scoped_release release;
+      membership = contains(*set, point, tolerance);
+    }
+    if (membership == Membership::undecided) return py::none();
+    return py::bool_(membership == Membership::inside);
+  }
+  const auto found = of_rows(x, tolerance, threads, [&](const auto& X, const PointsOptions& options) {
+    return memberships(*set, X, options);
+  });
+  py::array_t<bool> inside(std::ssize(found)), undecided(std::ssize(found));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    inside.mutable_data()[i] = found[i] == Membership::inside;
+    undecided.mutable_data()[i] = found[i] == Membership::undecided;
+  }
+  return py::module_::import("numpy").attr("ma").attr("MaskedArray")(inside, "mask"_a = undecided);
 }
 
 }  // namespace
@@ -162,8 +205,10 @@ void bind_queries(py::module_& module) {
              "warm"_a = py::none(), "time_limit"_a = kNoLimit);
   module.def("origin_in_interior", &contains_origin_inside, kOriginInInteriorDoc, "Q"_a, py::kw_only(),
              "time_limit"_a = kNoLimit);
-  module.def("gauge", &gauge_bounds, kGaugeDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance);
-  module.def("contains", &whether_contains, kContainsDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance);
+  module.def("gauge", &gauge_bounds, kGaugeDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance, py::kw_only(),
+             "threads"_a = 0);
+  module.def("contains", &whether_contains, kContainsDoc, "S"_a, "x"_a, "tolerance"_a = kTolerance,
+             py::kw_only(), "threads"_a = 0);
   module.def(
       "gradient_moving_A", [](const DistanceResult& r) { return readonly_array(gradient_moving_A(r)); },
       kGradientMovingADoc, "result"_a);

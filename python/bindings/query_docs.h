@@ -80,6 +80,7 @@ inline constexpr const char* kGaugeDoc =
     R"(The gauge of a set at a point, min{t >= 0 : x in t S}, as proven bounds (lower, upper).
 
 S: a set or an array (N, n); x: an array (n,); inf where no multiple of S has x. tolerance: relative gap.
+For many points, x: an array (M, n): two arrays (M,). threads: as of distances().
 
 >>> lower, upper = rg.gauge(rg.Ball([0, 0], 2), [3, 4])
 >>> round(lower, 6), round(upper, 6)
@@ -90,6 +91,8 @@ inline constexpr const char* kContainsDoc =
     R"(Whether a point lies in a set: True or False, both proven, or None for a point too near to the boundary.
 
 S: a set or an array (N, n); x: an array (n,). tolerance: how near, relative to the way from the set's center.
+For many points, x: an array (M, n): a masked array (M,), with a mask where nothing is proven; most points of a
+hull take a tenth of the time of single calls. threads: as of distances().
 
 >>> rg.contains(rg.Box([0, 0], [2, 1]), [1.5, 0.5]), rg.contains([[0, 0], [2, 0], [0, 2]], [1.5, 1.5])
 (True, False)

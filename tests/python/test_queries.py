@@ -86,6 +86,23 @@ class Distances(unittest.TestCase):
             rg.distance(SQUARE, SQUARE, 2)
         self.assertRaises(rg.NonFiniteError, rg.contains, SQUARE, [np.nan, 0])
 
+    def test_many_points_of_one_set_are_asked_about_at_once(self):
+        generator = np.random.default_rng(7)
+        hull, X = rg.PointSet(generator.normal(size=(60, 4))), generator.normal(size=(300, 4))
+        inside = rg.contains(hull, X, threads=2)
+        lower, upper = rg.gauge(hull, X)
+        self.assertFalse(np.any(np.ma.getmaskarray(inside)))
+        self.assertGreater(np.sum(inside), 10)
+        for i, x in enumerate(X):
+            self.assertIs(bool(inside[i]), rg.contains(hull, x))
+            alone = rg.gauge(hull, x)
+            self.assertTrue(lower[i] <= alone[1] and alone[0] <= upper[i])
+        self.assertEqual(rg.contains(rg.Ball([0, 0], 5), [[3, 4], [0, 0], [9, 9]]).tolist(), [None, True, False])
+        self.assertEqual(rg.contains(hull, np.zeros((0, 4))).shape, (0,))
+        self.assertRaises(rg.DimensionMismatchError, rg.contains, hull, X[:, :2])
+        self.assertRaises(rg.NonFiniteError, rg.gauge, hull, X * np.inf)
+        self.assertRaises(rg.InvalidParameterError, rg.gauge, hull, X, threads=-1)
+
     def test_a_set_of_ones_own_gives_the_answer_of_the_set_that_it_is(self):
         def ball(u):
             length = np.linalg.norm(u)

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "raygauge/sets/convex_set.h"
 
@@ -31,5 +33,24 @@ enum class Membership : std::uint8_t {
 /// Computes the gauge about the centre c: x in S if and only if gauge_{S - c}(x - c) <= 1. Throws as
 /// gauge().
 Membership contains(const ConvexSet& S, const ConstVectorRef& x, double tolerance = 1e-6);
+
+/// How many points are asked about at once.
+struct PointsOptions {
+  double tolerance = 1e-6;  ///< as of gauge() and contains()
+  int threads = 1;          ///< 1 … kMostBatchThreads; the answers do not depend on it
+  std::function<bool()>
+      stop;  ///< asked often and by all threads; once true, the other points stay unanswered
+};
+
+/// gauge() of each column of X; [0, inf] of one that `stop` left out. Throws as gauge(), for a column of X in
+/// the words of PairBatch.
+std::vector<GaugeBounds> gauges(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
+                                const PointsOptions& options = {});
+
+/// contains() of each column of X; `undecided` of one that `stop` left out. Of a point set S most points are
+/// answered by what others proved: x is outside where an earlier point's normal w has w·x > h_S(w), and
+/// inside where Σ |x - c|_k max(gauge_{S-c}(e_k), gauge_{S-c}(-e_k)) <= 1. Throws as gauges().
+std::vector<Membership> memberships(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
+                                    const PointsOptions& options = {});
 
 }  // namespace raygauge

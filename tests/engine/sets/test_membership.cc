@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_membership {
@@ -33,6 +36,31 @@ TEST_P(MembershipOfEverySet, ContainsItsPointsAndNothingElse) {
   }
 }
 
+// Many points at once, on one thread and on three: what single calls say, but that more may be decided.
+TEST_P(MembershipOfEverySet, OfManyPointsIsThatOfEach) {
+  const SetCase& tested = GetParam();
+  const int n = tested.set->dimension();
+  Random random(4);
+  const Vector center = tested.set->center();
+  Eigen::MatrixXd X(n, as_point_set(*tested.set) != nullptr ? 6 * n : 13);
+  for (Eigen::Index i = 0; i < X.cols(); ++i)
+    X.col(i) = center + 0.3 * static_cast<double>(1 + i % 6) * (tested.sample(random) - center);
+  const PointsOptions three{1e-6, 3, {}};
+  const std::vector<Membership> found = memberships(*tested.set, X);
+  EXPECT_EQ(memberships(*tested.set, X, three), found);
+  const std::vector<GaugeBounds> bounds = gauges(*tested.set, X, three);
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Membership alone = contains(*tested.set, X.col(i));
+    if (alone != Membership::undecided) {
+      EXPECT_EQ(found[at], alone) << i;
+    }
+    const GaugeBounds single = gauge(*tested.set, X.col(i));
+    EXPECT_LE(bounds[at].lower, single.upper);
+    EXPECT_GE(bounds[at].upper, single.lower);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sets, MembershipOfEverySet, ::testing::ValuesIn(set_cases()),
                          [](const auto& tested) { return tested.param.name + std::to_string(tested.index); });
 
@@ -42,6 +70,46 @@ TEST(Membership, IsDecidedAwayFromTheBoundary) {
   EXPECT_EQ(contains(ball, Vector::Constant(3, 2.6)), Membership::outside);
   EXPECT_EQ(contains(ball, Vector::Constant(3, 2)), Membership::inside) << "the centre";
   EXPECT_EQ(contains(ball, Vector{{3, 2, 2}}), Membership::undecided) << "on the boundary";
+}
+
+// Points of a lattice around a cube of integers that is far from the origin: on the faces, just inside and
+// just outside. The cube's coordinates are exact, and so is the question.
+TEST(Memberships, AreRightNextToTheFacesOfACube) {
+  for (const double place : {0.0, 1e3, 0x1p40}) {
+    Eigen::MatrixXd corners(3, 8);
+    for (int j = 0; j < 8; ++j)
+      corners.col(j) = Vector{{place + (j & 1), place + (j >> 1 & 1), (j >> 2) / 3.0}};
+    const PointSet cube(corners);
+    const double ulp = std::nextafter(place + 1, 1e300) - (place + 1);
+    const std::vector<double> levels = {place - 1,   place - ulp,     place,
+                                        place + ulp, place + 0.5,     place + 1 - ulp,
+                                        place + 1,   place + 1 + ulp, place + 2};
+    Eigen::MatrixXd X(3, 81 * 5);
+    std::vector<bool> is_in(81 * 5);
+    for (int i = 0; i < 81 * 5; ++i) {
+      X.col(i) = Vector{{levels[static_cast<std::size_t>(i % 9)], levels[static_cast<std::size_t>(i / 9 % 9)],
+                         (i / 81 - 1) / 9.0}};
+      const auto within = [&](int k) { return X(k, i) >= place && X(k, i) <= place + 1; };
+      is_in[static_cast<std::size_t>(i)] = within(0) && within(1) && X(2, i) >= 0;
+    }
+    const std::vector<Membership> found = memberships(cube, X);
+    int decided = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      decided += found[i] == Membership::undecided ? 0 : 1;
+      EXPECT_NE(found[i], is_in[i] ? Membership::outside : Membership::inside)
+          << place << ": " << X.col(static_cast<Eigen::Index>(i)).transpose();
+    }
+    EXPECT_GE(decided, 150);  // those away from all faces, at least
+  }
+}
+
+TEST(Memberships, EndWhenAskedTo) {
+  const Eigen::MatrixXd X = Eigen::MatrixXd::Random(3, 100);
+  const std::vector<Membership> found =
+      memberships(Ball(Vector::Zero(3), 1), X, {1e-6, 2, [] { return true; }});
+  EXPECT_EQ(std::count(found.begin(), found.end(), Membership::undecided), 100);
+  EXPECT_THROW(gauges(Ball(Vector::Zero(2), 1), X), DimensionMismatchError);
+  EXPECT_THROW(gauges(Ball(Vector::Zero(3), 1), X, {2.0, 1, {}}), InvalidParameterError);
 }
 
 TEST(Gauge, HasTheClosedFormWithinItsBounds) {
