@@ -34,14 +34,15 @@ MeshText mesh_of(const std::string& bytes, const std::string& path) {
   if (format == "off") return off_mesh(bytes, path);
   if (format == "ply") return ply_mesh(bytes, path);
   if (format == "stl") return stl_mesh(bytes, path);
+  if (format == "pcd") return pcd_points(bytes, path);
   if (format == "dae") return collada_mesh(bytes, path);
-  throw InvalidParameterError(path + ": not a mesh that is read: .obj, .off, .stl, .ply and .dae are");
+  throw InvalidParameterError(path + ": not a mesh that is read: .obj, .off, .stl, .ply, .dae and .pcd are");
 }
 
 }  // namespace
 
 bool is_mesh_file(const std::string& path) {
-  constexpr std::array<const char*, 5> kExtensions = {"obj", "off", "stl", "ply", "dae"};
+  constexpr std::array<const char*, 6> kExtensions = {"obj", "off", "stl", "ply", "dae", "pcd"};
   return std::find(kExtensions.begin(), kExtensions.end(), content_extension(path)) != kExtensions.end();
 }
 

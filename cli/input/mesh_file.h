@@ -10,7 +10,7 @@
 
 namespace raygauge::cli {
 
-/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply or .dae, in any case, also with .gz behind
+/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply, .dae or .pcd, in any case, also with .gz behind
 /// it.
 bool is_mesh_file(const std::string& path);
 

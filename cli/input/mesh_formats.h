@@ -57,6 +57,9 @@ MeshText ply_mesh(std::string_view bytes, const std::string& name);
 /// STL, text or binary: binary if the size of the file is what its count of facets makes it.
 MeshText stl_mesh(std::string_view bytes, const std::string& name);
 
+/// PCD, text or binary: its points, without faces. Compressed ones are refused.
+MeshText pcd_points(std::string_view bytes, const std::string& name);
+
 /// Collada: the positions of all meshes that the scene shows, moved by its nodes and multiplied by the unit
 /// that the file states; its up axis turns nothing. Skins in their bind pose. Other geometry than meshes is
 /// refused.

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "cli/input/mesh_file.h"
+#include "cli/input/point_source.h"
 #include "cli/input/toml_refusal.h"
 #include "engine/meshes/convexity.h"
 #include "raygauge/exceptions.h"
@@ -83,8 +84,21 @@ SetPointer read_mesh_as(const std::string& path, const std::string& as) {
   return mesh_object(file, path, as == "solid" ? MeshKind::solid : MeshKind::surface);
 }
 
+SetPointer read_cloud(const std::string& source, double radius) {
+  const Eigen::MatrixXd points = read_point_source(source);
+  if (points.rows() != 3)
+    throw DimensionMismatchError(source + ": a cloud has points of R^3, these are of R^" +
+                                 std::to_string(points.rows()));
+  return placed(source, [&] { return std::make_shared<MeshObject>(Mesh::cloud(points, radius)); });
+}
+
 SetPointer read_mesh_as_it_is(const std::string& path, Notes& notes) {
   const MeshFile file = read_mesh(path);
+  if (file.triangles.empty())
+    add_note(
+        path + ": points without faces, taken as their convex hull; shape = \"cloud\" with a radius takes " +
+            "them one by one",
+        notes);
   const HullCost cost =
       file.triangles.empty() ? HullCost{.convex = true} : hull_cost(file.vertices, file.triangles);
   if (cost.convex) return std::make_shared<PointSet>(distinct_vertices(file));

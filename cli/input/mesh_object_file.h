@@ -16,6 +16,10 @@ namespace raygauge::cli {
 /// UnknownNameError for another word.
 std::shared_ptr<const ConvexSet> read_mesh_as(const std::string& path, const std::string& as);
 
+/// The points that `source` names (see read_point_source), those of meshes and PCD files too, as the cloud of
+/// balls about them (a MeshObject). Throws what read_point_source and Mesh::cloud throw.
+std::shared_ptr<const ConvexSet> read_cloud(const std::string& source, double radius);
+
 /// The mesh of a file as it is: its hull where it is convex (see hull_cost) or has no faces, else a solid
 /// where its surface is closed, else that surface. A note names the last two, and the way to the hull.
 std::shared_ptr<const ConvexSet> read_mesh_as_it_is(const std::string& path, Notes& notes);

@@ -15,6 +15,7 @@
 #include "generators/random.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
+#include "results/schema/dataset.h"
 
 namespace raygauge::cli {
 namespace {
@@ -60,7 +61,9 @@ class SetReader {
       return inner.set;
     };
     SetPointer set = read_set_file(source, read_named, [&](const std::string& mesh) {
-      if (digests_) contents += " " + std::to_string(stable_hash(read_input(mesh)));
+      const auto dataset = parse_dataset_reference(mesh);
+      const std::string& file = dataset ? dataset->file : mesh;
+      if (digests_) contents += " " + std::to_string(stable_hash(read_input(file)));
     });
     return {std::move(set), stable_hash(contents)};
   }

@@ -102,6 +102,18 @@ SetPointer rigid_image(const SetPointer& S, const Eigen::MatrixXd& R, const Vect
 
 SetPointer itself(const SetPointer& set) { return set; }
 
+Shape named_file() {
+  return made_by(
+      itself, "file", "what another file holds",
+      file("file", "points in any format or a set file; a relative name starts at the folder of this file"));
+}
+
+Shape cloud() {
+  return made_by(read_cloud, "cloud", "balls about points, with --between",
+                 path("file", "points, one a row, in any form that points are read in, or a PCD file"),
+                 number("radius", "of the balls"));
+}
+
 Shape mesh() {
   return made_by(read_mesh_as, "mesh", "the triangles of a file, with --between", path("file", "a mesh"),
                  text("as", "hull, surface, or solid: what they bound too"));
@@ -112,9 +124,7 @@ Shape mesh() {
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> kShapes = {
       made_by(point_set, "point_set", "the convex hull of points", matrix("points", "one point a row")),
-      made_by(itself, "file", "what another file holds",
-              file("file",
-                   "points in any format or a set file; a relative name starts at the folder of this file")),
+      named_file(),
       shape<Ball>("ball", "{x : |x - center| <= radius}", vector("center"), number("radius", ">= 0")),
       shape<Ellipsoid>("ellipsoid", "{center + factor z : |z| <= 1}", vector("center"),
                        matrix("factor", "n rows; its columns are the semi-axes where they are orthogonal")),
@@ -126,6 +136,7 @@ const std::vector<Shape>& shapes() {
       shape<HPolytope>("h_polytope", "{x : G x <= g}, bounded", matrix("G", "inequalities"), vector("g")),
       shape<HalfSpace>("half_space", "{x : n·x <= b}, unbounded", vector("normal"), number("offset")),
       mesh(),
+      cloud(),
       made_by(zonotope, "zonotope", "{center + Σ t_i g_i : |t_i| <= 1}", vector("center"),
               matrix("generators", "one generator g_i a row")),
       shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),

@@ -32,6 +32,12 @@ void check_vertices(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices) {
   }
 }
 
+void check_threads(int threads) {
+  if (threads < 1 || threads > kMostThreads)
+    throw InvalidParameterError("threads must lie in [1, " + std::to_string(kMostThreads) + "], got " +
+                                std::to_string(threads));
+}
+
 void check_triangles(std::span<const MeshTriangle> triangles, Eigen::Index vertices) {
   if (triangles.empty()) throw EmptySetError("a mesh needs at least one triangle");
   if (triangles.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
@@ -60,9 +66,7 @@ void check_closed(const SurfaceFacts& facts) {
 Mesh::Mesh(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const MeshTriangle> triangles,
            MeshKind kind, int threads)
     : kind_(kind) {
-  if (threads < 1 || threads > kMostThreads)
-    throw InvalidParameterError("threads must lie in [1, " + std::to_string(kMostThreads) + "], got " +
-                                std::to_string(threads));
+  check_threads(threads);
   check_vertices(vertices);
   check_triangles(triangles, vertices.cols());
   const SurfaceFacts facts = surface_facts(vertices, triangles);
@@ -74,6 +78,22 @@ Mesh::Mesh(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const M
   for (const std::int32_t i : facts.parts) points->emplace_back(vertices.col(i));
   part_points_ = std::move(points);
   tree_ = std::make_shared<const BoxTree>(vertices, triangles, threads);
+}
+
+Mesh Mesh::cloud(const Eigen::Ref<const Eigen::Matrix3Xd>& points, double radius, int threads) {
+  check_threads(threads);
+  check_vertices(points);
+  if (points.cols() == 0) throw EmptySetError("a cloud needs at least one point");
+  if (!(radius >= 0 && radius <= kLargest))
+    throw InvalidParameterError("the radius of a cloud must lie in [0, 1e30]");
+  std::vector<MeshTriangle> triangles;
+  triangles.reserve(static_cast<std::size_t>(points.cols()));
+  for (std::int32_t i = 0; i < points.cols(); ++i) triangles.push_back({i, i, i});
+  Mesh cloud;
+  cloud.radius_ = radius;
+  cloud.part_points_ = std::make_shared<std::vector<Eigen::Vector3d>>();
+  cloud.tree_ = std::make_shared<const BoxTree>(points, triangles, threads);
+  return cloud;
 }
 
 std::ptrdiff_t Mesh::size() const noexcept { return tree_->size(); }

@@ -5,9 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/vector_kernels.h"
+
 namespace raygauge {
 
+void TriangleSet::assign(const Mesh& mesh, std::int32_t i) noexcept {
+  assign(mesh.tree().triangle(i));
+  if (mesh.kind() != MeshKind::cloud) return;
+  is_ball_ = true;
+  radius_ = mesh.radius();
+  center_ = mesh.tree().triangle(i).corner[0];
+  for (double& magnitude : magnitude_) magnitude += radius_;
+}
+
 void TriangleSet::assign(const TriangleCorners& triangle) noexcept {
+  is_ball_ = false;
+  radius_ = 0;
   constexpr int kLanes = PointSet::kLanes;
   for (int lane = 0; lane < kLanes; ++lane) {
     const Vector3& p = triangle.corner[std::min(lane, 2)];
@@ -33,7 +46,11 @@ double TriangleSet::do_support(const double* u, double* point) const {
     highest = i;
   }
   for (int k = 0; k < 3; ++k) point[k] = block_[k * kLanes + highest];
-  return best;
+  if (!is_ball_) return best;
+  double unit[3];
+  const double size = normalize(u, 3, unit);
+  for (int k = 0; k < 3; ++k) point[k] += radius_ * unit[k];
+  return best + radius_ * size;
 }
 
 void TriangleSet::do_center(double* point) const {
@@ -45,11 +62,12 @@ void TriangleSet::do_center(double* point) const {
 void TriangleSet::do_magnitude(double* magnitude) const { std::copy_n(magnitude_, 3, magnitude); }
 
 bool TriangleSet::do_spatial_shape(SpatialShape& shape) const {
-  shape.kind = SpatialShape::Kind::points;
+  shape.kind = is_ball_ ? SpatialShape::Kind::point : SpatialShape::Kind::points;
   shape.center = center_;
-  shape.radius = shape.inner_radius = 0;
+  shape.radius = shape.inner_radius = radius_;
   shape.table = nullptr;
-  shape.extent = length({magnitude_[0], magnitude_[1], magnitude_[2]});
+  shape.extent = is_ball_ ? length(center_) : length({magnitude_[0], magnitude_[1], magnitude_[2]});
+  if (is_ball_) return true;
   shape.coordinates = 3;
   shape.blocks = block_;
   shape.block_count = 1;

@@ -8,7 +8,7 @@
 
 namespace raygauge {
 
-/// conv{a, b, c} of R^3, for one query after the other: the workspace of a solver assigns it, and nobody else
+/// conv{a, b, c} of R^3, or a ball of a cloud, for one query after the other: the workspace of a solver assigns it, and nobody else
 /// sees it meanwhile.
 class TriangleSet final : public ConvexSet {
  public:
@@ -16,16 +16,23 @@ class TriangleSet final : public ConvexSet {
 
   void assign(const TriangleCorners& triangle) noexcept;
 
+  /// The item of number i of the mesh: of a cloud a ball.
+  void assign(const Mesh& mesh, std::int32_t i) noexcept;
+
  private:
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
-  SupportStructure do_structure() const noexcept override { return SupportStructure::polytope; }
+  SupportStructure do_structure() const noexcept override {
+    return is_ball_ ? SupportStructure::unknown : SupportStructure::polytope;
+  }
   bool do_spatial_shape(SpatialShape& shape) const override;
 
   alignas(64) double block_[3 * PointSet::kLanes] = {};  // PointSet's layout: the last corner fills it up
   double magnitude_[3] = {0, 0, 0};
   Vector3 center_;
+  bool is_ball_ = false;
+  double radius_ = 0;
 };
 
 }  // namespace raygauge

@@ -11,6 +11,17 @@
 #include "engine/queries/mesh_search.h"
 
 namespace raygauge {
+namespace {
+
+// use(p) for a point of each connected part.
+template <class Use>
+void for_each_part(const Mesh& mesh, const Use& use) {
+  for (const Eigen::Vector3d& p : mesh.part_points()) use(Vector3{p[0], p[1], p[2]});
+  for (std::int32_t i = 0; mesh.kind() == MeshKind::cloud && i < mesh.size(); ++i)
+    use(mesh.tree().triangle(i).corner[0]);
+}
+
+}  // namespace
 
 // Surfaces that are apart: one object may be inside the other.
 void MeshSearch::locate() {
@@ -31,12 +42,11 @@ void MeshSearch::ask_points_of_second() {
     other_.body->center_unchecked(c);
     return ask(*first_, to_first({c[0], c[1], c[2]}));
   }
-  for (const Eigen::Vector3d& p : other_.mesh->part_points()) ask(*first_, to_first({p[0], p[1], p[2]}));
+  for_each_part(*other_.mesh, [&](const Vector3& p) { ask(*first_, to_first(p)); });
 }
 
 void MeshSearch::ask_points_of_first() {
-  for (const Eigen::Vector3d& p : first_->part_points())
-    ask(*other_.mesh, R_.transposed_times(Vector3{p[0], p[1], p[2]} - t_));
+  for_each_part(*first_, [&](const Vector3& p) { ask(*other_.mesh, R_.transposed_times(p - t_)); });
 }
 
 void MeshSearch::ask(const Mesh& solid, const Vector3& point) {
@@ -118,9 +128,9 @@ bool MeshSearch::meets_if_moved(double way) {
   constexpr double kCorner = 2;
   if (!meets_ || !(way < kInfinity) || way == 0) return meets_ && way == 0;
   if (inside_by_ > 0) return inside_by_ > way;
-  if (other_.tree != nullptr) triangle_[1].assign(other_.tree->triangle(nearest_2_));
+  if (other_.mesh != nullptr) triangle_[1].assign(*other_.mesh, nearest_2_);
   const ConvexSet& second = other_.tree != nullptr ? triangle_[1] : *other_.body;
-  triangle_[0].assign(first_->tree().triangle(nearest_1_));
+  triangle_[0].assign(*first_, nearest_1_);
   const Posed one = posed(triangle_[0], pose_1_);
   const Pose where = pose_2_ == nullptr ? Pose(3) : *pose_2_;
   Pose moved(3);

@@ -102,6 +102,7 @@ void MeshSearch::begin(const PosedMesh& A1, const Pose* pose_2) {
   nearest_1_ = nearest_2_ = -1;
   normal_ = {};
   lower_ = upper_ = kInfinity;
+  radius_1_ = radii_ = A1.mesh.radius();
 }
 
 void MeshSearch::set_other(const Mesh& mesh) {
@@ -109,7 +110,13 @@ void MeshSearch::set_other(const Mesh& mesh) {
   other_.body = nullptr;
   other_.tree = &mesh.tree();
   place();
-  const double size = first_->tree().extent() + mesh.tree().extent() + length(t_);
+  radii_ += mesh.radius();
+  measure(mesh.tree().extent());
+}
+
+// How large the numbers are, and so their errors.
+void MeshSearch::measure(double size_of_second) {
+  const double size = first_->tree().extent() + size_of_second + length(t_) + radii_;
   margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
   in_range_ = size > kSmallest && size < kLargest;
 }
@@ -135,9 +142,7 @@ void MeshSearch::set_other(const ConvexSet& body) {
   other_.box.next = 0;
   other_.box.count = 1;
   place();
-  const double size = first_->tree().extent() + std::sqrt(square) + length(t_);
-  margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
-  in_range_ = size > kSmallest && size < kLargest;
+  measure(std::sqrt(square));
 }
 
 // Its plane is the only one: x in the first frame is u·x above it, u pointing into the half-space, and all of
@@ -152,9 +157,7 @@ void MeshSearch::set_half_space(const HalfSpace& half_space) {
   plane_ = R_ * normal * (-1 / size_of_normal);
   plane_of_ = dot(plane_, t_) - offset;
   has_plane_ = other_.is_half_space = true;
-  const double size = first_->tree().extent() + length(t_) + std::fabs(offset);
-  margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
-  in_range_ = size > kSmallest && size < kLargest;
+  measure(std::fabs(offset));
 }
 
 void MeshSearch::place() {
@@ -195,14 +198,14 @@ double MeshSearch::box_distance(const BoxNode& one, const BoxNode& two) const no
     square_1 += gap_1 * gap_1;
     square_2 += gap_2 * gap_2;
   }
-  return std::sqrt(std::max(square_1, square_2)) * kOfAxes;
+  return std::sqrt(std::max(square_1, square_2)) * kOfAxes - radii_;
 }
 
 double MeshSearch::plane_distance(const BoxNode& one) const noexcept {
-  if (!has_plane_) return 0;
+  if (!has_plane_) return -kInfinity;
   double top = dot(plane_, vector_of(one.center));
   for (int k = 0; k < 3; ++k) top += std::fabs(dot(plane_, vector_of(one.axis[k]))) * double{one.half[k]};
-  return plane_of_ - top;
+  return plane_of_ - top - radius_1_;
 }
 
 void MeshSearch::search(double enough, MeshWarmStart* warm) {
@@ -246,7 +249,7 @@ void MeshSearch::look_around(MeshWarmStart* warm) {
 void MeshSearch::push(std::int32_t one, std::int32_t two) {
   ++counters_.box_pairs;
   const BoxNode &a = first_->tree().node(one), &b = other_.node(two);
-  const double lower = std::max(other_.is_half_space ? 0 : box_distance(a, b), plane_distance(a));
+  const double lower = std::max(other_.is_half_space ? -kInfinity : box_distance(a, b), plane_distance(a));
   if (is_beyond(lower)) {
     passed_over_ = true;
     return;
@@ -295,17 +298,21 @@ void MeshSearch::look_at_triangles(std::int32_t one, std::int32_t two) {
   Vector3 from = normal_;
   if (!(dot(from, from) > 0)) from = b.corner[0] - a.corner[0];
   if (!(dot(from, from) > 0)) from = {1, 0, 0};
-  const TriangleDistance found = triangle_distance(a, b, from, options_.tolerance * 0.5, target_ + margin_);
-  if (is_beyond(found.lower)) {
+  const TriangleDistance found =
+      triangle_distance(a, b, from, options_.tolerance * 0.5, target_ + margin_ + radii_);
+  if (is_beyond(found.lower - radii_)) {
     passed_over_ = true;
     return;
   }
-  const double lower = (found.lower - margin_) * kDown, upper = (found.upper + margin_) * kUp;
+  if (found.upper + margin_ < radii_) return meet(one, two);
+  const double lower = (found.lower - radii_ - margin_) * kDown,
+               upper = (found.upper - radii_ + margin_) * kUp;
   if (!(lower > 0 && upper - lower <= options_.tolerance * upper))
     return solve_precisely(one, two, triangle_[1]);
   if (upper < upper_) {
-    point_1_ = found.point_1;
-    point_2_ = found.point_2;
+    const Vector3 way = found.point_2 - found.point_1;
+    point_1_ = found.point_1 + way * (radius_1_ / found.upper);
+    point_2_ = found.point_2 - way * ((radii_ - radius_1_) / found.upper);
     normal_ = found.normal;
     points_ = Points::in_first;
   }
@@ -317,7 +324,7 @@ void MeshSearch::look_at_body(std::int32_t one) {
   if (has_plane_) {
     const double top =
         std::max({dot(plane_, a.corner[0]), dot(plane_, a.corner[1]), dot(plane_, a.corner[2])});
-    if (is_beyond(plane_of_ - top)) {
+    if (is_beyond(plane_of_ - top - radius_1_)) {
       passed_over_ = true;
       return;
     }
@@ -349,8 +356,8 @@ void MeshSearch::take_normal(const double* from_2_to_1, bool nearer) {
 
 void MeshSearch::solve_precisely(std::int32_t one, std::int32_t two, const ConvexSet& second) {
   ++counters_.precise_pairs;
-  triangle_[0].assign(first_->tree().triangle(one));
-  if (other_.tree != nullptr) triangle_[1].assign(other_.tree->triangle(two));
+  triangle_[0].assign(*first_, one);
+  if (other_.mesh != nullptr) triangle_[1].assign(*other_.mesh, two);
   if (!solve_.bind(triangle_[0], second, options_.instruction_set) ||
       !solve_.place(PoseNumbers(pose_1_), PoseNumbers(pose_2_)))
     return solve_generally(one, two, second);

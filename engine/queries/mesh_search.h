@@ -57,6 +57,7 @@ class MeshSearch {
     double lower;
   };
 
+  void measure(double size_of_second);
   void begin(const PosedMesh& A1, const Pose* pose_2);
   void set_other(const Mesh& mesh);
   void set_other(const ConvexSet& body);
@@ -104,6 +105,7 @@ class MeshSearch {
   Other other_;
   const Pose* pose_1_ = nullptr;
   const Pose* pose_2_ = nullptr;
+  double radius_1_ = 0, radii_ = 0;  // of the balls of a first cloud, of both objects together
   Matrix3 W_, R_;  // first frame to world, second frame to first
   Vector3 w_, t_;
   double margin_ = 0;  // what is computed of lengths is within this of the truth

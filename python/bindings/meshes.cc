@@ -49,7 +49,22 @@ std::shared_ptr<MeshObject> mesh_of(const ArrayLike& vertices, const ArrayLike& 
                                            solid ? MeshKind::solid : MeshKind::surface));
 }
 
+std::shared_ptr<MeshObject> cloud_of(const ArrayLike& points, double radius) {
+  const Eigen::MatrixXd rows = as_matrix(points, "points");
+  check_columns("points", rows.cols());
+  return std::make_shared<MeshObject>(Mesh::cloud(Eigen::Matrix3Xd(rows.transpose()), radius));
+}
+
 bool is_solid(const MeshObject& object) { return object.mesh().kind() == MeshKind::solid; }
+
+Eigen::MatrixXd points_of(const Mesh& cloud) {
+  Eigen::MatrixXd rows(cloud.size(), 3);
+  for (std::int32_t i = 0; i < cloud.size(); ++i) {
+    const Vector3& p = cloud.tree().triangle(i).corner[0];
+    rows.row(cloud.tree().number_of(i)) << p.x, p.y, p.z;
+  }
+  return rows;
+}
 
 /// The corners of all triangles in the order of the caller, three rows each.
 py::array_t<double> corners_of(const Mesh& mesh) {
@@ -69,6 +84,9 @@ py::array_t<double> corners_of(const Mesh& mesh) {
 
 py::tuple made_again(const py::object& self) {
   const auto& object = self.cast<const MeshObject&>();
+  if (object.mesh().kind() == MeshKind::cloud)
+    return py::make_tuple(py::type::of(self).attr("cloud"),
+                          py::make_tuple(points_of(object.mesh()), object.mesh().radius()));
   const std::ptrdiff_t size = object.mesh().size();
   py::array_t<std::int64_t> numbers({size, std::ptrdiff_t{3}});
   for (std::ptrdiff_t i = 0; i < 3 * size; ++i) numbers.mutable_data()[i] = i;
@@ -86,6 +104,8 @@ void bind_meshes(py::module_& module) {
   py::class_<MeshObject, ConvexSet, std::shared_ptr<MeshObject>>(module, "Mesh", kMeshDoc)
       .def(py::init(&mesh_of), "vertices"_a, "triangles"_a, "solid"_a = false)
       .def_static("from_file", &from_file, "source"_a, "solid"_a = false, kMeshFromFileDoc)
+      .def_static("cloud", &cloud_of, "points"_a, "radius"_a, kMeshCloudDoc)
+      .def_property_readonly("radius", [](const MeshObject& object) { return object.mesh().radius(); })
       .def_property_readonly("solid", &is_solid)
       .def_property_readonly("size", [](const MeshObject& object) { return object.mesh().size(); })
       .def_property_readonly("volume", [](const MeshObject& object) { return object.mesh().volume(); })

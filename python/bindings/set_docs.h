@@ -94,12 +94,22 @@ size: M. volume: of a solid. Raises EmptySetError, InvalidParameterError, NonFin
 )";
 
 inline constexpr const char* kMeshFromFileDoc =
-    R"(The mesh of a file: .obj, .off, .stl, .ply or .dae, also .gz (docs/meshes.md).
+    R"(The mesh of a file: .obj, .off, .stl, .ply, .dae or .pcd, also .gz (docs/meshes.md).
 
 Raises Error, with the file's name; ProgramError where the package was built without the program.
 
 >>> rg.Mesh.from_file("cube.obj").size
 4
+)";
+
+inline constexpr const char* kMeshCloudDoc =
+    R"(Balls of one radius about points, shape (N, 3), as one object: what a Mesh has, a cloud has.
+
+>>> cloud = rg.Mesh.cloud([[0, 0, 0], [0, 0, 3]], radius=0.5)
+>>> cloud.size, cloud.radius
+(2, 0.5)
+>>> rg.object_distance(cloud, rg.Ball([0, 4, 0], 1)).distance
+2.5
 )";
 
 inline constexpr const char* kZonotopeDoc =

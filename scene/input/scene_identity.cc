@@ -31,6 +31,7 @@ class Checksum {
 
 void add_mesh(const Mesh& mesh, Checksum& shapes) {
   shapes.add(mesh.kind() == MeshKind::solid ? 1 : 0);
+  if (mesh.kind() == MeshKind::cloud) shapes.add(mesh.radius());
   for (std::int32_t i = 0; i < mesh.size(); ++i) {
     for (const Vector3& p : mesh.tree().triangle(i).corner) {
       for (const double x : {p.x, p.y, p.z}) shapes.add(x);

@@ -56,6 +56,14 @@ constexpr double kLargestScale = 1e300;
 
 // A negative scale turns the surface inside out, and its triangles about.
 SetPointer scaled_mesh(const Mesh& mesh, double scale) {
+  if (mesh.kind() == MeshKind::cloud) {
+    Eigen::Matrix3Xd points(3, mesh.size());
+    for (std::int32_t i = 0; i < mesh.size(); ++i) {
+      const Vector3& p = mesh.tree().triangle(i).corner[0];
+      points.col(i) = scale * Eigen::Vector3d(p.x, p.y, p.z);
+    }
+    return std::make_shared<MeshObject>(Mesh::cloud(points, std::fabs(scale) * mesh.radius()));
+  }
   Eigen::Matrix3Xd corners(3, 3 * mesh.size());
   std::vector<MeshTriangle> triangles(static_cast<std::size_t>(mesh.size()));
   for (std::int32_t i = 0; i < mesh.size(); ++i) {

@@ -87,6 +87,7 @@ void measure(const ConvexSet& S, SmallVector& magnitude) {
   if (const Mesh* mesh = as_mesh(S)) {
     magnitude.setZero();
     for_each_corner(*mesh, [&](const Eigen::Vector3d& p) { magnitude = magnitude.cwiseMax(p.cwiseAbs()); });
+    magnitude.array() += mesh->radius();
   } else {
     S.magnitude_unchecked(magnitude.data());
   }
@@ -102,7 +103,7 @@ BoundingBall ball_of(const Mesh& mesh) {
   double square = 0;
   for_each_corner(mesh,
                   [&](const Eigen::Vector3d& p) { square = std::max(square, (p - center).squaredNorm()); });
-  return {SmallVector(center), std::sqrt(square)};
+  return {SmallVector(center), std::sqrt(square) + mesh.radius()};
 }
 
 // About the point of the plane that is nearest to the body's origin.

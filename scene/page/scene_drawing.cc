@@ -74,6 +74,27 @@ json triangles_of(const Mesh& mesh) {
   return {{"vertices", vertices}, {"triangles", triangles}};
 }
 
+/// Balls of a cloud as octahedra, some of very many.
+json balls_of(const Mesh& cloud) {
+  constexpr std::int32_t kMostBalls = 2'500;
+  constexpr int kFaces[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const auto step = static_cast<std::int32_t>((cloud.size() + kMostBalls - 1) / kMostBalls);
+  json vertices = json::array(), triangles = json::array();
+  std::int32_t first = 0;
+  for (std::int32_t i = 0; i < cloud.size(); i += step, first += 6) {
+    const Vector3& p = cloud.tree().triangle(i).corner[0];
+    for (int c = 0; c < 6; ++c) {
+      double x[3] = {p.x, p.y, p.z};
+      x[c / 2] += c % 2 == 0 ? cloud.radius() : -cloud.radius();
+      for (const double coordinate : x) vertices.push_back(short_number(coordinate));
+    }
+    for (const auto& face : kFaces)
+      for (const int corner : face) triangles.push_back(first + corner);
+  }
+  return {{"vertices", vertices}, {"triangles", triangles}};
+}
+
 json pose_of(const Placement& where) {
   json pose = json::array();
   for (Eigen::Index k = 0; k < where.t.size(); ++k) pose.push_back(short_number(where.t[k]));
@@ -104,7 +125,7 @@ std::string drawing_of(const Scene& scene) {
         continue;
       }
       if (const Mesh* mesh = as_mesh(*part.set)) {
-        shapes.push_back(triangles_of(*mesh));
+        shapes.push_back(mesh->kind() == MeshKind::cloud ? balls_of(*mesh) : triangles_of(*mesh));
         continue;
       }
       shapes.push_back(n == 2 ? polygon_of(*part.set, detail) : mesh_of(*part.set, detail));

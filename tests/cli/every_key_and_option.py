@@ -143,6 +143,7 @@ SHAPES = {
     "h_polytope": {"G": ("[[-1, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]", "[[-2, 0, 0], [0, -1, 0], [0, 0, -1], [1, 1, 1]]"),
                    "g": ("[-1, -1, -1, 5]", "[-2, -1, -1, 5]")},
     "mesh": {"file": ('"two.obj"', '"one.obj"'), "as": ('"surface"', '"hull"')},
+    "cloud": {"file": ('"two.obj"', '"one.obj"'), "radius": ("0.5", "0.25")},
     "half_space": {"normal": ("[0, 0, 1]", "[0, 1, 1]"), "offset": ("1", "2")},
     "zonotope": {"center": ("[3, 1, 1]", "[4, 1, 1]"), "generators": ("[[1, 0, 0], [0, 1, 0]]", "[[0.5, 0, 0], [0, 1, 0]]")},
     "capsule": {"p": ("[3, 1, 1]", "[2.5, 1, 1]"), "q": ("[3, 1, 2]", "[2, 1, 2]"), "radius": ("0.5", "0.25")},
@@ -554,7 +555,7 @@ class NothingIsIgnored(unittest.TestCase):
             (self.work / "moved.toml").write_text(
                 f'shape = "minkowski_sum"\nA = {{ shape = "file", file = "set.toml" }}\n'
                 f'B = {{ shape = "point_set", points = [{shift}] }}\n')
-            if shape in ("half_space", "mesh"):  # take no sums
+            if shape in ("half_space", "mesh", "cloud"):  # take no sums
                 (self.work / "moved.toml").write_text(f'shape = "ball"\ncenter = {shift}\nradius = 1\n')
                 operands = ["set.toml", "moved.toml", "--between"] + ["--signed"] * (shape == "half_space")
             else:

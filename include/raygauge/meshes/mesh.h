@@ -23,6 +23,7 @@ using MeshTriangle = std::array<std::int32_t, 3>;
 enum class MeshKind : std::uint8_t {
   surface,  ///< the union of its triangles
   solid,    ///< also all points about which the triangles wind
+  cloud,    ///< balls of one radius about points: its triangles are these points
 };
 
 /// The union of M triangles of R^3,
@@ -34,6 +35,8 @@ enum class MeshKind : std::uint8_t {
 /// asked of it is in queries/mesh_distance.h. Triangles may be degenerate, cross each other and share
 /// vertices or not.
 ///
+/// A cloud is ∪_i {x : |x - p_i| <= radius} of N points; what is said of triangles holds of its balls.
+///
 /// Immutable, and cheap to copy: copies share one tree of boxes, which takes about 150 bytes a triangle. Its
 /// boxes are in single precision, rounded outward.
 class Mesh {
@@ -44,7 +47,15 @@ class Mesh {
   Mesh(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const MeshTriangle> triangles,
        MeshKind kind = MeshKind::surface, int threads = 1);
 
+  /// The balls of one radius about the columns of `points`, 3 × N. Throws EmptySetError (no point),
+  /// NonFiniteError, and InvalidParameterError for a radius that is not in [0, 1e30] or a coordinate beyond
+  /// 1e30.
+  static Mesh cloud(const Eigen::Ref<const Eigen::Matrix3Xd>& points, double radius, int threads = 1);
+
   MeshKind kind() const noexcept { return kind_; }
+
+  /// Of the balls of a cloud, else 0.
+  double radius() const noexcept { return radius_; }
 
   /// The number M of triangles.
   std::ptrdiff_t size() const noexcept;
@@ -55,14 +66,16 @@ class Mesh {
   /// The volume that a solid bounds; a part about which it winds twice counts twice. 0 for a surface.
   double volume() const noexcept { return volume_; }
 
-  /// A point of each connected part of the surface.
+  /// A point of each connected part of the surface; none of a cloud, where each is one.
   const std::vector<Eigen::Vector3d>& part_points() const noexcept { return *part_points_; }
 
   const BoxTree& tree() const noexcept { return *tree_; }
 
  private:
-  MeshKind kind_;
-  double volume_ = 0;
+  Mesh() = default;
+
+  MeshKind kind_ = MeshKind::cloud;
+  double volume_ = 0, radius_ = 0;
   std::shared_ptr<const BoxTree> tree_;
   std::shared_ptr<const std::vector<Eigen::Vector3d>> part_points_;
 };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -214,6 +215,56 @@ TEST(PlyVertices, AreRefusedWhereTheHeaderAndTheLinesDoNotMatch) {
        {ply("1 0\n0 2 0\n2 0 1\n"), "m:10: a line has too few values"},
        {ply("1 0 0\n0 2 0\n2 0 b\n"), "m:12: 'b' is not a number"},
        {ply("1 0 0\n0 2 0\n2 0 1\n", ""), "m:8: a line of the PLY header is not understood"}});
+}
+
+std::vector<Vertex> pcd_vertices(std::string_view text, const std::string& name) {
+  return pcd_points(text, name).vertices;
+}
+
+/// Two points with an intensity between y and z.
+std::string pcd(const std::string& data, const std::string& size = "4 4 2 4") {
+  return "# .PCD v0.7\nVERSION 0.7\nFIELDS x y intensity z\nSIZE " + size +
+         "\nTYPE F F U F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA " + data;
+}
+
+std::string bytes_of(const std::vector<float>& numbers) {
+  std::string bytes;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    char raw[sizeof(float)];
+    std::memcpy(raw, &numbers[i], sizeof raw);
+    bytes.append(raw, sizeof raw);
+    if (i % 3 == 1) bytes.append("\x7f\x7f");
+  }
+  return bytes;
+}
+
+TEST(PcdPoints, AreThoseOfTextsAndOfBytes) {
+  const std::vector<Vertex> points = {{1, 2, 3}, {4, 5, 6.5}};
+  EXPECT_EQ(pcd_vertices(pcd("ascii\n1 2 9 3\n4 5 9 6.5\n"), "m"), points);
+  EXPECT_EQ(pcd_vertices(pcd("binary\n" + bytes_of({1, 2, 3, 4, 5, 6.5F})), "m"), points);
+}
+
+TEST(PcdPoints, AreRefusedWhereTheHeaderAndTheDataDoNotMatch) {
+  const std::string nan = bytes_of({1, 2, 3, 4, std::nanf(""), 6});
+  expect_refusals(
+      pcd_vertices,
+      {{pcd("ascii\n1 2 9 3\n"), "m:11: the header promises 2 points, and 8 bytes are left"},
+       {pcd("ascii\n1 2 9 3\n4 5 6\n      "), "m:13: a point of 3 numbers; the header promises 4"},
+       {pcd("ascii\n1 2 9 3\n4 x 9 6\n"), "m:13: 'x' is not a number"},
+       {pcd("ascii\n1 2 9 3\n4 nan 9 6\n"), "m:13: 'nan' is not a finite number"},
+       {pcd("ascii\n1 2 9 3\n4 5 9 6\n7\n"), "m:14: the file goes on behind what its header promises"},
+       {pcd("binary\n" + nan), "m: point 1, counted from 0, is not finite: leave out what was not measured"},
+       {pcd("binary\n" + bytes_of({1, 2, 3, 4, 5})),
+        "m:11: the header promises 2 points, and 24 bytes are left"},
+       {pcd("binary\n", "4 4 2 2"), "m:11: x, y and z are read as single numbers of TYPE F and SIZE 4 or 8"},
+       {pcd("binary\n", "4 4 4"), "m:4: SIZE is not one word a field, behind FIELDS"},
+       {pcd("binary_compressed\n"),
+        "m:11: DATA binary_compressed is not read: pcl_convert_pcd_ascii_binary IN OUT 1 writes binary"},
+       {"FIELDS x y\n", "m:1: its points have no fields x, y and z"},
+       {"POINTS 1\nDATA ascii\n", "m:2: its points have no fields x, y and z"},
+       {"FIELDS x y z\nDATA ascii\n", "m: no points"},
+       {"ply\n", "m:1: 'ply' is no line of the header of a PCD file"},
+       {"VERSION 0.7\n", "m:1: the file ends before what its header promises"}});
 }
 
 /// A triangle in Collada; `node` stands inside its node, in front of the mesh.

@@ -67,6 +67,7 @@ std::map<std::string, Described> described_shapes() {
       {"simplex", {"corner = [1, 1]\nlegs = [2, -3]", 3 + 2}},
       {"h_polytope", {"G = [[1, 0], [0, 1], [-1, -1]]\ng = [3, 4, 5]", 3 + 8}},
       {"half_space", {"normal = [1, 2]\noffset = 7", 7}},
+      {"cloud", {"file = \"tetra.obj\"\nradius = 0.5", 4}},
       {"mesh", {"file = \"tetra.obj\"\nas = \"hull\"", 5}},
       {"zonotope", {"center = [1, 1]\ngenerators = [[1, 0], [0, 2], [1, -1]]", 3 + 1 + 4 + 1}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
@@ -92,6 +93,10 @@ TEST_F(SetFiles, DescribeEveryShape) {
     const auto found = described.find(shape.name);
     ASSERT_NE(found, described.end());
     const SetPointer set = read("shape = \"" + shape.name + "\"\n" + found->second.text);
+    if (const Mesh* mesh = as_mesh(*set)) {  // has no support function
+      EXPECT_EQ(static_cast<double>(mesh->size()), found->second.support);
+      continue;
+    }
     Vector u = Vector::Zero(set->dimension());
     u.head(2) << 1, 2;
     const HalfSpace* half_space = as_half_space(*set);
@@ -128,6 +133,28 @@ TEST_F(SetFiles, TakeAMeshAsItsHullItsSurfaceOrTheSolidThatItBounds) {
       << complaint("open.obj", "solid");
   EXPECT_NE(complaint("tetra.obj", "sold").find("solid"), std::string::npos);
   EXPECT_NE(complaint("none.obj", "solid").find("none.obj"), std::string::npos);
+}
+
+TEST_F(SetFiles, TakeACloudOfBallsFromPointsOfAnyFormat) {
+  write_bytes(folder_.file("cloud.csv"), "x y z\n0 0 0\n0 0 5\n1 1 1\n");
+  write_bytes(folder_.file("plane.csv"), "0 0\n1 1\n");
+  write_bytes(folder_.file("cloud.pcd"), "VERSION .7\nFIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n");
+  const auto complaint = [&](const std::string& file, const std::string& radius) {
+    try {
+      read("shape = \"cloud\"\nfile = \"" + file + "\"\nradius = " + radius + "\n");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("cloud.pcd", "0"), "");
+  EXPECT_NE(complaint("cloud.csv", "1").find("cloud.csv:1:1: 'x' is not a number"), std::string::npos)
+      << complaint("cloud.csv", "1");
+  EXPECT_NE(complaint("plane.csv", "1").find("plane.csv: a cloud has points of R^3, these are of R^2"),
+            std::string::npos);
+  EXPECT_NE(complaint("cloud.pcd", "-1").find("cloud.pcd: the radius of a cloud must lie in [0, 1e30]"),
+            std::string::npos);
+  EXPECT_NE(complaint("none.pcd", "1").find("none.pcd"), std::string::npos);
 }
 
 TEST_F(SetFiles, AreDocumentedShapeByShape) {

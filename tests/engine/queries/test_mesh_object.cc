@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -161,6 +162,87 @@ TEST(MeshObject, IsRefusedByAllThatConvexSetsHave) {
   names(refusal([&] { torus.support_function(kOne); }), "not convex");
   names(refusal([&] { solver.solve(MinkowskiSum(shared, shared), box, kUnit); }), "not convex");
   names(refusal([&] { MeshDistanceSolver().solve(Posed(box), Posed(box)); }), "neither");
+}
+
+/// Against a loop over its balls.
+class Cloud : public ::testing::Test {
+ protected:
+  Cloud() {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 60; ++i) points_.col(i) = random_pose(random, 1.5).translation();
+  }
+
+  /// Whether `other` in a random pose met it.
+  bool agrees(const ConvexSet& other, double radius, std::mt19937_64& random) {
+    const MeshObject cloud(Mesh::cloud(points_, radius));
+    const Pose at_1 = random_pose(random, 2), at_2 = random_pose(random, 1);
+    double lower = std::numeric_limits<double>::infinity(), upper = lower;
+    bool meet = false;
+    for (const auto& p : points_.colwise()) {
+      const Ball ball(Vector(p), radius);
+      const DistanceResult& r = loop_.solve({ball, at_1}, {other, at_2}, kUnit).distance;
+      meet |= r.status == DistanceStatus::contains_origin;
+      lower = std::min(lower, r.lower);
+      upper = std::min(upper, r.upper);
+    }
+    const ObjectDistance& found =
+        solver_.solve({cloud, at_1}, {other, at_2}, ObjectEffects::closest_points, &warm_);
+    EXPECT_EQ(found.distance.status, meet ? DistanceStatus::contains_origin : DistanceStatus::optimal);
+    EXPECT_LE(found.distance.lower, upper);
+    EXPECT_GE(found.distance.upper, lower);
+    if (!meet) {
+      EXPECT_NEAR((found.closest_point_1 - found.closest_point_2).norm(), upper, 1e-5 * upper);
+      const Eigen::Vector3d inner =
+          at_1.rotation().transpose() * (found.closest_point_1 - at_1.translation());
+      EXPECT_NEAR((points_.colwise() - inner).colwise().norm().minCoeff(), radius, 1e-9);
+    }
+    EXPECT_EQ(solver_.separation({other, at_2}, {cloud, at_1}),
+              meet ? Separation::intersecting : Separation::separated);
+    return meet;
+  }
+
+  Eigen::Matrix3Xd points_{3, 60};
+  ObjectDistanceSolver loop_;
+  MeshDistanceSolver solver_;
+  MeshWarmStart warm_;
+};
+
+TEST_F(Cloud, HasTheDistanceOfTheNearestBallFromEveryKindOfObject) {
+  std::mt19937_64 random(8);
+  const Ball ball(kOne, 0.5);
+  const Box box(-kOne, 0.5 * kOne);
+  const HalfSpace floor(Vector3d(0, 0, 1), -4);
+  const PointSet hull(torus_shape(1, 0.5, 9, 9).vertices);
+  const MeshObject torus(mesh_of(torus_shape(2, 0.5, 9, 9))),
+      solid(mesh_of(box_shape(-kOne, kOne, 2), MeshKind::solid));
+  const MeshObject other(Mesh::cloud(0.3 * points_.leftCols(20), 0.1));
+  int met = 0, all = 0;
+  for (const ConvexSet* set :
+       std::initializer_list<const ConvexSet*>{&ball, &box, &floor, &hull, &torus, &solid, &other}) {
+    for (const double radius : {0.0, 1e-3, 0.2}) {
+      for (int trial = 0; trial < 20; ++trial, ++all) met += agrees(*set, radius, random) ? 1 : 0;
+      warm_.clear();
+    }
+  }
+  EXPECT_GT(met, all / 10);
+  EXPECT_LT(met, all * 9 / 10);
+}
+
+TEST_F(Cloud, IsInASolidThatHoldsOneOfItsPoints) {
+  const Mesh box = mesh_of(box_shape(-kOne, kOne), MeshKind::solid);
+  Eigen::Matrix3Xd points(3, 2);
+  points << 3, 0, 0, 0, 0, 0;
+  EXPECT_EQ(solver_.separation(Mesh::cloud(points, 0.1), box), Separation::intersecting);
+  EXPECT_EQ(solver_.separation(box, Mesh::cloud(points.leftCols(1), 1.9)), Separation::separated);
+  EXPECT_EQ(solver_.separation(box, Mesh::cloud(points.leftCols(1), 2.1)), Separation::intersecting);
+}
+
+TEST_F(Cloud, RefusesWhatHasNoBalls) {
+  EXPECT_THROW(Mesh::cloud(Eigen::Matrix3Xd(3, 0), 1), EmptySetError);
+  EXPECT_THROW(Mesh::cloud(points_, -1), InvalidParameterError);
+  EXPECT_THROW(Mesh::cloud(points_, std::nan("")), InvalidParameterError);
+  points_(1, 7) = std::nan("");
+  EXPECT_THROW(Mesh::cloud(points_, 1), NonFiniteError);
 }
 
 // What is said to meet wherever it is moved meets in random places around.

@@ -256,6 +256,13 @@ class Scenes(unittest.TestCase):
         self.assertIn("two.obj: 2 parts, each the convex hull of an object", note('file = "two.obj"\nas = "parts"'))
         self.assertIn("plates: 2 parts, each the convex hull of a file", note('file = "plates"\nas = "parts"'))
 
+        (self.work / "dots.csv").write_text("4 4 0\n4 4 7\n4 9 4\n")
+        dots = 'shape = { shape = "cloud", file = "dots.csv", radius = 0.5 }'
+        self.assertAlmostEqual(answers(dots), 1.5, places=5)
+        self.assertAlmostEqual(answers(dots + "\nscale = -2\npose = { translation = [12, 12, 24] }"), 5, places=5)
+        self.assertAlmostEqual(answers(dots, '"clearance"'), 1.5, places=2)
+        self.run_raygauge("report", self.work / "plates.h5", "-o", self.work / "dots.html")
+
         def refusal(body, effects='"distance"'):
             scene.write_text(f'[[body]]\nname = "plates"\n{body}\n[[body]]\nshape = {{ shape = "ball", center = [4, 4, 3], '
                              f'radius = 1 }}\n[[query]]\neffects = [{effects}]\n')
