@@ -10,8 +10,8 @@
 
 namespace raygauge::cli {
 
-/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply, .dae or .pcd, in any case, also with .gz behind
-/// it.
+/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply, .dae or .pcd, in any case, also with .gz
+/// behind it.
 bool is_mesh_file(const std::string& path);
 
 /// An object of a file, or a group: triangles [begin, end).
