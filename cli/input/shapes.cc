@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/input/height_field.h"
 #include "cli/input/mesh_object_file.h"
 #include "cli/input/rotation_note.h"
 #include "raygauge/exceptions.h"
@@ -114,6 +115,14 @@ Shape cloud() {
                  number("radius", "of the balls"));
 }
 
+Shape height_field() {
+  return made_by(
+      read_height_field, "height_field", "the solid below heights on a regular grid, with --between",
+      path("file", "heights, a row of the grid a row, in any form of points, or a grey picture (.pgm)"),
+      number("spacing", "of rows and columns"), number("unit", "what a height of 1 stands for"),
+      number("floor", "z of the bottom"));
+}
+
 Shape mesh() {
   return made_by(read_mesh_as, "mesh", "the triangles of a file, with --between", path("file", "a mesh"),
                  text("as", "hull, surface, or solid: what they bound too"));
@@ -137,6 +146,7 @@ const std::vector<Shape>& shapes() {
       shape<HalfSpace>("half_space", "{x : n·x <= b}, unbounded", vector("normal"), number("offset")),
       mesh(),
       cloud(),
+      height_field(),
       made_by(zonotope, "zonotope", "{center + Σ t_i g_i : |t_i| <= 1}", vector("center"),
               matrix("generators", "one generator g_i a row")),
       shape<Capsule>("capsule", "the points within radius of the segment from p to q", vector("p"),

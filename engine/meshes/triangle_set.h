@@ -8,8 +8,8 @@
 
 namespace raygauge {
 
-/// conv{a, b, c} of R^3, or a ball of a cloud, for one query after the other: the workspace of a solver assigns it, and nobody else
-/// sees it meanwhile.
+/// conv{a, b, c} of R^3, or a ball of a cloud, for one query after the other: the workspace of a solver
+/// assigns it, and nobody else sees it meanwhile.
 class TriangleSet final : public ConvexSet {
  public:
   TriangleSet() : ConvexSet(3) {}

@@ -144,6 +144,7 @@ SHAPES = {
                    "g": ("[-1, -1, -1, 5]", "[-2, -1, -1, 5]")},
     "mesh": {"file": ('"two.obj"', '"one.obj"'), "as": ('"surface"', '"hull"')},
     "cloud": {"file": ('"two.obj"', '"one.obj"'), "radius": ("0.5", "0.25")},
+    "height_field": {"file": ('"Q.csv"', '"headless.csv"'), "spacing": ("1", "2"), "unit": ("1", "2"), "floor": ("-2.5", "-9")},
     "half_space": {"normal": ("[0, 0, 1]", "[0, 1, 1]"), "offset": ("1", "2")},
     "zonotope": {"center": ("[3, 1, 1]", "[4, 1, 1]"), "generators": ("[[1, 0, 0], [0, 1, 0]]", "[[0.5, 0, 0], [0, 1, 0]]")},
     "capsule": {"p": ("[3, 1, 1]", "[2.5, 1, 1]"), "q": ("[3, 1, 2]", "[2, 1, 2]"), "radius": ("0.5", "0.25")},
@@ -538,6 +539,7 @@ class NothingIsIgnored(unittest.TestCase):
         (self.work / "ball3.toml").write_text('shape = "ball"\ncenter = [0.1, 0, 0]\nradius = 1\n')
         (self.work / "ball6.toml").write_text('shape = "ball"\ncenter = [0.1, 0, 0, 0, 0, 0]\nradius = 1\n')
         triangles = ["v 10 10 0\nv 10 12 0\nv 12 10 1\n", "v 10 -10 0\nv 10 -12 0\nv 12 -10 1\n"]
+        (self.work / "headless.csv").write_text("7 7 7\n-1 0 0\n0 -1 0\n0 0 -1\n")
         (self.work / "one.obj").write_text(triangles[0] + "f 1 2 3\n")
         (self.work / "two.obj").write_text("".join(triangles) + "f 1 2 3\nf 4 5 6\n")
         for shape, keys in SHAPES.items():
@@ -555,7 +557,7 @@ class NothingIsIgnored(unittest.TestCase):
             (self.work / "moved.toml").write_text(
                 f'shape = "minkowski_sum"\nA = {{ shape = "file", file = "set.toml" }}\n'
                 f'B = {{ shape = "point_set", points = [{shift}] }}\n')
-            if shape in ("half_space", "mesh", "cloud"):  # take no sums
+            if shape in ("half_space", "mesh", "cloud", "height_field"):  # take no sums
                 (self.work / "moved.toml").write_text(f'shape = "ball"\ncenter = {shift}\nradius = 1\n')
                 operands = ["set.toml", "moved.toml", "--between"] + ["--signed"] * (shape == "half_space")
             else:

@@ -68,6 +68,7 @@ std::map<std::string, Described> described_shapes() {
       {"h_polytope", {"G = [[1, 0], [0, 1], [-1, -1]]\ng = [3, 4, 5]", 3 + 8}},
       {"half_space", {"normal = [1, 2]\noffset = 7", 7}},
       {"cloud", {"file = \"tetra.obj\"\nradius = 0.5", 4}},
+      {"height_field", {"file = \"points.csv\"\nspacing = 1\nunit = 1\nfloor = -3", 2 + 3 * 4}},
       {"mesh", {"file = \"tetra.obj\"\nas = \"hull\"", 5}},
       {"zonotope", {"center = [1, 1]\ngenerators = [[1, 0], [0, 2], [1, -1]]", 3 + 1 + 4 + 1}},
       {"capsule", {"p = [0, 0]\nq = [3, 1]\nradius = 1", 5 + kLength}},
@@ -155,6 +156,49 @@ TEST_F(SetFiles, TakeACloudOfBallsFromPointsOfAnyFormat) {
   EXPECT_NE(complaint("cloud.pcd", "-1").find("cloud.pcd: the radius of a cloud must lie in [0, 1e30]"),
             std::string::npos);
   EXPECT_NE(complaint("none.pcd", "1").find("none.pcd"), std::string::npos);
+}
+
+TEST_F(SetFiles, TakeTheSolidBelowHeights) {
+  const auto take = [&](const std::string& name, const std::string& bytes, const std::string& rest) {
+    write_bytes(folder_.file(name), bytes);
+    return read("shape = \"height_field\"\nfile = \"" + name + "\"\n" + rest);
+  };
+  const std::string numbers = "spacing = 0.5\nunit = 2\nfloor = -1\n";
+  for (const auto& [name, bytes] : std::map<std::string, std::string>{
+           {"h.csv", "0 1 2\n1 2 3\n"},
+           {"text.pgm", "P2 # a hill\n3 2\n9\n0 1 2 1 2 3\n"},
+           {"one.pgm", std::string("P5\n3 2 255\n") + std::string("\0\1\2\1\2\3", 6)},
+           {"two.pgm", std::string("P5\n3 2 256\n") + std::string("\0\0\0\1\0\2\0\1\0\2\0\3", 12)}}) {
+    const SetPointer set = take(name, bytes, numbers);
+    ASSERT_NE(as_mesh(*set), nullptr) << name;
+    EXPECT_EQ(as_mesh(*set)->kind(), MeshKind::solid);
+    // A cell of heights a, b, c, d has 0.25 (1 + 2 (2a + b + 2c + d) / 6), a and c on its diagonal.
+    EXPECT_NEAR(as_mesh(*set)->volume(), 0.25 * (1 + 2.0) + 0.25 * (1 + 4.0), 1e-12) << name;
+  }
+  const auto complaint = [&](const std::string& name, const std::string& bytes, const std::string& rest) {
+    try {
+      take(name, bytes, rest);
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      return text.substr(std::min(text.find(name), text.size()));
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("h.csv", "0 1\n1 -0.5\n", numbers),
+            "h.csv: the height in row 1 and column 1, counted from 0, is not above the floor");
+  EXPECT_EQ(complaint("h.csv", "0 1 2\n", numbers), "h.csv: a height field needs 2 rows and columns or more");
+  EXPECT_EQ(complaint("h.csv", "0 1\n1\n", numbers).substr(0, 13), "h.csv: line 2");
+  EXPECT_EQ(complaint("a.pgm", "P6 2 2 9\n", numbers),
+            "a.pgm: not a grey picture: it begins with neither P2 nor P5");
+  EXPECT_EQ(complaint("a.pgm", "P5 2 2 9\n\1\1\1", numbers),
+            "a.pgm: the header promises 2 x 2 numbers, and 3 bytes are left");
+  EXPECT_EQ(complaint("a.pgm", "P2 2 2 9\n1 1 1 x", numbers), "a.pgm: number: 'x' is not a count");
+  EXPECT_EQ(complaint("a.pgm", "P2 2 2 9\n1 1 1 10", numbers),
+            "a.pgm: number 3, counted from 0, is more than 9");
+  EXPECT_EQ(complaint("a.pgm", "P2 2 2 9\n1 1 1 1 1", numbers),
+            "a.pgm: the file goes on behind what its header promises");
+  EXPECT_EQ(complaint("a.pgm", "P2 2 2 70000\n1 1 1 1", numbers),
+            "a.pgm: a width, height or greatest value of 0, or more than 65535");
 }
 
 TEST_F(SetFiles, AreDocumentedShapeByShape) {
