@@ -106,7 +106,7 @@ class MeshSearch {
   const Pose* pose_1_ = nullptr;
   const Pose* pose_2_ = nullptr;
   double radius_1_ = 0, radii_ = 0;  // of the balls of a first cloud, of both objects together
-  Matrix3 W_, R_;  // first frame to world, second frame to first
+  Matrix3 W_, R_;                    // first frame to world, second frame to first
   Vector3 w_, t_;
   double margin_ = 0;  // what is computed of lengths is within this of the truth
   bool in_range_ = false;
