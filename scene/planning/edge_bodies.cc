@@ -8,6 +8,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 
 namespace raygauge {
 namespace {
@@ -85,6 +86,12 @@ EdgeBody of_robot(const RobotBody& given, RobotChain& chain) {
 
 EdgeBody of_obstacle(const Body& given, int& moving) {
   if (given.motion == nullptr) throw InvalidParameterError("body '" + given.name + "' has no motion");
+  for (const BodyPart& part : given.parts) {
+    if (as_mesh(*part.set) != nullptr)
+      throw InvalidParameterError("body '" + given.name +
+                                  "' is a mesh or a cloud as it is; edges are proven of " +
+                                  "convex parts: take its hull (as = \"hull\") or convex parts");
+  }
   check_space(given);
   EdgeBody body;
   body.body = given;
