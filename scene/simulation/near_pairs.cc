@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kOutward = 1 + 1e-9;
 constexpr double kUsual = 0.4, kMore = 0.2;  // of δ
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const SceneMetric kEuclidean;
 
 Placement placement_of(const SimulatedBody& body, int n) {
@@ -65,12 +67,55 @@ double NearPairs::travel(int number, double t, double dt) const {
   return (body.v.norm() + g * dt + body.spin.norm() * p.body.reach) * dt;
 }
 
-bool NearPairs::may_meet(const Candidate& candidate, double t, double dt, double beyond) {
+NearPairs::Candidate* NearPairs::candidate_of(int part_a, int part_b) {
+  const std::pair<int, int> wanted(std::min(part_a, part_b), std::max(part_a, part_b));
+  const auto found = std::lower_bound(candidates_.begin(), candidates_.end(), wanted,
+                                      [](const Candidate& one, const std::pair<int, int>& parts) {
+                                        return std::pair(one.part_a, one.part_b) < parts;
+                                      });
+  const bool is = found != candidates_.end() && std::pair(found->part_a, found->part_b) == wanted;
+  return is ? &*found : nullptr;
+}
+
+// Which candidates may come closer than `beyond` within dt: of parts whose boxes meet, in the order of
+// candidates_.
+void NearPairs::sweep(double t, double dt, double beyond) {
+  swept_.resize(parts_.size());
+  order_.resize(parts_.size());
+  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+    Swept& one = swept_[static_cast<std::size_t>(i)];
+    order_[static_cast<std::size_t>(i)] = i;
+    one.middle = middle(i);
+    one.travel = travel(i, t, dt);
+    // With more than the rounding that may_meet() allows for.
+    const double reach =
+        (part(i).body.ball.radius + one.travel + beyond + 1e-11 * one.middle.norm()) * kOutward;
+    const bool bounded = std::isfinite(reach);
+    one.low = bounded ? Eigen::Vector3d(one.middle.array() - reach) : Eigen::Vector3d::Constant(-kInfinity);
+    one.high = bounded ? Eigen::Vector3d(one.middle.array() + reach) : Eigen::Vector3d::Constant(kInfinity);
+  }
+  const auto swept = [this](int i) -> const Swept& { return swept_[static_cast<std::size_t>(i)]; };
+  std::sort(order_.begin(), order_.end(),
+            [&swept](int i, int j) { return std::pair(swept(i).low[0], i) < std::pair(swept(j).low[0], j); });
+  may_meet_.clear();
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const Swept& one = swept(order_[i]);
+    for (std::size_t j = i + 1; j < order_.size() && swept(order_[j]).low[0] <= one.high[0]; ++j) {
+      const Swept& other = swept(order_[j]);
+      if ((other.low.array() > one.high.array() || one.low.array() > other.high.array()).any()) continue;
+      Candidate* candidate = candidate_of(order_[i], order_[j]);
+      if (candidate != nullptr && may_meet(*candidate, beyond)) may_meet_.push_back(candidate);
+    }
+  }
+  std::sort(may_meet_.begin(), may_meet_.end());
+}
+
+bool NearPairs::may_meet(const Candidate& candidate, double beyond) {
   ++counters_.ball_tests;
   const auto a = static_cast<std::size_t>(candidate.part_a), b = static_cast<std::size_t>(candidate.part_b);
-  const Eigen::Vector3d from = middle(candidate.part_a), to = middle(candidate.part_b);
+  const Eigen::Vector3d &from = swept_[a].middle, &to = swept_[b].middle;
   const double radii = parts_[a].body.ball.radius + parts_[b].body.ball.radius;
-  const double reached = radii + travel(candidate.part_a, t, dt) + travel(candidate.part_b, t, dt) + beyond;
+  const double reached = radii + swept_[a].travel + swept_[b].travel + beyond;
   return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
 }
 
@@ -86,11 +131,11 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
 
 // Before its step, a body's motion is not known: its travel is that of its velocities.
 std::vector<NearPair>& NearPairs::find(double t, double dt) {
+  for (const NearPair& pair : near_) candidate_of(pair.part_a, pair.part_b)->near = -1;
   near_.clear();
-  for (Candidate& candidate : candidates_) {
-    candidate.near = -1;
-    const double beyond = scales_.delta;
-    if (!may_meet(candidate, t, dt, beyond)) continue;
+  sweep(t, dt, scales_.delta);
+  for (Candidate* const met : may_meet_) {
+    Candidate& candidate = *met;
     NearPair pair{candidate.part_a,
                   candidate.part_b,
                   parts_[static_cast<std::size_t>(candidate.part_a)].owner,
@@ -100,7 +145,9 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
                   0,
                   PairRole::apart,
                   0};
-    const double band = 2 * (travel(pair.part_a, t, dt) + travel(pair.part_b, t, dt)) + scales_.delta;
+    const double band = 2 * (swept_[static_cast<std::size_t>(pair.part_a)].travel +
+                             swept_[static_cast<std::size_t>(pair.part_b)].travel) +
+                        scales_.delta;
     look(candidate, placement_of(bodies_[static_cast<std::size_t>(pair.a)], n_),
          placement_of(bodies_[static_cast<std::size_t>(pair.b)], n_), band, pair.contact);
     candidate.normal = pair.contact.normal;
@@ -112,11 +159,8 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
 }
 
 double NearPairs::closer_than(const NearPair& pair, double end, double allowed) {
-  const auto candidate = std::find_if(candidates_.begin(), candidates_.end(), [&pair](const Candidate& one) {
-    return one.part_a == pair.part_a && one.part_b == pair.part_b;
-  });
   PartContact then;
-  look(*candidate, bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
+  look(*candidate_of(pair.part_a, pair.part_b), bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
        bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then);
   return std::min(0.0, then.lower - allowed);
 }
@@ -129,9 +173,9 @@ double NearPairs::proven_until(double t, double end) {
   hand_motions();
   nothing_touched_ = true;
   double proven = end;
-  for (const Candidate& candidate : candidates_) {
-    if (!may_meet(candidate, t, end - t, scales_.arrival())) continue;
-    proven = std::min(proven, proven_pair(candidate, t, proven));
+  sweep(t, end - t, scales_.arrival());
+  for (const Candidate* const candidate : may_meet_) {
+    proven = std::min(proven, proven_pair(*candidate, t, proven));
     if (!(proven > t)) break;
   }
   return proven;

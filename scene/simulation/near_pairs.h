@@ -69,7 +69,16 @@ class NearPairs {
     int near = -1;  ///< its number among the near pairs
   };
 
-  bool may_meet(const Candidate& candidate, double t, double dt, double beyond);
+  // The ball around a part, and how far it may move.
+  struct Swept {
+    Eigen::Vector3d middle;
+    double travel = 0;
+    Eigen::Vector3d low, high;  // of a box around the ball and its way
+  };
+
+  void sweep(double t, double dt, double beyond);
+  bool may_meet(const Candidate& candidate, double beyond);
+  Candidate* candidate_of(int part_a, int part_b);
   Eigen::Vector3d middle(int part) const;
   double travel(int part, double t, double dt) const;
   void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
@@ -87,7 +96,10 @@ class NearPairs {
   ContactScales scales_;
   SimulationCounters& counters_;
   int n_;
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> candidates_;  // by their parts
+  std::vector<Swept> swept_;           // of each part
+  std::vector<int> order_;             // of the parts, by where their boxes begin
+  std::vector<Candidate*> may_meet_;   // of the last sweep
   std::vector<NearPair> near_;
   ContactFinder finder_;
   ContinuousSolver solver_;

@@ -152,6 +152,21 @@ TEST(Simulation, without_contact_bodies_pass_through_each_other) {
 }
 
 // v' = g - c v: second order in the step.
+// A floor below a field of balls: each ball is near the floor and some of its neighbours.
+TEST(Simulation, pairs_that_are_tested_grow_with_the_bodies_and_not_with_their_square) {
+  const auto tests_of = [](int side) {
+    Reacting scene(0.002);
+    scene.dynamics.contact = ContactLaw{};
+    for (int x = 0; x < side; ++x) {
+      for (int y = 0; y < side; ++y) scene.add(ball(0.1), v(0.25 * x, 0.25 * y, 0.1), 1);
+    }
+    scene.add(floor(), v(0, 0, 0), 0);
+    return simulate(scene.scene, scene.dynamics, nullptr).counters.ball_tests;
+  };
+  const auto few = static_cast<double>(tests_of(6)), many = static_cast<double>(tests_of(12));
+  EXPECT_LT(many, 4.2 * few);
+}
+
 TEST(Simulation, damping_is_of_second_order) {
   double last = 0;
   for (const double step : {0.02, 0.01}) {
