@@ -216,7 +216,7 @@ TEST(SceneMesh, IsRefusedWhereItMeansNothingByNameAndNamesParts) {
       scene_of({standing(torus), ball(1, Vector::Zero(3), Vector::Zero(3))}, SceneEffects::depth, 1);
   EXPECT_NE(refusal(scene).find("'mesh' is a mesh as it is: depth and growth"), std::string::npos)
       << refusal(scene);
-  EXPECT_NE(refusal(scene).find("`parts`"), std::string::npos);
+  EXPECT_NE(refusal(scene).find("convex parts"), std::string::npos);
   scene.queries[0].effects = SceneEffects::growth;
   EXPECT_NE(refusal(scene), "");
   scene.queries[0].effects = SceneEffects::distance;
