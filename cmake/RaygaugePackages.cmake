@@ -1,5 +1,5 @@
-# The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, libraygauge-results, raygauge,
-# raygauge-mpi, raygauge-siconos, python3-raygauge.
+# The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, libraygauge-results, libraygauge-friction,
+# raygauge, raygauge-mpi, raygauge-siconos, python3-raygauge.
 
 # The manual and the completion are made from the program's own help, where help2man is installed.
 find_program(RAYGAUGE_HELP2MAN help2man)
@@ -39,12 +39,16 @@ if(RAYGAUGE_BUILD_PROGRAM)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, raygauge-siconos")
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "the program, its manual and completion")
 endif()
-if(RAYGAUGE_BUILD_PROGRAM)
-  list(APPEND CPACK_COMPONENTS_ALL results)
-  set(CPACK_DEBIAN_RESULTS_PACKAGE_NAME libraygauge-results)
-  set(CPACK_DEBIAN_RESULTS_PACKAGE_RECOMMENDS libraygauge-dev)
-  set(CPACK_COMPONENT_RESULTS_DESCRIPTION "results files of sweeps, for C++ programs")
-endif()
+foreach(_component results friction)
+  if(TARGET raygauge_${_component}_shared)
+    string(TOUPPER ${_component} _upper)
+    list(APPEND CPACK_COMPONENTS_ALL ${_component})
+    set(CPACK_DEBIAN_${_upper}_PACKAGE_NAME libraygauge-${_component})
+    set(CPACK_DEBIAN_${_upper}_PACKAGE_RECOMMENDS libraygauge-dev)
+  endif()
+endforeach()
+set(CPACK_COMPONENT_RESULTS_DESCRIPTION "results files of sweeps, for C++ programs")
+set(CPACK_COMPONENT_FRICTION_DESCRIPTION "friction of simulations, for C++ programs")
 set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
 set(CPACK_COMPONENT_SICONOS_DESCRIPTION "friction between bodies that react")
 get_property(_modules GLOBAL PROPERTY RAYGAUGE_MODULES)

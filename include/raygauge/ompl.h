@@ -8,6 +8,9 @@
 //     raygauge::set_proven_validity(space_information, checkers);
 //
 // Header alone; nothing else of raygauge includes it. The CMake package has it as the component `ompl`.
+#if __cplusplus < 201709L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#error "raygauge needs C++20: compile with -std=c++20"
+#else
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateValidityChecker.h>
@@ -64,7 +67,7 @@ class EdgeCheckers {
   std::vector<Body> obstacles_;
   EdgeOptions options_;
   std::mutex mutex_;
-  std::map<std::thread::id, std::unique_ptr<EdgeChecker>> checkers_;
+  std::map<std::thread::id, std::unique_ptr<EdgeChecker> > checkers_;
   std::atomic<std::int64_t> undecided_{0};
 };
 
@@ -162,3 +165,4 @@ inline void set_proven_validity(const ompl::base::SpaceInformationPtr& space,
 }
 
 }  // namespace raygauge
+#endif

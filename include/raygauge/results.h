@@ -3,6 +3,9 @@
 #pragma once
 
 // The public interface of the library raygauge::results, which needs HDF5: results files of sweeps.
+#if __cplusplus < 201709L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#error "raygauge needs C++20: compile with -std=c++20"
+#else
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -54,3 +57,4 @@ class ResultsWriter final : public RecordSink {
 };
 
 }  // namespace raygauge
+#endif

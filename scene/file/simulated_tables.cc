@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "scene/simulation/piecewise_motion.h"
+
 namespace raygauge {
 namespace {
 

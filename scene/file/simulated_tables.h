@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "raygauge/scene/simulation.h"
 #include "scene/file/simulation_tables.h"
-#include "scene/simulation/simulation.h"
 
 namespace raygauge {
 

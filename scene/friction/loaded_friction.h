@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "scene/simulation/friction.h"
+#include "raygauge/scene/friction.h"
 
 namespace raygauge {
 

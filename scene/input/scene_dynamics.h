@@ -9,7 +9,7 @@
 
 #include "cli/input/toml_source.h"
 #include "raygauge/scene/body.h"
-#include "scene/simulation/dynamics.h"
+#include "raygauge/scene/dynamics.h"
 
 namespace raygauge::cli {
 

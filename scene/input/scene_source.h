@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/scene.h"
 #include "scene/input/plan_table.h"
 #include "scene/input/urdf_file.h"
-#include "scene/simulation/dynamics.h"
 
 namespace raygauge::cli {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene/simulation/friction.h"
+#include "raygauge/scene/friction.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/simulated_body.h"
 

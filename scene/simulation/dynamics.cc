@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/simulation/dynamics.h"
+#include "raygauge/scene/dynamics.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/simulation/moments.h"
+#include "raygauge/scene/moments.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

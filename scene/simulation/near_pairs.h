@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "raygauge/scene/continuous.h"
+#include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_finder.h"
 #include "scene/simulation/simulated_body.h"
-#include "scene/simulation/simulation.h"
 
 namespace raygauge {
 

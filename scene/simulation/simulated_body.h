@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 
 #include "raygauge/scene/body.h"
-#include "scene/simulation/dynamics.h"
+#include "raygauge/scene/dynamics.h"
 #include "scene/simulation/free_rotation.h"
 #include "scene/simulation/piecewise_motion.h"
 

@@ -9,6 +9,7 @@
 
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
+#include "scene/simulation/piecewise_motion.h"
 #include "scene/simulation/similar_set.h"
 
 namespace raygauge {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_problem.h"
 #include "scene/simulation/near_pairs.h"
-#include "scene/simulation/simulation.h"
 
 namespace raygauge {
 

@@ -32,18 +32,19 @@ def run_example(folder, compiler, file, package, expected):
         sys.exit(f"{file} with {words}: {answer}")
 
 
-def check_language(compiler, language, standard, expected):
+def check_language(compiler, language, standard, expected, header="raygauge"):
     """One line that includes the library's header, in that language; `expected` is what the compiler says, once."""
     command = [*compiler, f"-std={standard}", f"-I{prefix}/include", "-isystem", "/usr/include/eigen3", "-fsyntax-only", "-x", language, "-"]
-    said = subprocess.run(command, input="#include <raygauge/raygauge.h>\n", capture_output=True, text=True).stderr
+    said = subprocess.run(command, input=f"#include <raygauge/{header}.h>\n", capture_output=True, text=True).stderr
     errors = [line for line in said.splitlines() if "error:" in line]
     if [expected in line for line in errors] != ([True] if expected else []):
-        sys.exit(f"{standard}: {said}")
+        sys.exit(f"{header}, {standard}: {said}")
 
 
 check_language([c_compiler], "c", "c99", "")
 check_language([cxx_compiler], "c++", "c++20", "")
-check_language([cxx_compiler], "c++", "c++17", "raygauge needs C++20")
+for name in ("raygauge", "sweep", "results", "simulation", "ompl"):
+    check_language([cxx_compiler], "c++", "c++17", "raygauge needs C++20", name)
 
 with tempfile.TemporaryDirectory() as scratch:
     moved = pathlib.Path(scratch, "moved")

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/friction/siconos_friction.h"
+#include "raygauge/scene/siconos_friction.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 #include <cmath>
 
 #include "raygauge/queries/object_distance.h"
-#include "scene/simulation/simulation.h"
+#include "raygauge/scene/simulation.h"
+#include "scene/simulation/piecewise_motion.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 
 namespace raygauge::test_siconos_friction {

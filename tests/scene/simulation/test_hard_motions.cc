@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "scene/simulation/piecewise_motion.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 
 /// Hard cases with known truth, at steps that differ by powers of ten.

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/simulation/simulation.h"
+#include "raygauge/scene/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
+#include "scene/simulation/piecewise_motion.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 
 namespace raygauge::test_simulation {

@@ -26,8 +26,8 @@ struct Moments {
   Eigen::Matrix3d inertia() const;
 };
 
-/// The moments of S: closed forms of balls, ellipsoids, p-norm balls, boxes, simplices, capsules, cylinders
-/// and truncated cones, and affine images of all; sums over the simplices of the hull for every set that is
+/// The moments of S. Closed forms of balls, ellipsoids, p-norm balls, boxes, simplices, capsules, cylinders
+/// and truncated cones, and affine images of all. Sums over the simplices of the hull for every set that is
 /// the hull of known points, sums of such sets among them. Throws InvalidParameterError for other sets, for
 /// sets without volume, for spaces of other dimensions, and for hulls in R^3 of a library without Qhull.
 Moments moments_of(const ConvexSet& S);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/scene/moments.h"
 #include "raygauge/scene/scene.h"
-#include "scene/simulation/moments.h"
 
 namespace raygauge {
 

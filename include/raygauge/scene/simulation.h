@@ -7,10 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "raygauge/scene/dynamics.h"
+#include "raygauge/scene/friction.h"
 #include "raygauge/scene/scene.h"
-#include "scene/simulation/dynamics.h"
-#include "scene/simulation/friction.h"
-#include "scene/simulation/piecewise_motion.h"
 
 namespace raygauge {
 
@@ -62,10 +61,10 @@ struct SimulationHooks {
   std::function<void(double share)> progress;  ///< of the time that is done
 };
 
-/// Lets the bodies of the scene react, from its first instant to its last, in steps of at most dynamics.step:
-/// free flight exact for constant forces, contacts by Moreau and Jean's time stepping in velocities and
-/// impulses, restitution at proven times of impact. Of every step it is proven that no pair of bodies comes
-/// closer than -δ; a step of which that is not so is cut where the proof ends.
+/// Lets the bodies of the scene react, from its first instant to its last, in steps of at most dynamics.step.
+/// Free flight is exact for constant forces. Contacts follow Moreau and Jean's time stepping in velocities
+/// and impulses, restitution acts at proven times of impact. Of every step it is proven that no pair of
+/// bodies comes closer than -δ; a step of which that is not so is cut where the proof ends.
 ///
 /// `friction` solves contact problems with friction; nullptr where no law names any. Throws what
 /// check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at the start.
