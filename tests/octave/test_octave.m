@@ -92,6 +92,44 @@ assert (abs (normal(1)) > 0);
 assert (rg_separation (left, left), 'intersecting');
 assert (rg_distance (triangle, square, 'method', 'newton', 'time_limit', 10, 'max_iterations', 1000).distance, 2, 1e-5);
 
+% One on its way: the same as frame by frame, whichever way the poses are given, and with hints within the bounds.
+angles = linspace (0, 1, 20);
+poses = zeros (4, 4, 20);
+for k = 1:20
+  c = cos (angles(k)); s = sin (angles(k));
+  poses(:, :, k) = [c -s 0 0; s c 0 5; 0 0 1 1; 0 0 0 1];
+end
+quaternions = [cos(angles / 2); zeros(2, 20); sin(angles / 2); zeros(1, 20); 5 + zeros(1, 20); 1 + zeros(1, 20)];
+cold = rg_object_distance_along (left, rod, poses, 'warm', false, 'tolerance', 1e-9);
+warm = rg_object_distance_along (left, rod, quaternions, 'tolerance', 1e-9);
+for k = 1:20
+  r = rg_object_distance (left, rod, 'pose_2', poses(:, :, k), 'tolerance', 1e-9);
+  assert ([cold.distance(k), cold.lower(k), cold.upper(k)], [r.distance, r.lower, r.upper]);
+  assert (cold.point_2(:, k), r.point_2);
+  assert (cold.status{k}, r.status);
+  assert (warm.lower(k) <= r.upper + 1e-14 && r.lower <= warm.upper(k) + 1e-14);
+end
+assert (rg_object_distance_along (left, rod, poses(:, :, 3), 'pose_1', turn, 'metric', ball (o, 2)).distance, cold.distance(3) / 2, 1e-5);
+assert (size (rg_object_distance_along (left, rod, zeros (4, 4, 0)).point_1), [3 0]);
+refused ('RG_DIMENSION_MISMATCH', 'poses', @() rg_object_distance_along (left, rod, eye (3)));
+refused ('RG_INVALID_PARAMETER', 'last row', @() rg_object_distance_along (left, rod, ones (4)));
+refused ('RG_INVALID_PARAMETER', 'R', @() rg_object_distance_along (left, rod, diag ([2 1 1 1])));
+refused ('RG_INVALID_PARAMETER', 'quaternion', @() rg_object_distance_along (left, rod, zeros (7, 2)));
+refused ('RG_INVALID_PARAMETER', 'doubles', @() rg_object_distance_along (left, rod, 'there'));
+refused ('RG_INVALID_PARAMETER', 'two sets', @() raygauge_mex ('object_distance_along', left, rod));
+refused ('RG_INVALID_PARAMETER', 'warm', @() rg_object_distance_along (left, rod, poses, 'warm', 1));
+
+% Long queries are stopped; the bounds hold.
+rand ('twister', 1);
+far_cloud = rand (40, 1500) + [3; zeros(39, 1)]; near_cloud = rand (40, 1500) - 0.5;
+whole = rg_distance (far_cloud, near_cloud);
+r = rg_distance (far_cloud, near_cloud, 'stop', @() true);
+assert (r.status, 'time_limit');
+assert (r.lower <= whole.upper && whole.lower <= r.upper);
+assert (rg_distance (far_cloud, near_cloud, 'stop', @() false).distance, whole.distance);
+assert (rg_distance (far_cloud, near_cloud, 'time_limit', 1e-9).status, 'time_limit');
+assert (rg_distance (far_cloud, near_cloud, 'method', 'zheng_yamane', 'max_iterations', 3).status, 'iteration_limit');
+
 % Batches: the same as one by one.
 pairs = cell (50, 2);
 for k = 1:50
@@ -122,15 +160,39 @@ refused ('RG_NON_FINITE', 'joint', @() rg_prove_motion (robot, [0 NaN]));
 refused ('RG_INVALID_PARAMETER', 'margin', @() rg_prove_motion (robot, 0, -1));
 robot.ignored = [1; 3];
 refused ('RG_INVALID_PARAMETER', 'body_2', @() rg_prove_motion (robot, 0));
+robot.ignored = [1 2];
+refused ('RG_DIMENSION_MISMATCH', 'two rows', @() rg_prove_motion (robot, 0));
+robot.ignored = [1; 1.5];
+refused ('RG_INVALID_PARAMETER', 'whole', @() rg_prove_motion (robot, 0));
+robot.ignored = [];
 robot.bodies.link = 2;
 refused ('RG_INVALID_PARAMETER', 'link', @() rg_prove_motion (robot, 0));
+robot.links.axes = [];
+refused ('RG_UNKNOWN_NAME', 'axes', @() rg_prove_motion (robot, 0));
+robot.links = rmfield (robot.links, 'axes');
 robot.links.kind = 'ball';
 refused ('RG_UNKNOWN_NAME', 'revolute', @() rg_prove_motion (robot, 0));
 refused ('RG_INVALID_PARAMETER', 'struct', @() rg_prove_motion (3, 0));
+refused ('RG_INVALID_PARAMETER', 'joints: a whole number', @() rg_prove_motion (struct ('joints', NaN), 0));
 
 % Mistakes.
 own = rg_set ('support_mapping', o, @(v) error ('mine'));
 refused ('RG_INVALID_PARAMETER', 'radius', @() rg_support (ball (o, -1), x));
+refused ('RG_NON_FINITE', 'coordinate 1', @() rg_support (rg_set ('points', [1; NaN; 2]), x));
+refused ('RG_NON_FINITE', 'coordinate 1', @() rg_support (rg_set ('prepared_points', [1; NaN; 2]), x));
+refused ('RG_INVALID_PARAMETER', 'p', @() rg_support (rg_set ('p_norm_ball', o, x, 0.5), x));
+refused ('RG_NON_FINITE', 'q', @() rg_support (rg_set ('capsule', o, [0; NaN; 0], 1), x));
+refused ('RG_INVALID_PARAMETER', 'cylinder', @() rg_support (rg_set ('cylinder', o, o, 1), x));
+refused ('RG_INVALID_PARAMETER', 'radius', @() rg_support (rg_set ('cone', o, 1, x, -1), x));
+refused ('RG_DIMENSION_MISMATCH', 'legs', @() rg_support (rg_set ('simplex', o, [1 1]), x));
+refused ('RG_DIMENSION_MISMATCH', 'rows', @() rg_support (rg_set ('zonotope', o, [1 1]), x));
+refused ('RG_INVALID_PARAMETER', 'bounded', @() rg_support (rg_set ('h_polytope', [1 0 0], 1), x));
+refused ('RG_INVALID_PARAMETER', 'normal', @() rg_support (rg_set ('contact_wrenches', o, o, 0.5, 0), ones (6, 1)));
+refused ('RG_INVALID_PARAMETER', 'whole', @() rg_support (rg_set ('contact_wrenches', o, x, 0.5, 1.5), ones (6, 1)));
+refused ('RG_INVALID_PARAMETER', 'singular', @() rg_support (rg_set ('affine_image', left, zeros (3), o), x));
+refused ('RG_DIMENSION_MISMATCH', '', @() rg_support (rg_set ('sum', left, triangle), x));
+refused ('RG_DIMENSION_MISMATCH', '', @() rg_support (rg_set ('difference', left, triangle), x));
+refused ('RG_DIMENSION_MISMATCH', '', @() rg_support (rg_set ('union_hull', left, triangle), x));
 refused ('RG_NON_FINITE', 'coordinate 1', @() rg_distance ([1; NaN], square));
 refused ('RG_EMPTY_SET', '', @() rg_distance (zeros (2, 0), square));
 refused ('RG_DIMENSION_MISMATCH', '', @() rg_object_distance (left, triangle));
@@ -149,6 +211,15 @@ refused ('RG_UNKNOWN_NAME', 'no option', @() rg_object_distance (left, right, 't
 refused ('RG_INVALID_PARAMETER', 'names', @() rg_signed_distance (left, right, 'tolerance'));
 refused ('RG_UNKNOWN_NAME', 'newton', @() rg_growth_distance (left, right, 'method', 'newtom'));
 refused ('RG_INVALID_PARAMETER', 'metric', @() rg_growth_distance (left, right, 'metric', left));
+refused ('RG_INVALID_PARAMETER', 'threads', @() rg_distance (triangle, square, 'threads', 2));
+refused ('RG_INVALID_PARAMETER', 'time_limit', @() rg_object_distances (pairs, 'time_limit', 1));
+refused ('RG_INVALID_PARAMETER', 'time_limit', @() rg_distance (triangle, square, 'time_limit', -1));
+refused ('RG_INVALID_PARAMETER', 'max_iterations: a whole', @() rg_distance (triangle, square, 'max_iterations', NaN));
+refused ('RG_INVALID_PARAMETER', 'function handle', @() rg_distance (triangle, square, 'stop', 3));
+refused ('RG_CALLBACK_FAILED', 'stop', @() rg_distance (far_cloud, near_cloud, 'stop', @() error ('mine')));
+refused ('RG_CALLBACK_FAILED', 'stop', @() rg_distance (far_cloud, near_cloud, 'stop', @() []));
+refused ('RG_DIMENSION_MISMATCH', 'Q has dimension 2', @() rg_object_distance (left, right, 'metric', square));
+refused ('RG_DIMENSION_MISMATCH', 'pose', @() rg_separation (left, right, 'pose_2', eye (3)));
 refused ('RG_INVALID_PARAMETER', 'last row', @() rg_separation (left, right, 'pose_1', ones (4)));
 refused ('RG_INVALID_PARAMETER', 'R', @() rg_separation (left, right, 'pose_1', [2 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]));
 refused ('RG_DIMENSION_MISMATCH', 'pose', @() rg_separation (left, right, 'pose_1', eye (3)));

@@ -10,11 +10,12 @@ the system looks for libraries (LD_LIBRARY_PATH).
 """
 module Raygauge
 
-export ConvexSet, Pose, RaygaugeError, Solver, Warm
+export Checker, ConvexSet, Pose, RaygaugeError, Robot, Solver, Warm
 export affine_image, ball, box, capsule, cone, contact_wrenches, cylinder, difference, ellipsoid, h_polytope, minkowski_sum,
     p_norm_ball, points, prepared_points, simplex, support_mapping, union_hull, zonotope
 export center, gauge, is_inside, support
 export distance, growth_distance, growth_distances, object_distance, object_distances, separation, signed_distance
+export add_body!, add_link!, add_obstacle!, assign!, clear!, forget!, ignore!, ignore_joined!, prove
 
 const library = "libraygauge_c.so.1"
 const Handle = Ptr{Cvoid}
@@ -239,5 +240,6 @@ function is_inside(S::ConvexSet, x::AbstractVector, tolerance::Real = 1e-6)
 end
 
 include("queries.jl")
+include("robots.jl")
 
 end

@@ -6,15 +6,28 @@
 "A rigid motion x -> R x + t."
 mutable struct Pose
     handle::Handle
+    n::Int
 
     function Pose(R::AbstractMatrix, t::AbstractVector)
         n, out = length(t), Ref{Handle}(C_NULL)
         rotation = of_length(n * n, "R", R)
         check(ccall((:rg_pose_create, library), Int32, (Int32, Ptr{Cdouble}, Ptr{Cdouble}, Ref{Handle}), n, rotation, numbers(t), out))
-        pose = new(out[])
+        pose = new(out[], n)
         finalizer(p -> ccall((:rg_pose_free, library), Cvoid, (Handle,), p.handle), pose)
         return pose
     end
+end
+
+"Other numbers for the same pose: a rotation R, or a quaternion (w, x, y, z), and t."
+function assign!(pose::Pose, R::AbstractMatrix, t::AbstractVector)
+    rotation, shift = of_length(length(t)^2, "R", R), of_length(pose.n, "t", t)
+    GC.@preserve pose check(ccall((:rg_pose_assign, library), Int32, (Handle, Ptr{Cdouble}, Ptr{Cdouble}), pose.handle, rotation, shift))
+end
+
+function assign!(pose::Pose, wxyz::AbstractVector, t::AbstractVector)
+    quaternion, shift = of_length(4, "wxyz", wxyz), of_length(3, "t", t)
+    GC.@preserve pose check(ccall((:rg_pose_assign_quaternion, library), Int32, (Handle, Ptr{Cdouble}, Ptr{Cdouble}),
+        pose.handle, quaternion, shift))
 end
 
 "What earlier solves of a pair, or of count pairs, have found: a hint for the next."
@@ -33,20 +46,38 @@ end
 "Forgets what is known."
 clear!(warm::Warm) = GC.@preserve warm check(ccall((:rg_warm_clear, library), Int32, (Handle,), warm.handle))
 
-"Options and workspace of queries, for one thread at a time."
+mutable struct Stop
+    asked::Any
+end
+
+# The C function behind every `stop`. No exception may leave it; one ends the solve.
+function ask_to_stop(data::Ptr{Cvoid})::Int32
+    try
+        return (unsafe_pointer_to_objref(data)::Stop).asked() ? Int32(1) : Int32(0)
+    catch
+        return Int32(1)
+    end
+end
+
+"Options and workspace of queries, for one thread at a time. `stop` is a function that ends a long query when it returns true."
 mutable struct Solver
     handle::Handle
+    stop::Stop
 
-    function Solver(; tolerance::Real = 1e-6, time_limit::Real = Inf, max_iterations::Integer = 0, method::String = "automatic")
+    function Solver(; tolerance::Real = 1e-6, time_limit::Real = Inf, max_iterations::Integer = 0, method::String = "automatic",
+            stop = nothing)
         out = Ref{Handle}(C_NULL)
         check(ccall((:rg_solver_create, library), Int32, (Ref{Handle},), out))
-        solver = new(out[])
+        solver = new(out[], Stop(stop))
         finalizer(s -> ccall((:rg_solver_free, library), Cvoid, (Handle,), s.handle), solver)
         GC.@preserve solver begin
             check(ccall((:rg_solver_set_tolerance, library), Int32, (Handle, Cdouble), solver.handle, tolerance))
             check(ccall((:rg_solver_set_time_limit, library), Int32, (Handle, Cdouble), solver.handle, time_limit))
             check(ccall((:rg_solver_set_max_iterations, library), Int32, (Handle, Int64), solver.handle, max_iterations))
             check(ccall((:rg_solver_set_method, library), Int32, (Handle, Cstring), solver.handle, method))
+            asked = stop === nothing ? C_NULL : @cfunction(ask_to_stop, Int32, (Ptr{Cvoid},))
+            check(ccall((:rg_solver_set_stop, library), Int32, (Handle, Ptr{Cvoid}, Ptr{Cvoid}),
+                solver.handle, asked, pointer_from_objref(solver.stop)))
         end
         return solver
     end

@@ -10,6 +10,7 @@ void end_call(Call* call) {
   rg_checker_free(call->checker);
   rg_robot_free(call->robot);
   rg_solver_free(call->solver);
+  rg_warm_free(call->warm);
   rg_pose_free(call->poses[0]);
   rg_pose_free(call->poses[1]);
   for (size_t i = call->count; i > 0; --i) rg_set_free(call->sets[i - 1]);
@@ -25,6 +26,8 @@ void refuse(Call* call, rg_error error, const char* message) {
 }
 
 void check(Call* call, rg_error error) {
+  if (call->stop_failed)
+    refuse(call, RG_CALLBACK_FAILED, "stop: the function must return true or false, without an error");
   if (error != RG_OK) refuse(call, error, rg_last_message());
 }
 
@@ -57,9 +60,11 @@ const double* vector_of(Call* call, const mxArray* array, size_t n, const char* 
   return NULL;
 }
 
-/* A whole number of moderate size, as counts and dimensions are. */
-static int32_t whole(Call* call, const mxArray* array, const char* name) {
-  const double value = number_of(call, array, name);
+int32_t whole(Call* call, const mxArray* array, const char* name) {
+  return whole_number(call, number_of(call, array, name), name);
+}
+
+int32_t whole_number(Call* call, double value, const char* name) {
   if (!(value >= 0 && value <= 1e9) || value != (double)(int32_t)value)
     refuse_value(call, name, "a whole number");
   return (int32_t)value;

@@ -15,6 +15,9 @@ typedef struct Call {
   rg_pose* poses[2];
   rg_robot* robot;
   rg_checker* checker;
+  rg_warm* warm;
+  const mxArray* stop; /* the function of the option 'stop' */
+  int stop_failed;
 } Call;
 
 /* Frees what the call made. */
@@ -31,6 +34,10 @@ const double* numbers_of(Call* call, const mxArray* array, const char* name);
 
 /* The same for one number. */
 double number_of(Call* call, const mxArray* array, const char* name);
+
+/* The same for a whole number of moderate size, as counts and dimensions are. */
+int32_t whole(Call* call, const mxArray* array, const char* name);
+int32_t whole_number(Call* call, double value, const char* name);
 
 /* n numbers, a row or a column. */
 const double* vector_of(Call* call, const mxArray* array, size_t n, const char* name);
