@@ -33,4 +33,11 @@ suite() {
   shift
   RAYGAUGE_PRESET=$preset ./run.sh test "$@"
 }
+# sanitized_bindings: C, Octave and Python over an instrumented library, under AddressSanitizer and UndefinedBehaviorSanitizer. Some
+# ten minutes; by itself: bash -c 'source .ci/steps.sh; sanitized_bindings'.
+sanitized_bindings() {
+  cmake --preset asan-ubsan &&
+    cmake --build --preset asan-ubsan --parallel "$(nproc)" --target test_c test_c_memory example_first_distance_c raygauge_python &&
+    ctest --preset asan-ubsan --parallel "$(nproc)" -L '^(c|octave|python)$' -E 'own_components'
+}
 slurm_limits() { /usr/bin/python3 tests/cluster/slurm.py --raygauge "$1" --thorough; }
