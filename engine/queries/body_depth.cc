@@ -29,7 +29,8 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
     core_[i].emplace(*body[i]);
   }
   isa_ = isa;
-  return pair_.bind(*core_[0], *core_[1], isa) && cores_.bind(*core_[0], *core_[1], isa);
+  if (!pair_.bind(*core_[0], *core_[1], isa)) return false;
+  return !has_balls() || cores_.bind(*core_[0], *core_[1], isa);
 }
 
 // A ball in a pose is turned by an R whose RᵀR is 1 but for the defect.
@@ -42,7 +43,7 @@ bool BodyDepth::place(const PoseNumbers& first, const PoseNumbers& second) {
     ball_upper_ = ball_upper_ + radius_[i] + change;
   }
   tiny_ = 0;
-  if (pair_.place(first, second)) return cores_.place(first, second);
+  if (pair_.place(first, second)) return !has_balls() || cores_.place(first, second);
   return is_tiny(first, second);
 }
 
@@ -156,10 +157,12 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
 }
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
-bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
+bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer) {
   double asked = tolerance;
+  nearest_.clear();
+  if (start != nullptr) nearest_ = *start;
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const bool known = cores_.distance(asked, nullptr);
+    const bool known = cores_.distance(asked, &nearest_);
     answer.support_queries += cores_.support_queries();
     answer.iterations += cores_.answer().iterations;
     if (attempt == 0 && (!known || cores_.answer().end != SpatialEnd::closed)) return false;
@@ -183,7 +186,7 @@ bool BodyDepth::solve_apart(double tolerance, BodyDepthAnswer& answer) {
 
 // `world`: the search was in the frame of the world.
 template <class Real>
-void BodyDepth::take(const DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer) {
+void BodyDepth::take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer) {
   answer.iterations += search.iterations();
   answer.bounds.raise_lower(down(ball_lower_ + std::max(search.lower(), floor_)));
   if (!answer.bounds.reduce_upper(up(ball_upper_ + search.upper()))) return;
@@ -220,14 +223,43 @@ void BodyDepth::find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& 
   a2 = point.a2;
 }
 
-void BodyDepth::search(double tolerance, const double* start, const Stopwatch& watch,
+bool BodyDepth::find_face(const SpatialOracle& oracle, const WarmStart* start, DepthPoint<double>* face) {
+  if (start == nullptr || start->count != 3) return false;
+  bool known = true;
+  for (std::size_t i = 0; i < 3; ++i)
+    known = known && oracle.vertex(start->point_A[i], start->point_Q[i], face[i]);
+  return known;
+}
+
+void BodyDepth::record_vertices(WarmStart& warm) const {
+  warm.count = 0;
+  if (source_ == Source::none && has_balls()) {
+    warm.count = nearest_.count;
+    warm.point_A = nearest_.point_A;
+    warm.point_Q = nearest_.point_Q;
+  }
+  if (source_ != Source::quick || !has_points_) return;
+  for (int i = 0; i < 3; ++i) {
+    const DepthPoint<double>& corner = quick_.contact_corner(i);
+    if (corner.index_1 < 0 || corner.index_2 < 0) return;
+    warm.point_A[static_cast<std::size_t>(i)] = corner.index_1;
+    warm.point_Q[static_cast<std::size_t>(i)] = corner.index_2;
+  }
+  warm.count = 3;
+}
+
+void BodyDepth::search(double tolerance, const WarmStart* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
-  const Vector3 given = start != nullptr ? -pair_.to_body(start) : pair_.between_centers();
+  const double* normal = start != nullptr ? recorded_normal(*start, pair_.dimension()) : nullptr;
+  const Vector3 given = normal != nullptr ? -pair_.to_body(normal) : pair_.between_centers();
   const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
   source_ = Source::quick;
-  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch);
+  DepthPoint<double> face[3];
+  const bool has_face = find_face(oracle, start, face);
+  DepthEnd end =
+      quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch, has_face ? face : nullptr);
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
   PreciseOracle precise;
@@ -245,17 +277,17 @@ void BodyDepth::search(double tolerance, const double* start, const Stopwatch& w
                                                  : status_of(end);
 }
 
-void BodyDepth::solve(double tolerance, const double* start, const Stopwatch& watch,
+void BodyDepth::solve(double tolerance, const WarmStart* start, const Stopwatch& watch,
                       BodyDepthAnswer& answer) {
   answer = {};
   has_points_ = false;
   source_ = Source::none;
   floor_ = 0;
   if (tiny_ > 0) return bound_tiny(tolerance, answer);
-  if (ball_upper_.high > 0 && solve_apart(tolerance, answer)) return;
+  if (has_balls() && solve_apart(tolerance, start, answer)) return;
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
   Vector3 a1, a2;
-  if (cores_.answer().end != SpatialEnd::intersecting) {
+  if (has_balls() && cores_.answer().end != SpatialEnd::intersecting) {
     find_near_points(answer, a1, a2);
     floor_ = -(length(a1 - a2) * kUp + 2 * pair_.error());
   }

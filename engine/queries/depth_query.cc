@@ -31,7 +31,7 @@ double radius_of_ball(const ConvexSet& Q) {
 }
 
 bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
-                              const double* start, ObjectDepth& result) {
+                              const WarmStart* start, ObjectDepth& result) {
   if (!bodies_.bind(A1.set, A2.set, options.instruction_set) ||
       !bodies_.place(PoseNumbers(A1.pose), PoseNumbers(A2.pose))) {
     return false;
@@ -118,7 +118,7 @@ void DepthQuery::bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, cons
 }
 
 void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
-                       const std::function<bool()>& stop, const double* start, double seconds,
+                       const std::function<bool()>& stop, const WarmStart* start, double seconds,
                        ObjectDepth& result) {
   watch_.start(std::isnan(seconds) ? options.time_limit : std::max(0.0, options.time_limit - seconds), &stop);
   const double radius = radius_of_ball(Q);
@@ -128,16 +128,26 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   if (!by_bodies_) {
     const InPose first(A1), second(A2);
     const int n = Q.dimension();
+    const double* normal = start != nullptr ? recorded_normal(*start, n) : nullptr;
     if (n <= 3) {
-      solve_sets(first.set(), second.set(), Q, options.tolerance, start, result);
+      solve_sets(first.set(), second.set(), Q, options.tolerance, normal, result);
     } else if (n <= HullDepth::kMost) {
-      solve_hull(first.set(), second.set(), Q, options.tolerance, start, result);
+      solve_hull(first.set(), second.set(), Q, options.tolerance, normal, result);
     } else {
       bound_along_axes(first.set(), second.set(), Q, result);
     }
   }
   result.depth = result.upper;
   result.evaluations = 1;
+}
+
+void DepthQuery::record(const ObjectDepth& depth, WarmStart& warm) const {
+  const auto n = static_cast<int>(depth.normal.size());
+  if (n == 0 || n > 3) return;
+  warm.dimension = n;
+  warm.count = 0;
+  std::copy_n(depth.normal.data(), n, warm.normal.begin());
+  if (by_bodies_) bodies_.record_vertices(warm);
 }
 
 // What is as near as the bounds tell, and far enough from the normal not to be the same minimum of a curved

@@ -21,10 +21,13 @@ double radius_of_ball(const ConvexSet& Q);
 /// are bounds only: 0, and the least of a few directions.
 class DepthQuery {
  public:
-  /// Of objects that are not proven to be apart. `start`: a direction near the normal, or nullptr. `seconds`
-  /// of the time limit have been spent already, or NaN.
+  /// Of objects that are not proven to be apart. `start`: what a solve of the pair recorded, or nullptr.
+  /// `seconds` of the time limit have been spent already, or NaN.
   void solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
-             const std::function<bool()>& stop, const double* start, double seconds, ObjectDepth& result);
+             const std::function<bool()>& stop, const WarmStart* start, double seconds, ObjectDepth& result);
+
+  /// The last solve, whose answer is `depth`, in R^1 to R^3.
+  void record(const ObjectDepth& depth, WarmStart& warm) const;
 
   /// Of the last solve, whose answer is `depth`, in a ball: unit vectors along which A1 may be as near to the
   /// outside, beside depth.normal. Replaces what is in `normals`.
@@ -32,7 +35,7 @@ class DepthQuery {
 
  private:
   bool solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
-                    const double* start, ObjectDepth& result);
+                    const WarmStart* start, ObjectDepth& result);
   void solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
                   const double* start, ObjectDepth& result);
   void solve_hull(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,

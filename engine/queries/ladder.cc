@@ -41,10 +41,17 @@ struct Ladder::Due {
     const bool whole = ask.question == Question::separation || std::isnan(ask.threshold);
     return open_to_bodies(ladder, ask) && whole && !ask.about_origin;
   }
+  static bool known_overlap(const Ladder& ladder, const Ask& ask) {
+    return ladder.has_depth_start_ && ladder.depth_start_.overlap && depth(ladder, ask) &&
+           !mesh(ladder, ask) && !half_space(ladder, ask);
+  }
   static bool depth(const Ladder& /*ladder*/, const Ask& ask) {
     const int n = ask.metric->dimension();
     return has_effect(ask.object_effects, ObjectEffects::depth) && n <= 3 && ask.first.dimension() == n &&
            ask.second.dimension() == n;
+  }
+  static bool unknown_depth(const Ladder& ladder, const Ask& ask) {
+    return ladder.answer_.depth.evaluations == 0 && depth(ladder, ask);
   }
   static bool newton_chosen(const Ladder& ladder, const Ask& /*ask*/) {
     return ladder.methods_.chosen() == DistanceMethod::newton;
@@ -102,6 +109,8 @@ using Id = MethodId;
 }  // namespace
 
 constexpr Ladder::Rung Ladder::kRungs[] = {
+    {kDistance, Group::bodies, &Due::known_overlap, &Solve::depth,  //
+     "depth", kBodies, "the depth is asked for, and the solve of the pair before found one"},
     {kDistance, Group::bodies, &Due::body_distance, &Solve::body_distance,  //
      "distance of bodies", kBodies, "bodies of R² and R³, Q a ball about the origin"},
     {kGrowth | kSeparation, Group::bodies, &Due::open_to_bodies, &Solve::body_growth,  //
@@ -113,8 +122,9 @@ constexpr Ladder::Rung Ladder::kRungs[] = {
     {kGrowth | kSeparation, Group::bodies, &Due::common_point, &Solve::common_point,  //
      "common point of bodies", kBodies,
      "the growth distance about both centres is not known: where bodies meet, 1 bounds it"},
-    {kDistance, Group::bodies, &Due::depth, &Solve::depth,  //
-     "depth", kBodies, "the depth is asked for, in R¹ to R³: one above 0 proves a common point"},
+    {kDistance, Group::bodies, &Due::unknown_depth, &Solve::depth,  //
+     "depth", kBodies,
+     "the depth is asked for, in R¹ to R³, and is not known: one above 0 proves a common point"},
 
     {kAll, Group::general, &Due::newton_chosen, &Solve::by<Id::spatial_gauge, Start::given>,  //
      "newton in fixed size", kDoubles, "`newton` is chosen; curved sets of R³"},
@@ -302,10 +312,8 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   const int n = ask.first.dimension();
   const bool had_depth = !std::isnan(answer_.depth.depth);
   const bool wants_depth = has_effect(ask.object_effects, ObjectEffects::depth);
-  const double* start =
-      wants_depth && ask.warm != nullptr && n <= 3 ? recorded_normal(*ask.warm, n) : nullptr;
-  has_depth_start_ = start != nullptr;
-  if (has_depth_start_) std::copy_n(start, n, depth_start_.begin());
+  has_depth_start_ = wants_depth && ask.warm != nullptr && n <= 3 && recorded_normal(*ask.warm, n) != nullptr;
+  if (has_depth_start_) depth_start_ = *ask.warm;
   answer_.depth.evaluations = 0;
   answer<Question::distance>(ask);
   if (wants_depth && !(answer_.distance.lower > 0)) {
@@ -313,6 +321,7 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   } else if (had_depth || answer_.depth.evaluations > 0) {
     answer_.depth = ObjectDepth();
   }
+  if (ask.warm != nullptr) ask.warm->overlap = answer_.depth.lower > 0;
   answer_.pose_gradient_evaluations = 0;
   if (has_effect(ask.object_effects, ObjectEffects::pose_gradient)) {
     find_pose_gradient(ask);

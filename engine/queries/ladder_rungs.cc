@@ -216,11 +216,8 @@ void Ladder::find_pose_gradient(const Ask& ask) {
 
 void Ladder::find_depth(const Ask& ask) {
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
-               has_depth_start_ ? depth_start_.data() : nullptr, answer_.distance.seconds, answer_.depth);
-  const int n = ask.first.dimension();
-  if (ask.warm == nullptr || n > 3 || answer_.depth.normal.size() != n) return;
-  ask.warm->dimension = n;
-  std::copy_n(answer_.depth.normal.data(), n, ask.warm->normal.begin());
+               has_depth_start_ ? &depth_start_ : nullptr, answer_.distance.seconds, answer_.depth);
+  if (ask.warm != nullptr) depth_.record(answer_.depth, *ask.warm);
 }
 
 }  // namespace raygauge

@@ -12,10 +12,23 @@ SpatialOracle::SpatialOracle(SpatialPair& pair) : pair_(pair) {
 double SpatialOracle::support(const Vector3& u, DepthPoint<double>& point) {
   SpatialPoint found;
   pair_.support(u, found);
+  put(found, point);
+  return dot(u, found.s);
+}
+
+void SpatialOracle::put(const SpatialPoint& found, DepthPoint<double>& point) {
   point.s = found.s;
   point.a1 = found.a1;
   point.a2 = found.a2;
-  return dot(u, found.s);
+  point.index_1 = found.index_1;
+  point.index_2 = found.index_2;
+}
+
+bool SpatialOracle::vertex(std::int32_t index_1, std::int32_t index_2, DepthPoint<double>& point) const {
+  SpatialPoint found;
+  if (!pair_.has_vertices() || !pair_.vertex(index_1, index_2, found)) return false;
+  put(found, point);
+  return true;
 }
 
 bool PreciseOracle::bind(const SpatialPair& pair) {

@@ -26,7 +26,12 @@ class SpatialOracle final : public EuclideanOracle<double> {
   explicit SpatialOracle(SpatialPair& pair);
   double support(const Vector3& u, DepthPoint<double>& point) override;
 
+  /// The difference of two vertices; false where there are none.
+  bool vertex(std::int32_t index_1, std::int32_t index_2, DepthPoint<double>& point) const;
+
  private:
+  static void put(const SpatialPoint& found, DepthPoint<double>& point);
+
   SpatialPair& pair_;
 };
 

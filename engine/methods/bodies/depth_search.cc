@@ -64,18 +64,27 @@ bool DepthSearch<Real>::farther(const Vector& u, const Vector& from, DepthPoint<
   return std::max(up, down) > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
 }
 
+// Of three corners and the point that is the farthest from their plane.
 template <class Real>
-bool DepthSearch<Real>::begin(const Vector& start) {
+bool DepthSearch<Real>::close_tetrahedron(DepthPoint<Real>* corner) {
+  const Vector n = unit(triangle_normal<Real>(corner[0].s, corner[1].s, corner[2].s));
+  return farther(n, corner[0].s, corner[3]) && polytope_.begin(corner, oracle_->size());
+}
+
+template <class Real>
+bool DepthSearch<Real>::begin(const Vector& start, const DepthPoint<Real>* face) {
   DepthPoint<Real> corner[4];
+  if (face != nullptr) {
+    std::copy_n(face, 3, corner);
+    if (close_tetrahedron(corner)) return true;
+  }
   const Vector u = unit(start);
   probe(u, corner[0]);
   if (!farther(-u, corner[0].s, corner[1])) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
   const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
   if (!farther(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner[2])) return false;
-  const Vector n = unit(triangle_normal<Real>(corner[0].s, corner[1].s, corner[2].s));
-  if (!farther(n, corner[0].s, corner[3])) return false;
-  return polytope_.begin(corner, oracle_->size());
+  return close_tetrahedron(corner);
 }
 
 template <class Real>
@@ -104,14 +113,14 @@ auto DepthSearch<Real>::least() -> const Entry& {
 
 template <class Real>
 DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal,
-                                const Stopwatch& watch) {
+                                const Stopwatch& watch, const DepthPoint<Real>* face) {
   oracle_ = &oracle;
   goal_ = goal;
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = 0;
   heap_.clear();
-  solid_ = begin(start);
+  solid_ = begin(start, face);
   if (!solid_) return is_done() ? DepthEnd::closed : DepthEnd::flat;
   queue_new_facets();
   DepthPoint<Real> point;
@@ -156,7 +165,7 @@ double weights_along(const Vector3& a, const Vector3& b, const Vector3& c, const
 // Of a convex polytope the ray leaves through the facet whose plane it meets first. A face of D may be
 // several triangles in one plane: the one that holds the point.
 template <class Real>
-bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) const {
+bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) {
   if (!solid_) return false;
   constexpr double kSamePlane = 1 + 1e-9;
   const auto meets = [&](const Entry& entry) {
@@ -175,6 +184,7 @@ bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) cons
     const double outside = weights_along(rounded(p[0]->s), rounded(p[1]->s), rounded(p[2]->s), u, weight);
     if (!(outside < best)) continue;
     best = outside;
+    contact_ = entry.facet;
     a1 = p[0]->a1 * weight[0] + p[1]->a1 * weight[1] + p[2]->a1 * weight[2];
     a2 = p[0]->a2 * weight[0] + p[1]->a2 * weight[1] + p[2]->a2 * weight[2];
   }

@@ -69,7 +69,9 @@ class DepthSearch {
     double ball_lower = 0, ball_upper = 0;
   };
 
-  DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch);
+  /// `face`: three points of D near the face that is the nearest, or nullptr.
+  DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch,
+               const DepthPoint<Real>* face = nullptr);
 
   /// Of D alone, without the ball; -infinity where nothing is proven.
   double lower() const noexcept { return lower_; }
@@ -80,7 +82,12 @@ class DepthSearch {
 
   /// The points of both bodies whose difference is t u, where the ray along u leaves the polytope: for
   /// normal() t is between both bounds. False where D is flat, or the origin is not inside the polytope.
-  bool contact(const Vector3& u, Vector3& a1, Vector3& a2) const;
+  bool contact(const Vector3& u, Vector3& a1, Vector3& a2);
+
+  /// Of the last contact(): corner i of the facet.
+  const DepthPoint<Real>& contact_corner(int i) const {
+    return polytope_.point(polytope_.facet(contact_).corner[i]);
+  }
 
   /// Adds to `normals` those of facets that are as near as the least one, to the share `relative` of the
   /// depth and the ball, and differ from normal() and each other by more than `angle`; at most as many as
@@ -97,7 +104,8 @@ class DepthSearch {
     bool operator<(const Entry& other) const noexcept { return value > other.value; }
   };
 
-  bool begin(const Vector& start);
+  bool begin(const Vector& start, const DepthPoint<Real>* face);
+  bool close_tetrahedron(DepthPoint<Real>* corner);
   bool is_done() const;
   bool is_lost() const;
   void probe(const Vector& u, DepthPoint<Real>& point);
@@ -112,6 +120,7 @@ class DepthSearch {
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
   Vector normal_;
   int iterations_ = 0;
+  std::int32_t contact_ = 0;
   bool solid_ = false;
 };
 

@@ -56,8 +56,10 @@ bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
 template <class Real>
 void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
   const Vector &a = point(facet.corner[0]).s, &b = point(facet.corner[1]).s, &c = point(facet.corner[2]).s;
-  const double ab = length_of(b - a), bc = length_of(c - b), ca = length_of(a - c);
-  const double edges = ab * bc * ca / std::max({ab, bc, ca});
+  const Vector3 ab = rounded(b - a), bc = rounded(c - b), ca = rounded(a - c);
+  const double of_ab = dot(ab, ab), of_bc = dot(bc, bc), of_ca = dot(ca, ca);
+  const double second = std::max(std::min(of_ab, of_bc), std::min(std::max(of_ab, of_bc), of_ca));
+  const double edges = std::sqrt(std::min({of_ab, of_bc, of_ca})) * std::sqrt(second);
   const Vector n = triangle_normal<Real>(a, b, c);
   const double size = length_of(n);
   const double scale = size > 0 ? 1 / size : 0.0;

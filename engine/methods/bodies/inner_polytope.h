@@ -10,11 +10,12 @@
 namespace raygauge {
 
 /// A point s of a difference D, and the points of the bodies that it is the difference of, which are only
-/// combined.
+/// combined; where these are vertices, which: below 0 elsewhere.
 template <class Real>
 struct DepthPoint {
   BasicVector3<Real> s;
   Vector3 a1, a2;
+  std::int32_t index_1 = -1, index_2 = -1;
 };
 
 /// A triangle of the surface, its corners counterclockwise seen from outside.

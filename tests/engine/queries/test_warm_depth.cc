@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// Depths and contact patches from a warm start.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/object_distance.h"
+#include "tests/engine/queries/depth_cases.h"
+
+namespace raygauge::test_warm_depth {
+namespace {
+
+using V = Eigen::Vector3d;
+constexpr auto kWanted = ObjectEffects::depth | ObjectEffects::closest_points;
+constexpr double kRootOfTolerance = 1e-4;  // of patches, 1e-9, times the size: what normals may be off by
+const Ball& euclidean() {
+  static const Ball kBall(Vector::Zero(3), 1.0);
+  return kBall;
+}
+
+Pose step(const V& axis, double angle, const V& way) {
+  return {Eigen::MatrixXd(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix()), way};
+}
+
+// Both enclose the same depth, to the tolerance.
+void expect_same(const ObjectDepth& warm, const ObjectDepth& cold, const std::string& names) {
+  EXPECT_EQ(warm.status, DistanceStatus::optimal) << names;
+  EXPECT_LE(warm.lower, cold.upper) << names;
+  EXPECT_GE(warm.upper, cold.lower) << names;
+}
+
+TEST(WarmDepth, IsAskedForBeforeTheDistance) {
+  Random random(61);
+  ObjectDistanceSolver solver, fresh;
+  for (const auto& [name_1, A1] : depth_bodies()) {
+    for (const auto& [name_2, A2] : depth_bodies()) {
+      const Pose one = random_pose(random, 0.3);
+      Pose two = random_pose(random, 0.3);
+      const std::string names = name_1 + " " + name_2;
+      WarmStart warm;
+      for (int frame = 0; frame < 4; ++frame) {
+        const ObjectDistance r = solver.solve({*A1, one}, {*A2, two}, euclidean(), kWanted, &warm);
+        const ObjectDistance cold = fresh.solve({*A1, one}, {*A2, two}, euclidean(), kWanted);
+        if (cold.depth.evaluations == 0) break;  // apart
+        expect_same(r.depth, cold.depth, names);
+        EXPECT_EQ(r.distance.status, DistanceStatus::contains_origin) << names;
+        if (frame > 0) {
+          EXPECT_EQ(r.distance.counters.support_queries, 0) << names;
+        }
+        two = step(V(1, -2, 0.5), 0.01, V(0.002, 0.001, -0.001)).after(two);
+      }
+    }
+  }
+}
+
+// Of polytopes the facet of before is nearly always the facet still: one look along it proves that.
+TEST(WarmDepth, OfPolytopesTakesHalfTheSupportQueries) {
+  Random random(62);
+  ObjectDistanceSolver solver;
+  const PreparedSet hull(sphere_points(3, 100, random));
+  const Box box(V(-2, -2, -1), V(2, 2, 0));
+  std::int64_t warm_queries = 0, cold_queries = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Pose one = random_pose(random, 0), two = random_pose(random, 0.8);
+    WarmStart warm;
+    solver.solve({box, one}, {hull, two}, euclidean(), kWanted, &warm);
+    const Pose moved = step(V(1, 1, -1), 0.01, V(0.001, -0.001, 0.001)).after(two);
+    const auto queries = [](const ObjectDistance& r) {
+      return r.distance.counters.support_queries + r.depth.support_queries;
+    };
+    warm_queries += queries(solver.solve({box, one}, {hull, moved}, euclidean(), kWanted, &warm));
+    cold_queries += queries(solver.solve({box, one}, {hull, moved}, euclidean(), kWanted));
+  }
+  EXPECT_LT(2 * warm_queries, cold_queries);
+}
+
+TEST(WarmDepth, OfBodiesThatHaveComeApartIsNone) {
+  Random random(63);
+  ObjectDistanceSolver solver;
+  for (const auto& [name_1, A1] : depth_bodies()) {
+    for (const auto& [name_2, A2] : depth_bodies()) {
+      WarmStart warm;
+      const Pose one = random_pose(random, 0), near = random_pose(random, 0.1), far = random_pose(random, 4);
+      EXPECT_GT(solver.solve({*A1, one}, {*A2, near}, euclidean(), kWanted, &warm).depth.lower, 0);
+      EXPECT_TRUE(warm.overlap) << name_1 << ' ' << name_2;
+      const ObjectDistance& apart = solver.solve({*A1, one}, {*A2, far}, euclidean(), kWanted, &warm);
+      EXPECT_EQ(apart.distance.status, DistanceStatus::optimal) << name_1 << ' ' << name_2;
+      EXPECT_EQ(apart.depth.evaluations, 0) << name_1 << ' ' << name_2;
+      EXPECT_FALSE(warm.overlap) << name_1 << ' ' << name_2;
+    }
+  }
+}
+
+// A warm start of other bodies, of another metric or of nonsense costs time only.
+TEST(WarmDepth, FromAnyOtherPairIsProvenAllTheSame) {
+  Random random(64);
+  ObjectDistanceSolver solver, fresh;
+  const Ball metric(Vector::Zero(3), 2.0);
+  WarmStart warm;
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& [name_1, A1] : depth_bodies()) {
+      for (const auto& [name_2, A2] : depth_bodies()) {
+        const Pose one = random_pose(random, 0.1), two = random_pose(random, 0.3);
+        if (i == 1) warm.normal = {1e300, -1e-300, 5};
+        if (i == 2) warm.point_A = warm.point_Q = {7, 7, 7, 7};
+        const ObjectDistance& r = solver.solve({*A1, one}, {*A2, two}, metric, kWanted, &warm);
+        const ObjectDistance& cold = fresh.solve({*A1, one}, {*A2, two}, metric, kWanted);
+        if (cold.depth.evaluations > 0) expect_same(r.depth, cold.depth, name_1 + " " + name_2);
+      }
+    }
+  }
+}
+
+TEST(WarmDepth, GivesTheContactPatchThatAColdStartGives) {
+  Random random(65);
+  ContactPatchSolver solver, fresh;
+  for (const auto& [name_1, A1] : depth_bodies()) {
+    for (const auto& [name_2, A2] : depth_bodies()) {
+      ObjectDistanceSolver distance;
+      const Pose one = random_pose(random, 0.2), far = random_pose(random, 3);
+      const DistanceResult apart = distance.solve({*A1, one}, {*A2, far}, euclidean()).distance;
+      const std::string names = name_1 + " " + name_2;
+      WarmStart warm;
+      for (const double gap : {3e-4, 1e-4, -1e-4, -3e-4, -2e-4, 1e-4}) {
+        const Pose two(far.rotation(), far.translation() + apart.normal * (apart.distance - gap));
+        const ContactPatch& a = solver.solve({*A1, one}, {*A2, two}, 1e-3, &warm);
+        const ContactPatch& b = fresh.solve({*A1, one}, {*A2, two}, 1e-3);
+        EXPECT_EQ(a.count, b.count) << names << ' ' << gap;
+        EXPECT_LE(a.lower, b.upper) << names;
+        EXPECT_GE(a.upper, b.lower) << names;
+        for (const ContactPoint& p : a.contacts()) {
+          double least = INFINITY;
+          for (const ContactPoint& q : b.contacts()) least = std::min(least, length(p.point_1 - q.point_1));
+          EXPECT_LT(least, kRootOfTolerance) << names << ' ' << gap;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_warm_depth
