@@ -109,13 +109,16 @@ const ContactPatch& ContactPatchSolver::Work::solve(const Posed& A1, const Posed
   if (patch_.lower > margin || out.size() != n || !faces_.bind(A1, A2, isa_)) return patch_;
   patch_.normal = spatial(out, n);
   patch_.normal = patch_.normal * (-1 / length(patch_.normal));
+  const Vector &point_1 = apart ? found.closest_point_1 : found.depth.point_1,
+               &point_2 = apart ? found.closest_point_2 : found.depth.point_2;
+  if (faces_.is_rounded() && point_1.size() == n && point_2.size() == n) {
+    take_closest(point_1, point_2);
+    return patch_;
+  }
   const double room = std::max(margin - (apart ? patch_.upper : patch_.lower), 0.0);
   const bool lacks_closest =
       !faces_.find(patch_.normal, room, margin, kCrossing) || take_faces(std::max(margin, patch_.upper));
-  if (lacks_closest || patch_.count == 0) {
-    take_closest(apart ? found.closest_point_1 : found.depth.point_1,
-                 apart ? found.closest_point_2 : found.depth.point_2);
-  }
+  if (lacks_closest || patch_.count == 0) take_closest(point_1, point_2);
   return patch_;
 }
 

@@ -12,6 +12,7 @@ GapPair between(const GapPair& a, const GapPair& b, double share) {
   const auto mix = [share](const Vector3& p, const Vector3& q) { return p + (q - p) * share; };
   return {{mix(a.pair.point_1, b.pair.point_1), mix(a.pair.point_2, b.pair.point_2), -1},
           a.gap + (b.gap - a.gap) * share,
+          0,
           0};
 }
 
@@ -55,13 +56,14 @@ double PatchPoints::loss(const Vector3& normal, std::size_t i, double widest, do
                 &after = pairs_[(i + 1) % count].pair.point_1;
   const double area = std::fabs(dot(normal, cross(at - before, after - before)));
   const double nearer = margin > 0 ? (widest - pairs_[i].gap) / margin : 0.0;
-  return area * rank_of(pairs_[i].pair.index) * (1 + kNearer * nearer);
+  return area * pairs_[i].rank * (1 + kNearer * nearer);
 }
 
 void PatchPoints::reduce(const Vector3& normal, int most, double margin) {
   if (static_cast<int>(pairs_.size()) <= most) return;
   double widest = -__builtin_inf();
   for (const GapPair& pair : pairs_) widest = std::max(widest, pair.gap);
+  for (GapPair& pair : pairs_) pair.rank = rank_of(pair.pair.index);
   for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].loss = loss(normal, i, widest, margin);
   while (static_cast<int>(pairs_.size()) > most) {
     const auto least = std::min_element(pairs_.begin(), pairs_.end(),

@@ -13,6 +13,7 @@ struct GapPair {
   FacePair pair;
   double gap = 0;
   double loss = 0;  ///< what the patch loses without it: see PatchPoints::reduce
+  double rank = 0;  ///< of its number, by which equal losses differ
 };
 
 /// The corners of a convex patch of contact, in order. It keeps its memory.

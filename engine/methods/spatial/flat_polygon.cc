@@ -13,9 +13,11 @@ double cross(const FlatPoint& o, const FlatPoint& a, const FlatPoint& b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-double distance(const FlatPoint& a, const FlatPoint& b) {
-  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+double square(const FlatPoint& a, const FlatPoint& b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
+
+double distance(const FlatPoint& a, const FlatPoint& b) { return std::sqrt(square(a, b)); }
 
 // Of p from the line through a and b, to its left.
 double to_the_left(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
@@ -24,9 +26,15 @@ double to_the_left(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
 }
 
 const FlatPoint& farthest(const std::vector<FlatPoint>& points, const FlatPoint& from) {
-  return *std::max_element(points.begin(), points.end(), [&](const FlatPoint& a, const FlatPoint& b) {
-    return distance(from, a) < distance(from, b);
-  });
+  std::size_t best = 0;
+  double most = square(from, points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double away = square(from, points[i]);
+    if (!(most < away)) continue;
+    most = away;
+    best = i;
+  }
+  return points[best];
 }
 
 }  // namespace
@@ -34,8 +42,9 @@ const FlatPoint& farthest(const std::vector<FlatPoint>& points, const FlatPoint&
 // True where the points are as good as one or two.
 bool FlatPolygon::shrink(double noise) {
   const FlatPoint first = farthest(corners_, middle()), second = farthest(corners_, first);
-  const bool is_point = !(distance(first, second) > noise);
-  const auto wide = [&](const FlatPoint& p) { return std::fabs(to_the_left(first, second, p)) > noise; };
+  const double width = distance(first, second);
+  const bool is_point = !(width > noise);
+  const auto wide = [&](const FlatPoint& p) { return std::fabs(cross(first, second, p)) > noise * width; };
   if (!is_point && std::any_of(corners_.begin(), corners_.end(), wide)) return false;
   corners_.assign(1, first);
   if (!is_point) corners_.push_back(second);
@@ -44,7 +53,7 @@ bool FlatPolygon::shrink(double noise) {
 
 // The monotone chain (Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
 void FlatPolygon::make_hull(double noise) {
-  if (corners_.empty() || shrink(noise)) return;
+  if (corners_.size() < 2 || shrink(noise)) return;
   std::sort(corners_.begin(), corners_.end(),
             [](const FlatPoint& a, const FlatPoint& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   other_.clear();
@@ -106,7 +115,7 @@ void FlatPolygon::cut(const FlatPolygon& other, double offset, double beside) {
 }
 
 void FlatPolygon::merge(double size) {
-  if (corners_.empty()) return;
+  if (corners_.size() < 2) return;
   const FlatPoint center = middle();
   if (distance(farthest(corners_, center), center) <= 0.5 * size) {
     corners_.assign(1, center);
@@ -114,9 +123,9 @@ void FlatPolygon::merge(double size) {
   }
   std::size_t kept = 0;
   for (const FlatPoint& corner : corners_) {
-    if (kept == 0 || distance(corners_[kept - 1], corner) > size) corners_[kept++] = corner;
+    if (kept == 0 || square(corners_[kept - 1], corner) > size * size) corners_[kept++] = corner;
   }
-  while (kept > 2 && distance(corners_[kept - 1], corners_[0]) <= size) --kept;
+  while (kept > 2 && square(corners_[kept - 1], corners_[0]) <= size * size) --kept;
   corners_.resize(kept);
 }
 
