@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // What do gradients by pose and contact patches add to the time of a distance or a depth? A body of each kind
-// above a box: parallel to it, and turned.
+// above a box: parallel to it, and turned. Warm: after a motion of 0.01 rad and 0.002.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Geometry>
@@ -43,22 +43,24 @@ const std::vector<std::pair<const char*, std::shared_ptr<const ConvexSet>>>& bod
   return all;
 }
 
-// Arguments: the body, and whether it is turned. It is 1e-3 above the box.
+// Arguments: the body, and whether it is turned. It is 1e-3 above the box, or in it.
 struct Scene {
-  explicit Scene(const benchmark::State& state)
+  explicit Scene(const benchmark::State& state, double gap = 1e-3)
       : body(*bodies()[static_cast<std::size_t>(state.range(0))].second) {
     const Eigen::Quaterniond q =
         state.range(1) != 0 ? Eigen::Quaterniond(1, 0.3, 0.2, 0.1) : Eigen::Quaterniond::Identity();
     pose = Pose(q, V(0.1, 0.2, 3));
     ObjectDistanceSolver solver;
     const double away = solver.solve({box}, {body, pose}, metric).distance.distance;
-    pose = Pose(q, V(0.1, 0.2, 3 - away + 1e-3));
+    pose = Pose(q, V(0.1, 0.2, 3 - away + gap));
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.01, V(1, 2, 3).normalized()));
+    moved = Pose(turn * q, pose.translation() + 0.002 * V(2, -1, 0.1).normalized());
   }
 
   const Box box{V(-2, -2, -1), V(2, 2, 0)};
   const Ball metric{V(0, 0, 0), 1.0};
   const ConvexSet& body;
-  Pose pose{3};
+  Pose pose{3}, moved{3};
 };
 
 void distance(benchmark::State& state, ObjectEffects more) {
@@ -81,10 +83,17 @@ void growth(benchmark::State& state, bool with_gradient) {
   state.SetLabel(bodies()[static_cast<std::size_t>(state.range(0))].first);
 }
 
-void patch(benchmark::State& state) {
-  const Scene scene(state);
+// The same pose after pose, each beginning with what another place left.
+void patch(benchmark::State& state, double gap, bool is_warm) {
+  const Scene scene(state, gap);
   ContactPatchSolver solver;
-  for (auto _ : state) benchmark::DoNotOptimize(&solver.solve({scene.box}, {scene.body, scene.pose}, 0.01));
+  WarmStart warm, kept;
+  solver.solve({scene.box}, {scene.body, scene.pose}, 0.01, &kept);
+  for (auto _ : state) {
+    warm = kept;
+    benchmark::DoNotOptimize(
+        &solver.solve({scene.box}, {scene.body, scene.moved}, 0.01, is_warm ? &warm : nullptr));
+  }
   state.SetLabel(bodies()[static_cast<std::size_t>(state.range(0))].first);
 }
 
@@ -97,7 +106,10 @@ BENCHMARK_CAPTURE(distance, alone, ObjectEffects::none)->Apply(every_body);
 BENCHMARK_CAPTURE(distance, with_pose_gradient, ObjectEffects::pose_gradient)->Apply(every_body);
 BENCHMARK_CAPTURE(growth, alone, false)->Apply(every_body);
 BENCHMARK_CAPTURE(growth, with_pose_gradient, true)->Apply(every_body);
-BENCHMARK(patch)->Apply(every_body);
+BENCHMARK_CAPTURE(patch, apart, 1e-3, false)->Apply(every_body);
+BENCHMARK_CAPTURE(patch, apart_warm, 1e-3, true)->Apply(every_body);
+BENCHMARK_CAPTURE(patch, deep, -5e-3, false)->Apply(every_body);
+BENCHMARK_CAPTURE(patch, deep_warm, -5e-3, true)->Apply(every_body);
 
 }  // namespace
 }  // namespace raygauge::bench
