@@ -70,10 +70,17 @@ void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vecto
   pair_.point_to_world(a2 - normal * radius_[1], &answer.point_2.x);
 }
 
-void BodyDepth::bound_apart(BodyDepthAnswer& answer) const {
+// By what the cores' distance has just found; the normal is the one that proves the upper bound.
+void BodyDepth::bound_apart(BodyDepthAnswer& answer) {
   const SpatialAnswer& apart = cores_.answer();
   answer.bounds.raise_lower(down(ball_lower_ + -apart.upper));
-  answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)));
+  if (!answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)))) return;
+  const double* n = cores_.normal();
+  answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
+  double a1[3] = {0, 0, 0}, a2[3] = {0, 0, 0};
+  cores_.closest_points(a1, a2);
+  answer.point_1 = {a1[0], a1[1], a1[2]};
+  answer.point_2 = {a2[0], a2[1], a2[2]};
 }
 
 // What both balls add to h(u): Σ r |Rᵀu|.
@@ -153,7 +160,7 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   const double turned = radius_[0] * pair_.pose(0).defect + radius_[1] * pair_.pose(1).defect;
   answer.bounds.raise_lower(down(balls - away) - error - 1.31 * turned * turned / away.high);
   const DoubleDouble height = balls + precise.height(u) / sqrt(dot(u, u));
-  answer.bounds.reduce_upper(std::max(0.0, up(height) + error));
+  if (answer.bounds.reduce_upper(std::max(0.0, up(height) + error))) answer.normal = -rounded(u);
 }
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
@@ -172,13 +179,9 @@ bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthA
     asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().upper);
   }
   if (!answer.bounds.close(tolerance)) refine_apart(answer);
-  const double* n = cores_.normal();
-  answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
-  normal_ = -pair_.to_body(n);
-  double a1[3] = {0, 0, 0}, a2[3] = {0, 0, 0};
-  cores_.closest_points(a1, a2);
-  answer.point_1 = Vector3{a1[0], a1[1], a1[2]} - answer.normal * radius_[0];
-  answer.point_2 = Vector3{a2[0], a2[1], a2[2]} + answer.normal * radius_[1];
+  normal_ = -pair_.to_body(&answer.normal.x);
+  answer.point_1 = answer.point_1 - answer.normal * radius_[0];
+  answer.point_2 = answer.point_2 + answer.normal * radius_[1];
   has_points_ = true;
   answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
   return true;

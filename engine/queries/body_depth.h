@@ -46,7 +46,7 @@ class BodyDepth {
  private:
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer);
-  void bound_apart(BodyDepthAnswer& answer) const;
+  void bound_apart(BodyDepthAnswer& answer);
   DoubleDouble ball_height(const PreciseVector3& u) const;
   PreciseVector3 nearest_of_cores(PrecisePair& precise) const;
   void refine_apart(BodyDepthAnswer& answer);

@@ -263,6 +263,10 @@ TEST(Soak, PolytopesOfQuartersThatOverlapAreNeverUndecided) {
   EXPECT_GT(overlaps.tally().touching, 100);
 }
 
+// A cone and a capsule of size 3e-8: of two distances of their cores the second, finer one had the worse
+// normal.
+TEST(Soak, ADepthOnceFoundFalseIsTrue) { EXPECT_EQ(soak::RandomDepths(78).check(96), std::nullopt); }
+
 TEST(Soak, RandomDepthsHaveBoundsThatNoDirectionContradicts) {
   soak::RandomDepths depths(1);
   for (int i = 0; i < 200; ++i) {
