@@ -20,10 +20,22 @@ bool BodyFaces::bind(const Posed& A1, const Posed& A2, InstructionSet isa) {
   has_shapes_ = pair_.bind(A1.set, A2.set, isa);
   if (!has_shapes_) return bind_views(A1, A2);
   if (!pair_.place(PoseNumbers(A1.pose), PoseNumbers(A2.pose))) return false;
+  take_pair();
+  return true;
+}
+
+void BodyFaces::bind(const SpatialPair& pair) {
+  dimension_ = pair.dimension();
+  factor_ = 1;
+  has_shapes_ = true;
+  pair_ = pair;
+  take_pair();
+}
+
+void BodyFaces::take_pair() {
   for (int i = 0; i < 2; ++i) radius_[i] = pair_.shape(i).radius;
   noise_ = 2 * pair_.error();
   size_ = pair_.size();
-  return true;
 }
 
 bool BodyFaces::bind_views(const Posed& A1, const Posed& A2) {

@@ -25,6 +25,12 @@ class BodyFaces {
   /// Sets and poses must outlive the queries. False if the sets live in other spaces, or in different ones.
   bool bind(const Posed& A1, const Posed& A2, InstructionSet isa);
 
+  /// The same of bodies that have been bound and placed, which it copies.
+  void bind(const SpatialPair& pair);
+
+  /// The bodies where they are; nullptr where one has no SpatialShape.
+  const SpatialPair* pair() const noexcept { return has_shapes_ ? &pair_ : nullptr; }
+
   /// From now on the faces are those of the bodies scaled by `factor`.
   void scale(BodyScaling scaling, double factor);
 
@@ -69,6 +75,7 @@ class BodyFaces {
  private:
   static constexpr int kSamples = 16;
 
+  void take_pair();
   bool bind_views(const Posed& A1, const Posed& A2);
   void add(int i, const Vector3& x);
   void list(int i, double margin);

@@ -315,6 +315,7 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   has_depth_start_ = wants_depth && ask.warm != nullptr && n <= 3 && recorded_normal(*ask.warm, n) != nullptr;
   if (has_depth_start_) depth_start_ = *ask.warm;
   answer_.depth.evaluations = 0;
+  bodies_.begin();
   answer<Question::distance>(ask);
   if (wants_depth && !(answer_.distance.lower > 0)) {
     if (answer_.depth.evaluations == 0) find_depth(ask);
@@ -337,10 +338,14 @@ const SpatialPair* Ladder::known_pair(const Ask& ask) const {
 }
 
 const DistanceResult& Ladder::growth(Ask& ask) {
+  bodies_.begin();
   answer<Question::growth>(ask);
   if (ask.pose_gradient != nullptr) {
-    pose_gradients_.begin(ask.first, ask.second, known_pair(ask), options_.instruction_set);
-    pose_gradients_.of_growth(answer_.distance, ask.about_origin, *ask.pose_gradient);
+    const SpatialPair* pair = known_pair(ask);
+    const bool by_bodies = pair != nullptr && ask.is_known;
+    pose_gradients_.begin(ask.first, ask.second, pair, options_.instruction_set);
+    pose_gradients_.of_growth(answer_.distance, ask.about_origin,
+                              by_bodies ? &bodies_.combination() : nullptr, *ask.pose_gradient);
   }
   return answer_.distance;
 }

@@ -206,8 +206,8 @@ void Ladder::find_pose_gradient(const Ask& ask) {
   const SpatialPair* pair = known_pair(ask);
   const bool by_ball = pair != nullptr || radius_of_ball(*ask.metric) > 0;
   pose_gradients_.begin(ask.first, ask.second, pair, options_.instruction_set);
-  const bool by_half_space =
-      as_half_space(ask.first.set) != nullptr || as_half_space(ask.second.set) != nullptr;
+  const bool by_half_space = pair == nullptr && (as_half_space(ask.first.set) != nullptr ||
+                                                 as_half_space(ask.second.set) != nullptr);
   if (by_ball && answer_.depth.evaluations > 0 && !by_half_space)
     depth_.other_normals(answer_.depth, pose_gradients_.other_normals());
   pose_gradients_.of_distance(answer_, by_ball, gradient);

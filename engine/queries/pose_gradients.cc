@@ -53,19 +53,68 @@ void PoseGradients::begin(const Posed& A1, const Posed& A2, const SpatialPair* p
   }
 }
 
-bool PoseGradients::bind() { return faces_.bind(*posed_[0], *posed_[1], isa_); }
+bool PoseGradients::bind() {
+  if (pair_ == nullptr) return faces_.bind(*posed_[0], *posed_[1], isa_);
+  if (pair_ != faces_.pair()) faces_.bind(*pair_);
+  return true;
+}
 
 // Whether one point of a body is the highest along any direction.
 bool PoseGradients::is_rounded() const {
   return pair_ != nullptr && (is_smooth(pair_->shape(0)) || is_smooth(pair_->shape(1)));
 }
 
+// Of a body that has one point only across n, outward of the first body, in whose frame it is: its number.
+int PoseGradients::top_of(const Vector3& n) const {
+  const Vector3 v[2] = {n, pair_->rotation().transposed_times(-n)};
+  for (int i = 0; i < 2; ++i)
+    if (towers(pair_->shape(i), v[i], kTilt)) return i;
+  for (int i = 0; i < 2; ++i)
+    if (raygauge::has_one_top(pair_->shape(i), v[i], kTilt, isa_)) return i;
+  return -1;
+}
+
 // Whether a body has one point only in contact: then there is one pair of points.
 bool PoseGradients::has_one_top(const Vector3& normal) const {
   if (pair_ == nullptr) return false;
   const Vector3 n = pair_->to_body(&normal.x);
-  return raygauge::has_one_top(pair_->shape(0), n, kTilt, isa_) ||
-         raygauge::has_one_top(pair_->shape(1), pair_->rotation().transposed_times(-n), kTilt, isa_);
+  return top_of(n) >= 0;
+}
+
+// Of polytopes, whose facet the portal is then a part of: whether the ray is well within it.
+bool PoseGradients::leads_through(const SpatialCombination* portal) const {
+  constexpr double kWithin = 1e-5;  // of the sum of the weights
+  if (portal == nullptr || portal->count != 3 || pair_->is_curved()) return false;
+  const Vector3 p = pair_->between_centers();
+  Vector3 corner[3];
+  for (int i = 0; i < 3; ++i) corner[i] = portal->point[i].a1 - portal->point[i].a2 + p;
+  const double weight[3] = {dot(cross(corner[1], corner[2]), p), dot(cross(corner[2], corner[0]), p),
+                            dot(cross(corner[0], corner[1]), p)};
+  const double sum = weight[0] + weight[1] + weight[2];
+  return weight[0] > kWithin * sum && weight[1] > kWithin * sum && weight[2] > kWithin * sum && sum > 0;
+}
+
+// The one point that both bodies, scaled about their centres, have in common across `normal`, where that
+// needs no faces: one body has one point there, and the normal is unique, as a surface is round or the ray
+// leads through a facet of the difference.
+bool PoseGradients::find_single_contact(const Vector3& normal, double sigma, const SpatialCombination* portal,
+                                        Vector3& x) const {
+  if (pair_ == nullptr || pair_->dimension() != 3) return false;
+  const SpatialShape &one = pair_->shape(0), &two = pair_->shape(1);
+  const bool round = one.radius > 0 || two.radius > 0 || is_smooth(one) || is_smooth(two);
+  if (!round && !leads_through(portal)) return false;
+  const Vector3 n = pair_->to_body(&normal.x);
+  const int i = top_of(n);
+  if (i < 0) return false;
+  const SpatialShape& shape = pair_->shape(i);
+  const Vector3 v = i == 0 ? n : pair_->rotation().transposed_times(-n);
+  const Vector3 top = with_core(shape, [&](const auto& core) {
+    const auto view = core.look(v, isa_);
+    return view.point(view.index);
+  });
+  const Vector3 scaled = shape.center + (top + v * shape.radius - shape.center) * sigma;
+  pair_->point_to_world(i == 0 ? scaled : pair_->from_second(scaled), &x.x);
+  return true;
 }
 
 bool PoseGradients::is_half_space(int i) const { return as_half_space(posed_[i]->set) != nullptr; }
@@ -109,10 +158,11 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
   gradient.body_1 = first.body_1;
   gradient.body_2 = first.body_2;
   gradient.kind = by_ball ? GradientKind::unique : GradientKind::undecided;
-  if (by_ball && is_half_space(0) != is_half_space(1)) {
+  if (by_ball && pair_ == nullptr && is_half_space(0) != is_half_space(1)) {
     if (!has_one_lowest(by_translation)) gradient.kind = GradientKind::undecided;
     return;
   }
+  if (by_ball && pair_ == nullptr && bind()) pair_ = faces_.pair();
   if (!by_ball || (other_normals_.empty() && is_rounded())) return;
   const Vector3 way = by_translation * (-1 / length(by_translation));
   if (other_normals_.empty() && has_one_top(way)) return;
@@ -159,14 +209,24 @@ bool PoseGradients::has_one_normal() {
 
 // With u = -normal, h_B(u) = 1 and σ = max u·p/h_B(u), the common point moves with A1 by v1 and with A2 by
 // v2: dσ = u·(v2 - v1).
-void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin, PoseGradient& gradient) {
+void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin,
+                              const SpatialCombination* portal, PoseGradient& gradient) {
   gradient.kind = GradientKind::none;
   gradient.candidates.clear();
-  if (!(answer.lower > 0) || !std::isfinite(answer.upper) || answer.normal.size() == 0 || !bind()) return;
+  if (!(answer.lower > 0) || !std::isfinite(answer.upper) || answer.normal.size() == 0) return;
   const double sigma = answer.distance;
   factor_ = about_origin ? sigma : 1.0;
-  faces_.scale(about_origin ? BodyScaling::about_origin : BodyScaling::about_centers, sigma);
   const Vector3 by_translation = vector_of(answer.normal), n = by_translation * (-1 / length(by_translation));
+  Vector3 common;
+  if (!about_origin && find_single_contact(n, sigma, portal, common)) {
+    const Candidate only = candidate(by_translation, common, common);
+    gradient.body_1 = only.body_1;
+    gradient.body_2 = only.body_2;
+    gradient.kind = GradientKind::unique;
+    return;
+  }
+  if (!bind()) return;
+  faces_.scale(about_origin ? BodyScaling::about_origin : BodyScaling::about_centers, sigma);
   if (!find_contact(n)) return;
   const bool is_smooth = has_one_normal();
   for (const FacePair& pair : faces_.face().pairs()) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/methods/spatial/spatial_distance.h"
 #include "engine/queries/body_faces.h"
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/object_distance.h"
@@ -23,8 +24,10 @@ class PoseGradients {
   /// Of the signed distance. `by_ball`: in a metric whose ball has one normal at each point.
   void of_distance(const ObjectDistance& answer, bool by_ball, PoseGradient& gradient);
 
-  /// Of a growth distance: A1 is scaled about its centre, or about the origin of the world.
-  void of_growth(const DistanceResult& answer, bool about_origin, PoseGradient& gradient);
+  /// Of a growth distance: A1 is scaled about its centre, or about the origin of the world. `portal`: three
+  /// support points of the pair that the ray between the centres leads through at the end, or nullptr.
+  void of_growth(const DistanceResult& answer, bool about_origin, const SpatialCombination* portal,
+                 PoseGradient& gradient);
 
  private:
   using Candidate = PoseGradient::Candidate;
@@ -33,7 +36,11 @@ class PoseGradients {
   bool is_rounded() const;
   bool is_half_space(int i) const;
   bool has_one_lowest(const Vector3& by_translation);
+  int top_of(const Vector3& n) const;
   bool has_one_top(const Vector3& normal) const;
+  bool leads_through(const SpatialCombination* portal) const;
+  bool find_single_contact(const Vector3& normal, double sigma, const SpatialCombination* portal,
+                           Vector3& x) const;
   Candidate candidate(const Vector3& by_translation, const Vector3& x1, const Vector3& x2) const;
   void add_candidates(const Vector3& by_translation, const Vector3& n, int number, PoseGradient& gradient);
   bool find_contact(const Vector3& n);

@@ -29,6 +29,12 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
+  /// Nothing is known of bodies before a query.
+  void begin() noexcept { asked_ = false; }
+
+  /// Of the last query: the support points that its answer ended with.
+  const SpatialCombination& combination() const noexcept { return solve_.answer().combination; }
+
   /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it.
   const SpatialPair* pair() const noexcept { return asked_ ? &solve_.pair() : nullptr; }
 

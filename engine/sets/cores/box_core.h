@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "engine/sets/cores/core_parts.h"
 
 namespace raygauge {
@@ -23,6 +25,11 @@ struct BoxCore {
   template <class Real>
   VertexView<BoxCore, Real> look(const BasicVector3<Real>& v, InstructionSet /*isa*/) const {
     return {*this, v, (high(v.x) < 0 ? 1 : 0) | (high(v.y) < 0 ? 2 : 0) | (high(v.z) < 0 ? 4 : 0)};
+  }
+
+  /// Whether no other vertex is the highest along any direction within `tilt` of v, of length 1, for certain.
+  static bool towers(const Vector3& v, double tilt) {
+    return std::fabs(v.x) > tilt && std::fabs(v.y) > tilt && std::fabs(v.z) > tilt;
   }
 
   template <class Real>

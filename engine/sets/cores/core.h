@@ -104,6 +104,16 @@ inline std::int32_t other_piece(const SpatialShape& shape, std::int32_t piece) {
   });
 }
 
+/// Of a core with vertices or two rims: whether one of these is the highest along any direction within `tilt`
+/// of v, of length 1, for certain.
+inline bool towers(const SpatialShape& shape, const Vector3& v, double tilt) {
+  return with_core(shape, [&](const auto& core) {
+    if constexpr (requires { core.kIsSmooth; }) return true;
+    if constexpr (requires { core.towers(v, tilt); }) return core.towers(v, tilt);
+    return false;
+  });
+}
+
 /// Whether one point of the core is the highest along v, of length 1, and along all directions within about
 /// `tilt` of it: no edge and no face is across v. For rounding errors of v.
 inline bool has_one_top(const SpatialShape& shape, const Vector3& v, double tilt, InstructionSet isa) {

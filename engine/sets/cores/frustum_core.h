@@ -100,6 +100,14 @@ struct FrustumCore {
     return {*this, v};
   }
 
+  /// As of BoxCore: one rim, and v is not along the axis of a disc.
+  bool towers(const Vector3& v, double tilt) const {
+    const View<double> view(*this, v);
+    const double width = length(shape.top - shape.base) + std::fabs(shape.top_radius - shape.base_radius);
+    return std::fabs(view.height(kTop) - view.height(kBase)) > tilt * width &&
+           (view.across.size > tilt || !(radius_of(view.index) > 0));
+  }
+
   /// The Hessian of a rim at u, radius/|u_⊥| (1 - a aᵀ - w wᵀ), of the core with this axis.
   static Matrix3 form(const Matrix3& axis) {
     const Vector3& a = axis.column[0];

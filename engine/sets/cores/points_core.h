@@ -31,6 +31,20 @@ struct PointsCore {
     return {*this, v, highest(v, isa)};
   }
 
+  /// As of BoxCore: in the list of v the highest one is far above the next. Points of other lists only come
+  /// near them at the edge of v's cell.
+  bool towers(const Vector3& v, double tilt) const {
+    if (shape.table == nullptr) return false;
+    double top = -__builtin_inf(), next = top;
+    for (const std::int32_t i : shape.table->listed(v)) {
+      const double height = dot(v, shape.table->point(i));
+      next = height > top ? top : std::max(next, height);
+      top = std::max(top, height);
+    }
+    constexpr double kWidest = 4;  // of the extent: more than any two points are apart
+    return top - next > kWidest * tilt * shape.extent;
+  }
+
   template <class Real, class Use>
   void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const;
 

@@ -23,6 +23,13 @@ struct SegmentCore {
     return {*this, v, high(dot(v, way)) >= 0 ? 0 : 1};
   }
 
+  /// As of BoxCore.
+  bool towers(const Vector3& v, double tilt) const {
+    const Vector3 way = shape.top - shape.base;
+    const double along = dot(v, way);
+    return along * along > tilt * tilt * dot(way, way);
+  }
+
   template <class Real>
   BasicVector3<Real> nearest(const BasicVector3<Real>& y) const {
     const BasicVector3<Real> base = vector_of<Real>(shape.base), way = vector_of<Real>(shape.top) - base;
