@@ -14,6 +14,7 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/scene/edge_checker.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/cylinder.h"
@@ -35,6 +36,8 @@ struct Settings {
   int obstacles = 12;
   double length = 0.5;  ///< greatest change of a joint
   double margin = 0;
+  int squares = 0;  ///< along the side of a face: obstacles are one mesh, two triangles a square; 0: boxes
+  int balls = 0;    ///< on the surfaces: obstacles are one cloud
 };
 
 struct Joints {
@@ -89,22 +92,84 @@ RobotModel model_of(const cli::Robot& robot, const Joints& joints) {
   return model;
 }
 
-std::vector<Body> obstacles_around(int count, Random& random) {
-  std::vector<Body> bodies;
+/// A box or a cylinder in it, where it stands.
+struct Obstacle {
+  Placement where = Placement::identity(3);
+  Eigen::Vector3d half;
+  bool is_round = false;
+};
+
+std::vector<Obstacle> obstacles_around(int count, Random& random) {
+  std::vector<Obstacle> obstacles;
   for (int i = 0; i < count; ++i) {
-    Placement where = Placement::identity(3);
+    Obstacle one;
     const double angle = uniform(random, -EIGEN_PI, EIGEN_PI), away = uniform(random, 0.45, 0.9);
-    where.t = Eigen::Vector3d(away * std::cos(angle), away * std::sin(angle), uniform(random, 0, 1));
-    where.R = rotation_about({uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)});
-    const Eigen::Vector3d half =
-        Eigen::Vector3d(uniform(random, 0.02, 0.2), uniform(random, 0.02, 0.2), 0.02);
-    std::shared_ptr<const ConvexSet> set = std::make_shared<Box>(-half, half);
-    if (i % 3 == 0) {
-      const Vector end = Eigen::Vector3d(0, 0, half[0]);
-      set = std::make_shared<Cylinder>(-end, end, half[1] / 2);
-    }
-    bodies.push_back(make_body("obstacle", {set}, std::make_shared<StaticMotion>(where)));
+    one.where.t = Eigen::Vector3d(away * std::cos(angle), away * std::sin(angle), uniform(random, 0, 1));
+    one.where.R = rotation_about({uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)});
+    one.half = Eigen::Vector3d(uniform(random, 0.02, 0.2), uniform(random, 0.02, 0.2), 0.02);
+    one.is_round = i % 3 == 0;
+    obstacles.push_back(one);
   }
+  return obstacles;
+}
+
+Body convex_body(const Obstacle& one) {
+  std::shared_ptr<const ConvexSet> set = std::make_shared<Box>(-one.half, one.half);
+  if (one.is_round) {
+    const Vector end = Eigen::Vector3d(0, 0, one.half[0]);
+    set = std::make_shared<Cylinder>(-end, end, one.half[1] / 2);
+  }
+  return make_body("obstacle", {set}, std::make_shared<StaticMotion>(one.where));
+}
+
+/// The point of face 0…5 of the box at the shares x and y of its sides.
+Eigen::Vector3d on_face(const Obstacle& box, int face, double x, double y) {
+  Eigen::Vector3d share;
+  share[face / 2] = face % 2;
+  share[(face / 2 + 1) % 3] = x;
+  share[(face / 2 + 2) % 3] = y;
+  return box.where.R * box.half.cwiseProduct(2 * share - Eigen::Vector3d::Ones()) + box.where.t;
+}
+
+Mesh surface_of(const std::vector<Obstacle>& boxes, int squares) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<MeshTriangle> triangles;
+  const auto count = static_cast<int>(boxes.size()) * 6 * squares * squares;
+  for (int k = 0; k < count; ++k) {
+    const int i = k % squares, j = k / squares % squares, face = k / (squares * squares);
+    const auto first = static_cast<std::int32_t>(vertices.size());
+    for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+      vertices.push_back(on_face(boxes[static_cast<std::size_t>(face / 6)], face % 6,
+                                 static_cast<double>(i + x) / squares, static_cast<double>(j + y) / squares));
+    }
+    triangles.push_back({first, first + 1, first + 2});
+    triangles.push_back({first, first + 2, first + 3});
+  }
+  return {Eigen::Matrix3Xd::Map(vertices.front().data(), 3, static_cast<Eigen::Index>(vertices.size())),
+          triangles};
+}
+
+Mesh cloud_of(const std::vector<Obstacle>& boxes, int balls, Random& random) {
+  constexpr double kRadius = 0.005;
+  Eigen::Matrix3Xd points(3, balls);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    points.col(i) = on_face(boxes[random() % boxes.size()], static_cast<int>(random() % 6),
+                            uniform(random, 0, 1), uniform(random, 0, 1));
+  }
+  return Mesh::cloud(points, kRadius);
+}
+
+std::vector<Body> bodies_of(const std::vector<Obstacle>& obstacles, const Settings& settings,
+                            Random& random) {
+  std::vector<Body> bodies;
+  const auto add = [&](const Mesh& mesh) {
+    bodies.push_back(make_body("obstacles", {std::make_shared<MeshObject>(mesh)},
+                               std::make_shared<StaticMotion>(Placement::identity(3))));
+  };
+  if (settings.squares > 0) add(surface_of(obstacles, settings.squares));
+  if (settings.balls > 0) add(cloud_of(obstacles, settings.balls, random));
+  if (!bodies.empty()) return bodies;
+  for (const Obstacle& one : obstacles) bodies.push_back(convex_body(one));
   return bodies;
 }
 
@@ -172,7 +237,9 @@ void run(const Settings& settings) {
   Random random(1);
   EdgeOptions options;
   options.margin = settings.margin;
-  EdgeChecker checker(model, obstacles_around(settings.obstacles, random), options);
+  const std::vector<Obstacle> obstacles = obstacles_around(settings.obstacles, random);
+  Random of_cloud(2);
+  EdgeChecker checker(model, bodies_of(obstacles, settings, of_cloud), options);
   std::printf("%s: %zu bodies, %d obstacles\n", robot.name.c_str(), model.bodies.size(), settings.obstacles);
   Tally tally;
   while (static_cast<int>(tally.free.seconds.size() + tally.contact.seconds.size()) < settings.edges) {
@@ -192,6 +259,10 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--edges", settings.edges, "edges whose ends are free")->check(CLI::PositiveNumber);
   app.add_option("--obstacles", settings.obstacles, "boxes and cylinders")->check(CLI::NonNegativeNumber);
   app.add_option("--length", settings.length, "greatest change of a joint")->check(CLI::PositiveNumber);
+  app.add_option("--squares", settings.squares, "obstacles as one mesh: boxes of so many squares a side")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--balls", settings.balls, "obstacles as one cloud of so many balls")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--margin", settings.margin, "clearance that is proven")->check(CLI::NonNegativeNumber);
 }
 

@@ -12,6 +12,7 @@
 
 #include "engine/threads/team.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "scene/planning/edge_pair.h"
 #include "scene/planning/joint_box.h"
 #include "scene/queries/part_solver.h"
@@ -39,18 +40,7 @@ RobotModel model_of(const RobotModel& robot, int a, int b) {
   return two;
 }
 
-/// A box of joint values that is not proven.
-struct Box {
-  double key = 0;              ///< the least is looked at first
-  double share = 1;            ///< of the volume of all
-  int widest = -1;             ///< the joint along which to halve it
-  std::vector<double> middle;  ///< of the joints between the bodies
-  std::vector<double> half;
-  Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< that set two parts apart in its middle; 0: none
-  int parts = 0;                                    ///< which
-};
-
-bool later(const Box& x, const Box& y) { return x.key > y.key; }
+bool later(const JointBox& x, const JointBox& y) { return x.key > y.key; }
 
 class PairSearch {
  public:
@@ -69,6 +59,8 @@ class PairSearch {
     for (int i = 1; i < static_cast<int>(bodies_[0].shapes.size()); ++i)
       for (int j = 1; j < static_cast<int>(bodies_[1].shapes.size()); ++j) parts_.emplace_back(i, j);
     memory_.resize(parts_.size());
+    for (int k = 0; k < static_cast<int>(parts_.size()); ++k)
+      is_mesh_.push_back(is_mesh(0, shape_a(k)) || is_mesh(1, shape_b(k)));
     verdict_.body_a = a;
     verdict_.body_b = b;
     verdict_.joints = static_cast<int>(between_.joints().size());
@@ -77,7 +69,7 @@ class PairSearch {
   }
 
   LinkVerdict run() {
-    Box whole = whole_box();
+    JointBox whole = whole_box();
     if (whole.middle.empty()) {
       look_once(whole);
       return verdict_;
@@ -94,8 +86,8 @@ class PairSearch {
  private:
   bool decided() const { return !verdict_.contact_at.empty() && !verdict_.free_at.empty(); }
 
-  Box whole_box() const {
-    Box box;
+  JointBox whole_box() const {
+    JointBox box;
     for (const int joint : between_.joints()) {
       const JointRange& range = ranges_[static_cast<std::size_t>(joint)];
       box.half.push_back((range.upper - range.lower) / 2);
@@ -105,7 +97,7 @@ class PairSearch {
   }
 
   /// Of bodies between which no joint is.
-  void look_once(Box& whole) {
+  void look_once(JointBox& whole) {
     stand(whole.middle);
     ++verdict_.boxes;
     verdict_.least = apart(whole, 0);
@@ -126,7 +118,7 @@ class PairSearch {
   }
 
   /// How far the bodies move in a box, against each other, from where they stand.
-  double motion_in(Box& box) {
+  double motion_in(JointBox& box) {
     for (std::size_t k = 0; k < box.half.size(); ++k) {
       const auto joint = static_cast<std::size_t>(between_.joints()[k]);
       const JointRange& range = ranges_[joint];
@@ -141,6 +133,9 @@ class PairSearch {
 
   std::size_t shape_a(int parts) const { return static_cast<std::size_t>(parts_[index(parts)].first); }
   std::size_t shape_b(int parts) const { return static_cast<std::size_t>(parts_[index(parts)].second); }
+  bool is_mesh(std::size_t body, std::size_t shape) const {
+    return as_mesh(*bodies_[body].shapes[shape].part->set) != nullptr;
+  }
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double slack(int parts) const { return tests_.slack(kPair, shape_a(parts), shape_b(parts), 0); }
 
@@ -172,7 +167,7 @@ class PairSearch {
 
   /// A lower bound on the distance of the bodies, as good as it has to be to be more than `enough`. The
   /// nearest parts are those of the box from now on, with a plane between them.
-  double apart(Box& box, double enough) {
+  double apart(JointBox& box, double enough) {
     double least = std::numeric_limits<double>::infinity();
     const int first = box.parts;
     const Eigen::Vector3d kept = box.plane;
@@ -191,21 +186,23 @@ class PairSearch {
       if (!looked) continue;
       box.parts = parts;
       box.plane.setZero();
-      if (lower_ > 0 && answer_.normal.size() == 3) box.plane = Eigen::Vector3d(answer_.normal).normalized();
+      if (lower_ > 0 && answer_.normal.size() == 3 && !is_mesh_[index(parts)])
+        box.plane = Eigen::Vector3d(answer_.normal).normalized();
     }
     if (least > 0) note(verdict_.free_at);
     return least;
   }
 
   /// The greatest proven depth of two parts, as far as it is not more than `enough`; 0: none is proven.
-  double depth(Box& box, double enough) {
+  double depth(JointBox& box, double enough) {
     double deepest = 0, nearest = std::numeric_limits<double>::infinity();
     const int first = box.parts;
     for (int k = 0; k < static_cast<int>(parts_.size()) && !(deepest > enough); ++k) {
       const int parts = k == 0 ? first : (k <= first ? k - 1 : k);
-      look(parts, true);
+      look(parts, !is_mesh_[index(parts)]);
       nearest = std::min(nearest, lower_);
-      const double own = answer_.depth_lower - slack(parts);  // NaN: none
+      const double own = is_mesh_[index(parts)] ? depth_of_mesh(parts, enough)
+                                                : answer_.depth_lower - slack(parts);  // NaN: none
       if (own > deepest) {
         deepest = own;
         box.parts = parts;
@@ -215,8 +212,14 @@ class PairSearch {
     return deepest;
   }
 
+  /// Of parts that were looked at: more than `enough` if they share a point however both move by so much.
+  double depth_of_mesh(int parts, double enough) {
+    const double way = enough + slack(parts) + rounding();
+    return way < std::numeric_limits<double>::infinity() && solver_.meets_if_moved(way) ? way : 0;
+  }
+
   /// True: all of the box is proven, one way or the other.
-  bool is_proven(Box& box) {
+  bool is_proven(JointBox& box) {
     ++verdict_.boxes;
     stand(box.middle);
     const double motion = motion_in(box);
@@ -229,7 +232,7 @@ class PairSearch {
   }
 
   /// The value that the search wants to be small: a distance, or minus a depth.
-  double value_at(const std::vector<double>& middle, Box& box) {
+  double value_at(const std::vector<double>& middle, JointBox& box) {
     stand(middle);
     return meets_ ? depth(box, std::numeric_limits<double>::infinity())
                   : apart(box, std::numeric_limits<double>::infinity());
@@ -237,7 +240,7 @@ class PairSearch {
 
   /// Random configurations, and steps along joints from the best of them: most pairs that meet sometimes are
   /// found out here.
-  void try_samples(Box& whole) {
+  void try_samples(JointBox& whole) {
     if (whole.middle.empty()) return;
     std::mt19937_64 random(1);
     std::vector<std::pair<double, std::vector<double>>> samples;
@@ -259,7 +262,7 @@ class PairSearch {
     for (int k = 0; k < kStarts && !decided(); ++k) improve(samples[index(k)], whole);
   }
 
-  void improve(std::pair<double, std::vector<double>> best, Box& whole) {
+  void improve(std::pair<double, std::vector<double>> best, JointBox& whole) {
     double step = 0.25;
     int tries = 0;
     while (tries < kImprovements && !decided()) {
@@ -283,40 +286,40 @@ class PairSearch {
   }
 
   /// The most hopeful box for the other answer first; when a quarter of all boxes are used up, the largest.
-  void search(Box whole) {
+  void search(JointBox whole) {
     verdict_.least = meets_ ? 0 : std::numeric_limits<double>::infinity();
-    std::vector<Box> heap;
+    std::vector<JointBox> heap;
     if (!is_proven(whole)) heap.push_back(std::move(whole));
     bool by_volume = false;
     double given_up = 0;
     while (!heap.empty() && verdict_.boxes < options_.max_boxes && !decided()) {
       if (!by_volume && verdict_.boxes > options_.max_boxes / 4) {
         by_volume = true;
-        for (Box& box : heap) box.key = -box.share;
+        for (JointBox& box : heap) box.key = -box.share;
         std::make_heap(heap.begin(), heap.end(), later);
       }
       std::pop_heap(heap.begin(), heap.end(), later);
-      Box box = std::move(heap.back());
+      JointBox box = std::move(heap.back());
       heap.pop_back();
       if (box.widest < 0 || box.share < 1e-30) {
         given_up += box.share;
         continue;
       }
       for (const bool left : {true, false}) {
-        Box half = half_of(box, left);
+        JointBox half = half_of(box, left);
         if (decided() || is_proven(half)) continue;
         if (by_volume) half.key = -half.share;
         heap.push_back(std::move(half));
         std::push_heap(heap.begin(), heap.end(), later);
       }
     }
-    for (const Box& box : heap) given_up += box.share;
+    for (const JointBox& box : heap) given_up += box.share;
     verdict_.undecided = given_up;
     if (given_up == 0) verdict_.contact = meets_ ? LinkContact::always : LinkContact::never;
   }
 
-  Box half_of(const Box& box, bool left) const {
-    Box half = box;
+  JointBox half_of(const JointBox& box, bool left) const {
+    JointBox half = box;
     const auto found = std::find(between_.joints().begin(), between_.joints().end(), box.widest);
     const auto k = static_cast<std::size_t>(found - between_.joints().begin());
     half.half[k] /= 2;
@@ -342,6 +345,7 @@ class PairSearch {
   double lower_ = 0;  ///< of the last look: certified
   std::vector<std::pair<int, int>> parts_;
   std::vector<PartMemory> memory_;
+  std::vector<bool> is_mesh_;  ///< of parts_
   std::vector<double> q_, half_;
   bool meets_ = false;  ///< contact is what is to be proven
   LinkVerdict verdict_;

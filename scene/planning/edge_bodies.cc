@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/meshes/box_tree.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
@@ -39,6 +40,16 @@ EdgeShape shape_of(const BoundingBall& ball, double reach, double core_reach) {
 
 // What support functions lose, as their rounding error says.
 void measure_box(const BodyPart& part, EdgeShape& shape) {
+  if (const Mesh* mesh = as_mesh(*part.set)) {
+    const BoxNode& root = mesh->tree().node(0);
+    for (int k = 0; k < 3; ++k) {
+      const double center = std::fabs(double{root.center[k]});
+      const double reach = (root.reach(k) + mesh->radius()) * (1 + 1e-13) + center * 1e-15;
+      shape.low[k] = double{root.center[k]} - reach;
+      shape.high[k] = double{root.center[k]} + reach;
+    }
+    return;
+  }
   Eigen::Vector3d point;
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double loss = ConvexSet::rounding_error(3) * part.magnitude[k];
@@ -86,12 +97,6 @@ EdgeBody of_robot(const RobotBody& given, RobotChain& chain) {
 
 EdgeBody of_obstacle(const Body& given, int& moving) {
   if (given.motion == nullptr) throw InvalidParameterError("body '" + given.name + "' has no motion");
-  for (const BodyPart& part : given.parts) {
-    if (as_mesh(*part.set) != nullptr)
-      throw InvalidParameterError("body '" + given.name +
-                                  "' is a mesh or a cloud as it is; edges are proven of " +
-                                  "convex parts: take its hull (as = \"hull\") or convex parts");
-  }
   check_space(given);
   EdgeBody body;
   body.body = given;

@@ -86,6 +86,31 @@ double EdgeTests::slack(const EdgePair& pair, std::size_t shape_a, std::size_t s
          stage_.error(moment, b).of_points(b.shapes[shape_b].reach);
 }
 
+double EdgeTests::loss(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment) const {
+  const EdgeBody &a = body(pair.a), &b = body(pair.b);
+  const EdgeShape &one = a.shapes[shape_a], &other = b.shapes[shape_b];
+  const Frame &at_a = stage_.at(moment, a), &at_b = stage_.at(moment, b);
+  const double way = at_a.t.lpNorm<1>() + at_b.t.lpNorm<1>();
+  double loss = slack(pair, shape_a, shape_b, moment);
+  loss += kRounding * (way + one.part->turned_magnitude + other.part->turned_magnitude);
+  if (pair.carrier >= 0) loss += (chain_.error(pair.carrier).turn + 1e-15) * (way + one.reach + other.reach);
+  return loss;
+}
+
+void EdgeTests::stand(const EdgePair& pair, int moment, Matrix3& R_a, Matrix3& R_b, Vector3& way) const {
+  const Frame &at_a = stage_.at(moment, body(pair.a)), &at_b = stage_.at(moment, body(pair.b));
+  const auto take = [&](const Eigen::Matrix3d& R, Matrix3& seen) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d axis = to_carrier(pair, moment, R.col(k));
+      seen.column[k] = {axis[0], axis[1], axis[2]};
+    }
+  };
+  take(at_a.R, R_a);
+  take(at_b.R, R_b);
+  const Eigen::Vector3d between = to_carrier(pair, moment, at_b.t - at_a.t);
+  way = {between[0], between[1], between[2]};
+}
+
 double EdgeTests::planes_apart(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment,
                                const Eigen::Vector3d& u) const {
   const EdgeBody &a = body(pair.a), &b = body(pair.b);

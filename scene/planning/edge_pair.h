@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raygauge/numerics/vector3.h"
 #include "scene/planning/edge_bodies.h"
 
 namespace raygauge {
@@ -53,6 +54,13 @@ class EdgeTests {
 
   /// How far points of both shapes may be from where they were computed, together, at most.
   double slack(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment) const;
+
+  /// What computed gaps of two shapes may lose at one moment: slack() and rounding.
+  double loss(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment) const;
+
+  /// Both bodies at one moment, seen from the carrier: x of the first one is at R_a x, x of the second one at
+  /// R_b x + way.
+  void stand(const EdgePair& pair, int moment, Matrix3& R_a, Matrix3& R_b, Vector3& way) const;
 
   /// A vector of the carrier in the scene, and back.
   Eigen::Vector3d to_scene(const EdgePair& pair, int moment, const Eigen::Vector3d& u) const;

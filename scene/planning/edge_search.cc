@@ -12,8 +12,6 @@
 namespace raygauge {
 namespace {
 
-const SceneMetric kEuclidean;
-
 // Distances of a gap that lets the search tell margin and margin + contact apart; more digits than a step
 // needs are asked for only where the margin is large.
 double tolerance_of(const EdgeOptions& options) {
@@ -29,8 +27,6 @@ EdgeOptions checked(const EdgeOptions& options) {
   if (options.max_looks < 1) throw InvalidParameterError("max_looks must be at least 1");
   return options;
 }
-
-Placement placement_of(const Frame& frame) { return {frame.R, frame.t}; }
 
 void check_pair(const std::pair<int, int>& pair, int bodies) {
   for (const int i : {pair.first, pair.second}) {
@@ -90,6 +86,7 @@ void EdgeSearch::take_parts() {
         parts.pair = static_cast<int>(i);
         parts.shape_a = a;
         parts.shape_b = b;
+        take_kind(parts);
         parts_.push_back(std::move(parts));
       }
     }
@@ -251,12 +248,12 @@ void EdgeSearch::take_first_items() {
 }
 
 void EdgeSearch::take_item(int number, int interval) {
-  const Parts& parts = parts_[static_cast<std::size_t>(number)];
+  Parts& parts = parts_[static_cast<std::size_t>(number)];
   const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
   const Interval over = intervals_[static_cast<std::size_t>(interval)];
   ++result_.ball_tests;
   if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, over.first, over.last, options_.margin)) return;
-  if (is_free_by_kept_plane(parts, over)) return;
+  if (parts.is_mesh ? is_free_by_sweep(parts, interval) : is_free_by_kept_plane(parts, over)) return;
   next_.push_back({number, interval, tests_.ball_gap(pair, parts.shape_a, parts.shape_b, over.last)});
 }
 
@@ -291,9 +288,13 @@ bool EdgeSearch::handle(const Item& item) {
   const double from = stage_.time(intervals_[number].first), to = stage_.time(intervals_[number].last);
   const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
   const double slack = tests_.slack(pair, parts.shape_a, parts.shape_b, middle);
-  const bool apart = answer_.normal.size() == 3 && answer_.lower - slack > options_.margin;
+  const bool apart = (parts.is_mesh || answer_.normal.size() == 3) && answer_.lower - slack > options_.margin;
   if (moment_only || !(from < t && t < to)) {
     if (!apart || !moment_only) give_up(parts, middle);
+    return true;
+  }
+  if (parts.is_mesh) {
+    go_on_with_mesh(item, apart);
     return true;
   }
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
@@ -301,6 +302,16 @@ bool EdgeSearch::handle(const Item& item) {
   if (apart) parts.plane = plane;
   go_on(item, plane);
   return true;
+}
+
+// Made where it is not there yet.
+int EdgeSearch::half_of(std::size_t interval, bool is_left) {
+  const Interval over = intervals_[interval];
+  int half = is_left ? over.left : over.right;
+  if (half >= 0) return half;
+  half = is_left ? add_interval(over.first, over.middle) : add_interval(over.middle, over.last);
+  (is_left ? intervals_[interval].left : intervals_[interval].right) = half;
+  return half;
 }
 
 // Both halves of an interval, as the plane of its middle leaves them; 0: there is none.
@@ -324,70 +335,8 @@ void EdgeSearch::go_on(const Item& item, const Eigen::Vector3d& plane) {
     }
     ++result_.ball_tests;
     if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, first, last, options_.margin)) continue;
-    int child = is_left ? intervals_[number].left : intervals_[number].right;
-    if (child < 0) {
-      child = add_interval(first, last);
-      (is_left ? intervals_[number].left : intervals_[number].right) = child;
-    }
-    next_.push_back({item.parts, child, now});
+    next_.push_back({item.parts, half_of(number, is_left), now});
   }
-}
-
-void EdgeSearch::look(Parts& parts, int moment) {
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
-  const EdgeBody& a = bodies_[static_cast<std::size_t>(pair.a)];
-  const EdgeBody& b = bodies_[static_cast<std::size_t>(pair.b)];
-  placed_.bind(a.body, b.body, kEuclidean);
-  placed_.place(placement_of(stage_.at(moment, a)), placement_of(stage_.at(moment, b)), nullptr);
-  placed_.check_placements();
-  answer_ = PairAnswer();
-  parts.memory.overlapped =
-      false;  // which would ask first whether they still do: slower for two parts of R^3
-  const PartNumbers numbers{static_cast<int>(parts.shape_a) - 1, static_cast<int>(parts.shape_b) - 1};
-  solver_.distance(placed_, numbers, false, parts.memory, answer_, counters_);
-  answer_.part_a = numbers.a;
-  answer_.part_b = numbers.b;
-  ++result_.looks;
-}
-
-bool EdgeSearch::is_contact(Parts& parts, int moment) {
-  look(parts, moment);
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
-  const double slack = tests_.slack(pair, parts.shape_a, parts.shape_b, moment);
-  if (!(answer_.upper + slack <= options_.margin + options_.contact)) return false;
-  result_.outcome = EdgeOutcome::contact;
-  result_.time = stage_.time(moment);
-  result_.body_a = pair.a;
-  result_.body_b = pair.b;
-  result_.part_a = answer_.part_a;
-  result_.part_b = answer_.part_b;
-  result_.lower = std::max(0.0, answer_.lower - slack);
-  result_.upper = answer_.upper + slack;
-  if (options_.witness) take_witness(parts);
-  return true;
-}
-
-// As they are placed for the last look.
-void EdgeSearch::take_witness(const Parts& parts) {
-  const PartNumbers numbers{static_cast<int>(parts.shape_a) - 1, static_cast<int>(parts.shape_b) - 1};
-  const ObjectDistance& found =
-      witness_.solve(placed_.posed_a(numbers), placed_.posed_b(numbers), placed_.unit_ball(),
-                     ObjectEffects::closest_points | ObjectEffects::depth);
-  const bool overlap = found.depth.evaluations > 0 && found.depth.depth > 0;
-  result_.point_a = overlap ? found.depth.point_1 : found.closest_point_1;
-  result_.point_b = overlap ? found.depth.point_2 : found.closest_point_2;
-  result_.depth = overlap ? found.depth.depth : 0;
-}
-
-void EdgeSearch::give_up(const Parts& parts, int moment) {
-  if (result_.outcome == EdgeOutcome::undecided) return;
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
-  result_.outcome = EdgeOutcome::undecided;
-  result_.time = stage_.time(moment);
-  result_.body_a = pair.a;
-  result_.body_b = pair.b;
-  result_.part_a = static_cast<int>(parts.shape_a) - 1;
-  result_.part_b = static_cast<int>(parts.shape_b) - 1;
 }
 
 }  // namespace raygauge

@@ -9,6 +9,7 @@
 
 #include "raygauge/scene/edge_checker.h"
 #include "scene/planning/edge_pair.h"
+#include "scene/planning/mesh_sweep.h"
 #include "scene/queries/part_solver.h"
 
 namespace raygauge {
@@ -30,10 +31,12 @@ class EdgeSearch {
   const EdgeOptions& options() const noexcept { return options_; }
 
  private:
-  /// Two convex parts, and what is kept of them from one edge to the next.
+  /// Two parts, and what is kept of them from one edge to the next.
   struct Parts {
     int pair = 0;
     std::size_t shape_a = 0, shape_b = 0;
+    bool is_mesh = false;  ///< one of them
+    bool is_solid = false;
     PartMemory memory;
     Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< of the carrier; 0: none
   };
@@ -59,14 +62,22 @@ class EdgeSearch {
   int add_interval(int first, int last);
   const EdgeResult& search();
   int middle_of(std::size_t interval);
+  int half_of(std::size_t interval, bool is_left);
   bool look_at_hint();
   void take_first_items();
   void take_item(int parts, int interval);
   bool is_free_by_kept_plane(const Parts& parts, const Interval& over);
   bool handle(const Item& item);
+  void take_kind(Parts& parts) const;
+  bool is_free_by_sweep(Parts& parts, int interval);
+  bool surfaces_apart(const Parts& parts, int interval);
+  void go_on_with_mesh(const Item& item, bool known);
+  static PartNumbers numbers_of(const Parts& parts);
+  void place(const Parts& parts, int moment);
   void look(Parts& parts, int moment);
   bool is_contact(Parts& parts, int moment);
   void take_witness(const Parts& parts);
+  void take_mesh_witness(const Parts& parts);
   void give_up(const Parts& parts, int moment);
   void go_on(const Item& item, const Eigen::Vector3d& plane);
 
@@ -80,6 +91,7 @@ class EdgeSearch {
   std::vector<Parts> parts_;
   PlacedPair placed_;
   PartSolver solver_;
+  MeshSweep sweep_;
   PairAnswer answer_;
   SceneCounters counters_;
   std::vector<Interval> intervals_;

@@ -8,6 +8,17 @@
 
 namespace raygauge {
 
+/// A box of joint values that is not proven.
+struct JointBox {
+  double key = 0;              ///< the least is looked at first
+  double share = 1;            ///< of the volume of all
+  int widest = -1;             ///< the joint along which to halve it
+  std::vector<double> middle;  ///< of the joints between the bodies
+  std::vector<double> half;
+  Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< that set two parts apart in its middle; 0: none
+  int parts = 0;                                    ///< which
+};
+
 /// The joints between two bodies of a robot, in the order from the one to the other, and how far the bodies
 /// move against each other while these change.
 class JointsBetween {

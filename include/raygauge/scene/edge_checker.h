@@ -19,7 +19,7 @@ namespace raygauge {
 struct RobotBody {
   std::string name;
   int link = 0;
-  std::vector<std::shared_ptr<const ConvexSet>> parts;  ///< in the frame of the body
+  std::vector<std::shared_ptr<const ConvexSet>> parts;  ///< in the frame of the body; also a MeshObject
   Placement origin = Placement::identity(3);            ///< where that frame is on the link
 };
 
@@ -63,12 +63,13 @@ struct EdgeResult {
   double upper = std::numeric_limits<double>::infinity();
 
   /// Of a contact, where asked for: points of both parts, the closest ones, or those where the parts have to
-  /// be pushed apart by `depth` (ObjectDepth), 0 where they do not overlap.
+  /// be pushed apart by `depth` (ObjectDepth), 0 where they do not overlap. Of a mesh or a cloud the points
+  /// are those of its nearest piece, and `depth` is NaN where that overlaps.
   SmallVector point_a, point_b;
   double depth = std::numeric_limits<double>::quiet_NaN();
 
   std::int64_t looks = 0;        ///< pairs of parts solved
-  std::int64_t plane_tests = 0;  ///< planes kept, tested over a time
+  std::int64_t plane_tests = 0;  ///< planes kept, and trees of meshes, tested over a time
   std::int64_t ball_tests = 0;   ///< pairs of bounding balls tested over a time
 };
 
@@ -84,7 +85,8 @@ struct EdgeResult {
 /// at t1 are apart in between, where (1-s) g0 + s g1 is more than 4 s (1-s) times the bounds of both.
 /// Bounding balls are tested in the same way, over the whole edge first; then distances are solved in the
 /// middle of intervals that are halved. A contact is proven by a distance at one time. Pairs of one robot are
-/// seen from the last link that carries both.
+/// seen from the last link that carries both. Of meshes and clouds, of links and of obstacles, that is proven
+/// of boxes about many triangles or balls at once, then of single ones.
 ///
 /// What is kept from one edge to the next (planes, warm starts, the pair in contact) saves time; every proof
 /// is made anew. Where there are several contacts, which of them is found may depend on it. Use one checker

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/capsule.h"
 #include "scene/planning/joint_box.h"
+#include "tests/engine/meshes/mesh_shapes.h"
 #include "tests/scene/planning/random_robots.h"
 
 namespace raygauge::test_collision_matrix {
@@ -64,6 +66,24 @@ TEST(CollisionMatrix, RodsMeetAtTheAngleOfTheClosedForm) {
     EXPECT_EQ(verdicts[1].undecided, 0);
     EXPECT_GT(verdicts[1].least, 0);
     EXPECT_LT(verdicts[1].least, 1 + 2 * std::cos(most) - 2 * radius + 1e-9);
+  }
+}
+
+// The same of rods that are meshes.
+TEST(CollisionMatrix, MeshesMeetWhereConvexBodiesOfTheirShapeDo) {
+  const double radius = 0.05;
+  const testing::MeshShape rod = testing::box_shape({0, -radius, -radius}, {1, radius, radius}, 2);
+  for (const MeshKind kind : {MeshKind::surface, MeshKind::solid}) {
+    for (const double most : {2.2, 1.9}) {
+      RobotModel robot = planar_arm(3, radius);
+      robot.bodies[0].parts = {std::make_shared<MeshObject>(Mesh(rod.vertices, rod.triangles, kind))};
+      robot.bodies[2].parts = robot.bodies[0].parts;
+      const auto verdicts = collision_matrix(robot, ranges(3, most));
+      ASSERT_EQ(verdicts.size(), 3U);
+      EXPECT_EQ(verdicts[0].contact, LinkContact::always);
+      EXPECT_EQ(verdicts[1].contact, most > 2 ? LinkContact::sometimes : LinkContact::never);
+      EXPECT_EQ(verdicts[2].contact, LinkContact::always);
+    }
   }
 }
 

@@ -7,7 +7,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/scene/continuous.h"
 #include "tests/scene/planning/random_robots.h"
 
@@ -219,9 +218,6 @@ TEST(EdgeChecker, AMistakeOfTheCallerIsRefused) {
   EXPECT_THROW(checker.configuration(Values{}), DimensionMismatchError);
   EXPECT_THROW(checker.path({}), InvalidParameterError);
   EXPECT_THROW(checker.name(2), InvalidParameterError);
-  const auto cloud = std::make_shared<MeshObject>(Mesh::cloud(Eigen::Vector3d(5, 0, 0), 0.1));
-  const Body scan = make_body("scan", {cloud}, ball_at(0, 1.2, 0).motion);
-  EXPECT_THROW(EdgeChecker(robot, {scan}), InvalidParameterError);
   for (const EdgeOptions& wrong :
        {EdgeOptions{.margin = -1}, EdgeOptions{.contact = 0}, EdgeOptions{.max_looks = 0}}) {
     EXPECT_THROW(EdgeChecker(robot, {}, wrong), InvalidParameterError);
