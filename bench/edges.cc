@@ -32,6 +32,7 @@ double uniform(Random& random, double low, double high) {
 struct Settings {
   std::string urdf;
   std::vector<std::string> packages;  ///< NAME=FOLDER
+  std::string as = "hull";            ///< of meshes; "": as they are
   int edges = 2000;
   int obstacles = 12;
   double length = 0.5;  ///< greatest change of a joint
@@ -193,6 +194,7 @@ void print(const char* what, Times& times) {
 
 cli::Robot robot_of(const Settings& settings) {
   cli::RobotMeshes meshes;
+  meshes.as = settings.as;
   for (const std::string& package : settings.packages) {
     const std::size_t equals = package.find('=');
     meshes.packages[package.substr(0, equals)] = package.substr(equals + 1);
@@ -256,6 +258,8 @@ void run(const Settings& settings) {
 void add_options(CLI::App& app, Settings& settings) {
   app.add_option("urdf", settings.urdf, "robot")->required()->check(CLI::ExistingFile);
   app.add_option("--package", settings.packages, "NAME=FOLDER of package:// names");
+  app.add_option("--as", settings.as,
+                 "what meshes are taken as: hull, surface, solid, parts; '': as they are");
   app.add_option("--edges", settings.edges, "edges whose ends are free")->check(CLI::PositiveNumber);
   app.add_option("--obstacles", settings.obstacles, "boxes and cylinders")->check(CLI::NonNegativeNumber);
   app.add_option("--length", settings.length, "greatest change of a joint")->check(CLI::PositiveNumber);

@@ -61,6 +61,7 @@ std::vector<fs::path> Problems::sorted(const fs::path& folder, const std::string
 BenchRobot robot_of(const fs::path& folder) {
   BenchRobot bench;
   cli::RobotMeshes meshes;
+  meshes.as = "hull";
   meshes.packages["meshes"] = (folder / "meshes").string();
   bench.robot = cli::read_urdf(only(folder, ".urdf").string(), meshes);
   bench.semantics = cli::read_srdf(only(folder, ".srdf").string(), bench.robot);

@@ -30,9 +30,9 @@ std::string hull_note(const std::string& name, const MeshFile& mesh) {
   const HullCost cost = hull_cost(mesh.vertices, mesh.triangles);
   if (cost.convex) return "";
   return name + ": this mesh is not convex, and its convex hull stands for it" + volumes_of(cost) +
-         "; shape = \"mesh\" of a set file takes it as it is, convex parts in a scene (as = \"parts\") keep "
-         "its"
-         " shape and have a depth";
+         "; shape = \"mesh\" of a set file takes it as it is, and so does a scene without as = \"hull\"; "
+         "convex "
+         "parts (as = \"parts\") have a depth, too";
 }
 
 void add_note(const std::string& note, Notes& notes) {

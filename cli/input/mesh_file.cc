@@ -60,14 +60,19 @@ MeshFile read_mesh(const std::string& path) {
                                         static_cast<std::ptrdiff_t>(text.vertices.size()));
   const std::vector<std::uint32_t>& corners = text.faces.corners;
   std::size_t begin = 0, face = 0;
+  const auto begin_runs = [&] {
+    const std::size_t first = mesh.triangles.size();
+    while (mesh.runs.size() < text.runs.size() && text.runs[mesh.runs.size()].first == face)
+      mesh.runs.push_back({text.runs[mesh.runs.size()].name, first, first});
+  };
   for (const std::size_t end : text.faces.ends) {
-    if (const std::size_t run = mesh.runs.size(); run < text.runs.size() && text.runs[run].first == face)
-      mesh.runs.push_back({text.runs[run].name, mesh.triangles.size(), 0});
+    begin_runs();
     cut_polygon(text.vertices, {corners.data() + begin, end - begin}, mesh.triangles);
     if (!mesh.runs.empty()) mesh.runs.back().end = mesh.triangles.size();
     begin = end;
     ++face;
   }
+  begin_runs();
   return mesh;
 }
 

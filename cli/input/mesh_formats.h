@@ -32,7 +32,7 @@ struct FaceRun {
 struct MeshText {
   std::vector<Vertex> vertices;
   Polygons faces;
-  std::vector<FaceRun> runs = {};  ///< of an OBJ file with names, without those that have no face
+  std::vector<FaceRun> runs = {};  ///< of an OBJ file with names, those without faces too
 };
 
 /// Mesh files in their own axes and units. The size of the

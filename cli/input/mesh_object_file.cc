@@ -20,10 +20,12 @@ namespace {
 
 using SetPointer = std::shared_ptr<const ConvexSet>;
 
-SetPointer mesh_object(const MeshFile& file, const std::string& path, MeshKind kind) {
-  return placed(path,
+SetPointer mesh_object(const MeshFile& file, const std::string& name, MeshKind kind) {
+  return placed(name,
                 [&] { return std::make_shared<MeshObject>(Mesh(file.vertices, file.triangles, kind)); });
 }
+
+SetPointer hull_of(const MeshFile& file) { return std::make_shared<PointSet>(distinct_vertices(file)); }
 
 std::vector<std::string> meshes_of_folder(const std::string& folder) {
   std::vector<std::string> files;
@@ -50,38 +52,95 @@ MeshFile own_mesh(const MeshFile& file, const std::vector<Triangle>& triangles) 
   return own;
 }
 
-std::vector<SetPointer> parts_of_file(const std::string& path, Notes& notes) {
-  const MeshFile file = read_mesh(path);
-  std::vector<std::string> names;
-  std::map<std::string, std::vector<Triangle>> objects;
+/// Triangles of an object, runs of the same name together; those without faces have none.
+struct Objects {
+  std::vector<std::string> names;  ///< in the order of the file
+  std::map<std::string, std::vector<Triangle>> triangles;
+  std::string without_faces;  ///< their names
+};
+
+Objects objects_of(const MeshFile& file) {
+  Objects objects;
   for (const MeshRun& run : file.runs) {
     const auto own = std::span(file.triangles).subspan(run.begin, run.end - run.begin);
-    if (own.empty()) continue;
-    std::vector<Triangle>& all = objects[run.name];
-    if (all.empty()) names.push_back(run.name);
-    all.insert(all.end(), own.begin(), own.end());
+    const auto [found, is_new] = objects.triangles.try_emplace(run.name);
+    if (is_new) objects.names.push_back(run.name);
+    found->second.insert(found->second.end(), own.begin(), own.end());
   }
-  if (names.size() < 2)
-    throw InvalidParameterError(path + ": as = \"parts\" needs a folder or a list of meshes, a convex part " +
-                                "each, or an OBJ file with two objects or groups (o, g) or more");
+  std::erase_if(objects.names, [&](const std::string& name) {
+    const bool empty = objects.triangles.at(name).empty();
+    if (empty && !name.empty())
+      objects.without_faces += (objects.without_faces.empty() ? "'" : ", '") + name + "'";
+    return empty;
+  });
+  return objects;
+}
+
+std::vector<SetPointer> parts_of(const MeshFile& file, const std::string& name, Notes& notes) {
+  Objects objects = objects_of(file);
+  if (objects.names.size() < 2)
+    throw InvalidParameterError(name + ": as = \"parts\" needs a folder or a list of meshes, a convex part " +
+                                "each, or an OBJ file with two objects or groups (o, g) with faces or more");
   std::vector<SetPointer> parts;
-  for (const std::string& name : names) {
-    const MeshFile own = own_mesh(file, objects[name]);
-    add_note(hull_note(path + ", object '" + name + "'", own), notes);
-    parts.push_back(std::make_shared<PointSet>(distinct_vertices(own)));
+  for (const std::string& object : objects.names) {
+    const MeshFile own = own_mesh(file, objects.triangles.at(object));
+    add_note(hull_note(name + ", object '" + object + "'", own), notes);
+    parts.push_back(hull_of(own));
   }
-  add_note(path + ": " + std::to_string(parts.size()) + " parts, each the convex hull of an object", notes);
+  add_note(name + ": " + std::to_string(parts.size()) + " parts, each the convex hull of an object", notes);
+  if (!objects.without_faces.empty())
+    add_note(name + ": left out, for these objects have no faces: " + objects.without_faces, notes);
   return parts;
 }
 
+SetPointer as_it_is(const MeshFile& file, const std::string& name, Notes& notes) {
+  if (file.triangles.empty()) {
+    add_note(name + ": points without faces, taken as their convex hull; shape = \"cloud\" with a radius " +
+                 "takes them one by one",
+             notes);
+    return hull_of(file);
+  }
+  const HullCost cost = hull_cost(file.vertices, file.triangles);
+  if (cost.convex) return hull_of(file);
+  SetPointer set = mesh_object(file, name, cost.closed ? MeshKind::solid : MeshKind::surface);
+  add_note(name + ": this mesh is not convex and is taken as it is, as a " +
+               (cost.closed ? "solid" : "surface") + " of " + std::to_string(file.triangles.size()) +
+               " triangles; as = \"hull\" takes its convex hull" + volumes_of(cost),
+           notes);
+  return set;
+}
+
+const std::vector<std::string> kWays = {"hull", "surface", "solid", "parts"};
+
 }  // namespace
+
+bool has_objects(const MeshFile& file) { return objects_of(file).names.size() > 1; }
+
+void check_way_to_take_a_mesh(const std::string& as, const std::string& what, const std::string& place) {
+  if (std::find(kWays.begin(), kWays.end(), as) == kWays.end())
+    throw UnknownNameError(what, as, kWays, place);
+}
+
+std::vector<SetPointer> take_mesh(const MeshFile& file, const std::string& name, const std::string& as,
+                                  Notes& notes) {
+  if (as.empty()) return {as_it_is(file, name, notes)};
+  check_way_to_take_a_mesh(as, "way to take a mesh", "");
+  if (as == "parts") return parts_of(file, name, notes);
+  if (as == "hull") {
+    add_note(hull_note(name, file), notes);
+    return {hull_of(file)};
+  }
+  add_note(
+      name + ": taken as it is, as a " + as + " of " + std::to_string(file.triangles.size()) + " triangles",
+      notes);
+  return {mesh_object(file, name, as == "solid" ? MeshKind::solid : MeshKind::surface)};
+}
 
 SetPointer read_mesh_as(const std::string& path, const std::string& as) {
   if (as != "hull" && as != "surface" && as != "solid")
     throw UnknownNameError("way to take a mesh", as, {"hull", "surface", "solid"});
-  const MeshFile file = read_mesh(path);
-  if (as == "hull") return std::make_shared<PointSet>(distinct_vertices(file));
-  return mesh_object(file, path, as == "solid" ? MeshKind::solid : MeshKind::surface);
+  Notes without_use;
+  return take_mesh(read_mesh(path), path, as, without_use).front();
 }
 
 SetPointer read_cloud(const std::string& source, double radius) {
@@ -92,33 +151,15 @@ SetPointer read_cloud(const std::string& source, double radius) {
   return placed(source, [&] { return std::make_shared<MeshObject>(Mesh::cloud(points, radius)); });
 }
 
-SetPointer read_mesh_as_it_is(const std::string& path, Notes& notes) {
-  const MeshFile file = read_mesh(path);
-  if (file.triangles.empty())
-    add_note(
-        path + ": points without faces, taken as their convex hull; shape = \"cloud\" with a radius takes " +
-            "them one by one",
-        notes);
-  const HullCost cost =
-      file.triangles.empty() ? HullCost{.convex = true} : hull_cost(file.vertices, file.triangles);
-  if (cost.convex) return std::make_shared<PointSet>(distinct_vertices(file));
-  SetPointer set = mesh_object(file, path, cost.closed ? MeshKind::solid : MeshKind::surface);
-  add_note(path + ": this mesh is not convex and is taken as it is, as a " +
-               (cost.closed ? "solid" : "surface") + " of " + std::to_string(file.triangles.size()) +
-               " triangles; as = \"hull\" takes its convex hull" + volumes_of(cost),
-           notes);
-  return set;
-}
-
 std::vector<SetPointer> read_parts(const std::vector<std::string>& sources, Notes& notes) {
   const bool folder = sources.size() == 1 && std::filesystem::is_directory(sources.front());
-  if (sources.size() == 1 && !folder) return parts_of_file(sources.front(), notes);
+  if (sources.size() == 1 && !folder) return parts_of(read_mesh(sources.front()), sources.front(), notes);
   const std::vector<std::string> files = folder ? meshes_of_folder(sources.front()) : sources;
   std::vector<SetPointer> parts;
   for (const std::string& file : files) {
     const MeshFile mesh = read_mesh(file);
     add_note(hull_note(file, mesh), notes);
-    parts.push_back(std::make_shared<PointSet>(distinct_vertices(mesh)));
+    parts.push_back(hull_of(mesh));
   }
   if (!files.empty())
     add_note((folder ? sources.front() : files.front() + ", ...") + ": " + std::to_string(files.size()) +

@@ -43,7 +43,7 @@ class ObjReader {
       throw InvalidParameterError(place_of_greatest_ + "vertex " + std::to_string(greatest_) +
                                   " is not there: the file has " + std::to_string(vertices_.size()));
     check_promise();
-    std::vector<FaceRun> runs = with_faces(objects_.empty() ? groups_ : objects_);
+    std::vector<FaceRun> runs = of_use(objects_.empty() ? groups_ : objects_);
     return {std::move(vertices_), std::move(polygons_), std::move(runs)};
   }
 
@@ -89,11 +89,12 @@ class ObjReader {
     runs.push_back({std::move(name), polygons_.ends.size()});
   }
 
-  std::vector<FaceRun> with_faces(const std::vector<FaceRun>& runs) const {
+  /// Without those that have neither a name nor faces.
+  std::vector<FaceRun> of_use(const std::vector<FaceRun>& runs) const {
     std::vector<FaceRun> kept;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : polygons_.ends.size();
-      if (runs[i].first < end) kept.push_back(runs[i]);
+      if (runs[i].first < end || !runs[i].name.empty()) kept.push_back(runs[i]);
     }
     return kept;
   }

@@ -66,8 +66,8 @@ class Robot:
     True
     """
 
-    def __init__(self, path: str | os.PathLike[str], packages: Folders | None = None) -> None:
-        self._made_of = (os.path.abspath(os.fspath(path)), _folders(packages))
+    def __init__(self, path: str | os.PathLike[str], packages: Folders | None = None, meshes: str | None = None) -> None:
+        self._made_of = (os.path.abspath(os.fspath(path)), _folders(packages), meshes or "")
         self._file = _readers().load_robot(*self._made_of)
         self.name: str = self._file.name
         self.joints: tuple[str, ...] = tuple(self._file.joints)
@@ -106,12 +106,13 @@ class Robot:
         return [(self.links[a], self.links[b]) for a, b in self._file.joined]
 
 
-def load_robot(path: str | os.PathLike[str], *, packages: Folders | None = None) -> Robot:
-    """The robot of a URDF file. packages: the folders of package:// names.
+def load_robot(path: str | os.PathLike[str], *, packages: Folders | None = None, meshes: str | None = None) -> Robot:
+    """The robot of a URDF file. packages: the folders of package:// names. meshes: what they are taken as, "hull", "surface",
+    "solid" or "parts"; None: each as it is, by its hull where it is convex.
 
-    Raises InvalidParameterError, with file and link; ProgramError where the package was built without the program.
+    Raises InvalidParameterError, with file and link; UnknownNameError; ProgramError where the package was built without the program.
     """
-    return Robot(path, packages)
+    return Robot(path, packages, meshes)
 
 
 class SceneFile:

@@ -131,8 +131,11 @@ void bind_robots(py::module_& module) {
       .def("poses", &poses, py::arg("values"));
   module.def(
       "load_robot",
-      [](const std::string& path, const Folders& packages) { return cli::read_urdf(path, {packages}); },
-      py::arg("path"), py::arg("packages"));
+      [](const std::string& path, const Folders& packages, const std::string& meshes) {
+        if (!meshes.empty()) cli::check_way_to_take_a_mesh(meshes, "meshes", "");
+        return cli::read_urdf(path, {packages, false, meshes});
+      },
+      py::arg("path"), py::arg("packages"), py::arg("meshes"));
 }
 
 void bind_scene_files(py::module_& module) {

@@ -15,6 +15,7 @@
 
 #include "cli/console/exit_status.h"
 #include "cli/console/input_options.h"
+#include "cli/input/mesh_object_file.h"
 #include "cli/output/counted.h"
 #include "cli/output/json_text.h"
 #include "cli/output/output_file.h"
@@ -31,7 +32,7 @@ namespace {
 
 struct CollisionArguments {
   SceneInput input;  ///< of a robot: path, packages, missing meshes
-  std::string srdf, compare;
+  std::string srdf, compare, as;
   std::int64_t boxes = CollisionMatrixOptions().max_boxes;
   int threads = 0;
   bool force = false;
@@ -87,7 +88,11 @@ std::vector<JointRange> ranges_of(const Robot& robot) {
 
 Matrix matrix_of(const CollisionArguments& arguments) {
   Matrix matrix;
-  matrix.robot = read_urdf(arguments.input.path, meshes_of(arguments.input));
+  if (!arguments.as.empty()) check_way_to_take_a_mesh(arguments.as, "--as", "");
+  RobotMeshes meshes = meshes_of(arguments.input);
+  meshes.as = arguments.as;
+  matrix.robot = read_urdf(arguments.input.path, meshes);
+  if (!arguments.as.empty()) check_has_meshes(matrix.robot, "--as");
   RobotModel& model = matrix.model;
   model.tree = matrix.robot.tree;
   model.joints = static_cast<int>(matrix.robot.joints.size());
@@ -258,6 +263,10 @@ void add_collisions_command(Command& scene, int& status) {
       .range(0, 65536)
       .type_name("K");
   add_mesh_options(command, arguments->input);
+  command
+      .add_option("--as", arguments->as,
+                  "What meshes are taken as: hull, surface, solid or parts; else as they are")
+      .type_name("WAY");
   command.add_flag("--force", arguments->force, "Replace a file of another kind");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &status] {

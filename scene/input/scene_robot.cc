@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cli/input/mesh_object_file.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
 #include "cli/output/counted.h"
@@ -100,6 +101,17 @@ void take_semantics(const toml::node& node, const std::filesystem::path& folder,
   }
 }
 
+Robot read_robot(const toml::node& urdf, const std::string& path, const toml::node* as,
+                 const RobotMeshes& meshes) {
+  if (as == nullptr) return placed(urdf, [&] { return read_urdf(path, meshes); });
+  RobotMeshes taken = meshes;
+  taken.as = read_text(*as, "robot.as");
+  check_way_to_take_a_mesh(taken.as, "robot.as", place_of(*as));
+  Robot robot = placed(urdf, [&] { return read_urdf(path, taken); });
+  placed(*as, [&] { check_has_meshes(robot, "robot.as"); });
+  return robot;
+}
+
 class Records final : public SceneSink {
  public:
   void store(const SceneCellResult& cell) override {
@@ -111,7 +123,7 @@ class Records final : public SceneSink {
 }  // namespace
 
 const std::vector<std::string>& robot_keys() {
-  static const std::vector<std::string> kKeys = {"name", "urdf", "srdf", "base", "trajectory", "group"};
+  static const std::vector<std::string> kKeys = {"name", "urdf", "as", "srdf", "base", "trajectory", "group"};
   return kKeys;
 }
 
@@ -121,7 +133,7 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
   if (!table.contains("urdf")) refuse(table, "a robot needs the key urdf");
   const toml::node& urdf = *table.get("urdf");
   const std::string path = (folder / read_text(urdf, "robot.urdf")).string();
-  const Robot robot = placed(urdf, [&] { return read_urdf(path, meshes); });
+  const Robot robot = read_robot(urdf, path, table.get("as"), meshes);
   RobotBodies result;
   result.name = table.contains("name") ? read_text(*table.get("name"), "robot.name") : robot.name;
   Placement base = Placement::identity(3);

@@ -178,7 +178,8 @@ class SceneReader {
   }
 
   SetPointer set_as_it_is(const std::string& name) {
-    return is_mesh_file(name) ? read_mesh_as_it_is(name, source_.notes) : read_named(name);
+    return is_mesh_file(name) ? take_mesh(read_mesh(name), name, "", source_.notes).front()
+                              : read_named(name);
   }
 
   /// body.file as body.as says.
@@ -187,9 +188,7 @@ class SceneReader {
     for (std::string& name : names) name = (folder_ / name).string();
     const toml::node* node = table.get("as");
     const std::string as = node == nullptr ? "" : read_text(*node, "body.as");
-    const std::vector<std::string> known = {"hull", "surface", "solid", "parts"};
-    if (node != nullptr && std::find(known.begin(), known.end(), as) == known.end())
-      throw UnknownNameError("body.as", as, known, place_of(*node));
+    if (node != nullptr) check_way_to_take_a_mesh(as, "body.as", place_of(*node));
     if (file.is_array() && (as != "parts" || names.empty()))
       refuse(file, "a list of files is for as = \"parts\", a convex part each");
     if (as == "parts") return read_parts(names, source_.notes);
@@ -197,11 +196,7 @@ class SceneReader {
     if (as.empty()) return {set_as_it_is(name)};
     if (!is_mesh_file(name))
       refuse(*node, "body.as is for meshes and folders of them, which " + name + " is not");
-    SetPointer set = read_mesh_as(name, as);
-    if (const Mesh* mesh = as_mesh(*set))
-      add_note(name + ": taken as it is, as a " + as + " of " + std::to_string(mesh->size()) + " triangles",
-               source_.notes);
-    return {std::move(set)};
+    return take_mesh(read_mesh(name), name, as, source_.notes);
   }
 
   std::vector<SetPointer> parts_of(const toml::table& table) {

@@ -231,6 +231,11 @@ Robot read_urdf(const std::string& path, const RobotMeshes& meshes) {
   return UrdfReader(path, meshes).read();
 }
 
+void check_has_meshes(const Robot& robot, const std::string& what) {
+  if (robot.meshes == 0 && robot.skipped.empty())
+    throw InvalidParameterError(what + " says how meshes are taken, and robot '" + robot.name + "' has none");
+}
+
 std::vector<JointLimits> limits_of(const Robot& robot) {
   std::vector<JointLimits> limits(robot.joints.size());
   for (std::size_t i = 0; i < robot.links.size(); ++i) {

@@ -31,20 +31,26 @@ struct Robot {
   std::map<std::string, std::string> without_value;  ///< the other ones, and why: "mimics 'a'", "is fixed"
   std::vector<std::string> skipped;                  ///< meshes that were missing: "a.stl of link 'b'"
   Notes notes;                                       ///< on meshes that are not convex
+  int meshes = 0;                                    ///< those that were read
 };
 
 /// Where the meshes of robots are, and what becomes of those that are not there.
 struct RobotMeshes {
   std::map<std::string, std::string> packages;  ///< folders of package:// names; else those beside the file
   bool skip_missing = false;  ///< a mesh that is not there is named in `skipped`, not refused
+  std::string as = {};  ///< how meshes are taken: see take_mesh; the hull of a file without objects is one
+                        ///< of the "parts"
 };
 
-/// Reads the collision shapes (boxes, spheres, cylinders, capsules, meshes as their convex hulls) and the
+/// Reads the collision shapes (boxes, spheres, cylinders, capsules, meshes as `meshes` say) and the
 /// joints (fixed, revolute, continuous, prismatic, mimics) of a URDF file; nothing else in it is looked at.
 /// Names of meshes other than package:// and file:// are relative to the file. Throws InvalidParameterError,
 /// naming file, line and link or joint, for what is not understood: a joint of another type, a mesh that is
 /// missing, a package that is not known, text that is not URDF.
 Robot read_urdf(const std::string& path, const RobotMeshes& meshes);
+
+/// Throws InvalidParameterError, which begins with `what`, for a robot without a mesh.
+void check_has_meshes(const Robot& robot, const std::string& what);
 
 /// What a joint that takes a value may be, as its own limits and those of its mimics have it.
 struct JointLimits {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/input/mesh_file.h"
+#include "cli/input/mesh_object_file.h"
 #include "cli/input/pose_table.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
@@ -33,15 +34,16 @@ class ShapeReader {
               Robot& robot)
       : file_(file), link_(std::move(link)), path_(path), meshes_(meshes), robot_(robot) {}
 
-  /// Null: a mesh that is missing and may be.
-  SetPointer read(const XmlElement& collision) const {
+  /// None: a mesh that is missing and may be.
+  std::vector<SetPointer> read(const XmlElement& collision) const {
     const XmlElement* geometry = collision.FirstChildElement("geometry");
     const XmlElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
     if (shape == nullptr) refuse(collision, "a collision without a shape");
     if (shape->NextSiblingElement() != nullptr) refuse(*geometry, "a collision of more than one shape");
     const Placement where = urdf_origin(file_, collision);
     try {
-      return shape_of(*shape, where);
+      if (std::string_view(shape->Name()) == "mesh") return mesh_of(*shape, where);
+      return {shape_of(*shape, where)};
     } catch (const EngineError& error) {
       refuse(*shape, error.message);
     }
@@ -86,7 +88,6 @@ class ShapeReader {
       const Vector p = where.t - where.R * half, q = where.t + where.R * half;
       return kind == "cylinder" ? made<Cylinder>(p, q, radius) : made<Capsule>(p, q, radius);
     }
-    if (kind == "mesh") return mesh_of(shape, where);
     refuse(shape, "the collision shape <" + std::string(kind) + "> is not understood");
   }
 
@@ -103,26 +104,40 @@ class ShapeReader {
     return (where.R * points).colwise() + Vector(where.t);
   }
 
-  SetPointer mesh_of(const XmlElement& mesh, const Placement& where) const {
+  std::vector<SetPointer> mesh_of(const XmlElement& mesh, const Placement& where) const {
     const std::string name = file_.text(mesh, "filename");
     const Eigen::Vector3d scale = file_.vector(mesh, "scale", Eigen::Vector3d::Ones());
     if ((scale.array() == 0).any()) refuse(mesh, "scale = 0 leaves nothing of a mesh");
     const std::string found = mesh_path(mesh, name);
     std::error_code ignored;
     if (!fs::exists(found, ignored)) {
-      if (skip(name)) return nullptr;
+      if (skip(name)) return {};
       refuse(mesh, "there is no mesh " + found + " (--skip-missing-meshes leaves it out)");
     }
-    Eigen::MatrixXd vertices;
     try {
-      const MeshFile file = read_mesh(found);
-      add_note(hull_note(name + " of link '" + link_ + "'", file), robot_.notes);
-      vertices = distinct_vertices(file);
+      return taken(placed_mesh(read_mesh(found), scale, where), name + " of link '" + link_ + "'");
     } catch (const Error& error) {
       refuse(mesh, error.what());
     }
-    const Eigen::MatrixXd placed = placed_points(scale.asDiagonal() * vertices, where);
-    return placed.cols() < kPrepared ? made<PointSet>(placed) : made<PreparedSet>(placed);
+  }
+
+  static MeshFile placed_mesh(MeshFile file, const Eigen::Vector3d& scale, const Placement& where) {
+    file.vertices = placed_points(scale.asDiagonal() * file.vertices, where);
+    if (scale.prod() < 0) {  // a mirror turns every triangle about
+      for (Triangle& triangle : file.triangles) std::swap(triangle[1], triangle[2]);
+    }
+    return file;
+  }
+
+  std::vector<SetPointer> taken(const MeshFile& file, const std::string& name) const {
+    ++robot_.meshes;
+    const bool one_part = meshes_.as == "parts" && !has_objects(file);
+    std::vector<SetPointer> sets = take_mesh(file, name, one_part ? "hull" : meshes_.as, robot_.notes);
+    for (SetPointer& set : sets) {
+      const PointSet* points = as_point_set(*set);
+      if (points != nullptr && points->size() >= kPrepared) set = made<PreparedSet>(*points);
+    }
+    return sets;
   }
 
   bool skip(const std::string& name) const {
@@ -187,7 +202,7 @@ std::vector<SetPointer> urdf_shapes(const XmlFile& file, const XmlElement& link,
   std::vector<SetPointer> shapes;
   for (const XmlElement* collision = link.FirstChildElement("collision"); collision != nullptr;
        collision = collision->NextSiblingElement("collision")) {
-    if (SetPointer shape = reader.read(*collision)) shapes.push_back(std::move(shape));
+    for (SetPointer& shape : reader.read(*collision)) shapes.push_back(std::move(shape));
   }
   return shapes;
 }

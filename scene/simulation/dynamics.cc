@@ -95,7 +95,7 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
     for (const BodyPart& part : body.parts) {
       if (as_mesh(*part.set) != nullptr)
         refuse("body '" + body.name +
-               "' is a mesh as it is: contacts are those of its hull or of convex parts");
+               "' is a mesh as it is: contacts are those of its hull (as = \"hull\") or of convex parts");
     }
   }
   bool any = false;

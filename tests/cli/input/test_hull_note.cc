@@ -46,8 +46,8 @@ TEST_F(HullNote, IsSaidOnceOfAMeshThatIsNotConvexWithBothVolumes) {
   const std::string expected = has_hull_3d() ? ": the hull has 27 of volume, the mesh 26" : "";
   EXPECT_EQ(notes[0], folder_.file("hollow.obj") +
                           ": this mesh is not convex, and its convex hull stands for it" + expected +
-                          "; shape = \"mesh\" of a set file takes it as it is, convex parts in a scene (as = "
-                          "\"parts\") keep its shape and have a depth");
+                          "; shape = \"mesh\" of a set file takes it as it is, and so does a scene without "
+                          "as = \"hull\"; convex parts (as = \"parts\") have a depth, too");
 }
 
 TEST_F(HullNote, SaysThatAMeshIsOpen) {

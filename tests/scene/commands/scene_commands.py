@@ -140,8 +140,21 @@ class Scenes(unittest.TestCase):
         for arguments in runs:
             error = self.run_raygauge(*arguments).stderr
             self.assertEqual(error.count(said), 1, error)
-        error = self.run_raygauge("scene", "explain", robot).stderr
-        self.assertIn("corner.obj of link 'l': this mesh is not convex", error)
+        # A ball that the hull of the link contains.
+        def of_robot(line):
+            robot.write_text(f'[[robot]]\nurdf = "corner.urdf"\n{line}[[body]]\nshape = {{ shape = "ball", center = [0.6, 0.6, 0.6], '
+                             'radius = 0.02 }\n[[query]]\neffects = ["distance"]\n')
+            error = self.run_raygauge("scene", "run", robot, "-o", self.work / "r.h5", "--force").stderr
+            names, row = [line.split(",") for line in self.run_raygauge("export", self.work / "r.h5", "--csv", "-").stdout.splitlines()[:2]]
+            return error, float(row[names.index("distance")]) == 0
+        for line, kind in (("", "solid"), ('as = "solid"\n', "solid"), ('as = "surface"\n', "surface")):
+            error, meets = of_robot(line)
+            self.assertRegex(error, f"corner.obj of link 'l': .*taken as it is, as a {kind}")
+            self.assertFalse(meets, line)
+        for line in ('as = "hull"\n', 'as = "parts"\n'):
+            error, meets = of_robot(line)
+            self.assertIn("corner.obj of link 'l': this mesh is not convex, and its convex hull stands for it", error)
+            self.assertTrue(meets, line)
 
     def test_an_srdf_file_leaves_pairs_out_and_names_states_and_groups_of_a_plan(self):
         (self.work / "arm.urdf").write_text((self.scenes / "arm.urdf").read_text())

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_urdf_file {
@@ -119,6 +120,33 @@ TEST_F(UrdfFile, AMeshThatIsMissingIsLeftOutByNameOnRequest) {
   const Robot rest = read(text, {{}, true});
   EXPECT_EQ(rest.links[0].shapes.size(), 1U);
   EXPECT_EQ(rest.skipped, (std::vector<std::string>{"a.stl of link 'l'", "package://p/b.stl of link 'l'"}));
+}
+
+TEST_F(UrdfFile, MeshesAreTakenAsAsked) {
+  const std::string one = "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string other = "o b\nv 3 0 0\nv 4 0 0\nv 3 1 0\nv 3 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+  testing::write_bytes(folder_.file("one.obj"), one);
+  testing::write_bytes(folder_.file("two.obj"), one + other + "o none\n");
+  const auto taken = [&](const std::string& as, const std::string& attributes) {
+    return read(robot(link("l", shape("<mesh " + attributes + "/>"))), {{}, false, as});
+  };
+  const std::string mirrored = "filename=\"two.obj\" scale=\"-2 1 1\"";
+  for (const std::string as : {"", "solid", "surface"}) {
+    const Robot read_robot = taken(as, mirrored);
+    ASSERT_EQ(read_robot.links[0].shapes.size(), 1U) << as;
+    const Mesh* mesh = as_mesh(*read_robot.links[0].shapes[0]);
+    ASSERT_NE(mesh, nullptr) << as;
+    EXPECT_NEAR(mesh->volume(), as == "surface" ? 0 : 2.0 / 3, 1e-12) << as;  // of both, outside in
+    EXPECT_NE(read_robot.notes.at(0).find("two.obj of link 'l'"), std::string::npos);
+  }
+  EXPECT_EQ(taken("hull", mirrored).links[0].shapes[0]->support_function(-Eigen::Vector3d::UnitX()), 8);
+  const Robot parts = taken("parts", "filename=\"two.obj\"");
+  ASSERT_EQ(parts.links[0].shapes.size(), 2U);
+  EXPECT_EQ(parts.links[0].shapes[0]->support_function(Eigen::Vector3d::UnitX()), 1);
+  EXPECT_NE(parts.notes.back().find("left out, for these objects have no faces: 'none'"), std::string::npos);
+  EXPECT_EQ(taken("parts", "filename=\"one.obj\"").links[0].shapes.size(), 1U) << "one part";
+  EXPECT_EQ(as_mesh(*taken("", "filename=\"one.obj\"").links[0].shapes[0]), nullptr) << "convex";
+  EXPECT_THROW(taken("hul", mirrored), Error);
 }
 
 TEST_F(UrdfFile, MeshesAreScaledAndNamedByPackages) {
