@@ -54,7 +54,7 @@ std::vector<Vertex> collada_vertices(std::string_view text, const std::string& n
 
 const std::vector<Vertex> kTriangle = {{1, 0, 0}, {0, 2, 0}, {0, 0, 4}};
 
-TEST(ObjRuns, AreThoseOfObjectsOrElseOfGroupsWithoutThoseThatHaveNoFace) {
+TEST(ObjRuns, AreThoseOfObjectsOrElseOfGroupsAlsoOfThoseThatHaveNoFace) {
   const auto runs = [](const std::string& text) {
     std::string all;
     for (const FaceRun& run : obj_mesh("v 1 0 0\nv 0 1 0\nv 0 0 1\n" + text, "m").runs)
@@ -64,7 +64,7 @@ TEST(ObjRuns, AreThoseOfObjectsOrElseOfGroupsWithoutThoseThatHaveNoFace) {
   EXPECT_EQ(runs("f 1 2 3\n"), "");
   EXPECT_EQ(runs("g one\nf 1 2 3\ng two  b\nf 1 2 3\nf 1 2 3\n"), "one@0 two b@1 ");
   EXPECT_EQ(runs("g default\no one\ng x\nf 1 2 3\ng y\nf 1 2 3\no two\nf 1 2 3\n"), "one@0 two@2 ");
-  EXPECT_EQ(runs("f 1 2 3\no none\no last\nf 3 2 1\no\n"), "@0 last@1 ");
+  EXPECT_EQ(runs("f 1 2 3\no none\no last\nf 3 2 1\no\n"), "@0 none@1 last@1 ");
 }
 
 TEST(ObjVertices, AreAllVerticesThoseTooThatNoFaceUses) {
