@@ -29,7 +29,10 @@ class SetTable final : public ShapeValues {
   SetTable(const SetFile& file, const toml::table& table, const Shape& shape, int depth)
       : file_(file), table_(table), shape_(shape), depth_(depth) {}
 
-  double number(const std::string& name) const override { return read_number(node(name), full(name)); }
+  double number(const std::string& name) const override {
+    const std::optional<double>& usual = shape_.parameter(name).usual;
+    return usual && !table_.contains(name) ? *usual : read_number(node(name), full(name));
+  }
   Vector vector(const std::string& name) const override { return read_vector(node(name), full(name)); }
   Eigen::MatrixXd matrix(const std::string& name) const override {
     return read_matrix(node(name), full(name));
@@ -68,11 +71,8 @@ class SetTable final : public ShapeValues {
     });
   }
 
-  const toml::node& node(const std::string& name) const {
-    if (const toml::node* found = table_.get(name)) return *found;
-    throw InvalidParameterError(place_of(*table_.get("shape")) + ": " + shape_.name + " needs the key '" +
-                                name + "'");
-  }
+  /// Which is there: see require_keys.
+  const toml::node& node(const std::string& name) const { return *table_.get(name); }
 
   std::string full(const std::string& name) const { return shape_.name + "." + name; }
 
@@ -88,6 +88,18 @@ class SetTable final : public ShapeValues {
   int depth_;
 };
 
+void require_keys(const toml::table& table, const Shape& shape, const std::string& place) {
+  std::string missing;
+  int count = 0;
+  for (const ShapeParameter& parameter : shape.parameters) {
+    if (parameter.usual || table.contains(parameter.name)) continue;
+    missing += (count++ > 0 ? ", '" : "'") + parameter.name + "'";
+  }
+  if (count == 0) return;
+  throw InvalidParameterError(place + ": " + shape.name + " needs the key" + (count > 1 ? "s " : " ") +
+                              missing);
+}
+
 SetPointer SetFile::set_of(const toml::table& table, int depth) const {
   if (depth > kDeepestSet) {
     throw InvalidParameterError(place_of(table) + ": more than " + std::to_string(kDeepestSet) +
@@ -101,6 +113,7 @@ SetPointer SetFile::set_of(const toml::table& table, int depth) const {
   std::vector<std::string> known = {"shape"};
   for (const ShapeParameter& parameter : shape.parameters) known.push_back(parameter.name);
   reject_unknown_keys(table, "key of " + shape.name, known);
+  require_keys(table, shape, place);
   return placed(place, shape.bind(SetTable(*this, table, shape, depth)));
 }
 

@@ -40,11 +40,16 @@ struct Typed {
 
 template <class Read>
 Typed<Read> typed(const char* name, const char* type, const char* description, Read read) {
-  return {{name, type, description}, read};
+  return {{name, type, description, {}}, read};
 }
 
 auto number(const char* name, const char* description = "") {
   return typed(name, "a number", description, &ShapeValues::number);
+}
+auto number_or(double usual, const char* name, const char* description) {
+  auto one = number(name, description);
+  one.parameter.usual = usual;
+  return one;
 }
 auto vector(const char* name, const char* description = "") {
   return typed(name, "a vector", description, &ShapeValues::vector);
@@ -119,8 +124,8 @@ Shape height_field() {
   return made_by(
       read_height_field, "height_field", "the solid below heights on a regular grid, with --between",
       path("file", "heights, a row of the grid a row, in any form of points, or a grey picture (.pgm)"),
-      number("spacing", "of rows and columns"), number("unit", "what a height of 1 stands for"),
-      number("floor", "z of the bottom"));
+      number("spacing", "of rows and columns"), number_or(1, "unit", "what a height of 1 stands for"),
+      number_or(0, "floor", "z of the bottom"));
 }
 
 Shape mesh() {
@@ -171,6 +176,11 @@ const std::vector<Shape>& shapes() {
       shape<UnionHull>("union_hull", "the convex hull of a union", sets("sets", "one or more")),
   };
   return kShapes;
+}
+
+const ShapeParameter& Shape::parameter(const std::string& parameter_name) const {
+  return *std::find_if(parameters.begin(), parameters.end(),
+                       [&](const ShapeParameter& parameter) { return parameter.name == parameter_name; });
 }
 
 const Shape& find_shape(const std::string& name, const std::string& place) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,12 @@ class ShapeValues {
   virtual std::string path(const std::string& name) const = 0;
 };
 
-/// What the table of shapes says of one parameter. All of them are needed: none has a default.
+/// What the table of shapes says of one parameter.
 struct ShapeParameter {
-  std::string name;         ///< that of the constructor in engine/sets, and the key in a set file
-  std::string type;         ///< "a number", "a vector", …
-  std::string description;  ///< "" where the name says it
+  std::string name;                  ///< that of the constructor in engine/sets, and the key in a set file
+  std::string type;                  ///< "a number", "a vector", …
+  std::string description;           ///< "" where the name says it
+  std::optional<double> usual = {};  ///< of a number that need not be given
 };
 
 /// A convex set that a set file can describe.
@@ -46,6 +48,9 @@ struct Shape {
   std::string name;
   std::string description;
   std::vector<ShapeParameter> parameters;
+
+  /// The parameter of that name, which must be one.
+  const ShapeParameter& parameter(const std::string& parameter_name) const;
 
   /// Reads the values of the parameters, in their order; what it returns then makes the set, and throws Error
   /// where the engine refuses them.

@@ -74,8 +74,10 @@ Json shapes_json() {
   Json list = Json::array();
   for (const Shape& shape : shapes()) {
     Json parameters = Json::object();
-    for (const ShapeParameter& parameter : shape.parameters)
+    for (const ShapeParameter& parameter : shape.parameters) {
       parameters[parameter.name] = {{"type", parameter.type}, {"description", parameter.description}};
+      if (parameter.usual) parameters[parameter.name]["default"] = *parameter.usual;
+    }
     list.push_back({{"name", shape.name}, {"description", shape.description}, {"parameters", parameters}});
   }
   return list;
@@ -86,7 +88,8 @@ std::string shapes_text() {
   for (const Shape& shape : shapes()) {
     text += fmt::format("  {:<20} {}\n", shape.name, shape.description);
     for (const ShapeParameter& parameter : shape.parameters) {
-      text += fmt::format("      {}: {}{}{}\n", parameter.name, parameter.type,
+      const std::string usual = parameter.usual ? fmt::format(" = {}", *parameter.usual) : "";
+      text += fmt::format("      {}{}: {}{}{}\n", parameter.name, usual, parameter.type,
                           parameter.description.empty() ? "" : ", ", parameter.description);
     }
   }

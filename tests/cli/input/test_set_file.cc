@@ -175,6 +175,8 @@ TEST_F(SetFiles, TakeTheSolidBelowHeights) {
     // A cell of heights a, b, c, d has 0.25 (1 + 2 (2a + b + 2c + d) / 6), a and c on its diagonal.
     EXPECT_NEAR(as_mesh(*set)->volume(), 0.25 * (1 + 2.0) + 0.25 * (1 + 4.0), 1e-12) << name;
   }
+  EXPECT_NEAR(as_mesh(*take("h.csv", "1 2\n2 3\n", "spacing = 1\n"))->volume(), 2, 1e-12)
+      << "unit 1, floor 0";
   const auto complaint = [&](const std::string& name, const std::string& bytes, const std::string& rest) {
     try {
       take(name, bytes, rest);
@@ -213,11 +215,16 @@ TEST_F(SetFiles, AreDocumentedShapeByShape) {
   }
 }
 
-TEST_F(SetFiles, NameTheKeyThatIsMissing) {
+TEST_F(SetFiles, NameAllKeysThatAreMissing) {
   for (const Shape& shape : shapes()) {
-    EXPECT_EQ(complaint("# nothing but\nshape = \"" + shape.name + "\""),
-              "set.toml:2: " + shape.name + " needs the key '" + shape.parameters.front().name + "'");
+    const std::string said = complaint("# nothing but\nshape = \"" + shape.name + "\"");
+    EXPECT_TRUE(said.starts_with("set.toml:2: " + shape.name + " needs the key")) << said;
+    for (const ShapeParameter& parameter : shape.parameters)
+      EXPECT_EQ(said.find("'" + parameter.name + "'") != std::string::npos, !parameter.usual) << said;
   }
+  EXPECT_EQ(complaint("shape = \"height_field\""),
+            "set.toml:1: height_field needs the keys 'file', 'spacing'");
+  EXPECT_EQ(complaint("shape = \"ball\"\nradius = 1"), "set.toml:1: ball needs the key 'center'");
 }
 
 TEST_F(SetFiles, TakeRowsAsPointsForEveryMethodOfPointSets) {
