@@ -27,6 +27,7 @@
 #include "raygauge/queries/warm_start.h"
 #include "raygauge/scene/continuous.h"
 #include "raygauge/scene/edge_checker.h"
+#include "raygauge/scene/joint_gradient.h"
 #include "raygauge/scene/joint_motion.h"
 #include "raygauge/scene/scene_run.h"
 #include "raygauge/sets/affine_image.h"

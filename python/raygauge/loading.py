@@ -91,14 +91,26 @@ class Robot:
 
         Raises UnknownNameError, DimensionMismatchError.
         """
-        if isinstance(values, Mapping):
-            for name in values:
-                if name not in self.joints:
-                    raise UnknownNameError(f"robot: no joint is called '{name}'; known: {', '.join(self.joints)}")
-            numbers = [float(values.get(name, 0.0)) for name in self.joints]
-        else:
-            numbers = [float(value) for value in np.atleast_1d(np.asarray(values, dtype=float))] or [0.0] * len(self.joints)
-        return dict(zip(self.links, self._file.poses(numbers), strict=True))
+        return dict(zip(self.links, self._file.poses(self._numbers(values)), strict=True))
+
+    def twists(self, values: Mapping[str, float] | ArrayLike = ()) -> dict[str, Array]:
+        """How each link moves with each joint, an array of shape (joints, 6), for values as in poses.
+
+        A row has the velocity of the link's origin and the angular velocity while that joint rises by 1 per second. With a
+        PoseGradient g of a body at the pose of the link, twists[link] @ g.body_1 is the gradient along the joints, and
+        g.along(rates @ twists[link], np.zeros(6)) the derivative for rates of the joints, also where g is one-sided.
+
+        Raises UnknownNameError, DimensionMismatchError.
+        """
+        return dict(zip(self.links, self._file.twists(self._numbers(values)), strict=True))
+
+    def _numbers(self, values: Mapping[str, float] | ArrayLike) -> list[float]:
+        if not isinstance(values, Mapping):
+            return [float(value) for value in np.atleast_1d(np.asarray(values, dtype=float))] or [0.0] * len(self.joints)
+        for name in values:
+            if name not in self.joints:
+                raise UnknownNameError(f"robot: no joint is called '{name}'; known: {', '.join(self.joints)}")
+        return [float(values.get(name, 0.0)) for name in self.joints]
 
     @property
     def joined(self) -> list[tuple[str, str]]:

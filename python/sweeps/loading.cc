@@ -16,6 +16,7 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/scene_answers.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/scene/joint_gradient.h"
 #include "raygauge/scene/joint_motion.h"
 #include "scene/input/scene_source.h"
 #include "scene/input/urdf_file.h"
@@ -64,11 +65,33 @@ std::vector<std::pair<int, int>> joined(const Robot& robot) {
   return pairs;
 }
 
-/// Where the links are: homogeneous matrices, shape (links, 4, 4).
-py::array_t<double> poses(const Robot& robot, const std::vector<double>& values) {
+void check_values(const Robot& robot, const std::vector<double>& values) {
   if (values.size() != robot.joints.size())
     throw DimensionMismatchError("values: " + std::to_string(robot.joints.size()) +
                                  " joints need a value each, got " + std::to_string(values.size()));
+}
+
+/// The twists of the links by each joint, shape (links, joints, 6).
+py::array_t<double> twists(const Robot& robot, const std::vector<double>& values) {
+  check_values(robot, values);
+  const auto tree = std::make_shared<const KinematicTree>(robot.tree);
+  const auto count = static_cast<py::ssize_t>(robot.links.size()),
+             joints = static_cast<py::ssize_t>(robot.joints.size());
+  py::array_t<double> all({count, joints, py::ssize_t{6}});
+  double* out = all.mutable_data();
+  for (int link = 0; link < static_cast<int>(count); ++link) {
+    for (const Twist& twist : joint_twists(tree, values, link)) {
+      for (const Vector3& part : {twist.linear, twist.angular}) {
+        for (const double each : {part.x, part.y, part.z}) *out++ = each;
+      }
+    }
+  }
+  return all;
+}
+
+/// Where the links are: homogeneous matrices, shape (links, 4, 4).
+py::array_t<double> poses(const Robot& robot, const std::vector<double>& values) {
+  check_values(robot, values);
   const auto tree = std::make_shared<const KinematicTree>(robot.tree);
   const auto still = std::make_shared<JointTrajectory>();
   still->times = {0, 1};
@@ -128,7 +151,8 @@ void bind_robots(py::module_& module) {
       .def_property_readonly("joined", &joined)
       .def("shapes", &shapes)
       .def("tree", &tree)
-      .def("poses", &poses, py::arg("values"));
+      .def("poses", &poses, py::arg("values"))
+      .def("twists", &twists, py::arg("values"));
   module.def(
       "load_robot",
       [](const std::string& path, const Folders& packages, const std::string& meshes) {

@@ -184,6 +184,25 @@ LinkMotion::Chain LinkMotion::chain_at(double t) const {
   return chain;
 }
 
+std::vector<Twist> LinkMotion::joint_twists(double t) const {
+  std::vector<Twist> twists(static_cast<std::size_t>(trajectory_->values.rows()));
+  const Chain chain = chain_at(t);
+  for (std::size_t i = 0; i < path_.size(); ++i) {
+    const TreeLink& link = path_[i];
+    if (link.kind == JointKind::fixed) continue;
+    Twist& twist = twists[static_cast<std::size_t>(link.joint)];
+    const Eigen::Vector3d a = link.scale * chain.axes[i], arm = chain.frames.back().t - chain.frames[i].t;
+    const Vector3 axis{a[0], a[1], a[2]};
+    if (link.kind == JointKind::prismatic) {
+      twist.linear = twist.linear + axis;
+    } else {
+      twist.linear = twist.linear + cross(axis, Vector3{arm[0], arm[1], arm[2]});
+      twist.angular = twist.angular + axis;
+    }
+  }
+  return twists;
+}
+
 Placement LinkMotion::do_at(double t) const {
   if (path_.empty()) return base_;
   return chain_at(t).frames.back();

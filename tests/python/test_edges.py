@@ -77,6 +77,25 @@ class Edges(unittest.TestCase):
         self.assertEqual(found.bodies, ("held", "far"))
         self.assertTrue(2 < found.time < 3)
 
+    def test_distances_have_gradients_along_the_joints(self):
+        ball, Q, q = rg.Ball([0, 1.6, 0.2], 0.1), rg.Ball([0, 0, 0]), np.array([0.4, 0.7])
+        (rod,) = self.robot.shapes("outer")
+
+        def distance(values, **more):
+            return rg.object_distance(rod, ball, Q, 1e-11, pose_1=self.robot.poses(values)["outer"], **more)
+
+        found = distance(q, gradient=True).pose_gradient
+        self.assertEqual(found.kind, "unique")
+        twists = self.robot.twists(q)["outer"]
+        self.assertEqual(twists.shape, (2, 6))
+        step = 1e-5 * np.eye(2)
+        slopes = [(float(distance(q + e)) - float(distance(q - e))) / 2e-5 for e in step]
+        np.testing.assert_allclose(twists @ found.body_1, slopes, rtol=1e-6)
+        self.assertAlmostEqual(found.along([1, 2] @ twists, np.zeros(6)), slopes[0] + 2 * slopes[1], places=6)
+        np.testing.assert_array_equal(self.robot.twists({"k": 0.5})["inner"][1], np.zeros(6))
+        with self.assertRaises(rg.DimensionMismatchError):
+            self.robot.twists([1, 2, 3])
+
     def test_mistakes_are_refused(self):
         checker = rg.EdgeChecker(self.robot, self.scene)
         with self.assertRaises(rg.DimensionMismatchError):

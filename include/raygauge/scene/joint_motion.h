@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raygauge/numerics/dense.h"
+#include "raygauge/queries/gradient.h"
 #include "raygauge/scene/motion.h"
 
 namespace raygauge {
@@ -58,6 +59,9 @@ class LinkMotion final : public Motion {
 
   /// The motion of this link in the frame of the link `above`, which carries it.
   MotionPointer seen_from(int above) const;
+
+  /// The twists of the link at t, about its own origin, per unit rate of each joint: see joint_twists().
+  std::vector<Twist> joint_twists(double t) const;
 
   /// The motion of another link of the same robot.
   MotionPointer of_link(int link) const;
