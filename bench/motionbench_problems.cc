@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -103,9 +102,9 @@ Problem problem_of(const BenchRobot& bench, const fs::path& request_file) {
       throw InvalidParameterError(request_file.string() + ": there is no goal for joint '" + joint + "'");
     problem.start.push_back(standing[i]);
     problem.goal.push_back(goal->second);
-    const double least = std::min(standing[i], goal->second), most = std::max(standing[i], goal->second);
-    problem.lower.push_back(std::isfinite(limits[i].lower) ? limits[i].lower : least - EIGEN_PI);
-    problem.upper.push_back(std::isfinite(limits[i].upper) ? limits[i].upper : most + EIGEN_PI);
+    const cli::JointLimits range = cli::planning_limits(limits[i], standing[i], goal->second);
+    problem.lower.push_back(range.lower);
+    problem.upper.push_back(range.upper);
   }
   problem.robot = bench.model;
   FixedJoints fixed = fix_joints(bench.robot.tree, standing, moves);

@@ -9,6 +9,7 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/robot_problem.h"
 #include "python/bindings/scene_bodies.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/edge_checker.h"
@@ -33,8 +34,7 @@ TreeLink link_of(const py::dict& given) {
   return link;
 }
 
-std::unique_ptr<EdgeChecker> make_checker(const py::dict& robot, const py::list& obstacles, double margin,
-                                          double contact, std::int64_t max_looks) {
+RobotModel model_of(const py::dict& robot) {
   RobotModel model;
   for (const py::handle link : robot["links"]) model.tree.links.push_back(link_of(link.cast<py::dict>()));
   model.joints = robot["joints"].cast<int>();
@@ -49,14 +49,24 @@ std::unique_ptr<EdgeChecker> make_checker(const py::dict& robot, const py::list&
     model.bodies.push_back(std::move(own));
   }
   model.ignored = robot["ignored"].cast<std::vector<std::pair<int, int>>>();
-  std::vector<Body> bodies;
-  for (const py::handle body : obstacles) bodies.push_back(body_of(body.cast<py::dict>(), 0));
-  EdgeOptions options;
-  options.margin = margin;
-  options.contact = contact;
-  options.max_looks = max_looks;
+  return model;
+}
+
+RobotProblem make_problem(const py::dict& robot, const py::list& obstacles, double margin, double contact,
+                          std::int64_t max_looks) {
+  RobotProblem problem;
+  problem.robot = model_of(robot);
+  for (const py::handle body : obstacles) problem.obstacles.push_back(body_of(body.cast<py::dict>(), 0));
+  problem.options.margin = margin;
+  problem.options.contact = contact;
+  problem.options.max_looks = max_looks;
+  return problem;
+}
+
+std::unique_ptr<EdgeChecker> make_checker(const RobotProblem& problem) {
+  EdgeOptions options = problem.options;
   options.witness = true;
-  return std::make_unique<EdgeChecker>(model, bodies, options);
+  return std::make_unique<EdgeChecker>(problem.robot, problem.obstacles, options);
 }
 
 const char* word_of(EdgeOutcome outcome) {
@@ -103,8 +113,10 @@ py::tuple path(EdgeChecker& checker, py::handle times, py::handle values) {
 }  // namespace
 
 void bind_edges(py::module_& module) {
+  py::class_<RobotProblem>(module, "RobotProblem", "A robot among obstacles; use raygauge.EdgeChecker.")
+      .def(py::init(&make_problem), "robot"_a, "obstacles"_a, "margin"_a, "contact"_a, "max_looks"_a);
   py::class_<EdgeChecker>(module, "EdgeProofs", "Edges of a robot; use raygauge.EdgeChecker.")
-      .def(py::init(&make_checker), "robot"_a, "obstacles"_a, "margin"_a, "contact"_a, "max_looks"_a)
+      .def(py::init(&make_checker), "problem"_a)
       .def("edge", &edge, "q0"_a, "q1"_a, "start"_a, "stop"_a)
       .def("configuration", &configuration, "q"_a, "time"_a)
       .def("path", &path, "times"_a, "values"_a)

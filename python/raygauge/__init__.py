@@ -71,6 +71,7 @@ from .components import Answer, generator, method
 from .edges import EdgeChecker, EdgeVerdict, prove_path
 from .files import ResultsError, open
 from .loading import Robot, SceneFile, load_robot, load_scene, load_set
+from .planning import Plan, plan
 from .scenes import Scene, SceneAnswers
 from .sweeps import ProgramError, run
 
@@ -114,6 +115,7 @@ __all__ = [
     "ObjectDistance",
     "ObjectDistances",
     "PNormBall",
+    "Plan",
     "PointSet",
     "PoseGradient",
     "PreparedSet",
@@ -152,6 +154,7 @@ __all__ = [
     "object_distances",
     "open",
     "origin_in_interior",
+    "plan",
     "plot",
     "prove_path",
     "run",

@@ -78,22 +78,8 @@ class EdgeChecker:
         contact: float = 1e-6,
         max_looks: int = 20000,
     ) -> None:
-        bodies: list[dict[str, Any]] = [
-            {"name": link, "link": number, "pose": None, "parts": robot.shapes(link)}
-            for number, link in enumerate(robot.links)
-            if robot.shapes(link)
-        ]
-        for name, (link, shape, pose) in (grasped or {}).items():
-            if link not in robot.links:
-                raise UnknownNameError(f"robot: no link is called '{link}'; known: {', '.join(robot.links)}")
-            bodies.append({"name": name, "link": robot.links.index(link), "pose": pose, "parts": _parts(shape)})
-        around = [] if obstacles is None else obstacles._bodies
-        self._numbers = {body["name"]: number for number, body in enumerate([*bodies, *around])}
-        pairs = [(self._number(a), self._number(b)) for a, b in ignore]
-        with_shape = set(self._numbers)
-        pairs += [(self._number(a), self._number(b)) for a, b in _joined(robot, with_shape)]
-        tree = {"links": robot._file.tree(), "joints": len(robot.joints), "base": base, "bodies": bodies, "ignored": pairs}
-        self._proofs = _raygauge.EdgeProofs(tree, around, margin, contact, max_looks)
+        problem = robot_problem(robot, obstacles, base, grasped, ignore, margin, contact, max_looks)
+        self._proofs = _raygauge.EdgeProofs(problem)
 
     def edge(self, q0: ArrayLike, q1: ArrayLike, *, start: float = 0.0, stop: float = 1.0) -> EdgeVerdict:
         """The line from q0 at time start to q1 at time stop, shapes (joints,). Raises DimensionMismatchError, NonFiniteError."""
@@ -104,14 +90,12 @@ class EdgeChecker:
         return self._verdict(self._proofs.configuration(q, time))
 
     def path(self, path: ArrayLike, *, times: ArrayLike | None = None) -> EdgeVerdict:
-        """The edges of a path, shape (K, joints), up to the first that is not free. times: shape (K,); default 0, 1, 2, ..."""
+        """The edges of a path, shape (K, joints), up to the first that is not free. times: shape (K,); default 0, 1, 2, ...
+
+        One row is a configuration.
+        """
         rows = np.asarray(path, dtype=float)
         return self._verdict(self._proofs.path(np.arange(float(len(rows))) if times is None else times, rows))
-
-    def _number(self, name: str) -> int:
-        if name not in self._numbers:
-            raise UnknownNameError(f"no link with a shape, grasped object or obstacle is called '{name}'")
-        return self._numbers[name]
 
     def _verdict(self, found: tuple[Any, ...]) -> EdgeVerdict:
         outcome, time, (a, b), *rest = found
@@ -127,6 +111,38 @@ def prove_path(robot: Robot, path: ArrayLike, obstacles: Scene | None = None, **
     """
     times = options.pop("times", None)
     return EdgeChecker(robot, obstacles, **options).path(path, times=times)
+
+
+def robot_problem(
+    robot: Robot,
+    obstacles: Scene | None = None,
+    base: ArrayLike | None = None,
+    grasped: Mapping[str, tuple[str, SetLike, ArrayLike | None]] | None = None,
+    ignore: Iterable[tuple[str, str]] = (),
+    margin: float = 0.0,
+    contact: float = 1e-6,
+    max_looks: int = 20000,
+) -> _raygauge.RobotProblem:
+    """The arguments of EdgeChecker and plan as compiled code takes them."""
+    bodies: list[dict[str, Any]] = [
+        {"name": link, "link": number, "pose": None, "parts": robot.shapes(link)}
+        for number, link in enumerate(robot.links)
+        if robot.shapes(link)
+    ]
+    for name, (link, shape, pose) in (grasped or {}).items():
+        if link not in robot.links:
+            raise UnknownNameError(f"robot: no link is called '{link}'; known: {', '.join(robot.links)}")
+        bodies.append({"name": name, "link": robot.links.index(link), "pose": pose, "parts": _parts(shape)})
+    around = [] if obstacles is None else obstacles._bodies
+    numbers = {body["name"]: number for number, body in enumerate([*bodies, *around])}
+    pairs = []
+    for pair in [*ignore, *_joined(robot, set(numbers))]:
+        for name in pair:
+            if name not in numbers:
+                raise UnknownNameError(f"no link with a shape, grasped object or obstacle is called '{name}'")
+        pairs.append((numbers[pair[0]], numbers[pair[1]]))
+    tree = {"links": robot._file.tree(), "joints": len(robot.joints), "base": base, "bodies": bodies, "ignored": pairs}
+    return _raygauge.RobotProblem(tree, around, margin, contact, max_looks)
 
 
 def _parts(shape: Any) -> list[Any]:

@@ -143,6 +143,21 @@ py::list tree(const Robot& robot) {
   return links;
 }
 
+/// (lower, upper) of each joint; infinite where it is shifted without limits.
+std::vector<std::pair<double, double>> limits(const Robot& robot, const std::vector<double>& start,
+                                              const std::vector<double>& goal) {
+  std::vector<std::pair<double, double>> ranges;
+  const std::vector<cli::JointLimits> own = cli::limits_of(robot);
+  if (start.size() != own.size() || goal.size() != own.size())
+    throw DimensionMismatchError("start and goal need a value for each of the " + std::to_string(own.size()) +
+                                 " joints");
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const cli::JointLimits range = cli::planning_limits(own[i], start[i], goal[i]);
+    ranges.emplace_back(range.lower, range.upper);
+  }
+  return ranges;
+}
+
 void bind_robots(py::module_& module) {
   py::class_<Robot>(module, "RobotFile", "A robot as its URDF file has it; see raygauge.load_robot.")
       .def_readonly("name", &Robot::name)
@@ -151,6 +166,7 @@ void bind_robots(py::module_& module) {
       .def_property_readonly("joined", &joined)
       .def("shapes", &shapes)
       .def("tree", &tree)
+      .def("limits", &limits, py::arg("start"), py::arg("goal"))
       .def("poses", &poses, py::arg("values"))
       .def("twists", &twists, py::arg("values"));
   module.def(

@@ -18,6 +18,7 @@
 #include "python/bindings/interrupt.h"
 #include "python/sweeps/components.h"
 #include "python/sweeps/loading.h"
+#include "python/sweeps/planning.h"
 #include "raygauge/sweep/sweep.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
@@ -112,6 +113,7 @@ PYBIND11_MODULE(_sweeps, module) {
       "What needs the program's libraries: sweeps with methods and generators in Python, and readers of "
       "files.";
   raygauge::python::bind_loading(module);
+  raygauge::python::bind_planning(module);
   module.def(
       "run",
       [](std::string source, std::string output, std::optional<int> threads, bool resume, bool force,

@@ -95,7 +95,7 @@ class SceneJob {
       if (arguments_.plan) moved_ = plan_motion(source_, arguments_.planning);
       plan_ = plan_scene(source_.scene);
     });
-    if (arguments_.plan && !moved_) return say_no_path();
+    if (moved_ && !moved_->path.found()) return say_no_path();
     open();
     if (moved_) store_path();
     if (writer_ && !arguments_.quiet) print_notes(source_.notes);

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/commands/plan_motion.h"
 
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <sstream>
 
 #include "cli/output/counted.h"
@@ -35,13 +33,6 @@ void check(const SceneSource& source) {
       throw InvalidParameterError("scene plan: '" + body.name +
                                   "' moves; a path is planned among bodies that stand");
   }
-}
-
-void check(const PlanRequest& request) {
-  if (!(request.time_limit > 0) || !std::isfinite(request.time_limit))
-    throw InvalidParameterError("--time-limit must be a number of seconds above 0");
-  if (request.seed < 1 || request.seed > std::numeric_limits<std::uint32_t>::max())
-    throw InvalidParameterError("--seed must be from 1 to 4294967295");
 }
 
 std::string summary_of(const PlanRequest& request, const PlannedPath& path, std::size_t configurations) {
@@ -86,20 +77,22 @@ void add_planning_options(Command& command, PlanOptions& options) {
       .type_name("S");
 }
 
-std::optional<PlannedMotion> plan_motion(SceneSource& source, const PlanOptions& options) {
+PlannedMotion plan_motion(SceneSource& source, const PlanOptions& options) {
   check(source);
   PlanTable& plan = *source.plan;
   if (options.planner) plan.request.planner = *options.planner;
   if (options.time_limit) plan.request.time_limit = *options.time_limit;
   if (options.seed) plan.request.seed = *options.seed;
-  check(plan.request);
-  const PlannedPath path = plan_path(plan.request);
-  if (!path.found()) return std::nullopt;
-  const JointTrajectory trajectory =
-      plan.trajectory(path, source.scene.instants.front(), source.scene.instants.back());
-  plan.move(source.scene, trajectory);
-  return PlannedMotion{summary_of(plan.request, path, trajectory.times.size()),
-                       csv_of(plan.robot.own.robot, trajectory)};
+  plan.request.stop = options.stop;
+  PlannedMotion motion;
+  motion.path = plan_path(plan.request);
+  if (!motion.path.found()) return motion;
+  motion.trajectory =
+      plan.trajectory(motion.path, source.scene.instants.front(), source.scene.instants.back());
+  plan.move(source.scene, motion.trajectory);
+  motion.summary = summary_of(plan.request, motion.path, motion.trajectory.times.size());
+  motion.csv = csv_of(plan.robot.own.robot, motion.trajectory);
+  return motion;
 }
 
 }  // namespace raygauge::cli

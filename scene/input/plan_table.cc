@@ -8,7 +8,6 @@
 
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
-#include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "scene/planning/fixed_joints.h"
 
@@ -52,8 +51,7 @@ std::vector<double> configuration(const toml::table& plan, const std::string& ke
   return values;
 }
 
-/// Start, goal and limits of the joints that move. A joint that turns without limits may go half a turn
-/// beyond start and goal; the others must be the same at both.
+/// Start, goal and limits of the joints that move; the others must be the same at both.
 void take_joints(const toml::table& table, const std::vector<double>& goal, const std::vector<bool>& moves,
                  PlanTable& plan) {
   const Robot& robot = plan.robot.own.robot;
@@ -66,11 +64,9 @@ void take_joints(const toml::table& table, const std::vector<double>& goal, cons
     }
     if (!moves[i]) continue;
     const double least = std::min(plan.standing[i], goal[i]), most = std::max(plan.standing[i], goal[i]);
-    JointLimits range = limits[i];
-    if (!range.turns && !(std::isfinite(range.lower) && std::isfinite(range.upper)))
+    const JointLimits range = planning_limits(limits[i], plan.standing[i], goal[i]);
+    if (!(std::isfinite(range.lower) && std::isfinite(range.upper)))
       refuse(table, name + " is shifted and has no limits: no path can be planned");
-    if (range.lower == -kInfinity) range.lower = least - EIGEN_PI;
-    if (range.upper == kInfinity) range.upper = most + EIGEN_PI;
     if (least < range.lower || most > range.upper)
       refuse(table, "start or goal of the plan is beyond the limits of " + name);
     request.start.push_back(plan.standing[i]);

@@ -3,6 +3,7 @@
 #include "scene/input/urdf_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -250,6 +251,14 @@ std::vector<JointLimits> limits_of(const Robot& robot) {
     of.upper = std::min(of.upper, std::max(one, other));
   }
   return limits;
+}
+
+JointLimits planning_limits(const JointLimits& limits, double start, double goal) {
+  JointLimits range = limits;
+  if (!range.turns) return range;
+  if (!std::isfinite(range.lower)) range.lower = std::min(start, goal) - EIGEN_PI;
+  if (!std::isfinite(range.upper)) range.upper = std::max(start, goal) + EIGEN_PI;
+  return range;
 }
 
 }  // namespace raygauge::cli

@@ -62,4 +62,8 @@ struct JointLimits {
 /// Of the joints of a robot that take a value, in their order.
 std::vector<JointLimits> limits_of(const Robot& robot);
 
+/// Those within which a path is planned: a joint that turns without limits may go half a turn beyond start
+/// and goal. Not finite for one that is shifted without limits.
+JointLimits planning_limits(const JointLimits& limits, double start, double goal);
+
 }  // namespace raygauge::cli

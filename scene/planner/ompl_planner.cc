@@ -9,7 +9,6 @@
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +16,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/ompl.h"
 #include "scene/planner/plan_path.h"
+#include "scene/planner/seeded_ompl.h"
 
 namespace raygauge {
 namespace {
@@ -30,17 +30,11 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// OMPL's own lines are not for this program's users.
-class Silence {
- public:
-  Silence() : before_(ompl::msg::getLogLevel()) { ompl::msg::setLogLevel(ompl::msg::LOG_NONE); }
-  ~Silence() { ompl::msg::setLogLevel(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+std::uint_fast32_t seed_of(const PlanRequest& request) {
+  return static_cast<std::uint_fast32_t>(request.seed);
+}
 
- private:
-  ompl::msg::LogLevel before_;
-};
+bool is_stopped(const PlanRequest& request) { return request.stop != nullptr && request.stop->load(); }
 
 ob::SpaceInformationPtr space_of(const PlanRequest& request, const std::shared_ptr<EdgeCheckers>& checkers) {
   const auto joints = static_cast<unsigned>(request.lower.size());
@@ -51,17 +45,20 @@ ob::SpaceInformationPtr space_of(const PlanRequest& request, const std::shared_p
     bounds.setHigh(i, request.upper[i]);
   }
   space->setBounds(bounds);
+  seed_samples(*space, seed_of(request));
   auto information = std::make_shared<ob::SpaceInformation>(space);
   set_proven_validity(information, checkers);
   information->setup();
   return information;
 }
 
-ob::PlannerPtr planner_of(const std::string& name, const ob::SpaceInformationPtr& space) {
-  if (name == "rrt") return std::make_shared<og::RRT>(space);
-  if (name == "est") return std::make_shared<og::EST>(space);
-  if (name == "bi_est") return std::make_shared<og::BiEST>(space);
-  return std::make_shared<og::RRTConnect>(space);
+ob::PlannerPtr planner_of(const PlanRequest& request, const ob::SpaceInformationPtr& space) {
+  const std::string& name = request.planner;
+  const std::uint_fast32_t seed = seed_of(request);
+  if (name == "rrt") return std::make_shared<Seeded<og::RRT>>(space, seed);
+  if (name == "est") return std::make_shared<Seeded<og::EST>>(space, seed);
+  if (name == "bi_est") return std::make_shared<Seeded<og::BiEST>>(space, seed);
+  return std::make_shared<Seeded<og::RRTConnect>>(space, seed);
 }
 
 ob::ScopedState<> state_of(const ob::SpaceInformationPtr& space, const std::vector<double>& q) {
@@ -72,16 +69,18 @@ ob::ScopedState<> state_of(const ob::SpaceInformationPtr& space, const std::vect
 
 // By numbers of steps, not by time: the same seed gives the same path. A pass that finds it worse is not
 // kept.
-void shorten(const ob::SpaceInformationPtr& space, og::PathGeometric& path, double seconds) {
+void shorten(const PlanRequest& request, const ob::SpaceInformationPtr& space, og::PathGeometric& path,
+             double seconds) {
   constexpr int kPasses = 4, kSmoothings = 3;
   const Clock::time_point begin = Clock::now();
-  og::PathSimplifier simplifier(space);
-  for (int pass = 0; pass < kPasses && seconds_since(begin) < seconds; ++pass) {
+  const auto goes_on = [&] { return seconds_since(begin) < seconds && !is_stopped(request); };
+  Seeded<og::PathSimplifier> simplifier(space, seed_of(request));
+  for (int pass = 0; pass < kPasses && goes_on(); ++pass) {
     simplifier.reduceVertices(path);
     simplifier.shortcutPath(path);
     simplifier.collapseCloseVertices(path);
   }
-  if (seconds_since(begin) < seconds) simplifier.smoothBSpline(path, kSmoothings);
+  if (goes_on()) simplifier.smoothBSpline(path, kSmoothings);
 }
 
 DenseMatrix values_of(const og::PathGeometric& path, std::size_t joints) {
@@ -112,26 +111,26 @@ void prove(const PlanRequest& request, PlannedPath& path) {
 bool has_planners() noexcept { return true; }
 
 PlannedPath plan_by_ompl(const PlanRequest& request) {
-  const Silence silence;
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(request.seed));
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);  // its own lines are not for our users
   const auto checkers = std::make_shared<EdgeCheckers>(request.robot, request.obstacles, request.options);
   const ob::SpaceInformationPtr space = space_of(request, checkers);
   const auto problem = std::make_shared<ob::ProblemDefinition>(space);
   problem->setStartAndGoalStates(state_of(space, request.start), state_of(space, request.goal));
   problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(space));
-  const ob::PlannerPtr planner = planner_of(request.planner, space);
+  const ob::PlannerPtr planner = planner_of(request, space);
   planner->setProblemDefinition(problem);
   planner->setup();
   PlannedPath found;
   Clock::time_point begin = Clock::now();
-  const ob::PlannerTerminationCondition first_path(
-      [&] { return problem->hasExactSolution() || seconds_since(begin) > request.time_limit; });
+  const ob::PlannerTerminationCondition first_path([&] {
+    return problem->hasExactSolution() || seconds_since(begin) > request.time_limit || is_stopped(request);
+  });
   const bool solved = planner->solve(first_path) == ob::PlannerStatus::EXACT_SOLUTION;
   found.search_seconds = seconds_since(begin);
   if (solved) {
     og::PathGeometric path(static_cast<const og::PathGeometric&>(*problem->getSolutionPath()));
     begin = Clock::now();
-    shorten(space, path, request.time_limit - found.search_seconds);
+    shorten(request, space, path, request.time_limit - found.search_seconds);
     found.shorten_seconds = seconds_since(begin);
     found.values = values_of(path, request.lower.size());
     found.length = path.length();

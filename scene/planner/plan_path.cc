@@ -3,6 +3,8 @@
 #include "scene/planner/plan_path.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "raygauge/exceptions.h"
@@ -31,6 +33,20 @@ void check_end(EdgeChecker& checker, const PlanRequest& request, const std::vect
   throw InvalidParameterError(text.str());
 }
 
+void check_numbers(const PlanRequest& request) {
+  for (const std::vector<double>* limits : {&request.lower, &request.upper}) {
+    const auto found =
+        std::find_if_not(limits->begin(), limits->end(), [](double x) { return std::isfinite(x); });
+    if (found == limits->end()) continue;
+    throw InvalidParameterError("no path can be planned: there are no limits for joint number " +
+                                std::to_string(found - limits->begin() + 1));
+  }
+  if (!(request.time_limit > 0) || !std::isfinite(request.time_limit))
+    throw InvalidParameterError("the time limit of a plan must be a number of seconds above 0");
+  if (request.seed < 1 || request.seed > std::numeric_limits<std::uint32_t>::max())
+    throw InvalidParameterError("the seed of a plan must be from 1 to 4294967295");
+}
+
 }  // namespace
 
 const std::vector<std::string>& planner_names() {
@@ -42,6 +58,7 @@ PlannedPath plan_path(const PlanRequest& request) {
   const std::vector<std::string>& names = planner_names();
   if (std::find(names.begin(), names.end(), request.planner) == names.end())
     throw UnknownNameError("planner", request.planner, names);
+  check_numbers(request);
   if (!has_planners())
     throw InvalidParameterError(
         "a path needs the planners of OMPL: apt-get install libompl-dev, then build again");

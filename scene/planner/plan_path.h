@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct PlanRequest {
   std::string planner = "rrt_connect";
   double time_limit = 10;  ///< seconds, for the search and for making the path shorter
   std::int64_t seed = 1;
+  const std::atomic<bool>* stop = nullptr;  ///< true: the search ends as if its time were over
 };
 
 struct PlannedPath {
@@ -41,8 +43,8 @@ const std::vector<std::string>& planner_names();
 bool has_planners() noexcept;
 
 /// A path whose every edge is proven to be free, shortened and smoothed. Throws UnknownNameError for a
-/// planner, or InvalidParameterError where OMPL is missing, or start or goal is not within the limits or not
-/// proven free.
+/// planner, or InvalidParameterError for a time limit or seed out of range, or where OMPL is missing, or
+/// start or goal is not within the limits or not proven free.
 PlannedPath plan_path(const PlanRequest& request);
 
 /// plan_path() after its checks.

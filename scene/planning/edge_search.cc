@@ -176,13 +176,14 @@ const EdgeResult& EdgeSearch::configuration(std::span<const double> q, double ti
 
 const EdgeResult& EdgeSearch::path(const JointTrajectory& trajectory) {
   const auto count = static_cast<Eigen::Index>(trajectory.times.size());
-  if (count < 2 || trajectory.values.cols() != count) {
-    throw InvalidParameterError("a path needs two times at least, and the values of its joints at each");
+  if (count < 1 || trajectory.values.cols() != count) {
+    throw InvalidParameterError("a path needs a time at least, and the values of its joints at each");
   }
   const auto column = [&](Eigen::Index k) {
     return std::span<const double>(trajectory.values.col(k).data(),
                                    static_cast<std::size_t>(trajectory.values.rows()));
   };
+  if (count == 1) return configuration(column(0), trajectory.times[0]);
   std::int64_t looks = 0, planes = 0, balls = 0;
   for (Eigen::Index k = 0; k + 1 < count; ++k) {
     const auto i = static_cast<std::size_t>(k);

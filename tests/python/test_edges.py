@@ -96,6 +96,11 @@ class Edges(unittest.TestCase):
         with self.assertRaises(rg.DimensionMismatchError):
             self.robot.twists([1, 2, 3])
 
+    def test_a_path_of_one_row_is_a_configuration(self):
+        self.assertTrue(rg.prove_path(self.robot, [[0, 0]], self.scene))
+        found = rg.prove_path(self.robot, [[math.pi / 2, 0]], self.scene, times=[3])
+        self.assertEqual((found.outcome, found.time), ("contact", 3))
+
     def test_mistakes_are_refused(self):
         checker = rg.EdgeChecker(self.robot, self.scene)
         with self.assertRaises(rg.DimensionMismatchError):
@@ -110,6 +115,8 @@ class Edges(unittest.TestCase):
             rg.EdgeChecker(self.robot, ignore=[("inner", "nobody")])
         with self.assertRaises(rg.UnknownNameError):
             rg.EdgeChecker(self.robot, grasped={"held": ("nowhere", rg.Ball([0, 0, 0]), None)})
+        with self.assertRaises(rg.Error):
+            rg.prove_path(self.robot, np.zeros((0, 2)), self.scene)
         with self.assertRaises(TypeError):
             rg.prove_path(self.robot, [[0, 0], [1, 0]], speed=1)
 

@@ -111,8 +111,9 @@ class EdgeChecker {
   /// The same of one configuration at one time.
   const EdgeResult& configuration(std::span<const double> q, double time = 0);
 
-  /// The edges of a path, one after the other up to the first that is not free: its verdict, or `free`.
-  /// Also throws what LinkMotion throws for the trajectory.
+  /// The edges of a path, one after the other up to the first that is not free: its verdict, or `free`. A
+  /// path of one time is the configuration at that time. Throws what edge() throws, and InvalidParameterError
+  /// for a trajectory without a time or with another number of columns.
   const EdgeResult& path(const JointTrajectory& trajectory);
 
   /// Forgets what is kept: the next answer has the bits that a new checker gives.

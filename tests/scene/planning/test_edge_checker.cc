@@ -209,6 +209,19 @@ TEST(EdgeChecker, APathEndsAtItsFirstEdgeThatIsNotFree) {
   EXPECT_LT(result.time, 3);
 }
 
+TEST(EdgeChecker, APathOfOneTimeIsAConfiguration) {
+  EdgeChecker checker(planar_arm(1), {ball_at(0, 1, 0)});
+  JointTrajectory path;
+  path.times = {5};
+  path.values.resize(1, 1);
+  path.values << 0;
+  EXPECT_EQ(checker.path(path).outcome, EdgeOutcome::free);
+  path.values << EIGEN_PI / 2;
+  const EdgeResult& result = checker.path(path);
+  ASSERT_EQ(result.outcome, EdgeOutcome::contact);
+  EXPECT_EQ(result.time, 5);
+}
+
 TEST(EdgeChecker, AMistakeOfTheCallerIsRefused) {
   RobotModel robot = planar_arm(2);
   EdgeChecker checker(robot, {});
