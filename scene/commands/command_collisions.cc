@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "raygauge/exceptions.h"
 #include "results/run/output_place.h"
 #include "results/text/language.h"
+#include "scene/commands/collision_journal.h"
 #include "scene/commands/scene_input.h"
 #include "scene/input/srdf_file.h"
 #include "scene/planning/collision_matrix.h"
@@ -32,7 +34,7 @@ namespace {
 
 struct CollisionArguments {
   SceneInput input;  ///< of a robot: path, packages, missing meshes
-  std::string srdf, compare, as;
+  std::string srdf, compare, as, journal;
   std::int64_t boxes = CollisionMatrixOptions().max_boxes;
   int threads = 0;
   bool force = false;
@@ -109,8 +111,16 @@ Matrix matrix_of(const CollisionArguments& arguments) {
   CollisionMatrixOptions options;
   options.max_boxes = arguments.boxes;
   options.threads = arguments.threads > 0 ? arguments.threads : omp_get_num_procs();
+  const std::vector<JointRange> ranges = ranges_of(matrix.robot);
+  std::optional<CollisionJournal> journal;
+  CollisionMatrixHooks hooks;
+  if (!arguments.journal.empty()) {
+    journal.emplace(arguments.journal, model, ranges, options);
+    hooks.known = journal->known();
+    hooks.proven = [&journal](const LinkVerdict& verdict) { journal->append(verdict); };
+  }
   const auto begin = std::chrono::steady_clock::now();
-  matrix.verdicts = collision_matrix(model, ranges_of(matrix.robot), options);
+  matrix.verdicts = collision_matrix(model, ranges, options, hooks);
   matrix.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return matrix;
 }
@@ -224,9 +234,13 @@ std::string srdf_of(const Matrix& matrix) {
 int collisions(const CollisionArguments& arguments) {
   std::vector<std::string> inputs = {arguments.input.path};
   if (!arguments.compare.empty()) inputs.push_back(arguments.compare);
-  OutputRequest request{arguments.srdf, OutputKind::text, {".srdf", ".xml"}, inputs, arguments.force};
+  if (!arguments.journal.empty()) {
+    output_place({arguments.journal, OutputKind::results, {".jsonl"}, inputs, false});
+    inputs.push_back(arguments.journal);
+  }
   OutputPlace place;
-  if (!arguments.srdf.empty()) place = output_place(request);
+  if (!arguments.srdf.empty())
+    place = output_place({arguments.srdf, OutputKind::text, {".srdf", ".xml"}, inputs, arguments.force});
   Matrix matrix = matrix_of(arguments);
   std::vector<std::string> notes;
   for (const std::string& mesh : matrix.robot.skipped)
@@ -259,6 +273,11 @@ void add_collisions_command(Command& scene, int& status) {
       .add_option("--boxes", arguments->boxes,
                   "Boxes of joint values looked at for one pair; what is left then is undecided")
       .type_name("K");
+  command
+      .add_option(
+          "--journal", arguments->journal,
+          "Keep each pair in this file as soon as it is proven; pairs that it has are not proven again")
+      .type_name("FILE.jsonl");
   command.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
       .range(0, 65536)
       .type_name("K");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "raygauge/scene/edge_checker.h"
@@ -41,6 +42,12 @@ struct CollisionMatrixOptions {
   int threads = 1;
 };
 
+/// What is proven already, and who is told of the rest.
+struct CollisionMatrixHooks {
+  std::vector<LinkVerdict> known;  ///< of the same robot, ranges and options: not proven again
+  std::function<void(const LinkVerdict&)> proven;  ///< called by the threads, as soon as a pair is done
+};
+
 /// Every pair of bodies of a robot, by branch and bound over the joints between the two. With θ_s the change
 /// of the joints from the middle of a box, seen from any link between them, no point of a body moves farther
 /// than
@@ -50,9 +57,11 @@ struct CollisionMatrixOptions {
 /// the joints taken from the body on; d_s is the greatest distance of its points from the axis of joint s in
 /// the middle of the box (for a prismatic joint D_s = D_(s+1) + θ_s). Bodies farther apart than D of both in
 /// the middle are apart in the whole box; bodies that are deeper in each other than that meet in all of it.
-/// The same verdicts for any number of threads. Throws what EdgeChecker throws, and InvalidParameterError for
-/// a range that is empty or not finite, or not one for each joint.
+/// Bodies that only touch, as links of a joint often do, are proven by touch_everywhere(). The same verdicts
+/// for any number of threads. Throws what EdgeChecker throws, and InvalidParameterError for a range that is
+/// empty or not finite, or not one for each joint.
 std::vector<LinkVerdict> collision_matrix(const RobotModel& robot, const std::vector<JointRange>& ranges,
-                                          const CollisionMatrixOptions& options = {});
+                                          const CollisionMatrixOptions& options = {},
+                                          const CollisionMatrixHooks& hooks = {});
 
 }  // namespace raygauge

@@ -52,6 +52,10 @@ JointsBetween::JointsBetween(const KinematicTree& tree, const RobotChain& chain,
   }
 }
 
+bool JointsBetween::turns() const noexcept {
+  return std::any_of(steps_.begin(), steps_.end(), [](const Step& step) { return step.turns; });
+}
+
 void JointsBetween::stand(const Frame* links, const EdgeBody& a, const EdgeBody& b) {
   for (Step& step : steps_) {
     if (!step.turns) continue;

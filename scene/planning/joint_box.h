@@ -29,6 +29,14 @@ class JointsBetween {
   /// The joints that take a value, by their numbers, each once.
   const std::vector<int>& joints() const noexcept { return joints_; }
 
+  /// Whether one of them turns.
+  bool turns() const noexcept;
+
+  /// The link that turns with the one joint between the two, and the axis in its frame; -1: there are more,
+  /// or it is shifted.
+  int only_turning_link() const noexcept { return steps_.size() == 1 && turns() ? steps_[0].link : -1; }
+  const Eigen::Vector3d& only_axis() const { return steps_.at(0).axis; }
+
   /// From now on the robot stands so.
   void stand(const Frame* links, const EdgeBody& a, const EdgeBody& b);
 

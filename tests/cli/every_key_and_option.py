@@ -285,6 +285,7 @@ OPTIONS = {
     "scene collisions": {
         "--srdf": (COLLISIONS + ["--srdf", "x.srdf"], 0, kept("x.srdf")),
         "--compare": (COLLISIONS + ["--compare", "arm.srdf"], 0, says("differs|0 always")),
+        "--journal": (COLLISIONS + ["--journal", "x.jsonl"], 0, kept("x.jsonl")),
         "--boxes": (COLLISIONS + ["--boxes", "0"], NO_EFFECT, says("--boxes")),
         "--threads": (COLLISIONS + ["--threads", "-1"], NO_EFFECT, says("--threads")),
         "--package": (["scene", "collisions", "arm.urdf", "--package", "p"], NO_EFFECT, says("NAME=FOLDER")),

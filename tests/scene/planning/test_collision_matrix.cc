@@ -7,6 +7,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "scene/planning/joint_box.h"
 #include "tests/engine/meshes/mesh_shapes.h"
@@ -84,6 +85,74 @@ TEST(CollisionMatrix, MeshesMeetWhereConvexBodiesOfTheirShapeDo) {
       EXPECT_EQ(verdicts[1].contact, most > 2 ? LinkContact::sometimes : LinkContact::never);
       EXPECT_EQ(verdicts[2].contact, LinkContact::always);
     }
+  }
+}
+
+RobotModel two_links(JointKind kind, const Eigen::Vector3d& axis, const Eigen::Vector3d& origin) {
+  RobotModel robot;
+  robot.joints = 1;
+  robot.tree.links.resize(2);
+  for (TreeLink& link : robot.tree.links) link.origin = Placement::identity(3);
+  robot.tree.links[1].parent = 0;
+  robot.tree.links[1].kind = kind;
+  robot.tree.links[1].axis = axis;
+  robot.tree.links[1].joint = 0;
+  robot.tree.links[1].origin.t = vector3(origin[0], origin[1], origin[2]);
+  return robot;
+}
+
+std::vector<std::shared_ptr<const ConvexSet>> box(double x, double y, double z) {
+  return {std::make_shared<Box>(vector3(-x, -y, -z), vector3(x, y, z))};
+}
+
+// A box on the top of another one, face on face, that turns about an axis through both, and with a gap.
+TEST(CollisionMatrix, LinksThatOnlyTouchOnTheAxisOfTheirJointAlwaysMeet) {
+  for (const double gap : {0.0, 1e-3}) {
+    RobotModel robot = two_links(JointKind::revolute, {0, 0, 1}, {0.2, 0.1, 2 + gap});
+    robot.bodies = {{"below", 0, box(1, 1, 1)}, {"above", 1, box(0.5, 0.7, 1)}};
+    const std::vector<LinkVerdict> verdicts = collision_matrix(robot, ranges(1, 3));
+    EXPECT_EQ(verdicts[0].contact, gap > 0 ? LinkContact::never : LinkContact::always);
+    EXPECT_EQ(verdicts[0].undecided, 0);
+  }
+}
+
+// The same box off the axis: the axis passes it by, and no other proof is known.
+TEST(CollisionMatrix, LinksThatTouchOffTheAxisOfTheirJointStayUndecided) {
+  CollisionMatrixOptions options;
+  options.max_boxes = 100;
+  RobotModel robot = two_links(JointKind::revolute, {0, 0, 1}, {0, 0, 2});
+  robot.bodies = {{"below", 0, box(2, 2, 1)}, {"above", 1, box(0.2, 0.2, 1)}};
+  robot.bodies[1].origin.t = vector3(1, 0, 0);
+  EXPECT_EQ(collision_matrix(robot, ranges(1, 1), options)[0].contact, LinkContact::undecided);
+}
+
+// A box that slides on another one, until it has left it.
+TEST(CollisionMatrix, LinksThatSlideOnEachOtherMeetAsFarAsTheyReach) {
+  for (const double most : {1.4, 1.6}) {
+    RobotModel robot = two_links(JointKind::prismatic, {0, 1, 0}, {0, 0, 2});
+    robot.bodies = {{"below", 0, box(1, 1, 1)}, {"above", 1, box(0.5, 0.5, 1)}};
+    const std::vector<LinkVerdict> verdicts = collision_matrix(robot, ranges(1, most));
+    EXPECT_EQ(verdicts[0].contact, most < 1.5 ? LinkContact::always : LinkContact::sometimes);
+  }
+}
+
+TEST(CollisionMatrix, WhatIsKnownIsNotProvenAgain) {
+  const RobotModel arm = planar_arm(4, 0.01);
+  CollisionMatrixOptions options;
+  options.max_boxes = 2000;
+  CollisionMatrixHooks hooks;
+  std::vector<LinkVerdict> told;
+  hooks.proven = [&](const LinkVerdict& verdict) { told.push_back(verdict); };
+  const auto whole = collision_matrix(arm, ranges(4, 1.5), options, hooks);
+  EXPECT_EQ(told.size(), whole.size());
+  hooks.known = {whole[1], whole[4]};
+  hooks.known[0].boxes = -1;  // which no proof gives
+  told.clear();
+  const auto again = collision_matrix(arm, ranges(4, 1.5), options, hooks);
+  EXPECT_EQ(told.size(), whole.size() - 2);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(again[i].contact, whole[i].contact);
+    EXPECT_EQ(again[i].boxes, i == 1 ? -1 : whole[i].boxes);
   }
 }
 
