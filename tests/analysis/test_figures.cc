@@ -285,7 +285,7 @@ TEST(Figures, AreFoundByName) {
   EXPECT_NE(message_of<UnknownNameError>([] { figure_named("ratio_heat_map"); })
                 .find("unknown figure 'ratio_heat_map'; did you mean 'ratio_heatmap'? (known: time_vs_N "
                       "time_vs_dimension ratio_heatmap performance_profile crossover true_error fig5 fig7 "
-                      "work_precision)"),
+                      "work_precision wrong_share)"),
             std::string::npos);
   EXPECT_EQ(figure_size_from_string("double"), FigureSize::double_wide);
   EXPECT_THROW(figure_size_from_string("huge"), UnknownNameError);

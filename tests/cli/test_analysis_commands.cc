@@ -189,7 +189,8 @@ TEST_F(AnalysisCommands, PlotDrawsAllFiguresThatTheRecordsHaveTheDataOf) {
             "skipped: figure fig7 needs records of generator example1 in its roles at two tolerances\n"
             "skipped: figure work_precision needs solves of known truth (a generator that knows it, or "
             "records of the "
-            "method exact) at two or more tolerances\n");
+            "method exact) at two or more tolerances\n"
+            "skipped: figure wrong_share needs answers that do not agree with a proof\n");
   EXPECT_TRUE(read("pictures/ratio_heatmap.png").starts_with("\x89PNG"));
 }
 
@@ -197,7 +198,7 @@ TEST_F(AnalysisCommands, PlotRefusesWhatItCannotDraw) {
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "heatmap", "-o", "x.svg"}),
                    "raygauge: unknown figure 'heatmap' (known: time_vs_N time_vs_dimension ratio_heatmap "
                    "performance_profile "
-                   "crossover true_error fig5 fig7 work_precision)");
+                   "crossover true_error fig5 fig7 work_precision wrong_share)");
   expect_complaint(run_raygauge({"plot", "r.h5", "--figure", "time_vs_N", "-o", "x.jpg"}),
                    "raygauge: x.jpg: a figure is a file ending in .svg, .png, .pdf, .eps, .tikz or .tex");
   expect_complaint(
