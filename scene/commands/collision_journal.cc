@@ -43,7 +43,8 @@ void add(std::string& text, const ConvexSet& part) {
   }
   Vector u(3);
   for (int k = 1; k <= 49; ++k) {
-    u << k % 7 - 3, k / 7 - 3, k % 5 - 2.5;
+    const int row = k / 7;
+    u << k % 7 - 3, row - 3, k % 5 - 2.5;
     for (const double sign : {1.0, -1.0}) add(text, part.support_function(Vector(sign * u)));
   }
 }
@@ -133,7 +134,7 @@ std::vector<std::string_view> lines_of(const std::string& path, std::string_view
     lines.push_back(bytes.substr(0, end));
     bytes.remove_prefix(end + 1);
   }
-  if (lines.empty() || !lines[0].starts_with(std::string("{\"format\":\"") + kFormat))
+  if (lines.empty() || !lines[0].starts_with(std::string(R"({"format":")") + kFormat))
     throw ResultsError(path + ": is no journal of a collision matrix; choose another file");
   if (lines[0] != head) {
     throw ResultsError(path +
