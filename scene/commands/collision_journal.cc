@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/meshes/box_tree.h"
+#include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
 #include "results/exceptions.h"
@@ -32,9 +34,19 @@ void add(std::string& text, const Placement& place) {
   for (const double number : place.t) add(text, number);
 }
 
-/// All points of a hull; of a shape, which has a few numbers, its support function in more directions than
-/// these.
+void add(std::string& text, const Mesh& mesh) {
+  text += " mesh";
+  for (const double number : {static_cast<double>(mesh.kind()), mesh.radius()}) add(text, number);
+  for (std::ptrdiff_t i = 0; i < mesh.tree().size(); ++i) {
+    for (const auto& corner : mesh.tree().triangle(static_cast<std::int32_t>(i)).corner)
+      for (int k = 0; k < 3; ++k) add(text, corner[k]);
+  }
+}
+
+/// All triangles of a mesh and points of a hull; of a shape, which has a few numbers, its support function in
+/// more directions than these.
 void add(std::string& text, const ConvexSet& part) {
+  if (const Mesh* mesh = as_mesh(part)) return add(text, *mesh);
   const auto* prepared = dynamic_cast<const PreparedSet*>(&part);
   const auto* points = prepared != nullptr ? &prepared->points() : dynamic_cast<const PointSet*>(&part);
   if (points != nullptr) {

@@ -263,6 +263,19 @@ class Scenes(unittest.TestCase):
         self.assertIn("cannot be written to an XML file",
                       self.run_raygauge("scene", "collisions", robot, "--srdf", srdf, status=2).stderr)
 
+    def test_the_journal_of_a_matrix_knows_as_what_meshes_are_taken(self):
+        corners = ("0 0 0", "1 0 0", "0 1 0", "0 0 1")
+        (self.work / "corner.obj").write_text("".join(f"v {v}\n" for v in corners) + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        link = '<collision><geometry><mesh filename="corner.obj"/></geometry></collision>'
+        robot, journal = self.work / "corners.urdf", self.work / "corners.jsonl"
+        robot.write_text(f'<robot name="r"><link name="a">{link}</link><link name="b">{link}</link><joint name="j" type="fixed">'
+                         '<origin xyz="0.1 0.1 0.1"/><parent link="a"/><child link="b"/></joint></robot>')
+        command = ["scene", "collisions", robot, "--journal", journal, "--as"]
+        self.run_raygauge(*command, "solid")
+        self.run_raygauge(*command, "solid")
+        for other in ("surface", "hull"):
+            self.assertIn("is of another robot", self.run_raygauge(*command, other, status=2).stderr)
+
     def test_a_mesh_is_taken_as_its_body_says(self):
         points = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 1)]
         faces = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
