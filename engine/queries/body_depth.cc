@@ -70,13 +70,18 @@ void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vecto
   pair_.point_to_world(a2 - normal * radius_[1], &answer.point_2.x);
 }
 
-// By what the cores' distance has just found; the normal is the one that proves the upper bound.
+// By what the cores' distance has just found; the normal and the points are those that prove the better
+// bounds.
 void BodyDepth::bound_apart(BodyDepthAnswer& answer) {
   const SpatialAnswer& apart = cores_.answer();
-  answer.bounds.raise_lower(down(ball_lower_ + -apart.upper));
-  if (!answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)))) return;
-  const double* n = cores_.normal();
-  answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
+  const bool is_first = !has_points_, nearer = answer.bounds.raise_lower(down(ball_lower_ + -apart.upper));
+  const bool lower = answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)));
+  if (is_first || lower) {
+    const double* n = cores_.normal();
+    answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
+  }
+  if (!is_first && !nearer) return;
+  has_points_ = true;
   double a1[3] = {0, 0, 0}, a2[3] = {0, 0, 0};
   cores_.closest_points(a1, a2);
   answer.point_1 = {a1[0], a1[1], a1[2]};
@@ -182,7 +187,6 @@ bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthA
   normal_ = -pair_.to_body(&answer.normal.x);
   answer.point_1 = answer.point_1 - answer.normal * radius_[0];
   answer.point_2 = answer.point_2 + answer.normal * radius_[1];
-  has_points_ = true;
   answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
   return true;
 }
