@@ -38,8 +38,8 @@ void add(std::string& text, const Mesh& mesh) {
   text += " mesh";
   for (const double number : {static_cast<double>(mesh.kind()), mesh.radius()}) add(text, number);
   for (std::ptrdiff_t i = 0; i < mesh.tree().size(); ++i) {
-    for (const auto& corner : mesh.tree().triangle(static_cast<std::int32_t>(i)).corner)
-      for (int k = 0; k < 3; ++k) add(text, corner[k]);
+    for (const Vector3& corner : mesh.tree().triangle(static_cast<std::int32_t>(i)).corner)
+      for (const double number : {corner.x, corner.y, corner.z}) add(text, number);
   }
 }
 
