@@ -19,6 +19,21 @@ import unittest
 DISTANCES = {"lone_vertex.obj": 3, "two_points.obj": 3, "byte_order_mark.obj": 2, "header_with_counts.off": 2}
 SCENES = {"z_up.toml": 4, "scale.toml": 1.5}
 
+# By scene, and query, or body or effect: columns and their right values: in closed form, or in rational numbers.
+ANSWERS = {
+    "stale.toml": {"segment": {"status": "separated", "lower": 1.06245e-13, "upper": 1.06245e-13}},
+    "rest.toml": {"time_of_impact": {"status": "contact"}, "clearance": {"status": "intersecting"}},
+    "rest_large.toml": {"time_of_impact": {"status": "contact"}, "clearance": {"status": "intersecting"}},
+    "teleport_clearance.toml": {"clearance": {"status": "intersecting", "upper": 0}},
+    "inside.toml": {"far": {"status": "intersecting"}, "yesno": {"status": "intersecting"}, "clear": {"status": "intersecting"},
+                    "growth": {"growth_lower": 1 / 6, "growth_upper": 1 / 6}},
+    "flat.toml": {"query1": {"status": "intersecting", "growth_lower": 0.5, "growth_upper": 0.5}},
+    "rotation_8_digits.toml": {"query1": {"lower": 4 - 2 ** 0.5, "upper": 4 - 2 ** 0.5}},
+}
+# The origin is in A, whatever is asked and by which method.
+ORIGIN = [("octahedra.toml", "unit_ball.toml"), ("origin_in_face.csv", "unit_ball.toml"), ("fibonacci_A.csv", "fibonacci_Q.csv")]
+METHODS = ["automatic", "column_generation", "newton", "zheng_yamane"]
+
 ARM = ('<robot name="r">'
        '<link name="a"><collision><geometry><sphere radius="1"/></geometry></collision></link>'
        '<link name="b"><collision><origin xyz="5 0 0"/><geometry><sphere radius="1"/></geometry></collision></link>'
@@ -62,6 +77,80 @@ class ReportedFiles(unittest.TestCase):
                 self.assertLessEqual(float(row["lower"]), distance + 1e-12)
                 self.assertGreaterEqual(float(row["upper"]), distance - 1e-12)
                 self.assertAlmostEqual(float(row["upper"]), float(row["lower"]), 4)
+
+    def rows_of(self, scene, *options):
+        results = self.work / (scene + ".h5")
+        self.run_raygauge("scene", "run", self.reports / scene, "-q", "-o", results, *options)
+        return list(csv.DictReader(io.StringIO(self.run_raygauge("export", results, "--csv", "-").stdout)))
+
+    def test_scenes_give_the_answers_in_closed_form(self):
+        for scene, answers in ANSWERS.items():
+            rows = self.rows_of(scene)
+            for which, columns in answers.items():
+                found = [row for row in rows if which in (row["query"], row["body_a"], row["kind"])]
+                with self.subTest(scene, which=which):
+                    self.assertTrue(found)
+                    for row in found:
+                        for column, right in columns.items():
+                            if isinstance(right, str):
+                                self.assertEqual(row[column], right)
+                            else:
+                                self.assertAlmostEqual(float(row[column]) / (right or 1), 1 if right else 0, 4)
+
+    def test_an_origin_in_the_object_is_found_by_every_method(self):
+        for A, Q in ORIGIN:
+            for method in METHODS:
+                with self.subTest(A, method=method):
+                    done = self.run_raygauge("distance", self.reports / A, self.reports / Q, "--method", method, "--json")
+                    self.assertEqual(json.loads(done.stdout)["status"], "contains_origin")
+                    self.assertEqual(json.loads(done.stdout)["upper"], 0)
+
+    def test_sums_are_as_exact_at_every_size(self):
+        shapes = {"rounded box": ('shape = "minkowski_sum"\nA = { shape = "ball", center = [0, 0, 0], radius = %(s)s }\n'
+                                  'B = { shape = "box", lower = [-%(s)s, -%(s)s, -%(s)s], upper = [%(s)s, %(s)s, %(s)s] }\n'),
+                  "cone and ball": ('shape = "minkowski_sum"\nA = { shape = "ball", center = [0, 0, 0], radius = %(s)s }\n'
+                                    'B = { shape = "truncated_cone", base = [0, 0, -%(s)s], base_radius = %(s)s, '
+                                    'top = [0, 0, %(s)s], top_radius = 0 }\n'),
+                  "hull of a union": ('shape = "union_hull"\nsets = [{ shape = "ball", center = [0, 0, 0], radius = %(s)s }, '
+                                      '{ shape = "box", lower = [-%(s)s, -%(s)s, -%(s)s], upper = [%(s)s, %(s)s, %(s)s] }]\n')}
+        for shape, text in shapes.items():
+            answers = []
+            for size in ("1", "1e-12", "1e-120", "1e120"):
+                (self.work / "Q.toml").write_text(text % {"s": size})
+                (self.work / "p.csv").write_text(" ".join(repr(x * float(size)) for x in (3, -2, 5)) + "\n")
+                answer = json.loads(self.run_raygauge("distance", "p.csv", "Q.toml", "--json").stdout)
+                self.assertEqual(answer["status"], "optimal", shape)  # the distance does not change with the size
+                answers.append((answer["lower"], answer["upper"]))
+                if shape == "rounded box":  # the point alone changes its size, and with it the distance
+                    answer = json.loads(self.run_raygauge("distance", "p.csv", self.reports / "rounded_box.toml", "--json").stdout)
+                    self.assertEqual(answer["status"], "optimal", size)
+                    answers.append((answer["lower"] / float(size), answer["upper"] / float(size)))
+            self.assertLessEqual(max(lower for lower, _ in answers), min(upper for _, upper in answers), shape)
+
+    def test_a_name_with_a_line_feed_runs_nothing(self):
+        self.rows_of("newline.toml")
+        self.run_raygauge("plot", self.work / "newline.toml.h5", "-o", self.work / "x.svg")
+        self.assertFalse((self.work / "pwned").exists())
+
+    def test_a_scene_of_one_body_replaces_the_file_of_another(self):
+        self.rows_of("flat.toml")
+        (self.work / "flat.toml.h5").rename(self.work / "lone_body.toml.h5")
+        self.assertEqual(self.rows_of("lone_body.toml", "--force"), [])
+        self.assertIn("results of the scene 'lone_body'", self.run_raygauge("info", self.work / "lone_body.toml.h5").stdout)
+        for shard in ("1/2", "2/2"):
+            self.run_raygauge("scene", "run", self.reports / "lone_body.toml", "-q", "-o", "lone.h5", "--shard", shard)
+        self.run_raygauge("merge", "lone.shard-1-of-2.h5", "lone.shard-2-of-2.h5", "-o", "lone.h5")
+
+    def test_a_rotation_of_ten_digits_is_replaced_by_the_nearest_one(self):
+        done = self.run_raygauge("distance", self.reports / "rotation_10_digits.toml", self.reports / "unit_ball.toml", "--json")
+        self.assertIn("the nearest rotation is used", done.stderr)
+        self.assertAlmostEqual(json.loads(done.stdout)["distance"], 3.65236169651, 9)
+
+    def test_every_report_is_asked_about(self):
+        text = pathlib.Path(__file__).read_text(encoding="utf-8")
+        for path in self.reports.iterdir():
+            if path.suffix not in (".dae", ".urdf"):  # which z_up.toml names
+                self.assertTrue(path.name in text, path.name)
 
     def test_a_polytope_without_a_point_is_called_empty(self):
         done = self.run_raygauge("distance", self.reports / "empty_polytope.toml", self.reports / "unit_ball.toml", status=2)
