@@ -45,12 +45,13 @@ bool is_right(const DistanceResult& result, double truth) {
   return result.status == DistanceStatus::optimal && result.lower <= truth && truth <= result.upper;
 }
 
-double solve_seconds(SolveMethod& method) {
-  return seconds_of([&] { method.solve({1e-6, kTimeLimit}); });
+double solve_seconds(SolveMethod& method, Clock clock) {
+  return seconds_of([&] { method.solve({1e-6, kTimeLimit}); }, clock);
 }
 
 // All instances of one cell. Returns the largest ratio.
-double print_cell(const Variant& family, int n, int N, int instances) {
+double print_cell(const Variant& family, int n, int N, const Effort& effort) {
+  const Clock clock = effort.processor_time ? Clock::processor : Clock::wall;
   const std::unique_ptr<SolveMethod> ours = make_method("column_generation");
   std::vector<std::unique_ptr<SolveMethod>> theirs;
   for (const char* name : {"clp_primal", "clp_dual"}) {
@@ -58,15 +59,15 @@ double print_cell(const Variant& family, int n, int N, int instances) {
   }
   std::vector<double> seconds, ratios;
   int right = 0;
-  for (int repetition = 0; repetition < instances; ++repetition) {
+  for (int repetition = 0; repetition < effort.instances; ++repetition) {
     const Instance instance = make_instance(family, n, N, repetition);
     double best = INFINITY;
     for (const auto& method : theirs) {
       method->load(instance);
-      best = std::min(best, solve_seconds(*method));
+      best = std::min(best, solve_seconds(*method, clock));
     }
     ours->load(instance);
-    seconds.push_back(solve_seconds(*ours));
+    seconds.push_back(solve_seconds(*ours, clock));
     const DistanceResult result = ours->result();
     right += is_right(result, instance.exact_distance.value_or(NAN)) ? 1 : 0;
     ratios.push_back(seconds.back() / best);
@@ -75,7 +76,7 @@ double print_cell(const Variant& family, int n, int N, int instances) {
   std::printf(
       "%-22s n = %3d  N = %4d  certified %2d of %2d  median %8.2f ms, worst %8.2f ms"
       "  / Clp: median %6.2f, worst %6.2f\n",
-      family.name.c_str(), n, N, right, instances, 1e3 * sample_median(seconds),
+      family.name.c_str(), n, N, right, effort.instances, 1e3 * sample_median(seconds),
       1e3 * *std::max_element(seconds.begin(), seconds.end()), sample_median(ratios), worst);
   std::fflush(stdout);
   return worst;
@@ -91,7 +92,7 @@ void print_degenerate(const Variant& /*variant*/, const Effort& effort) {
   for (const int n : dimensions) {
     for (const Variant& family : families()) {
       for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
-        worst = std::max(worst, print_cell(family, n, N, effort.instances));
+        worst = std::max(worst, print_cell(family, n, N, effort));
       }
     }
   }

@@ -12,7 +12,7 @@ namespace raygauge::bench {
 struct Effort {
   bool quick = false;           ///< fewer cells
   int instances = 20;           ///< per cell
-  bool processor_time = false;  ///< of the rows high, shapes and euclidean, instead of wall time
+  bool processor_time = false;  ///< of the rows high, degenerate, shapes, euclidean, instead of wall time
   std::vector<int> dimensions;  ///< of the rows `high` and `degenerate`; none: their own
 };
 

@@ -52,9 +52,9 @@ int run(int argc, char** argv) {
                  "dimensions of the rows high and degenerate, separated by commas; none: their own")
       ->delimiter(',')
       ->check(CLI::Range(2, 2000));
-  app.add_flag(
-      "--processor-time", effort.processor_time,
-      "the rows high, shapes and euclidean in processor time, for machines that other work keeps busy");
+  app.add_flag("--processor-time", effort.processor_time,
+               "the rows high, degenerate, shapes and euclidean in processor time, for machines that other "
+               "work keeps busy");
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;

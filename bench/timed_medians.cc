@@ -26,10 +26,14 @@ double processor_seconds() {
 
 }  // namespace
 
-double seconds_of(const std::function<void()>& call) {
-  const auto begin = std::chrono::steady_clock::now();
+double seconds_of(const std::function<void()>& call, Clock clock) {
+  const auto now = [clock] {
+    if (clock == Clock::processor) return processor_seconds();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+  const double begin = now();
   call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return now() - begin;
 }
 
 double cold_solve_seconds(SolveMethod& method, Clock clock) {

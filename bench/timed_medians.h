@@ -11,12 +11,12 @@
 
 namespace raygauge::bench {
 
-/// Seconds of one call.
-double seconds_of(const std::function<void()>& call);
-
 /// Wall time, or the processor time of the calling thread, which other work on the machine does not lengthen
 /// by its share.
 enum class Clock : std::uint8_t { wall, processor };
+
+/// Seconds of one call.
+double seconds_of(const std::function<void()>& call, Clock clock = Clock::wall);
 
 /// Seconds of a cold solve of the loaded model at the default request: solved once before, then the median of
 /// three; short solves are repeated.

@@ -47,8 +47,18 @@ constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
 }  // namespace
 
-InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q, int n, const double* guess,
-                                        const Kernels& kernels, const Stopwatch& stopwatch) {
+InteriorPoint::End InteriorPoint::solve_whitened(const WhitenedPoints& points, int n, const double* guess,
+                                                 const Kernels& kernels, const Stopwatch& stopwatch) {
+  std::vector<double> turned(guess, guess + n);
+  points.turn(turned.data());
+  const End end = solve(points.A(), points.Q(), n, turned.data(), kernels, stopwatch);
+  points.turn_back(y_.data());
+  return VectorMap(y_.data(), n).allFinite() ? end : End::failed;
+}
+
+InteriorPoint::End InteriorPoint::solve(const PricedPoints& A, const PricedPoints& Q, int n,
+                                        const double* guess, const Kernels& kernels,
+                                        const Stopwatch& stopwatch) {
   n_ = n;
   kernels_ = &kernels;
   iterations_ = 0;
@@ -87,8 +97,8 @@ InteriorPoint::End InteriorPoint::solve(const ColumnPool& A, const ColumnPool& Q
   return End::failed;
 }
 
-void InteriorPoint::bind(Side& side, const ColumnPool& pool, double sign) {
-  side.points = pool.view();
+void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
+  side.points = points;
   side.count = side.points.block_count * kLanes;
   side.sign = sign;
   side.last = sign > 0 ? 1.0 : 0.0;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
-#include "engine/lp/column_pool.h"
+#include "engine/lp/whitened_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
 
@@ -29,9 +29,14 @@ class InteriorPoint {
     failed,     ///< no progress, or the stopwatch
   };
 
-  /// Over the points of the pools, from a guess of the normal's direction (n doubles).
-  End solve(const ColumnPool& A, const ColumnPool& Q, int n, const double* guess, const Kernels& kernels,
+  /// Over the points, from a guess of the normal's direction (n doubles).
+  End solve(const PricedPoints& A, const PricedPoints& Q, int n, const double* guess, const Kernels& kernels,
             const Stopwatch& stopwatch);
+
+  /// The same with the points after a linear map, where their own coordinates leave the equations without
+  /// digits. The guess and the duals are those of the points before it.
+  End solve_whitened(const WhitenedPoints& points, int n, const double* guess, const Kernels& kernels,
+                     const Stopwatch& stopwatch);
 
   const double* normal() const noexcept { return y_.data(); }  ///< u
 
@@ -72,7 +77,7 @@ class InteriorPoint {
     AlignedBuffer<double> weight;
   };
 
-  void bind(Side& side, const ColumnPool& pool, double sign);
+  void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
   double central_weight() const;
   void price(Side& side, const double* y, double* products);

@@ -17,6 +17,19 @@ constexpr double kIndependent = 1e-11;  // the least pivot, relative to the firs
 constexpr double kLeastScale = 1e-4;    // of columns by their weights
 constexpr int kSteps = 3;               // of refinement
 constexpr double kRoundedUp = 1.02;
+constexpr double kNoWeight = 1e-12;  // relative to the heaviest column
+constexpr int kMostDependent = 8;    // columns to leave out, each by an elimination
+
+// max |x_k|: four at a time, which the compiler may not do by itself.
+double largest_of(const double* x, std::size_t count) {
+  double largest[4] = {0, 0, 0, 0};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    for (std::size_t i = 0; i < 4; ++i) largest[i] = std::max(largest[i], std::fabs(x[k + i]));
+  }
+  for (; k < count; ++k) largest[0] = std::max(largest[0], std::fabs(x[k]));
+  return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+}
 
 }  // namespace
 
@@ -41,38 +54,91 @@ void OptimalFace::add(const double* column, double cost, double weight, std::int
 // will change.
 void OptimalFace::eliminate(const Stopwatch& stopwatch) {
   const auto m = static_cast<std::size_t>(m_);
-  const int count = this->count();
+  const auto count = static_cast<std::size_t>(this->count());
   pivots_.clear();
   work_ = columns_;
+  largest_.assign(count, 0.0);
+  left_.clear();
   const double heaviest = *std::max_element(weights_.begin(), weights_.end());
-  for (int i = 0; i < count; ++i) {
-    double* column = work_.data() + static_cast<std::size_t>(i) * m;
-    double largest = 0;
-    for (int k = 0; k < m_; ++k) largest = std::max(largest, std::fabs(column[k]));
+  for (std::size_t i = 0; i < count; ++i) {
+    double* column = work_.data() + i * m;
+    const double largest = largest_of(column, m);
     if (!(largest > 0)) continue;
-    const double scale = std::max(weight(i) / heaviest, kLeastScale) / largest;
-    for (int k = 0; k < m_; ++k) column[k] *= scale;
+    const double scale = std::max(weights_[i] / heaviest, kLeastScale) / largest;
+    for (std::size_t k = 0; k < m; ++k) column[k] *= scale;
+    largest_[i] = largest_of(column, m);
+    left_.push_back(static_cast<int>(i));
   }
   double first = 0;
-  while (rank() < std::min(m_, count) && !stopwatch.expired()) {
-    const auto largest = std::max_element(work_.begin(), work_.end(),
-                                          [](double a, double b) { return std::fabs(a) < std::fabs(b); });
-    const double pivot = *largest;
-    if (pivots_.empty()) first = std::fabs(pivot);
-    if (!(std::fabs(pivot) > kIndependent * first)) return;
-    const auto at = static_cast<std::size_t>(largest - work_.begin());
-    const std::size_t row = at % m;
-    double* chosen = work_.data() + at / m * m;
-    pivots_.push_back({static_cast<int>(row), static_cast<int>(at / m)});
-    for (int i = 0; i < count; ++i) {
-      double* column = work_.data() + static_cast<std::size_t>(i) * m;
-      const double factor = column[row] / pivot;
-      if (column == chosen || factor == 0) continue;
-      for (std::size_t k = 0; k < m; ++k) column[k] -= factor * chosen[k];
-      column[row] = 0;
-    }
-    std::fill_n(chosen, m, 0.0);
+  while (rank() < m_ && !left_.empty() && !stopwatch.expired()) {
+    const auto best = std::max_element(left_.begin(), left_.end(), [this](int a, int b) {
+      return largest_[static_cast<std::size_t>(a)] < largest_[static_cast<std::size_t>(b)];
+    });
+    const auto at = static_cast<std::size_t>(*best);
+    if (pivots_.empty()) first = largest_[at];
+    if (!(largest_[at] > kIndependent * first)) return;
+    left_.erase(best);
+    clear_row_of(work_.data() + at * m, static_cast<int>(at));
   }
+}
+
+// A step of the elimination: the largest entry of the column is the pivot of the others that are left.
+void OptimalFace::clear_row_of(const double* chosen, int id) {
+  const auto m = static_cast<std::size_t>(m_);
+  const double largest = largest_[static_cast<std::size_t>(id)];
+  std::size_t row = 0;
+  while (std::fabs(chosen[row]) != largest) ++row;
+  pivots_.push_back({static_cast<int>(row), id});
+  for (const int i : left_) {
+    double* column = work_.data() + static_cast<std::size_t>(i) * m;
+    const double factor = column[row] / chosen[row];
+    if (factor == 0) continue;
+    for (std::size_t k = 0; k < m; ++k) column[k] -= factor * chosen[k];
+    column[row] = 0;
+    largest_[static_cast<std::size_t>(i)] = largest_of(column, m);
+  }
+}
+
+// z with M_P z = M_j of the first column j that is no pivot: x_P grows by z for each unit that x_j loses.
+bool OptimalFace::leave_one_out() {
+  if (count() == rank()) return false;
+  is_pivot_.assign(ids_.size(), false);
+  for (const Pivot& pivot : pivots_) is_pivot_[static_cast<std::size_t>(pivot.column)] = true;
+  const auto j = static_cast<int>(std::find(is_pivot_.begin(), is_pivot_.end(), false) - is_pivot_.begin());
+  const BasisView& view = basis_.view();
+  std::vector<double> z(pivots_.size());
+  for (int k = 0; k < rank(); ++k) {
+    const double entry = column(j)[pivot_row(k)];
+    for (int i = 0; i < rank(); ++i)
+      z[static_cast<std::size_t>(i)] += view.R[static_cast<std::ptrdiff_t>(k) * view.P + i] * entry;
+  }
+  double step = weight(j);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (z[i] < 0) step = std::min(step, weight(pivots_[i].column) / -z[i]);
+  }
+  for (std::size_t i = 0; i < z.size(); ++i)
+    weights_[static_cast<std::size_t>(pivots_[i].column)] += step * z[i];
+  weights_[static_cast<std::size_t>(j)] -= step;
+  const double least = kNoWeight * *std::max_element(weights_.begin(), weights_.end());
+  for (int i = count() - 1; i >= 0; --i) {
+    if (!(weight(i) > least)) remove(i);
+  }
+  return true;
+}
+
+void OptimalFace::remove(int i) {
+  const auto first = columns_.begin() + static_cast<std::ptrdiff_t>(i) * m_;
+  columns_.erase(first, first + m_);
+  costs_.erase(costs_.begin() + i);
+  weights_.erase(weights_.begin() + i);
+  ids_.erase(ids_.begin() + i);
+}
+
+bool OptimalFace::is_independent_zero(const Stopwatch& stopwatch) {
+  do {
+    if (!choose(stopwatch) || count() - rank() > kMostDependent || upper(stopwatch) != 0) return false;
+  } while (leave_one_out());
+  return true;
 }
 
 bool OptimalFace::choose(const Stopwatch& stopwatch) {
@@ -171,13 +237,38 @@ double OptimalFace::upper(const Stopwatch& stopwatch) {
     if (!(weight(i) > 0)) return kInfinity;
     if (costs_[static_cast<std::size_t>(i)] > 0) sum = sum + weight(i);
   }
-  if (!spans(true, stopwatch)) return kInfinity;
+  if (!may_solve(error) || !spans(true, stopwatch)) return kInfinity;
   if (sum.high == 0) return 0;
   for (int i = 0; i < rank(); ++i) {
     const int from = pivots_[static_cast<std::size_t>(i)].column;
     if (costs_[static_cast<std::size_t>(from)] > 0) sum = sum + x_low_[static_cast<std::size_t>(i)];
   }
   return (sum.rounded() + rank() * error) * (1 + 4 * kUnitRoundoff + count() * 0x1p-98);
+}
+
+// False where a row that is none of the pivots' is proven to miss b, with weights that are known to `error`:
+// sooner than by ranks.
+bool OptimalFace::may_solve(double error) const {
+  std::vector<bool> is_pivot(static_cast<std::size_t>(m_), false);
+  for (const Pivot& pivot : pivots_) is_pivot[static_cast<std::size_t>(pivot.row)] = true;
+  for (int k = 0; k < m_; ++k) {
+    if (is_pivot[static_cast<std::size_t>(k)]) continue;
+    DoubleDouble rest{k == m_ - 1 ? -1.0 : 0.0};
+    double size = 1, reach = 0;
+    for (int i = 0; i < count(); ++i) {
+      const DoubleDouble term = two_product(weight(i), column(i)[k]);
+      rest = rest + term;
+      size += std::fabs(term.high);
+    }
+    for (int i = 0; i < rank(); ++i) {
+      const double entry = column(pivots_[static_cast<std::size_t>(i)].column)[k];
+      rest = rest + two_product(x_low_[static_cast<std::size_t>(i)], entry);
+      reach += std::fabs(entry);
+    }
+    if (std::fabs(rest.rounded()) > kRoundedUp * (reach * error + (count() + 1) * 0x1p-98 * size))
+      return false;
+  }
+  return true;
 }
 
 // Whether the pivot columns span all columns, and b.

@@ -33,6 +33,10 @@ class OptimalFace {
   /// The weights of the pivots become that solution, to a double.
   double upper(const Stopwatch& stopwatch);
 
+  /// Whether Σ c_i x_i is proven to be 0, with columns that are independent: of those that are not, some are
+  /// left out. Their weights are the solution then, to a double.
+  bool is_independent_zero(const Stopwatch& stopwatch);
+
   /// After upper(): whether the weights of the pivots are proven to be those of the solution as they round.
   bool is_rounded() const noexcept { return rounded_; }
 
@@ -55,6 +59,10 @@ class OptimalFace {
     int column;
   };
   void eliminate(const Stopwatch& stopwatch);
+  void clear_row_of(const double* chosen, int id);
+  bool leave_one_out();
+  void remove(int i);
+  bool may_solve(double error) const;
   bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
   double enclose(Basis& basis, double error_of_b);
   double refine(Basis& basis);
@@ -68,7 +76,9 @@ class OptimalFace {
   std::vector<Pivot> pivots_;
   std::vector<bool> is_pivot_;  // of columns
   std::vector<double> work_;
-  std::vector<double> b_low_;  // of the right-hand side at hand
+  std::vector<double> largest_;  // entry of each column of work_
+  std::vector<int> left_;        // columns of work_ that are no pivots yet
+  std::vector<double> b_low_;    // of the right-hand side at hand
   bool rounded_ = false;
   Basis basis_;       // M_RP
   Basis transposed_;  // its transpose

@@ -27,6 +27,7 @@ constexpr int kIdlePivots = 32;  // that an impatient solve allows, and half as 
 constexpr double kMargins[] = {0x1p-24, 0x1p-36};
 constexpr double kDrift = 1e-9;      // of the equations, after which the inverse is computed afresh
 constexpr double kProgress = 1e-12;  // of the objective, relative, between two looks
+constexpr double kNoise = 1e-14;     // of an objective, in units where both sets have magnitude 1
 constexpr int kIdleLooks = 4;        // without progress: rounding leads the pivots in circles
 
 std::int64_t default_pivot_limit(int n) { return 2000 + 400 * static_cast<std::int64_t>(n); }
@@ -255,7 +256,7 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
     if (end == LoopEnd::pivot_limit) {
       const bool out_of_pivots = view.pivots >= max_pivots_;
       if (!out_of_pivots && !stopwatch.expired()) {
-        if (impatient_ && !(view.objective < objective * (1 - kProgress))) return End::stalled;
+        if (impatient_ && !gains(objective)) return End::stalled;
         if (!look_after_basis()) return End::failed;
         continue;
       }
@@ -281,6 +282,14 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
     if (artificial) return stage_ == Stage::optimise ? End::bounded : End::unreachable;
     enter_stage(Stage::optimise);
   }
+}
+
+// Whether the objective has fallen from `before`. One that is zero but for rounding cannot: it is no negative
+// number.
+bool PrimalSimplex::gains(double before) const {
+  const double now = basis_.view().objective;
+  if (stage_ == Stage::optimise && now < kNoise) return false;
+  return now < before - kProgress * std::fabs(before);
 }
 
 // Now and then in a long solve. False where going on is useless.

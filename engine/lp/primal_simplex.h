@@ -149,6 +149,7 @@ class PrimalSimplex {
   void form_column(const ColumnPool& pool, std::int64_t id);
   void bind(const ColumnPool& A, const ColumnPool& Q);
   bool look_after_basis();
+  bool gains(double before) const;
   double artificial_weight() const;
   double dual_length() const noexcept;  // Σ|y_k| over the coordinates
   void enter_stage(Stage stage);

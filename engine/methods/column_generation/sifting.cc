@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/lp/affords.h"
 #include "engine/lp/shared_pass.h"
@@ -74,6 +75,7 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   interior_state_ = InteriorState::untried;
   separated_ = false;
   farkas_.clear();
+  pivots_at_zero_ = pivots_at_repair_ = -1;
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_, n_ >= kLeastToStall);
@@ -101,6 +103,7 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
   const bool complete = is_complete();
   for (;;) {
     const PrimalSimplex::End end = program_.optimise(working_A_, working_Q_, *stopwatch_);
+    if (!restricted && certify_zero(effects, result)) return;
     const Next next = leave_impasse(end, restricted, effects, result);
     if (next == Next::done) return;
     if (next == Next::again) continue;
@@ -130,7 +133,9 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
     // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
     // normal keep the answer open, not missing points.
     const bool points_are_missing = violated && (open || end != PrimalSimplex::End::bounded);
-    if (!prepare_next(end, points_are_missing))
+    const bool again = !points_are_missing && end != PrimalSimplex::End::bounded;
+    const bool as_before = again && std::exchange(pivots_at_repair_, program_.pivots()) == program_.pivots();
+    if (as_before || !prepare_next(end, points_are_missing))
       return finish_short_of_tolerance(end, lower, upper, effects, result);
   }
 }

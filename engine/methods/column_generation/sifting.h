@@ -15,6 +15,7 @@
 #include "engine/lp/refined_basis.h"
 #include "engine/lp/scaling.h"
 #include "engine/lp/twofold_simplex.h"
+#include "engine/lp/whitened_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/proof/certificate.h"
@@ -62,12 +63,14 @@ class Sifting {
   bool is_complete() const noexcept { return working_A_.is_complete() && working_Q_.is_complete(); }
   bool interior_may_help(PrimalSimplex::End end) const noexcept;
   void solve_inside(const double* guess);
+  bool whiten();
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_carriers(double distance, Effects effects, DistanceResult& result);
+  bool certify_zero(Effects effects, DistanceResult& result);
   double upper_of_face();
-  bool collect_face(double least);
+  bool collect_face(double least, bool with_Q = true);
   void find_origin_weights(std::vector<PointWeight>& weights);
   void weights_of_face(std::vector<PointWeight>& weights) const;
   bool certify_by_plane(Effects effects, DistanceResult& result);
@@ -125,11 +128,14 @@ class Sifting {
   RefinedBasis refined_;
   TwofoldSimplex twofold_;
   InteriorPoint interior_;
+  WhitenedPoints whitened_;
   enum class InteriorState : std::uint8_t { untried, failed, converged };
   InteriorState interior_state_ = InteriorState::untried;
   bool separated_ = false;  // by interior_, the working sets
   OptimalFace face_;
-  bool by_face_ = false;  // whether that proved the last upper bound
+  bool by_face_ = false;                // whether that proved the last upper bound
+  std::int64_t pivots_at_zero_ = -1;    // when certify_zero() tried last
+  std::int64_t pivots_at_repair_ = -1;  // of a basis that is accurate now: its proofs failed
   std::vector<InteriorPoint::Carrier> carriers_;
   std::vector<double> farkas_;  // a direction that may leave Q behind; none: empty
   GaugeBound gauge_bound_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/affords.h"
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/numerics/floating_point.h"
 
@@ -13,6 +14,13 @@ namespace {
 
 // A distance that small, in units where both sets have magnitude 1, may be zero.
 constexpr double kMaybeZero = 1e-4;
+
+// An objective that small, in the same units, is zero or close to it: it is worth a look at the points of A.
+constexpr double kNearlyZero = 1e-6;
+
+// An interior-point method that fails so soon fails for the condition of the points, not of the problem.
+constexpr std::int64_t kFewIterations = 12;
+constexpr double kWhitening = 10;  // operations for each point and n², in those of kernels
 
 // A weight above carries, others are zero but for rounding: of most bases, and of those that a shear has left
 // so ill-conditioned that weights of 1e-4 are rounding.
@@ -47,9 +55,17 @@ bool Sifting::finish_inside(Effects effects, DistanceResult& result) {
 
 // Runs the interior-point method, from a guess of the normal.
 void Sifting::solve_inside(const double* guess) {
-  const InteriorPoint::End end = interior_.solve(working_A_, working_Q_, n_, guess, *kernels_, *stopwatch_);
+  InteriorPoint::End end =
+      interior_.solve(working_A_.view(), working_Q_.view(), n_, guess, *kernels_, *stopwatch_);
+  if (end == InteriorPoint::End::failed && interior_.iterations() < kFewIterations && whiten())
+    end = interior_.solve_whitened(whitened_, n_, guess, *kernels_, *stopwatch_);
   separated_ = end == InteriorPoint::End::separated;
   interior_state_ = end == InteriorPoint::End::failed ? InteriorState::failed : InteriorState::converged;
+}
+
+bool Sifting::whiten() {
+  const auto points = static_cast<double>(working_A_.size() + working_Q_.size());
+  return affords(*stopwatch_, kWhitening * points * n_ * n_) && whitened_.compute(working_A_, working_Q_, n_);
 }
 
 // The lower bound of the interior-point method's normal where that is better than `lower`, the one of the
@@ -98,10 +114,29 @@ bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult&
   std::int64_t best_Q = 0;
   const double lower = refine_lower(y.data(), y_low.data(), &best_A, &best_Q);
   // Weights of dependent points are not the one solution that a result is to hold.
-  const bool independent = face_.count() == face_.rank();
-  if (upper > 0 ? !Bounds(lower, upper).close(tolerance_) : !independent) return false;
+  if (upper > 0 ? !Bounds(lower, upper).close(tolerance_) : !face_.is_independent_zero(*stopwatch_))
+    return false;
   finish_with_face(lower, upper, effects, result);
   return true;
+}
+
+// Where the objective is zero but for rounding, whatever the simplex is at: whether the basic points of A
+// that carry weight combine to the origin. The simplex itself may need many basis changes more, without a
+// gain, until no artificial column is left.
+bool Sifting::certify_zero(Effects effects, DistanceResult& result) {
+  if (n_ < kLeastToStall || !(program_.objective() < kNearlyZero) || program_.pivots() == pivots_at_zero_)
+    return false;
+  pivots_at_zero_ = program_.pivots();
+  int tried = 0;
+  for (const double least : kCarries) {
+    if (!collect_face(least, false) || face_.count() == tried) continue;
+    tried = face_.count();
+    if (!face_.is_independent_zero(*stopwatch_)) continue;
+    price_everything(true);  // the result has the normal at hand
+    finish_with_face(0, 0, effects, result);
+    return true;
+  }
+  return false;
 }
 
 // An upper bound from the basic columns with weight alone: at a degenerate optimum the others prove nothing.
@@ -116,17 +151,19 @@ double Sifting::upper_of_face() {
   return kInfinity;
 }
 
-// The basic columns with a weight above `least`, into face_. False where an artificial one is among them.
-bool Sifting::collect_face(double least) {
+// The basic columns with a weight above `least`, into face_, those of A alone or of both sets. False where
+// there is none, or an artificial one is among them.
+bool Sifting::collect_face(double least, bool with_Q) {
   const BasisView& view = program_.basis().view();
   face_.begin(n_ + 1, *kernels_);
   for (int i = 0; i <= n_; ++i) {
     const double weight = view.x()[i];
     if (!(weight > least)) continue;
     if (is_artificial(view.id[i])) return false;
+    if (is_from_Q(view.id[i]) && !with_Q) continue;
     face_.add(program_.basis().column(i), is_from_Q(view.id[i]) ? 1.0 : 0.0, weight, view.id[i]);
   }
-  return true;
+  return face_.count() > 0;
 }
 
 void Sifting::weights_of_face(std::vector<PointWeight>& weights) const {

@@ -46,9 +46,9 @@ TEST(InteriorPoint, EndsAtTheOptimalBasisOfASetInGeneralPosition) {
     Problem problem(n, 6 * n, static_cast<unsigned>(n));
     const Stopwatch stopwatch;
     InteriorPoint method;
-    ASSERT_EQ(
-        method.solve(problem.pool_A, problem.pool_Q, n, problem.guess.data(), best_kernels(), stopwatch),
-        InteriorPoint::End::converged)
+    ASSERT_EQ(method.solve(problem.pool_A.view(), problem.pool_Q.view(), n, problem.guess.data(),
+                           best_kernels(), stopwatch),
+              InteriorPoint::End::converged)
         << "n = " << n;
     EXPECT_LE(method.iterations(), 30);
     std::vector<std::int64_t> ids;
@@ -68,9 +68,9 @@ TEST(InteriorPoint, SeparatesWhatNoMultipleReaches) {
     Problem problem(n, n + 2, static_cast<unsigned>(n));
     const Stopwatch stopwatch;
     InteriorPoint method;
-    ASSERT_EQ(
-        method.solve(problem.pool_A, problem.pool_Q, n, problem.guess.data(), best_kernels(), stopwatch),
-        InteriorPoint::End::separated);
+    ASSERT_EQ(method.solve(problem.pool_A.view(), problem.pool_Q.view(), n, problem.guess.data(),
+                           best_kernels(), stopwatch),
+              InteriorPoint::End::separated);
     const Eigen::Map<const Eigen::VectorXd> u(method.normal(), n);
     EXPECT_LT((u.transpose() * Problem::random_A(n, n + 2, static_cast<unsigned>(n))).maxCoeff(), 0);
     EXPECT_GT((u.transpose() * Problem::random_Q(n, n + 2, static_cast<unsigned>(n))).minCoeff(), 0);

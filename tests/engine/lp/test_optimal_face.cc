@@ -123,5 +123,33 @@ TEST(OptimalFace, EnclosesDirectionsThatAreOrthogonalToItsColumns) {
   EXPECT_LE((u - y).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+TEST(OptimalFace, LeavesOutWhatDependsOnTheOthers) {
+  Eigen::MatrixXd M(
+      3, 5);  // 0 = the mean of (1, 0) and (-1, 0), and of (0, 1), which is here twice, and (0, -1)
+  M << 1, -1, 0, 0, 0, 0, 0, 1, 1, -1, 1, 1, 1, 1, 1;
+  const double weights[] = {0.125, 0.125, 0.25, 0.125, 0.375};
+  OptimalFace face;
+  face.begin(3, best_kernels());
+  for (int i = 0; i < 5; ++i) face.add(M.col(i).eval().data(), 0, weights[i], i);
+  ASSERT_TRUE(face.is_independent_zero(Stopwatch()));
+  EXPECT_EQ(face.count(), face.rank());
+  Vector sum = Vector::Zero(3);
+  for (int i = 0; i < face.count(); ++i) {
+    EXPECT_GT(face.weight(i), 0);
+    sum += face.weight(i) * M.col(face.id(i));
+  }
+  EXPECT_EQ(sum, Vector::Unit(3, 2));
+  EXPECT_TRUE(face.is_rounded());
+}
+
+TEST(OptimalFace, IsNoZeroWhereItsColumnsMissTheOrigin) {
+  Eigen::MatrixXd M(3, 2);
+  M << 1, -1, 0x1p-40, 0, 1, 1;
+  OptimalFace face;
+  face.begin(3, best_kernels());
+  for (int i = 0; i < 2; ++i) face.add(M.col(i).eval().data(), 0, 0.5, i);
+  EXPECT_FALSE(face.is_independent_zero(Stopwatch()));
+}
+
 }  // namespace
 }  // namespace raygauge::test_optimal_face
