@@ -26,6 +26,8 @@ std::optional<Section> iterations_section(const Input& input);
 std::optional<Section> crossover_section(const Input& input);
 /// How far each method can be trusted: needs known true distances.
 std::optional<Section> stability_section(const Input& input);
+/// Who is wrong about two bodies, how often, at what price: needs records of the generator `bodies`.
+std::optional<Section> wrong_answers_section(const Input& input);
 /// What each digit costs and where a method stops getting better: needs known true distances and two
 /// tolerances.
 std::optional<Section> accuracy_section(const Input& input);

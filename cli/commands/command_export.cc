@@ -1,11 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <memory>
 
 #include "analysis/data/parameter_columns.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
+#include "cli/input/registries.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_file.h"
+#include "cli/output/refutation_report.h"
 #include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
 #include "scene/file/scene_file.h"
@@ -15,7 +19,7 @@ namespace {
 
 struct ExportArguments {
   AnalysisArguments analysis;
-  std::string csv;
+  std::string csv, refutations;
   bool tidy = false;
   bool contacts = false, steps = false, answers = false;
   bool force = false;
@@ -49,7 +53,29 @@ bool exported_scene(const ExportArguments& arguments) {
   return true;
 }
 
+/// Proofs that answers about two bodies are wrong, and how many of them could be proven.
+int export_refutations(const ExportArguments& arguments) {
+  for (const auto& [option, given] :
+       {GivenOption{"--csv", !arguments.csv.empty()}, GivenOption{"--tidy", arguments.tidy},
+        GivenOption{"--contacts", arguments.contacts}, GivenOption{"--steps", arguments.steps},
+        GivenOption{"--answers", arguments.answers}}) {
+    if (given) throw InvalidParameterError("export: --refutations or " + option + ", not both");
+  }
+  const Filter filter = filter_of(arguments.analysis);
+  const Output output =
+      output_of(arguments.refutations, OutputKind::text, {".jsonl"}, arguments.analysis, arguments.force);
+  const RefutationReport report =
+      refutation_report(read_files(arguments.analysis).records, filter, all_generators());
+  write_to(output, report.lines);
+  std::fprintf(stderr, "note: %s, %zu of them refuted\n", counted(report.wrong, "wrong answer").c_str(),
+               report.refuted);
+  return kAnswered;
+}
+
 int export_records(const ExportArguments& arguments) {
+  if (!arguments.refutations.empty()) return export_refutations(arguments);
+  if (arguments.csv.empty())
+    throw InvalidParameterError("export: give --csv OUT.csv or --refutations OUT.jsonl");
   if (static_cast<int>(arguments.contacts) + static_cast<int>(arguments.steps) +
           static_cast<int>(arguments.answers) >
       1)
@@ -71,14 +97,20 @@ int export_records(const ExportArguments& arguments) {
 
 void add_export_command(Command& app, int& status) {
   const auto arguments = std::make_shared<ExportArguments>();
-  Command command = app.add_subcommand("export", "Write the records of results files as CSV");
+  Command command =
+      app.add_subcommand("export", "Write the records of results files as CSV, or proofs of wrong answers");
   add_analysis_options(command, arguments->analysis);
   command
       .add_option(
           "--csv", arguments->csv,
           "File to write, - for standard output: one line a record, the columns of docs/file-format.md")
-      .required()
       .type_name("OUT.csv");
+  command
+      .add_option("--refutations", arguments->refutations,
+                  "Instead: of each wrong answer about two bodies (generator bodies) a line of JSON, with "
+                  "the bodies and "
+                  "a proof that docs/examples/check_refutations.py checks")
+      .type_name("OUT.jsonl");
   command.add_flag("--tidy", arguments->tidy,
                    "Add a column for each parameter of a generator or method, as separation");
   command.add_flag("--contacts", arguments->contacts,
@@ -89,7 +121,8 @@ void add_export_command(Command& app, int& status) {
   command.footer(
       "Examples:\n"
       "  raygauge export out/example2.h5 --csv out/example2.csv --tidy\n"
-      "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'");
+      "  raygauge export out/example2.h5 --csv out/small.csv --where 'n<=4 && agrees'\n"
+      "  raygauge export out/bodies.h5 --refutations out/wrong.jsonl --where 'method==fcl_libccd'");
   command.callback([arguments, &status] { status = export_records(*arguments); });
 }
 

@@ -15,6 +15,7 @@
 #include "analysis/studies/stability/stability.h"
 #include "analysis/studies/table3/table3.h"
 #include "analysis/studies/table3/table3_tables.h"
+#include "analysis/studies/wrong_answers/wrong_answers.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"
@@ -31,6 +32,7 @@ struct TableArguments {
   std::string paper;
   bool stability = false;
   bool accuracy = false;
+  bool wrong = false;
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   std::optional<std::string> value;
@@ -65,17 +67,18 @@ void require_one_kind(const TableArguments& arguments) {
   if (!arguments.paper.empty()) kinds.emplace_back("--paper");
   if (arguments.stability) kinds.emplace_back("--stability");
   if (arguments.accuracy) kinds.emplace_back("--accuracy");
+  if (arguments.wrong) kinds.emplace_back("--wrong");
   if (kinds.empty() && !pivot)
     throw InvalidParameterError("table: which table? " + arguments.analysis.files.front() +
                                 " is read; add --paper table1|table2|table3, "
-                                "--stability, --accuracy, or --rows, --cols and --value");
+                                "--stability, --accuracy, --wrong, or --rows, --cols and --value");
   if (kinds.size() > 1) throw InvalidParameterError("table: " + kinds[0] + " or " + kinds[1] + ", not both");
   if (pivot && !kinds.empty())
     throw InvalidParameterError("table: " + kinds[0] +
                                 " has its own rows, columns and value; drop --rows, --cols, --value");
   if (!kinds.empty() && arguments.intervals)
     throw InvalidParameterError("table: --intervals has no effect on " + kinds[0]);
-  if ((arguments.stability || arguments.accuracy) && !arguments.baselines.empty())
+  if (!kinds.empty() && arguments.paper.empty() && !arguments.baselines.empty())
     throw InvalidParameterError("table: --baseline has no effect on " + kinds[0]);
 }
 
@@ -109,6 +112,8 @@ std::vector<Table> tables_of(const TableArguments& arguments, const std::vector<
     return in_format(format, make_stability(records, filter), stability_long_table, stability_tables);
   if (arguments.accuracy)
     return in_format(format, accuracy_groups(records, filter), accuracy_long_table, accuracy_tables);
+  if (arguments.wrong)
+    return in_format(format, wrong_answers(records, filter), wrong_answers_long_table, wrong_answers_tables);
   PivotOptions options;
   options.rows = arguments.rows;
   options.columns = arguments.columns;
@@ -135,6 +140,7 @@ bool printed_scene(const TableArguments& arguments) {
   refuse_options_of_scene(arguments.analysis, {{"--paper", !arguments.paper.empty()},
                                                {"--stability", arguments.stability},
                                                {"--accuracy", arguments.accuracy},
+                                               {"--wrong", arguments.wrong},
                                                {"--rows", !arguments.rows.empty()},
                                                {"--cols", !arguments.columns.empty()},
                                                {"--value", arguments.value.has_value()},
@@ -212,6 +218,9 @@ void add_table_command(Command& app, int& status) {
       "--accuracy", arguments->accuracy,
       "For each method and tolerance: error, certified gap, time and what the next digit costs; then where "
       "each method stops getting better");
+  command.add_flag(
+      "--wrong", arguments->wrong,
+      "Of two bodies (generator bodies): who is wrong, how often, at what price; by place and kind");
   add_pivot_options(command, *arguments);
   add_baseline_option(command, arguments->baselines);
   command.add_option("--format", arguments->format, "text, markdown, latex or csv").type_name("FORMAT");
@@ -223,6 +232,7 @@ void add_table_command(Command& app, int& status) {
       "  raygauge table out/example2.h5 --paper table3\n"
       "  raygauge table out/example1.h5 --paper table1\n"
       "  raygauge table out/accuracy.h5 --accuracy\n"
+      "  raygauge table out/bodies.h5 --wrong\n"
       "  raygauge table out/example2.h5 --rows n --cols N --value 'median ratio' --where "
       "'method==column_generation'\n"
       "  raygauge table out/example2.h5 --rows method --cols status --value count\n"

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
+#include <variant>
 
 namespace raygauge {
 namespace {
@@ -33,6 +35,25 @@ std::string take_quoted(const std::string& text, std::size_t& position) {
   }
   if (position < text.size()) ++position;
   return value;
+}
+
+/// The whole text as a number.
+template <class Number>
+Number number_of(const std::string& name, const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end)
+    throw InvalidParameterError("parameter '" + name + "': '" + text + "' is no such number");
+  return value;
+}
+
+/// The text as a value of the same type as `model`.
+ParameterValue value_like(const ParameterValue& model, const std::string& name, const std::string& text) {
+  if (std::holds_alternative<bool>(model)) return text == "true";
+  if (std::holds_alternative<std::int64_t>(model)) return number_of<std::int64_t>(name, text);
+  if (std::holds_alternative<double>(model)) return number_of<double>(name, text);
+  return text;
 }
 
 }  // namespace
@@ -74,6 +95,21 @@ std::vector<std::pair<std::string, std::string>> split_parameters(const std::str
     }
     parameters.emplace_back(name, value);
     ++position;
+  }
+  return parameters;
+}
+
+Parameters parameters_from(const std::string& text, const std::vector<ParameterInfo>& declared) {
+  Parameters parameters;
+  for (const auto& [name, value] : split_parameters(text)) {
+    const auto info = std::find_if(declared.begin(), declared.end(),
+                                   [&, &key = name](const ParameterInfo& each) { return each.name == key; });
+    if (info == declared.end()) {
+      std::vector<std::string> names;
+      for (const ParameterInfo& each : declared) names.push_back(each.name);
+      throw UnknownNameError("parameter", name, names);
+    }
+    parameters[name] = value_like(info->default_value, name, value);
   }
   return parameters;
 }

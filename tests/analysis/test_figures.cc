@@ -112,6 +112,30 @@ TEST(TimeVsDimension, HasAPanelForEachNumberOfPoints) {
   EXPECT_EQ(markers(picture), 3 * 2 * 3 + 3);
 }
 
+TEST(WrongShare, HasAPanelForEachPlaceAndAPointForEachMethod) {
+  std::vector<Record> records;
+  for (const char* place : {"near", "overlap"}) {
+    for (const char* method : {"column_generation", "fcl_libccd"}) {
+      for (int repetition = 0; repetition < 3; ++repetition) {
+        records.push_back(testing::record(method, 3, 20, repetition, 1e-3));
+        records.back().generator = "bodies";
+        records.back().generator_parameters =
+            std::string("kind_1=ball kind_2=ball place=") + place + " scale=1";
+      }
+    }
+  }
+  records.back().status = DistanceStatus::precision_limit;
+  const std::string picture = svg("wrong_share", records);
+  const std::multiset<std::string> texts = labels(picture);
+  for (const char* once :
+       {"near", "overlap", "all places", "wrong answers, %", "some solves without an answer"})
+    EXPECT_EQ(texts.count(once), 1U) << once;
+  // A point of each method in each of 3 panels and in the legend; crosses in two panels and in the legend.
+  EXPECT_EQ(markers(picture), 3 * 2 + 2 + 2 + 1);
+  EXPECT_EQ(message_of<FigureNeedsError>([] { svg("wrong_share", grid()); }),
+            "figure wrong_share needs answers that do not agree with a proof");
+}
+
 TEST(PerformanceProfileFigure, NamesEveryMethodAndDrawsTheShareFromZeroToOne) {
   const std::multiset<std::string> texts = labels(svg("performance_profile", grid()));
   for (const char* once : {"column_generation", "zheng_yamane", "glpk_dual", "share of instances solved"})

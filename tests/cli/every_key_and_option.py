@@ -317,6 +317,7 @@ OPTIONS = {
         "--paper": (["table", "e.h5", "--paper", "table3"], 0, says("(?i)table")),
         "--stability": (["table", "e.h5", "--stability"], 0, says("glpk_dual")),
         "--accuracy": (["table", "e.h5", "--accuracy"], 0, says("glpk_dual")),
+        "--wrong": (["table", "e.h5", "--wrong"], NO_EFFECT, says("bodies")),
         "--rows": (["table", "e.h5", "--rows", "N"], 0, says("N ")),
         "--cols": (["table", "e.h5", "--cols", "method"], 0, says("glpk_dual")),
         "--value": (["table", "e.h5", "--rows", "n", "--value", "count"], 0, says("8")),
@@ -339,6 +340,7 @@ OPTIONS = {
     "export": {
         "--where": (["export", "e.h5", "--csv", "-", "--where", "n==77"], NO_EFFECT, says("n==77")),
         "--csv": (["export", "e.h5", "--csv", "x.csv"], 0, kept("x.csv")),
+        "--refutations": (["export", "e.h5", "--refutations", "-"], NO_EFFECT, says("bodies")),
         "--tidy": (["export", "e.h5", "--csv", "-", "--tidy"], 0, says("separation")),
         "--force": (["export", "e.h5", "--csv", "taken.svg", "--force"], 0, silent),
         "--contacts": (["export", "moved.h5", "--csv", "-", "--contacts"], 0, says("^step,time,body_a")),
@@ -390,6 +392,7 @@ OPTIONS = {
 # Options for the records of sweeps, given for those of a scene.
 OF_SWEEPS_ALONE = [
     ["table", "s.h5", "--paper", "table3"], ["table", "s.h5", "--stability"], ["table", "s.h5", "--accuracy"],
+    ["table", "s.h5", "--wrong"],
     ["table", "s.h5", "--rows", "n"], ["table", "s.h5", "--cols", "n"], ["table", "s.h5", "--value", "count"],
     ["table", "s.h5", "--intervals"], ["table", "s.h5", "--baseline", "glpk"], ["table", "s.h5", "--format", "csv"],
     ["table", "s.h5", "--where", "n==3"], ["plot", "s.h5", "-o", "x.svg", "--baseline", "glpk"],

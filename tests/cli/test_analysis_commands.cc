@@ -93,7 +93,7 @@ TEST_F(AnalysisCommands, TableKeepsTheIntervalsInCsv) {
 TEST_F(AnalysisCommands, TableRefusesWhatItCannotMake) {
   expect_complaint(run_raygauge({"table", "r.h5"}),
                    "raygauge: table: which table? r.h5 is read; add --paper table1|table2|table3, "
-                   "--stability, --accuracy, or --rows, "
+                   "--stability, --accuracy, --wrong, or --rows, "
                    "--cols and --value");
   expect_complaint(
       run_raygauge({"table", "r.h5", "--paper", "table3", "--rows", "n"}),

@@ -11,8 +11,8 @@
 #include "analysis/studies/example1/example1_figures.h"
 #include "analysis/studies/performance_profile/performance_profile_figure.h"
 #include "analysis/studies/scaling/time_vs_size.h"
-#include "analysis/studies/stability/wrong_share.h"
 #include "analysis/studies/table3/ratio_heatmap.h"
+#include "analysis/studies/wrong_answers/wrong_share.h"
 
 namespace raygauge {
 
@@ -45,9 +45,8 @@ const std::vector<Figure>& figures() {
        figure5},
       {"fig7", "Figure 7: the same with the roles swapped, A an ellipsoid", figure7},
       {"work_precision", "true error and certified gap against time, tolerance by tolerance", work_precision},
-      {"wrong_share",
-       "share of the answers that do not agree against the median time, a point for each method",
-       wrong_share},
+      {"wrong_share", "share of wrong answers against time; about two bodies a panel for each place",
+       wrong_share_figure},
   };
   return kFigures;
 }

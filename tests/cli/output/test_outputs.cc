@@ -42,6 +42,14 @@ void PrintTo(const Writer& writer, std::ostream* out) { *out << writer.name; }
 
 const std::vector<Writer> kWriters = {
     {"export", {"export", "m.h5", "--csv"}, ".csv", "cell,session,"},
+    {"refutations",
+     {"export", "b.h5", "--refutations"},
+     ".jsonl",
+     "{\"method\": \"fcl",
+     true,
+     true,
+     false,
+     "b.h5"},
     {"table_text", {"table", "m.h5", "--rows", "n", "-o"}, ".txt", "median"},
     {"table_markdown", {"table", "m.h5", "--rows", "n", "--format", "markdown", "-o"}, ".md", ""},
     {"table_latex", {"table", "m.h5", "--rows", "n", "--format", "latex", "-o"}, ".tex", ""},
@@ -60,7 +68,21 @@ class Outputs : public testing::ProgramTest, public ::testing::WithParamInterfac
   void SetUp() override {
     write_measurements("m.h5", 1);
     write_measurements("other.h5", 2);
+    write_wrong_answer("b.h5");
     write("e.toml", testing::example2_experiment("name = \"e\"\n", "n = [2]\nN = [10]\nrepetitions = 1\n"));
+  }
+
+  /// Two balls that are a thousandth apart, and an answer of 1.
+  void write_wrong_answer(const std::string& name) const {
+    ResultsFile results;
+    testing::add_records(results.records, "fcl_libccd", 3, 20, {1});
+    Record& record = results.records.front();
+    record.generator = "bodies";
+    record.generator_parameters = "kind_1=ball kind_2=ball place=near scale=1";
+    record.exact_distance = 1e-3;
+    record.distance = 1;
+    results.provenance.cell_count = 1;
+    store(name, results);
   }
 
   void write_measurements(const std::string& name, double factor) const {
@@ -71,6 +93,10 @@ class Outputs : public testing::ProgramTest, public ::testing::WithParamInterfac
     }
     for (std::size_t i = 0; i < results.records.size(); ++i) results.records[i].cell = i / 6;
     results.provenance.cell_count = 2;
+    store(name, results);
+  }
+
+  void store(const std::string& name, ResultsFile& results) const {
     results.provenance.sessions = {testing::sample_session()};
     write_results(folder_.file(name), results);
   }

@@ -44,5 +44,17 @@ TEST(ParameterText, TakesAnythingForSomething) {
   EXPECT_EQ(split_parameters("lonely"), Split{});
 }
 
+TEST(ParameterText, ComesBackAsTheTypesThatAreDeclared) {
+  const std::vector<ParameterInfo> declared = {{"k", std::int64_t{1}, {}, {}, "", {}},
+                                               {"on", false, {}, {}, "", {}},
+                                               {"x", 0.0, {}, {}, "", {}},
+                                               {"word", std::string(), {}, {}, "", {}}};
+  const Parameters parameters = {
+      {"k", std::int64_t{7}}, {"on", true}, {"x", 1e-100}, {"word", std::string("two \"words\"")}};
+  EXPECT_EQ(parameters_from(to_string(parameters), declared), parameters);
+  EXPECT_THROW(parameters_from("y=1", declared), UnknownNameError);
+  EXPECT_THROW(parameters_from("k=1.5", declared), InvalidParameterError);
+}
+
 }  // namespace
 }  // namespace raygauge::test_parameter_text

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/wrong_answers/wrong_answers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "analysis/constants.h"
+#include "analysis/data/parameter_columns.h"
+#include "analysis/data/truth.h"
+#include "analysis/statistics/statistics.h"
+#include "engine/sweep/agreement.h"
+#include "raygauge/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+/// Gathers the records of one method.
+class Tally {
+ public:
+  void add(const Record& record, const KnownDistance& known) {
+    const Verdict verdict = verdict_on(record, known);
+    ++answers_.asked;
+    answers_.inexact += verdict == Verdict::inexact;
+    answers_.wrong_sign += verdict == Verdict::wrong_sign;
+    answers_.gave_up += verdict == Verdict::gave_up;
+    answers_.limits += verdict == Verdict::limit;
+    const double error = error_in_sizes(record, known);
+    if (error > answers_.worst) answers_.worst = error;
+    seconds_.push_back(time_or_infinity(record));
+  }
+
+  WrongAnswers of(const std::string& method) const {
+    WrongAnswers answers = answers_;
+    answers.method = method;
+    answers.median_seconds = median(seconds_);
+    return answers;
+  }
+
+ private:
+  WrongAnswers answers_;
+  std::vector<double> seconds_;
+};
+
+using Tallies = std::map<std::string, Tally>;  ///< by method
+
+/// What a part of the study is made of.
+struct Part {
+  Tallies all;
+  std::map<std::string, Tallies> kinds;
+};
+
+std::vector<WrongAnswers> in_order(const Tallies& tallies, const MethodList& methods) {
+  std::vector<WrongAnswers> rows;
+  for (const std::string& method : methods) {
+    const auto tally = tallies.find(method);
+    if (tally != tallies.end()) rows.push_back(tally->second.of(method));
+  }
+  return rows;
+}
+
+WrongInPlace finished(double tolerance, const std::string& place, const Part& part,
+                      const MethodList& methods) {
+  WrongInPlace result{tolerance, place, in_order(part.all, methods), {}};
+  for (const auto& [kind, tallies] : part.kinds) result.kinds.emplace_back(kind, in_order(tallies, methods));
+  return result;
+}
+
+std::set<std::string> kinds_of(const Record& record) {
+  return {parameter_text(record, "kind_1"), parameter_text(record, "kind_2")};
+}
+
+}  // namespace
+
+KnownDistances::InstanceName KnownDistances::name_of(const Record& record) {
+  return {record.generator_parameters, record.n, record.N, record.seed, record.repetition};
+}
+
+KnownDistances::KnownDistances(const std::vector<Record>& records) {
+  for (const Record& record : records) {
+    if (!is_of_bodies(record)) continue;
+    KnownDistance& known = known_.try_emplace(name_of(record), KnownDistance{0, kInfinity}).first->second;
+    if (const double planted = record.exact_distance; !std::isnan(planted)) {
+      const double rounding = record.exact_distance_rounding;
+      known = {planted * (1 - rounding), planted * (1 + rounding)};
+    } else if (record.role != Role::baseline) {
+      if (record.lower > known.lower) known.lower = record.lower;  // a NaN proves nothing
+      if (record.upper < known.upper) known.upper = record.upper;
+    }
+  }
+}
+
+KnownDistance KnownDistances::operator()(const Record& record) const { return known_.at(name_of(record)); }
+
+bool is_of_bodies(const Record& record) { return record.generator == "bodies"; }
+
+double size_of_bodies(const Record& record) {
+  const std::string scale = parameter_text(record, "scale");
+  return scale.empty() ? 1 : std::stod(scale);
+}
+
+double error_in_sizes(const Record& record, const KnownDistance& known) {
+  const double claim = claimed_distance(record);
+  return std::max({known.lower - claim, claim - known.upper, std::isnan(claim) ? kNaN : 0.0}) /
+         size_of_bodies(record);
+}
+
+Verdict verdict_on(const Record& record, const KnownDistance& known) {
+  const std::optional<double> claim = claim_of(record);
+  if (!claim) return record.status == DistanceStatus::precision_limit ? Verdict::gave_up : Verdict::limit;
+  if (std::isnan(*claim)) return Verdict::gave_up;
+  const double error = error_in_sizes(record, known);
+  const bool other_side = *claim > 0 ? known.upper == 0 : known.lower > 0;
+  if (other_side && error > kWrongSignBeyond) return Verdict::wrong_sign;
+  return error > kWrongBeyond ? Verdict::inexact : Verdict::right;
+}
+
+WrongStudy wrong_answers(const std::vector<Record>& records, const Filter& filter) {
+  std::vector<Record> kept = filtered(records, filter);
+  std::erase_if(kept, [](const Record& record) { return !is_of_bodies(record); });
+  if (kept.empty()) throw EmptySetError("no record of the generator bodies passes the filter");
+  const KnownDistances known(records);
+  WrongStudy study{methods_of(kept), {}};
+  std::map<double, std::pair<std::vector<std::string>, std::map<std::string, Part>>> by_tolerance;
+  for (const Record& record : kept) {
+    auto& [order, parts] = by_tolerance[record.tolerance];
+    const std::string place = parameter_text(record, "place");
+    if (!parts.contains(place)) order.push_back(place);
+    const KnownDistance distance = known(record);
+    for (Part* part : {&parts[place], &parts[""]}) {
+      part->all[record.method].add(record, distance);
+      for (const std::string& kind : kinds_of(record)) part->kinds[kind][record.method].add(record, distance);
+    }
+  }
+  for (const auto& [tolerance, places] : by_tolerance) {
+    for (const std::string& place : places.first)
+      study.places.push_back(finished(tolerance, place, places.second.at(place), study.methods));
+    study.places.push_back(finished(tolerance, "", places.second.at(""), study.methods));
+  }
+  return study;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "cli/output/refutation_report.h"
+
+#include "analysis/data/truth.h"
+#include "analysis/studies/wrong_answers/refutation.h"
+#include "analysis/studies/wrong_answers/wrong_answers.h"
+#include "cli/output/json_text.h"
+#include "engine/sweep/parameter_text.h"
+#include "raygauge/exceptions.h"
+
+namespace raygauge::cli {
+namespace {
+
+Instance instance_of(const Record& record, const GeneratorRegistry& generators) {
+  const Component<Generator>& component = generators.find(record.generator);
+  const auto generator =
+      generators.make(record.generator, parameters_from(record.generator_parameters, component.parameters));
+  return generator->generate({record.seed, record.n, record.N, record.repetition});
+}
+
+Json json_of(const Vector& v) { return std::vector<double>(v.begin(), v.end()); }
+
+Json json_of(const BodyPieces& body) {
+  Json centers = Json::array(), factors = Json::array();
+  for (const auto center : body.centers.colwise()) centers.push_back(json_of(Vector(center)));
+  for (const Eigen::MatrixXd& F : body.factors) {
+    Json rows = Json::array();
+    for (const auto row : F.rowwise()) rows.push_back(json_of(Vector(row)));
+    factors.push_back(std::move(rows));
+  }
+  return {{"centers", std::move(centers)}, {"factors", std::move(factors)}};
+}
+
+Json json_of(const PointOfPieces& point) {
+  return {{"weights", json_of(point.weights)}, {"z", json_of(point.z)}};
+}
+
+Json json_of(const Record& record, const Refutation& refutation) {
+  Json json = {{"method", record.method},
+               {"method_parameters", record.method_parameters},
+               {"generator_parameters", record.generator_parameters},
+               {"n", record.n},
+               {"N", record.N},
+               {"seed", record.seed},
+               {"repetition", record.repetition},
+               {"tolerance", record.tolerance},
+               {"size", size_of_bodies(record)},
+               {"answer", claimed_distance(record)},
+               {"first", json_of(refutation.first)},
+               {"second", json_of(refutation.second)}};
+  if (const auto* proof = std::get_if<SeparatingNormal>(&refutation.proof)) {
+    json["normal"] = json_of(proof->normal);
+  } else {
+    const auto& points = std::get<ClosePoints>(refutation.proof);
+    json["point_1"] = json_of(points.first);
+    json["point_2"] = json_of(points.second);
+  }
+  return json;
+}
+
+bool is_wrong_answer(const Record& record, const KnownDistances& known) {
+  const Verdict verdict = verdict_on(record, known(record));
+  return verdict == Verdict::inexact || verdict == Verdict::wrong_sign;
+}
+
+}  // namespace
+
+RefutationReport refutation_report(const std::vector<Record>& records, const Filter& filter,
+                                   const GeneratorRegistry& generators) {
+  RefutationReport report;
+  const KnownDistances known(records);
+  bool any = false;
+  for (const Record& record : filtered(records, filter)) {
+    if (!is_of_bodies(record)) continue;
+    any = true;
+    if (!is_wrong_answer(record, known)) continue;
+    ++report.wrong;
+    const Instance instance = instance_of(record, generators);
+    const auto refutation =
+        refute(instance, claimed_distance(record), kWrongSignBeyond * size_of_bodies(record));
+    if (!refutation) continue;
+    ++report.refuted;
+    report.lines += json_text(json_of(record, *refutation)) + '\n';
+  }
+  if (!any) throw EmptySetError("--refutations: no record of the generator 'bodies' passes the filter");
+  return report;
+}
+
+}  // namespace raygauge::cli
