@@ -57,6 +57,7 @@ void measure_box(const BodyPart& part, EdgeShape& shape) {
     shape.high[k] = part.set->support_unchecked(u.data(), point.data()) + loss;
     shape.low[k] = -part.set->support_unchecked(minus.data(), point.data()) - loss;
   }
+  shape.thickness = (shape.high - shape.low).minCoeff() / 2;
 }
 
 void take_shapes(EdgeBody& body) {

@@ -19,6 +19,7 @@ struct EdgeShape {
   double radius = 0;
   double center_reach = 0, reach = 0, core_reach = 0;  ///< from the origin of the body, at most
   Eigen::Vector3d low, high;  ///< of a box that holds it, where the body stands still
+  double thickness = 0;       ///< half the least side of that box
 
   ChordBounds of_center, of_points;  ///< of a robot's, over the edge in which they were made
   std::int64_t edge = 0;

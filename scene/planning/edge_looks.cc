@@ -77,7 +77,7 @@ void EdgeSearch::go_on_with_mesh(const Item& item, bool known) {
     if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, over.first, over.last, options_.margin))
       continue;
     if (known && surfaces_apart(parts, half)) continue;
-    next_.push_back({item.parts, half, now});
+    add_item({item.parts, half, now});
   }
 }
 

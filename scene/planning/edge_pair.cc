@@ -140,6 +140,22 @@ double EdgeTests::ball_gap(const EdgePair& pair, std::size_t shape_a, std::size_
   return (at_a.t - at_b.t + at_a.R * one.center - at_b.R * other.center).norm() - one.radius - other.radius;
 }
 
+double EdgeTests::likely_gap(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b,
+                             int moment) const {
+  const EdgeBody &a = body(pair.a), &b = body(pair.b);
+  const EdgeShape &one = a.shapes[shape_a], &other = b.shapes[shape_b];
+  const Frame& at_a = stage_.at(moment, a);
+  const Eigen::Vector3d middle = at_a.R * one.center + at_a.t;
+  if (b.is_obstacle() && b.stands) {
+    const Eigen::Vector3d x = b.at.R.transpose() * (middle - b.at.t);
+    const Eigen::Vector3d beyond = (other.low - x).cwiseMax(x - other.high);
+    const double outside = beyond.cwiseMax(0.0).norm();
+    return (outside > 0 ? outside : beyond.maxCoeff()) - one.thickness;
+  }
+  const Frame& at_b = stage_.at(moment, b);
+  return (middle - at_b.R * other.center - at_b.t).norm() - one.thickness - other.thickness;
+}
+
 // The middle of the ball stays within its sag of the chord, which is in the box around both ends.
 bool EdgeTests::box_apart(const EdgeBody& a, const EdgeShape& one, const EdgeBody& b, const EdgeShape& other,
                           int first, int last, double enough) const {

@@ -49,6 +49,11 @@ class EdgeTests {
   /// How far their bounding balls are apart at one moment, but for rounding.
   double ball_gap(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment) const;
 
+  /// Less for shapes that are more likely to be in contact at one moment: how far the middle of the one is
+  /// from the box of an obstacle that stands, or the middles from each other, but for how thick the shapes
+  /// are. No bound.
+  double likely_gap(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int moment) const;
+
   /// By how much that may sag, and how much the distance of points of both bodies.
   Sagging sagging(const EdgePair& pair, std::size_t shape_a, std::size_t shape_b, int first, int last);
 

@@ -127,7 +127,6 @@ void EdgeSearch::begin() {
   tests_.begin_edge();
   intervals_.clear();
   items_.clear();
-  next_.clear();
   result_ = EdgeResult();
   result_.outcome = EdgeOutcome::free;
 }
@@ -199,22 +198,27 @@ const EdgeResult& EdgeSearch::path(const JointTrajectory& trajectory) {
   return result_;
 }
 
-// Those that are nearest first; a contact ends it.
+// Those that are likely to be nearest first; a contact ends it.
 const EdgeResult& EdgeSearch::search() {
   if (look_at_hint()) return result_;
   take_first_items();
   while (!items_.empty()) {
-    std::sort(items_.begin(), items_.end(), [](const Item& x, const Item& y) {
-      if (x.key != y.key) return x.key < y.key;
-      return std::pair(x.parts, x.interval) < std::pair(y.parts, y.interval);
-    });
-    for (const Item& item : items_) {
-      if (!handle(item)) return result_;
-    }
-    std::swap(items_, next_);
-    next_.clear();
+    std::pop_heap(items_.begin(), items_.end(), later);
+    const Item item = items_.back();
+    items_.pop_back();
+    if (!handle(item)) return result_;
   }
   return result_;
+}
+
+bool EdgeSearch::later(const Item& x, const Item& y) {
+  if (x.key != y.key) return x.key > y.key;
+  return std::pair(x.parts, x.interval) > std::pair(y.parts, y.interval);
+}
+
+void EdgeSearch::add_item(const Item& item) {
+  items_.push_back(item);
+  std::push_heap(items_.begin(), items_.end(), later);
 }
 
 // Made where it is not there yet.
@@ -236,26 +240,34 @@ bool EdgeSearch::look_at_hint() {
   return false;
 }
 
+// A body of one part is its part, and tested once.
 void EdgeSearch::take_first_items() {
   for (int interval = 0; interval < static_cast<int>(intervals_.size()); ++interval) {
     const Interval over = intervals_[static_cast<std::size_t>(interval)];
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      ++result_.ball_tests;
-      if (tests_.balls_apart(pairs_[i], 0, 0, over.first, over.last, options_.margin)) continue;
-      for (int parts = first_parts_[i]; parts < first_parts_[i + 1]; ++parts) take_item(parts, interval);
+      const int first = first_parts_[i], end = first_parts_[i + 1];
+      if (end - first > 1) {
+        ++result_.ball_tests;
+        if (tests_.balls_apart(pairs_[i], 0, 0, over.first, over.last, options_.margin)) continue;
+      }
+      for (int parts = first; parts < end; ++parts) take_item(parts, interval);
     }
   }
-  std::swap(items_, next_);
 }
 
 void EdgeSearch::take_item(int number, int interval) {
-  Parts& parts = parts_[static_cast<std::size_t>(number)];
+  const Parts& parts = parts_[static_cast<std::size_t>(number)];
   const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
   const Interval over = intervals_[static_cast<std::size_t>(interval)];
   ++result_.ball_tests;
   if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, over.first, over.last, options_.margin)) return;
-  if (parts.is_mesh ? is_free_by_sweep(parts, interval) : is_free_by_kept_plane(parts, over)) return;
-  next_.push_back({number, interval, tests_.ball_gap(pair, parts.shape_a, parts.shape_b, over.last)});
+  const int middle = middle_of(static_cast<std::size_t>(interval));
+  add_item({number, interval, tests_.likely_gap(pair, parts.shape_a, parts.shape_b, middle), true});
+}
+
+bool EdgeSearch::is_free_at_once(Parts& parts, int interval) {
+  if (parts.is_mesh) return is_free_by_sweep(parts, interval);
+  return is_free_by_kept_plane(parts, intervals_[static_cast<std::size_t>(interval)]);
 }
 
 bool EdgeSearch::is_free_by_kept_plane(const Parts& parts, const Interval& over) {
@@ -276,6 +288,7 @@ bool EdgeSearch::handle(const Item& item) {
   Parts& parts = parts_[static_cast<std::size_t>(item.parts)];
   const auto number = static_cast<std::size_t>(item.interval);
   const int middle = middle_of(number);
+  if (item.is_first && is_free_at_once(parts, item.interval)) return true;
   if (result_.looks >= options_.max_looks) {
     give_up(parts, middle);
     return false;
@@ -329,14 +342,15 @@ void EdgeSearch::go_on(const Item& item, const Eigen::Vector3d& plane) {
   for (const bool is_left : {true, false}) {
     const int first = is_left ? intervals_[number].first : middle;
     const int last = is_left ? middle : intervals_[number].last;
+    double there = 0;
     if (known) {
-      const double there = apart(is_left ? first : last);
+      there = apart(is_left ? first : last);
       const Sagging sagging = tests_.sagging(pair, parts.shape_a, parts.shape_b, first, last);
       if (least_between(now, there, sagging) > options_.margin) continue;
     }
     ++result_.ball_tests;
     if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, first, last, options_.margin)) continue;
-    next_.push_back({item.parts, half_of(number, is_left), now});
+    add_item({item.parts, half_of(number, is_left), (now + there) / 2});
   }
 }
 

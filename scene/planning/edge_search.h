@@ -50,7 +50,8 @@ class EdgeSearch {
   /// Two parts that are not proven apart over an interval.
   struct Item {
     int parts = 0, interval = 0;
-    double key = 0;  ///< the least first
+    double key = 0;         ///< an estimate of their distance in its middle; the least first
+    bool is_first = false;  ///< not halved yet: a kept plane or a sweep may prove them apart
   };
 
   void take_pairs(const RobotModel& robot);
@@ -64,8 +65,11 @@ class EdgeSearch {
   int middle_of(std::size_t interval);
   int half_of(std::size_t interval, bool is_left);
   bool look_at_hint();
+  static bool later(const Item& x, const Item& y);
+  void add_item(const Item& item);
   void take_first_items();
   void take_item(int parts, int interval);
+  bool is_free_at_once(Parts& parts, int interval);
   bool is_free_by_kept_plane(const Parts& parts, const Interval& over);
   bool handle(const Item& item);
   void take_kind(Parts& parts) const;
@@ -95,7 +99,7 @@ class EdgeSearch {
   PairAnswer answer_;
   SceneCounters counters_;
   std::vector<Interval> intervals_;
-  std::vector<Item> items_, next_;
+  std::vector<Item> items_;  ///< a heap
   ObjectDistanceSolver witness_;
   EdgeResult result_;
   int hint_ = -1;  ///< the parts in contact of the last edge that had some
