@@ -31,6 +31,7 @@ struct Settings {
   double time_limit = 10;
   int threads = 1;
   bool proven_only = false;
+  bool processor_time = false;
   std::string csv = "motionbench.csv";
   std::string output;  ///< HDF5; resumed where it is there
 
@@ -150,8 +151,9 @@ class Session {
     std::atomic<std::size_t> next{0};
     run_team(settings_.threads, {}, [&](int thread, int) {
       for (std::size_t k = next++; k < tasks_.size(); k = next++) {
-        PlannedProblem planned = plan_problem(problem_of(robot_, tasks_[k].request), settings_.resolutions(),
-                                              settings_.time_limit);
+        PlannedProblem planned =
+            plan_problem(problem_of(robot_, tasks_[k].request), settings_.resolutions(), settings_.time_limit,
+                         settings_.processor_time ? Clock::processor : Clock::wall);
         if (results_ && planned.left_out.empty())
           results_->store(tasks_[k].environment, tasks_[k].problem, thread, planned.plans);
         const std::scoped_lock lock(mutex_);
@@ -171,9 +173,10 @@ class Session {
     std::vector<std::string> names;
     for (const fs::path& environment : environments_) names.push_back(environment.filename().string());
     const Problem first = problem_of(robot_, Problems::sorted(environments_.front(), "request").front());
-    results_ = std::make_unique<PlanResults>(
-        settings_.output, names, settings_.resolutions(), settings_.problems, settings_.time_limit,
-        settings_.threads, static_cast<int>(first.start.size()), static_cast<int>(first.robot.bodies.size()));
+    results_ = std::make_unique<PlanResults>(settings_.output, names, settings_.resolutions(),
+                                             settings_.problems, settings_.time_limit, settings_.threads,
+                                             settings_.processor_time, static_cast<int>(first.start.size()),
+                                             static_cast<int>(first.robot.bodies.size()));
   }
 
   void take_tasks() {
@@ -222,6 +225,8 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--threads", settings.threads, "problems at once; plans do not depend on it")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--proven-only", settings.proven_only, "no plans whose motions are checked at samples");
+  app.add_flag("--processor-time", settings.processor_time,
+               "times and the limit are of the thread's processor time: for a machine that others use, too");
   app.add_option("--csv", settings.csv, "a line for each plan of this session");
   app.add_option(
       "-o,--output", settings.output,

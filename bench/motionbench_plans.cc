@@ -5,12 +5,12 @@
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <time.h>
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "bench/timed_medians.h"
 #include "raygauge/ompl.h"
 #include "scene/planner/seeded_ompl.h"
 
@@ -22,18 +22,33 @@ namespace og = ompl::geometric;
 
 constexpr std::uint_fast32_t kSeed = 1;
 
+/// Seconds since some moment.
+double now(Clock clock) {
+  timespec time{};
+  ::clock_gettime(clock == Clock::processor ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Seconds of one call.
+template <class Call>
+double seconds_of(Clock clock, const Call& call) {
+  const double begin = now(clock);
+  call();
+  return now(clock) - begin;
+}
+
 /// As ProvenMotionValidity, timed.
 class TimedValidity final : public ob::MotionValidator {
  public:
-  TimedValidity(const ob::SpaceInformationPtr& space, std::shared_ptr<EdgeCheckers> checkers,
+  TimedValidity(const ob::SpaceInformationPtr& space, std::shared_ptr<EdgeCheckers> checkers, Clock clock,
                 EdgeTimes& times)
-      : MotionValidator(space), checkers_(std::move(checkers)), times_(times) {}
+      : MotionValidator(space), checkers_(std::move(checkers)), clock_(clock), times_(times) {}
 
   bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
     if (!si_->satisfiesBounds(s2)) return false;
     const int joints = checkers_->joints();
     EdgeOutcome outcome = EdgeOutcome::undecided;
-    const double seconds = seconds_of([&] {
+    const double seconds = seconds_of(clock_, [&] {
       outcome = checkers_->mine()
                     .edge(ompl_detail::values_of(s1, joints), ompl_detail::values_of(s2, joints))
                     .outcome;
@@ -54,11 +69,13 @@ class TimedValidity final : public ob::MotionValidator {
 
  private:
   std::shared_ptr<EdgeCheckers> checkers_;
+  Clock clock_;
   EdgeTimes& times_;
 };
 
 ob::SpaceInformationPtr space_of(const Problem& problem, double resolution,
-                                 const std::shared_ptr<EdgeCheckers>& checkers, EdgeTimes& times) {
+                                 const std::shared_ptr<EdgeCheckers>& checkers, Clock clock,
+                                 EdgeTimes& times) {
   const auto joints = static_cast<unsigned>(problem.lower.size());
   const auto space = std::make_shared<ob::RealVectorStateSpace>(joints);
   ob::RealVectorBounds bounds(joints);
@@ -71,7 +88,7 @@ ob::SpaceInformationPtr space_of(const Problem& problem, double resolution,
   auto information = std::make_shared<ob::SpaceInformation>(space);
   information->setStateValidityChecker(std::make_shared<ProvenStateValidity>(information, checkers));
   if (resolution == 0)
-    information->setMotionValidator(std::make_shared<TimedValidity>(information, checkers, times));
+    information->setMotionValidator(std::make_shared<TimedValidity>(information, checkers, clock, times));
   information->setup();
   return information;
 }
@@ -90,9 +107,9 @@ JointTrajectory trajectory_of(const og::PathGeometric& path, std::size_t joints)
   return trajectory;
 }
 
-void search(const Problem& problem, double time_limit, EdgeTimes& times, Plan& plan) {
+void search(const Problem& problem, double time_limit, Clock clock, EdgeTimes& times, Plan& plan) {
   const auto checkers = std::make_shared<EdgeCheckers>(problem.robot, problem.obstacles);
-  const ob::SpaceInformationPtr space = space_of(problem, plan.resolution, checkers, times);
+  const ob::SpaceInformationPtr space = space_of(problem, plan.resolution, checkers, clock, times);
   const auto definition = std::make_shared<ob::ProblemDefinition>(space);
   ob::ScopedState<ob::RealVectorStateSpace> start(space), goal(space);
   std::copy(problem.start.begin(), problem.start.end(), start->values);
@@ -100,15 +117,16 @@ void search(const Problem& problem, double time_limit, EdgeTimes& times, Plan& p
   definition->setStartAndGoalStates(start, goal);
   Seeded<og::RRTConnect> planner(space, kSeed);
   planner.setProblemDefinition(definition);
+  shorten_steps(planner, *space->getStateSpace());
   planner.setup();
-  plan.search_seconds = seconds_of([&] {
-    plan.solved =
-        planner.solve(ob::timedPlannerTerminationCondition(time_limit)) == ob::PlannerStatus::EXACT_SOLUTION;
-  });
+  const double end = now(clock) + time_limit;
+  const ob::PlannerTerminationCondition time_is_over([&] { return now(clock) > end; });
+  plan.search_seconds = seconds_of(
+      clock, [&] { plan.solved = planner.solve(time_is_over) == ob::PlannerStatus::EXACT_SOLUTION; });
   plan.plan_seconds = plan.search_seconds;
   if (!plan.solved) return;
   og::PathGeometric path(static_cast<const og::PathGeometric&>(*definition->getSolutionPath()));
-  plan.plan_seconds += seconds_of([&] {
+  plan.plan_seconds += seconds_of(clock, [&] {
     Seeded<og::PathSimplifier> simplifier(space, kSeed);
     simplifier.reduceVertices(path);
     simplifier.shortcutPath(path);
@@ -116,11 +134,11 @@ void search(const Problem& problem, double time_limit, EdgeTimes& times, Plan& p
   plan.path = trajectory_of(path, problem.start.size());
 }
 
-void prove(const Problem& problem, Plan& plan) {
+void prove(const Problem& problem, Clock clock, Plan& plan) {
   EdgeOptions options;
   options.witness = true;
   EdgeChecker checker(problem.robot, problem.obstacles, options);
-  plan.proof_seconds = seconds_of([&] { plan.proof = checker.path(plan.path); });
+  plan.proof_seconds = seconds_of(clock, [&] { plan.proof = checker.path(plan.path); });
   if (plan.proof.outcome == EdgeOutcome::free) return;
   plan.body_a = checker.name(plan.proof.body_a);
   plan.body_b = checker.name(plan.proof.body_b);
@@ -154,8 +172,8 @@ double Plan::length() const {
   return length;
 }
 
-PlannedProblem plan_problem(const Problem& problem, const std::vector<double>& resolutions,
-                            double time_limit) {
+PlannedProblem plan_problem(const Problem& problem, const std::vector<double>& resolutions, double time_limit,
+                            Clock clock) {
   PlannedProblem planned;
   planned.environment = problem.environment;
   planned.name = problem.name;
@@ -164,8 +182,8 @@ PlannedProblem plan_problem(const Problem& problem, const std::vector<double>& r
   for (const double resolution : resolutions) {
     Plan plan;
     plan.resolution = resolution;
-    search(problem, time_limit, planned.edges, plan);
-    if (plan.solved) prove(problem, plan);
+    search(problem, time_limit, clock, planned.edges, plan);
+    if (plan.solved) prove(problem, clock, plan);
     planned.plans.push_back(std::move(plan));
   }
   return planned;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/motionbench_problems.h"
+#include "bench/timed_medians.h"
 
 namespace raygauge::bench {
 
@@ -42,8 +43,8 @@ struct PlannedProblem {
 };
 
 /// Plans a problem by RRT-Connect once for each resolution, shortens what it finds, and proves it. The same
-/// plans for the same problem, but for what the time limit ends.
-PlannedProblem plan_problem(const Problem& problem, const std::vector<double>& resolutions,
-                            double time_limit);
+/// plans for the same problem, but for what the time limit ends, which is of the same clock as all times.
+PlannedProblem plan_problem(const Problem& problem, const std::vector<double>& resolutions, double time_limit,
+                            Clock clock);
 
 }  // namespace raygauge::bench

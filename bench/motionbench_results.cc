@@ -23,7 +23,7 @@ std::string label_of_resolution(double resolution) {
 
 PlanResults::PlanResults(const std::string& path, const std::vector<std::string>& environments,
                          const std::vector<double>& resolutions, int problems, double time_limit, int threads,
-                         int joints, int bodies)
+                         bool processor_time, int joints, int bodies)
     : threads_(threads) {
   experiment_.name = "motionbench";
   experiment_.text = "# written by raygauge_motionbench: plans of MotionBenchMaker problems, not a sweep\n";
@@ -46,6 +46,7 @@ PlanResults::PlanResults(const std::string& path, const std::vector<std::string>
       method.name = is_proof ? "proof" : "rrt_connect";
       method.label = (is_proof ? "proof of " : "") + label_of_resolution(resolution);
       method.parameters["resolution"] = resolution;
+      if (processor_time) method.parameters["clock"] = std::string("processor");
       experiment_.methods.push_back(method);
     }
   }

@@ -25,7 +25,7 @@ class PlanResults {
  public:
   PlanResults(const std::string& path, const std::vector<std::string>& environments,
               const std::vector<double>& resolutions, int problems, double time_limit, int threads,
-              int joints, int bodies);
+              bool processor_time, int joints, int bodies);
 
   /// Whether an earlier session has stored the problem.
   bool has(std::size_t environment, int problem) const;

@@ -119,6 +119,7 @@ PlannedPath plan_by_ompl(const PlanRequest& request) {
   problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(space));
   const ob::PlannerPtr planner = planner_of(request, space);
   planner->setProblemDefinition(problem);
+  shorten_steps(*planner, *space->getStateSpace());
   planner->setup();
   PlannedPath found;
   Clock::time_point begin = Clock::now();

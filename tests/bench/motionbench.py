@@ -105,6 +105,8 @@ class Motionbench(unittest.TestCase):
             self.assertEqual(self.records(f"{k}.h5"), self.records("1.h5"))
             self.assertIn("left out: b 0002: start in contact", text)
             self.assertIn("left out, for start or goal is not free: 1", text)
+        self.run_it("--processor-time", "--proven-only", "--csv", "own.csv")
+        self.assertEqual(self.plans("own.csv"), [row for row in self.plans("1.csv") if row["validator"] == "proven"])
         first = [row for row in self.plans("1.csv") if row["validator"] == "proven"]
         self.assertEqual({row["proof"] for row in first}, {"free"})
 
