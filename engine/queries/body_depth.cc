@@ -230,12 +230,17 @@ void BodyDepth::find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& 
   a2 = point.a2;
 }
 
+// Three vertices of before, if they are not nearer to each other than the origin is to them: a polytope that
+// has to grow all around it gains nothing from a small face.
 bool BodyDepth::find_face(const SpatialOracle& oracle, const WarmStart* start, DepthPoint<double>* face) {
   if (start == nullptr || start->count != 3) return false;
-  bool known = true;
-  for (std::size_t i = 0; i < 3; ++i)
-    known = known && oracle.vertex(start->point_A[i], start->point_Q[i], face[i]);
-  return known;
+  double widest = 0, nearest = __builtin_inf();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!oracle.vertex(start->point_A[i], start->point_Q[i], face[i])) return false;
+    nearest = std::min(nearest, length(face[i].s));
+    for (std::size_t k = 0; k < i; ++k) widest = std::max(widest, length(face[i].s - face[k].s));
+  }
+  return widest > nearest;
 }
 
 void BodyDepth::record_vertices(WarmStart& warm) const {
@@ -257,8 +262,11 @@ void BodyDepth::record_vertices(WarmStart& warm) const {
 
 void BodyDepth::search(double tolerance, const WarmStart* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
+  constexpr double kDeep = 0.5;  // of a ball inside: all sides are near, and that of the centres begins best
+  const Vector3& between = pair_.between_centers();
   const double* normal = start != nullptr ? recorded_normal(*start, pair_.dimension()) : nullptr;
-  const Vector3 given = normal != nullptr ? -pair_.to_body(normal) : pair_.between_centers();
+  const bool has_start = normal != nullptr && !(length(between) < kDeep * pair_.inner_radius());
+  const Vector3 given = has_start ? -pair_.to_body(normal) : between;
   const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);

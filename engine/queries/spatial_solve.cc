@@ -18,9 +18,10 @@ namespace {
 
 constexpr double kLeastSquare = 1e-200;                                 // of a normal that a start may have
 constexpr SpatialNearness kNearCurved{3e-3, 0}, kNearFlat{2e-2, 1e-6};  // where other steps are faster
-constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal
-constexpr double kClose = 0x1p-40;          // of a size
-constexpr double kUnitSquare = 0x1p-50;     // how far from 1 the square of a unit vector may be
+constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal ...
+constexpr std::ptrdiff_t kFewPointsFromStart = 2000;  // ... and where it begins near them
+constexpr double kClose = 0x1p-40;                    // of a size
+constexpr double kUnitSquare = 0x1p-50;               // how far from 1 the square of a unit vector may be
 
 // Needles of an ellipsoid: support points of doubles crowd around the contact, and double-double Newton steps
 // find it at once; not of many points, whose passes in that arithmetic take longer.
@@ -88,11 +89,12 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
   pair_.point_to_world(a2, point_2);
 }
 
-// Near hulls of many points, without a start: the facet of their difference between the centres is found by
-// fewer support points than the nearest one, and is mostly that one.
+// Near hulls of many points: the facet of their difference between the centres is found by fewer support
+// points than the nearest one, and is mostly that one.
 void SpatialSolve::step_on_cores(double tolerance) {
-  const bool may_begin_at_portal = pair_.has_vertices() && pair_.radius() == 0 && points() > kFewPoints &&
-                                   record_.start.count == 0 && !record_.start.has_normal;
+  const bool has_start = record_.start.count > 0 || record_.start.has_normal;
+  const bool may_begin_at_portal = pair_.has_vertices() && pair_.radius() == 0 &&
+                                   points() > (has_start ? kFewPointsFromStart : kFewPoints);
   spatial_distance(pair_, tolerance, record_.start, may_begin_at_portal ? kNearFlat : SpatialNearness{},
                    record_.answer);
   if (!may_begin_at_portal || record_.answer.end != SpatialEnd::open ||
@@ -200,7 +202,8 @@ void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
 
 bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
   record_.begin();
-  if (!begin_with_vertices(warm) || record_.start.count != 3) begin_with_normal(warm);
+  const bool balls = is_point(pair_.shape(0)) && is_point(pair_.shape(1));  // the first direction is the last
+  if (!balls && (!begin_with_vertices(warm) || record_.start.count != 3)) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;
   if (warm == nullptr) return true;
   record(warm);
