@@ -250,12 +250,18 @@ TEST(ContactPatch, OfEveryPairOfKindsIsOnBothSurfaces) {
 TEST(ContactPatch, MovesLittleWhereBodiesMoveLittle) {
   ContactPatchSolver solver;
   constexpr double kStep = 1e-9;
-  for (const Resting& pair : resting_pairs(1e-4)) {
-    const ContactPatch before = solver.solve({*pair.A1, pair.pose_1}, {*pair.A2, pair.pose_2}, 1e-3);
+  std::vector<Resting> pairs = resting_pairs(1e-4);
+  const std::vector<Resting> overlapping = resting_pairs(-1e-4);
+  pairs.insert(pairs.end(), overlapping.begin(), overlapping.end());
+  for (const Resting& pair : pairs) {
     const Pose step = turned(V(1, 2, 3), kStep, kStep * V(1, -1, 1));
-    const ContactPatch& after =
-        solver.solve({*pair.A1, pair.pose_1}, {*pair.A2, step.after(pair.pose_2)}, 1e-3);
-    EXPECT_LT(change(before, after), 1e-4) << pair.names << ' ' << before.count << ' ' << after.count;
+    WarmStart kept;
+    for (WarmStart* const warm : {static_cast<WarmStart*>(nullptr), &kept}) {
+      const ContactPatch before = solver.solve({*pair.A1, pair.pose_1}, {*pair.A2, pair.pose_2}, 1e-3, warm);
+      const ContactPatch& after =
+          solver.solve({*pair.A1, pair.pose_1}, {*pair.A2, step.after(pair.pose_2)}, 1e-3, warm);
+      EXPECT_LT(change(before, after), 1e-4) << pair.names << ' ' << before.count << ' ' << after.count;
+    }
   }
 }
 
