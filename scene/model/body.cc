@@ -14,6 +14,7 @@
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
+#include "scene/model/part_tree.h"
 
 namespace raygauge {
 namespace {
@@ -106,6 +107,16 @@ BoundingBall ball_of(const Mesh& mesh) {
   return {SmallVector(center), std::sqrt(square) + mesh.radius()};
 }
 
+// All parts, about this point; many of them in a tree, too.
+void enclose(Body& body, const SmallVector& center) {
+  body.ball.center = center;
+  for (const BodyPart& part : body.parts) {
+    const double radius = (part.ball.center - center).norm() + part.ball.radius;
+    body.ball.radius = std::max(body.ball.radius, radius * kOutward);
+  }
+  if (body.parts.size() >= PartTree::kFewest) body.tree = std::make_shared<PartTree>(body.parts);
+}
+
 // About the point of the plane that is nearest to the body's origin.
 void take_half_space(const std::shared_ptr<const ConvexSet>& set, const HalfSpace& half_space, Body& body) {
   BodyPart part;
@@ -190,11 +201,7 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
     sum += part.ball.center;
     body.parts.push_back(std::move(part));
   }
-  body.ball.center = sum / static_cast<double>(parts.size());
-  for (const BodyPart& part : body.parts) {
-    const double radius = (part.ball.center - body.ball.center).norm() + part.ball.radius;
-    body.ball.radius = std::max(body.ball.radius, radius * kOutward);
-  }
+  enclose(body, sum / static_cast<double>(parts.size()));
   return body;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
+#include "scene/model/part_tree.h"
 
 namespace raygauge {
 namespace {
@@ -25,7 +26,7 @@ PlacementError error_about(const Motion& motion, double t) {
   return {std::max(error.place, earlier.place), std::max(error.turn, earlier.turn)};
 }
 
-EdgeShape shape_of(const BoundingBall& ball, double reach, double core_reach) {
+EdgeShape shape_of_ball(const BoundingBall& ball, double reach, double core_reach) {
   constexpr double kOutward = 1 + 1e-13;
   EdgeShape shape;
   shape.center = ball.center;
@@ -60,11 +61,34 @@ void measure_box(const BodyPart& part, EdgeShape& shape) {
   shape.thickness = (shape.high - shape.low).minCoeff() / 2;
 }
 
+// After those of their children, which come later in the tree.
+void take_nodes(EdgeBody& body) {
+  const PartTree& tree = *body.body.tree;
+  body.shape_of_node.assign(static_cast<std::size_t>(tree.size()), 0);
+  const auto shape_of = [&](int node) -> std::size_t& {
+    return body.shape_of_node[static_cast<std::size_t>(node)];
+  };
+  for (int i = tree.size() - 1; i > 0; --i) {
+    const PartNode& node = tree.node(i);
+    if (node.part >= 0) {
+      shape_of(i) = static_cast<std::size_t>(node.part) + 1;
+      continue;
+    }
+    shape_of(i) = body.shapes.size();
+    const EdgeShape &one = body.shapes[shape_of(node.first)], &other = body.shapes[shape_of(node.second)];
+    EdgeShape shape = shape_of_ball(node.ball, std::max(one.reach, other.reach),
+                                    std::max(one.core_reach, other.core_reach));
+    shape.low = one.low.cwiseMin(other.low);
+    shape.high = one.high.cwiseMax(other.high);
+    body.shapes.push_back(shape);
+  }
+}
+
 void take_shapes(EdgeBody& body) {
   const Body& own = body.body;
-  body.shapes.push_back(shape_of(own.ball, own.reach, own.core_reach));
+  body.shapes.push_back(shape_of_ball(own.ball, own.reach, own.core_reach));
   for (const BodyPart& part : own.parts) {
-    body.shapes.push_back(shape_of(part.ball, part.reach, part.core_reach));
+    body.shapes.push_back(shape_of_ball(part.ball, part.reach, part.core_reach));
     body.shapes.back().part = &part;
     measure_box(part, body.shapes.back());
   }
@@ -74,6 +98,7 @@ void take_shapes(EdgeBody& body) {
     whole.low = whole.low.cwiseMin(body.shapes[i].low);
     whole.high = whole.high.cwiseMax(body.shapes[i].high);
   }
+  if (own.tree != nullptr) take_nodes(body);
 }
 
 void check_space(const Body& body) {

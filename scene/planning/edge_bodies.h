@@ -28,13 +28,20 @@ struct EdgeShape {
 /// A body of the robot, or an obstacle.
 struct EdgeBody {
   Body body;
-  int link = -1;                  ///< -1: an obstacle
-  bool stands = true;             ///< of an obstacle
-  Frame at;                       ///< where it stands
-  int moving = -1;                ///< its number among the obstacles that move
-  std::vector<EdgeShape> shapes;  ///< the whole body, then its parts
+  int link = -1;                           ///< -1: an obstacle
+  bool stands = true;                      ///< of an obstacle
+  Frame at;                                ///< where it stands
+  int moving = -1;                         ///< its number among the obstacles that move
+  std::vector<EdgeShape> shapes;           ///< the whole body, then its parts, then nodes of its tree
+  std::vector<std::size_t> shape_of_node;  ///< of that tree; empty: there is none
 
   bool is_obstacle() const noexcept { return link < 0; }
+
+  /// Of node i, as part_node() has it.
+  std::size_t shape_of(int i) const {
+    if (!shape_of_node.empty()) return shape_of_node[static_cast<std::size_t>(i)];
+    return body.parts.size() == 1 ? 1 : static_cast<std::size_t>(i);
+  }
 };
 
 /// The bodies of a robot, then the obstacles; a grasped body hangs on a link of its own, which `chain` gets.

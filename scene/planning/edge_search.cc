@@ -8,6 +8,7 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/pose.h"
+#include "scene/model/part_tree.h"
 
 namespace raygauge {
 namespace {
@@ -78,10 +79,10 @@ void EdgeSearch::take_pairs(const RobotModel& robot) {
 void EdgeSearch::take_parts() {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     first_parts_.push_back(static_cast<int>(parts_.size()));
-    const std::size_t shapes_a = bodies_[static_cast<std::size_t>(pairs_[i].a)].shapes.size();
-    const std::size_t shapes_b = bodies_[static_cast<std::size_t>(pairs_[i].b)].shapes.size();
-    for (std::size_t a = 1; a < shapes_a; ++a) {
-      for (std::size_t b = 1; b < shapes_b; ++b) {
+    const std::size_t parts_a = bodies_[static_cast<std::size_t>(pairs_[i].a)].body.parts.size();
+    const std::size_t parts_b = bodies_[static_cast<std::size_t>(pairs_[i].b)].body.parts.size();
+    for (std::size_t a = 1; a <= parts_a; ++a) {
+      for (std::size_t b = 1; b <= parts_b; ++b) {
         Parts parts;
         parts.pair = static_cast<int>(i);
         parts.shape_a = a;
@@ -245,12 +246,43 @@ void EdgeSearch::take_first_items() {
   for (int interval = 0; interval < static_cast<int>(intervals_.size()); ++interval) {
     const Interval over = intervals_[static_cast<std::size_t>(interval)];
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const int first = first_parts_[i], end = first_parts_[i + 1];
-      if (end - first > 1) {
+      if (first_parts_[i + 1] - first_parts_[i] > 1) {
         ++result_.ball_tests;
         if (tests_.balls_apart(pairs_[i], 0, 0, over.first, over.last, options_.margin)) continue;
       }
-      for (int parts = first; parts < end; ++parts) take_item(parts, interval);
+      take_parts_of(i, interval);
+    }
+  }
+}
+
+// All, or those in nodes of trees that are not apart.
+void EdgeSearch::take_parts_of(std::size_t number, int interval) {
+  const EdgePair& pair = pairs_[number];
+  const EdgeBody& a = bodies_[static_cast<std::size_t>(pair.a)];
+  const EdgeBody& b = bodies_[static_cast<std::size_t>(pair.b)];
+  if (a.shape_of_node.empty() && b.shape_of_node.empty()) {
+    for (int parts = first_parts_[number]; parts < first_parts_[number + 1]; ++parts)
+      take_item(parts, interval);
+    return;
+  }
+  const Interval over = intervals_[static_cast<std::size_t>(interval)];
+  const auto parts_b = static_cast<int>(b.body.parts.size());
+  nodes_.assign(1, {0, 0});
+  while (!nodes_.empty()) {
+    const NodePair nodes = nodes_.back();
+    nodes_.pop_back();
+    const PartNode one = part_node(a.body, nodes.a), other = part_node(b.body, nodes.b);
+    if (one.part >= 0 && other.part >= 0) {
+      take_item(first_parts_[number] + one.part * parts_b + other.part, interval);
+      continue;
+    }
+    const std::size_t shape_a = a.shape_of(nodes.a), shape_b = b.shape_of(nodes.b);
+    ++result_.ball_tests;
+    if (tests_.balls_apart(pair, shape_a, shape_b, over.first, over.last, options_.margin)) continue;
+    if (other.part >= 0 || (one.part < 0 && one.ball.radius > other.ball.radius)) {
+      for_each_child(a.body, one, [&](int child) { nodes_.push_back({child, nodes.b}); });
+    } else {
+      for_each_child(b.body, other, [&](int child) { nodes_.push_back({nodes.a, child}); });
     }
   }
 }

@@ -54,6 +54,10 @@ class EdgeSearch {
     bool is_first = false;  ///< not halved yet: a kept plane or a sweep may prove them apart
   };
 
+  struct NodePair {
+    int a = 0, b = 0;
+  };
+
   void take_pairs(const RobotModel& robot);
   void take_parts();
   void check(std::span<const double> q) const;
@@ -68,6 +72,7 @@ class EdgeSearch {
   static bool later(const Item& x, const Item& y);
   void add_item(const Item& item);
   void take_first_items();
+  void take_parts_of(std::size_t pair, int interval);
   void take_item(int parts, int interval);
   bool is_free_at_once(Parts& parts, int interval);
   bool is_free_by_kept_plane(const Parts& parts, const Interval& over);
@@ -99,7 +104,8 @@ class EdgeSearch {
   PairAnswer answer_;
   SceneCounters counters_;
   std::vector<Interval> intervals_;
-  std::vector<Item> items_;  ///< a heap
+  std::vector<Item> items_;      ///< a heap
+  std::vector<NodePair> nodes_;  ///< of trees, that are to be looked at
   ObjectDistanceSolver witness_;
   EdgeResult result_;
   int hint_ = -1;  ///< the parts in contact of the last edge that had some

@@ -56,13 +56,23 @@ void PairSolver::Nearest::take_deeper() {
   best_->depth_upper = depth_upper;
 }
 
+void PairMemory::resize(std::size_t pairs) {
+  if (pairs_ == pairs) return;
+  pairs_ = pairs;
+  solved_.clear();
+  all_.resize(is_dense() ? pairs : 0);
+}
+
+const PartMemory* PairMemory::find(std::size_t pair) const {
+  if (is_dense()) return pair < all_.size() ? &all_[pair] : nullptr;
+  const auto found = solved_.find(pair);
+  return found == solved_.end() ? nullptr : &found->second;
+}
+
 void PairSolver::bind(const Body& a, const Body& b, const SceneMetric& metric) {
   placed_.bind(a, b, metric);
   solver_.forget();
-  candidates_.clear();
-  for (int i = 0; i < static_cast<int>(a.parts.size()); ++i) {
-    for (int j = 0; j < static_cast<int>(b.parts.size()); ++j) candidates_.push_back({{i, j}, 0});
-  }
+  order_.bind(a, b);
 }
 
 double PairSolver::ball_bound(const double* center_a, const double* center_b) {
@@ -79,56 +89,52 @@ std::size_t PairSolver::memory_index(PartNumbers parts) const {
   return static_cast<std::size_t>(parts.a) * placed_.b().parts.size() + static_cast<std::size_t>(parts.b);
 }
 
-void PairSolver::sort_candidates() {
-  if (candidates_.size() == 1) {
-    candidates_.front().ball_bound = 0;
-    return;
-  }
-  for (Candidate& candidate : candidates_) {
-    candidate.ball_bound = placed_.part_ball_bound(candidate.parts);
-    ++counters_.ball_tests;
-  }
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
-    if (x.ball_bound != y.ball_bound) return x.ball_bound < y.ball_bound;
-    return x.parts.a != y.parts.a ? x.parts.a < y.parts.a : x.parts.b < y.parts.b;
-  });
+void PairSolver::take_order(PairMemory& memory) {
+  memory.resize(pairs());
+  order_.begin(placed_, counters_.ball_tests);
 }
 
+// Of two parts, from the plane in memory or their balls.
+double PairSolver::plane_bound_of(const PairMemory& memory, const PartCandidate& candidate, double& rate) {
+  const PartMemory* kept = memory.find(memory_index(candidate.parts));
+  double bound = 0;
+  rate = 0;
+  if (kept != nullptr && kept->normal.size() > 0) {
+    ++counters_.plane_tests;
+    bound = placed_.plane_bound(candidate.parts, kept->normal);
+    rate = placed_.plane_rate(kept->normal);
+  }
+  if (pairs() > 1 && candidate.ball_bound > bound) {
+    bound = candidate.ball_bound;
+    rate = ball_rate();
+  }
+  return bound;
+}
+
+// All pairs after one whose balls are farther apart than the bound are, too.
 double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
   double lower = kInfinity;
   rate = 0;
-  if (memory.size() != candidates_.size()) return 0;
-  for (const Candidate& candidate : candidates_) {
-    const SmallVector& u = memory[memory_index(candidate.parts)].normal;
-    double bound = 0, part_rate = 0;
-    if (u.size() > 0) {
-      ++counters_.plane_tests;
-      bound = placed_.plane_bound(candidate.parts, u);
-      part_rate = placed_.plane_rate(u);
-    }
-    if (candidates_.size() > 1) {
-      ++counters_.ball_tests;
-      const double ball = placed_.part_ball_bound(candidate.parts);
-      if (ball > bound) {
-        bound = ball;
-        part_rate = ball_rate();
-      }
-    }
-    if (!(bound > 0)) return 0;
-    lower = std::min(lower, bound);
+  if (memory.size() != pairs()) return 0;
+  order_.begin(placed_, counters_.ball_tests);
+  for (const PartCandidate* next = order_.next(); next != nullptr && lower > 0; next = order_.next()) {
+    double part_rate = ball_rate();
+    const bool is_last = next->ball_bound >= lower;
+    if (!is_last) lower = std::min(lower, plane_bound_of(memory, *next, part_rate));
     rate = std::max(rate, part_rate);
+    if (is_last) break;
   }
   return lower;
 }
 
 const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool closest_points,
                                        bool gradient) {
-  memory.resize(candidates_.size());
-  sort_candidates();
+  take_order(memory);
   nearest_.clear();
   double beyond = kInfinity;  // a lower bound of the parts that were not solved
   double beyond_rate = 0;
-  for (const auto& [parts, ball_bound] : candidates_) {
+  for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
+    const auto [parts, ball_bound] = *next;
     if (nearest_.best().part_a >= 0 && ball_bound >= nearest_.best().upper) break;
     if (ball_bound > enough) {
       beyond = ball_bound;
@@ -136,7 +142,7 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
       break;
     }
     placed_.check_placements();
-    solver_.distance(placed_, parts, closest_points, memory[memory_index(parts)], nearest_.next(parts),
+    solver_.distance(placed_, parts, closest_points, memory.of(memory_index(parts)), nearest_.next(parts),
                      counters_);
     nearest_.take_next();
     if (nearest_.best().intersecting()) break;
@@ -166,11 +172,11 @@ const PairAnswer& PairSolver::conclude(double beyond, double beyond_rate) {
 
 // Parts whose balls meet may overlap deeper than those that were solved.
 const PairAnswer& PairSolver::signed_distance(PairMemory& memory, double enough) {
-  memory.resize(candidates_.size());
-  sort_candidates();
+  take_order(memory);
   nearest_.clear();
   double beyond = kInfinity, beyond_rate = 0;
-  for (const auto& [parts, ball_bound] : candidates_) {
+  for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
+    const auto [parts, ball_bound] = *next;
     const bool solved = nearest_.best().part_a >= 0;
     if (solved && ball_bound > 0 && ball_bound >= nearest_.best().upper) break;
     if (ball_bound > enough) {
@@ -179,19 +185,19 @@ const PairAnswer& PairSolver::signed_distance(PairMemory& memory, double enough)
       break;
     }
     placed_.check_placements();
-    solver_.signed_distance(placed_, parts, memory[memory_index(parts)], nearest_.next(parts), counters_);
+    solver_.signed_distance(placed_, parts, memory.of(memory_index(parts)), nearest_.next(parts), counters_);
     nearest_.take_deeper();
   }
   return conclude(beyond, beyond_rate);
 }
 
 Separation PairSolver::separation(PairMemory& memory) {
-  memory.resize(candidates_.size());
-  sort_candidates();
+  take_order(memory);
   Separation outcome = Separation::separated;
-  for (const auto& [parts, ball_bound] : candidates_) {
+  for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
+    const auto [parts, ball_bound] = *next;
     if (ball_bound > 0) break;
-    PartMemory& kept = memory[memory_index(parts)];
+    PartMemory& kept = memory.of(memory_index(parts));
     if (kept.normal.size() > 0) {
       ++counters_.plane_tests;
       if (placed_.plane_bound(parts, kept.normal) > 0) continue;
@@ -205,12 +211,12 @@ Separation PairSolver::separation(PairMemory& memory) {
 }
 
 const PairAnswer& PairSolver::growth(PairMemory& memory) {
-  memory.resize(candidates_.size());
-  sort_candidates();
+  take_order(memory);
   placed_.check_placements();
   least_growth_.clear();
-  for (const auto& [parts, ball_bound] : candidates_) {
-    solver_.growth(placed_, parts, memory[memory_index(parts)], least_growth_.next(parts), counters_);
+  for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
+    const auto [parts, ball_bound] = *next;
+    solver_.growth(placed_, parts, memory.of(memory_index(parts)), least_growth_.next(parts), counters_);
     least_growth_.take_next();
   }
   PairAnswer& best = least_growth_.best();

@@ -3,14 +3,36 @@
 #pragma once
 
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
+#include "scene/queries/part_order.h"
 #include "scene/queries/part_solver.h"
 
 namespace raygauge {
 
-/// What a pair of bodies keeps, by part_a * (parts of b) + part_b.
-using PairMemory = std::vector<PartMemory>;
+/// What a pair of bodies keeps of the pairs of its parts, by part_a * (parts of b) + part_b: of all where
+/// they are few, else of those that were solved.
+class PairMemory {
+ public:
+  /// For so many pairs from now on; those that are known are kept if there were as many.
+  void resize(std::size_t pairs);
+
+  PartMemory& of(std::size_t pair) { return is_dense() ? all_[pair] : solved_[pair]; }
+
+  /// nullptr: nothing is known.
+  const PartMemory* find(std::size_t pair) const;
+  std::size_t size() const noexcept { return pairs_; }
+  bool empty() const noexcept { return pairs_ == 0; }
+
+ private:
+  bool is_dense() const noexcept { return pairs_ <= kDense; }
+
+  static constexpr std::size_t kDense = 1024;
+  std::size_t pairs_ = 0;
+  std::vector<PartMemory> all_;
+  std::unordered_map<std::size_t, PartMemory> solved_;
+};
 
 /// Answers questions about two placed bodies: the least over all pairs of their parts. One a thread: it owns
 /// the workspace.
@@ -63,11 +85,6 @@ class PairSolver {
   const SceneCounters& counters() const noexcept { return counters_; }
 
  private:
-  struct Candidate {
-    PartNumbers parts;
-    double ball_bound = 0;
-  };
-
   /// The answer about the nearest parts so far, and room for the next one.
   class Nearest {
    public:
@@ -84,12 +101,14 @@ class PairSolver {
   };
 
   std::size_t memory_index(PartNumbers parts) const;
-  void sort_candidates();
+  std::size_t pairs() const noexcept { return placed_.a().parts.size() * placed_.b().parts.size(); }
+  void take_order(PairMemory& memory);
+  double plane_bound_of(const PairMemory& memory, const PartCandidate& candidate, double& rate);
   const PairAnswer& conclude(double beyond, double beyond_rate);
 
   PlacedPair placed_;
   PartSolver solver_;
-  std::vector<Candidate> candidates_;
+  PartOrder order_;
   Nearest nearest_, least_growth_;
   SceneCounters counters_;
 };

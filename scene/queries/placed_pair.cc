@@ -68,8 +68,11 @@ double PlacedPair::ball_bound(const double* center_a, const double* center_b) co
 }
 
 double PlacedPair::part_ball_bound(PartNumbers parts) const {
-  const BoundingBall& ball_a = a_->parts[static_cast<std::size_t>(parts.a)].ball;
-  const BoundingBall& ball_b = b_->parts[static_cast<std::size_t>(parts.b)].ball;
+  return bound_of_balls(a_->parts[static_cast<std::size_t>(parts.a)].ball,
+                        b_->parts[static_cast<std::size_t>(parts.b)].ball);
+}
+
+double PlacedPair::bound_of_balls(const BoundingBall& ball_a, const BoundingBall& ball_b) const {
   const SmallVector center_a = at_a_.R * ball_a.center + at_a_.t;
   const SmallVector center_b = at_b_.R * ball_b.center + at_b_.t;
   const double radii = ball_a.radius + ball_b.radius;

@@ -62,8 +62,9 @@ class PlacedPair {
   double ball_bound(const double* center_a, const double* center_b) const;
   double ball_rate() const noexcept { return 1 / outer_radius_; }
 
-  /// The same for two parts where they stand.
+  /// The same for two parts where they stand, and for balls around some of the parts of each body.
   double part_ball_bound(PartNumbers parts) const;
+  double bound_of_balls(const BoundingBall& ball_a, const BoundingBall& ball_b) const;
 
   /// A certified lower bound on the distance of two parts from planes across u; 0 where they prove nothing.
   /// Of a half-space from its own plane, whatever u is; of meshes there is none.

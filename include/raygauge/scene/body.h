@@ -36,10 +36,13 @@ struct BodyPart {
 /// 2 √n |m|: an upper bound on the magnitude of a set of magnitude m in any rotation.
 double turned_magnitude(const SmallVector& magnitude);
 
+class PartTree;
+
 /// A rigid body: the union of convex parts, under a motion.
 struct Body {
   std::string name;
   std::vector<BodyPart> parts;
+  std::shared_ptr<const PartTree> tree;  ///< of balls around many parts; null: there are few
   MotionPointer motion;
   BoundingBall ball;  ///< around all parts
   double reach = 0;   ///< the greatest of the parts'

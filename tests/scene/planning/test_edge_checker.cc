@@ -255,6 +255,37 @@ TEST(EdgeChecker, ALimitEndsItUndecided) {
             EdgeOutcome::undecided);
 }
 
+// Parts in a tree, and the same parts as bodies of their own.
+TEST(EdgeChecker, ManyPartsHaveTheVerdictsOfManyBodies) {
+  Random random(3);
+  const RobotModel robot = planar_arm(3);
+  std::int64_t free = 0, tests = 0, tests_of_bodies = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<SetPointer> parts;
+    std::vector<Body> bodies;
+    const auto stands = std::make_shared<StaticMotion>(placement(random, 3, 0.3));
+    for (int k = 0; k < 400; ++k) {
+      const double angle = uniform(random, 0.5, 5.5), away = uniform(random, 1, 12);
+      const Vector c = vector3(away * std::cos(angle), away * std::sin(angle), uniform(random, -6, 6));
+      parts.push_back(std::make_shared<Ball>(c, 0.1));
+      bodies.push_back(make_body("part", {parts.back()}, stands));
+    }
+    EdgeChecker one(robot, {make_body("all", parts, stands)}), many(robot, bodies);
+    for (int edge = 0; edge < 5; ++edge) {
+      const Values q = configuration(random, robot, 1);
+      Values next = configuration(random, robot, 0.2);
+      for (std::size_t i = 0; i < q.size(); ++i) next[i] += q[i];
+      const EdgeResult result = one.edge(q, next), of_bodies = many.edge(q, next);
+      EXPECT_EQ(result.outcome, of_bodies.outcome);
+      free += result.outcome == EdgeOutcome::free ? 1 : 0;
+      tests += result.ball_tests;
+      tests_of_bodies += of_bodies.ball_tests;
+    }
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_LT(3 * tests, tests_of_bodies);
+}
+
 /// The verdict beside distances of all pairs, solved one by one at many times.
 void compare(const RobotModel& robot, const std::vector<Body>& obstacles, const JointTrajectory& trajectory,
              const EdgeOptions& options, const EdgeResult& result) {
