@@ -1,8 +1,9 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""The Debian packages: made by cpack, installed by dpkg into a root of their own, run there, removed without a trace.
+"""The Debian packages: made by cpack, or those of a folder; installed by dpkg into a root of their own, run there, removed without
+a trace.
 
-    test_debs.py BUILD_FOLDER COMPILER     (as root; the libraries that they depend on are this system's)
+    test_debs.py BUILD_FOLDER COMPILER [FOLDER]     (as root; the libraries that they depend on are this system's)
 """
 import os
 import pathlib
@@ -13,6 +14,7 @@ import tempfile
 import unittest
 
 BUILD, COMPILER = pathlib.Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
+MADE = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 
 
 def run(*command, **options):
@@ -31,8 +33,9 @@ class Packages(unittest.TestCase):
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.scratch.name)
-        run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder / "debs", cwd=BUILD)
-        cls.packages = {field(path, "Package"): path for path in (folder / "debs").glob("*.deb")}
+        if MADE is None:
+            run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder / "debs", cwd=BUILD)
+        cls.packages = {field(path, "Package"): path for path in (MADE or folder / "debs").glob("*.deb")}
         cls.root = folder / "root"
         (cls.root / "var/lib/dpkg/info").mkdir(parents=True)
         (cls.root / "var/lib/dpkg/updates").mkdir()
