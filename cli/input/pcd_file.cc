@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <set>
+#include <string>
 
 #include "cli/input/byte_reader.h"
 #include "cli/input/mesh_formats.h"
@@ -50,15 +52,16 @@ class PcdReader {
     while (true) {
       split_words(reader_.content_line(), words_);
       const std::string_view key = words_.front();
+      if (!seen_.insert(std::string(key)).second) reader_.fail(std::string(key) + " stands there twice");
       if (key == "DATA") return take_data();
       if (key == "FIELDS") {
         take_fields();
       } else if (key == "SIZE" || key == "TYPE" || key == "COUNT") {
         take_layout(key);
-      } else if (key == "POINTS") {
-        if (words_.size() != 2) reader_.fail("POINTS is one number");
-        points_ = count_word(words_[1], reader_);
-      } else if (key != "VERSION" && key != "WIDTH" && key != "HEIGHT" && key != "VIEWPOINT") {
+      } else if (key == "POINTS" || key == "WIDTH" || key == "HEIGHT") {
+        if (words_.size() != 2) reader_.fail(std::string(key) + " is one number");
+        (key == "POINTS" ? points_ : key == "WIDTH" ? width_ : height_) = count_word(words_[1], reader_);
+      } else if (key != "VERSION" && key != "VIEWPOINT") {
         reader_.fail(quoted(key) + " is no line of the header of a PCD file");
       }
     }
@@ -98,6 +101,11 @@ class PcdReader {
     is_text_ = form == "ascii";
     if (fields_.empty()) reader_.fail("its points have no fields x, y and z");
     if (points_ == 0) throw EmptySetError(name_ + ": no points");
+    const bool grid = seen_.contains("WIDTH") && seen_.contains("HEIGHT");
+    if (grid && (width_ == 0 || points_ % width_ != 0 || points_ / width_ != height_))
+      reader_.fail("WIDTH times HEIGHT is not POINTS");
+    if (!is_text_ && !(seen_.contains("SIZE") && seen_.contains("TYPE")))
+      reader_.fail("binary points need SIZE and TYPE");
     for (const Field& field : fields_) {
       if (field.count == 0 || field.count > kMost || field.size == 0 || field.size > 8)
         reader_.fail("a field of no or of too many numbers");
@@ -150,7 +158,8 @@ class PcdReader {
   const std::string& name_;
   std::vector<std::string_view> words_;
   std::vector<Field> fields_;
-  std::uint64_t points_ = 0;
+  std::set<std::string> seen_;  // keys of the header
+  std::uint64_t points_ = 0, width_ = 0, height_ = 0;
   bool is_text_ = true;
 };
 

@@ -76,6 +76,7 @@ class Message {
 
   /// Nothing may stand under this key.
   void reject(const YAML::Node& node, const char* key) const {
+    if (node.IsScalar() || node.IsSequence()) refuse(node, "keys must stand here");
     if (node[key] && node[key].size() > 0) refuse(node[key], std::string(key) + " are not understood");
   }
 

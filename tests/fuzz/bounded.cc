@@ -12,16 +12,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "tests/fuzz/harness.h"
+#include "tests/fuzz/mutator.h"
 #include "tests/fuzz/targets.h"
 
 namespace raygauge::fuzz {
@@ -32,83 +30,6 @@ namespace fs = std::filesystem;
 constexpr rlim_t kMostMemory = rlim_t{256} << 20;
 constexpr int kMostSeconds = 1;  // of processor time, for one input
 constexpr int kFewInputs = 250;
-constexpr std::size_t kLongestInput = 1 << 16;
-
-/// What readers choke on: sizes, signs, words that are numbers to some.
-constexpr std::array<const char*, 14> kTokens = {
-    "1000000000", "4294967295", "-1", "9223372036854775807",       "1e308", "1e-320", "nan", "inf", "0", "[[",
-    "\"",         "=",          "\n", "element vertex 999999999\n"};
-
-class Mutator {
- public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::string changed(const std::vector<std::string>& seeds) {
-    std::string input = seeds[below(seeds.size())];
-    for (std::size_t i = 1 + below(4); i > 0; --i) change(input, seeds);
-    if (input.size() > kLongestInput) input.resize(kLongestInput);
-    return input;
-  }
-
- private:
-  std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
-
-  void change(std::string& input, const std::vector<std::string>& seeds) {
-    const std::size_t at = below(input.size() + 1);
-    switch (below(6)) {
-      case 0:
-        if (at < input.size()) input[at] = static_cast<char>(below(256));
-        return;
-      case 1:
-        input.erase(at, below(16));
-        return;
-      case 2:
-        input.resize(at);
-        return;
-      case 3:
-        input.insert(at, kTokens[below(kTokens.size())]);
-        return;
-      case 4:
-        replace_number(input, at);
-        return;
-      default:
-        const std::string& other = seeds[below(seeds.size())];
-        input = input.substr(0, at) + other.substr(below(other.size() + 1));
-    }
-  }
-
-  /// The number behind `at` becomes another one.
-  void replace_number(std::string& input, std::size_t at) {
-    constexpr const char* kDigits = "0123456789";
-    const std::size_t begin = input.find_first_of(kDigits, at);
-    if (begin == std::string::npos) return;
-    const std::size_t end = std::min(input.find_first_not_of(kDigits, begin), input.size());
-    input.replace(begin, end - begin, kTokens[below(9)]);
-  }
-
-  std::mt19937 random_;
-};
-
-std::vector<std::string> seeds_of(const Target& target) {
-  std::vector<fs::path> files;
-  for (const char* kind : {"corpus", "found"}) {
-    const fs::path folder = fs::path(RAYGAUGE_FUZZ_FOLDER) / kind / target.name;
-    if (!fs::is_directory(folder)) continue;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> seeds;
-  for (const fs::path& path : files) {
-    std::ifstream file(path, std::ios::binary);
-    seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
-  return seeds;
-}
-
-int inputs_wanted() {
-  const char* text = std::getenv("RAYGAUGE_FUZZ_INPUTS");
-  return text == nullptr ? kFewInputs : std::max(1, std::atoi(text));
-}
 
 /// The input that the child is at, where its parent sees it.
 struct Shared {
@@ -134,7 +55,7 @@ void limit_time() {
   limit_memory();
   Mutator mutator(1);
   int findings = 0;
-  for (int i = inputs_wanted(); i > 0 && findings == 0; --i) {
+  for (int i = inputs_wanted(kFewInputs); i > 0 && findings == 0; --i) {
     const std::string input = mutator.changed(seeds);
     shared.size = input.size();
     std::copy(input.begin(), input.end(), shared.bytes.begin());
@@ -177,7 +98,7 @@ class EveryReader : public testing::TestWithParam<Target> {};
 
 TEST_P(EveryReader, StaysWithinMemoryAndTime) {
   const Target& target = GetParam();
-  const std::vector<std::string> seeds = seeds_of(target);
+  const std::vector<std::string> seeds = seeds_of(target.name);
   ASSERT_FALSE(seeds.empty());
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(memory, MAP_FAILED);

@@ -26,6 +26,11 @@ void check_scene_file(std::string_view input);
 void check_robot_file(std::string_view input);
 void check_pair_list(std::string_view input);
 void check_motion_file(std::string_view input);
+void check_cloud_file(std::string_view input);
+void check_height_field(std::string_view input);
+void check_parts_file(std::string_view input);
+void check_semantics_file(std::string_view input);
+void check_planning_message(std::string_view input);
 void check_solver(std::string_view input);
 
 /// A promise of the library that an input broke.

@@ -23,6 +23,13 @@ const std::vector<Target>& targets() {
       {"robot_file", check_robot_file},
       {"pair_list", check_pair_list},
       {"motion_file", check_motion_file},
+      {"cloud_file", check_cloud_file},
+      {"height_field", check_height_field},
+      {"parts_file", check_parts_file},
+      {"semantics_file", check_semantics_file},
+#ifdef RAYGAUGE_HAS_YAML
+      {"planning_message", check_planning_message},
+#endif
 #ifdef RAYGAUGE_HAS_EXACT
       {"solver", check_solver, false},
 #endif

@@ -264,6 +264,10 @@ TEST(PcdPoints, AreRefusedWhereTheHeaderAndTheDataDoNotMatch) {
        {"POINTS 1\nDATA ascii\n", "m:2: its points have no fields x, y and z"},
        {"FIELDS x y z\nDATA ascii\n", "m: no points"},
        {"ply\n", "m:1: 'ply' is no line of the header of a PCD file"},
+       {"FIELDS x y z\nFIELDS x y z\n", "m:2: FIELDS stands there twice"},
+       {"FIELDS x y z\nWIDTH 2\nHEIGHT 2\nPOINTS 3\nDATA ascii\n", "m:5: WIDTH times HEIGHT is not POINTS"},
+       {"FIELDS x y z\nWIDTH w\n", "m:2: 'w' is not a count"},
+       {"FIELDS x y z\nPOINTS 1\nDATA binary\n123456789012", "m:3: binary points need SIZE and TYPE"},
        {"VERSION 0.7\n", "m:1: the file ends before what its header promises"}});
 }
 

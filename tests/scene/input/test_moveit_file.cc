@@ -98,6 +98,8 @@ TEST_F(MoveItFile, WhatIsNotUnderstoodIsRefusedInOneLine) {
   EXPECT_EQ(complaint(object("planes: [{coef: [1, 0, 0, 0]}]")), "scene.yaml:3: planes are not understood");
   EXPECT_EQ(complaint(object("primitives: [{type: box}]")), "scene.yaml:3: there is no primitive_poses");
   EXPECT_EQ(complaint("name: s\n"), "scene.yaml:1: there is no world");
+  EXPECT_EQ(complaint("world: nothing\n"), "scene.yaml:1: keys must stand here");
+  EXPECT_EQ(complaint("world: [{collision_objects: []}]\n"), "scene.yaml:1: keys must stand here");
   EXPECT_EQ(complaint("world: {}\nrobot_state: {attached_collision_objects: [{link_name: hand}]}\n"),
             "scene.yaml:2: attached_collision_objects are not understood");
   EXPECT_EQ(complaint("world: [\n").substr(0, 42), "scene.yaml:2: not YAML that can be read: e");
