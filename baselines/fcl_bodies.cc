@@ -4,14 +4,10 @@
 
 #include <fcl/fcl.h>
 
-#include <Eigen/SVD>
 #include <utility>
 #include <vector>
 
-#include "engine/sets/hull_3d.h"
-#include "engine/sets/spatial_shape.h"
-#include "raygauge/sets/affine_image.h"
-#include "raygauge/sets/prepared_set.h"
+#include "baselines/rigid_body.h"
 
 namespace raygauge {
 
@@ -22,106 +18,45 @@ struct FclBody::Shape {
 
 namespace {
 
-using Kind = SpatialShape::Kind;
+using Kind = RigidBody::Kind;
 using Geometry = std::shared_ptr<fcl::ShapeBase<double>>;
 
-Eigen::Vector3d eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
-
-Eigen::Isometry3d frame_at(const Eigen::Vector3d& center, const Eigen::Matrix3d& R) {
-  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  frame.linear() = R;
-  frame.translation() = center;
-  return frame;
-}
-
-// FCL's capsules, cylinders and cones stand along z.
-Eigen::Isometry3d frame_along(const Eigen::Vector3d& center, const Eigen::Vector3d& axis) {
-  return frame_at(center,
-                  Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix());
-}
-
-Geometry hull_of(const Eigen::MatrixXd& points) {
-  const Hull3 hull = hull_3d(points, points.rowwise().mean());
-  if (!hull.found) return nullptr;
-  std::vector<int> place(static_cast<std::size_t>(points.cols()), -1);
-  auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>();
+Geometry hull_of(const RigidBody& body) {
   auto faces = std::make_shared<std::vector<int>>();
-  for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
-    const int corner = hull.triangles[i];
-    int& index = place[static_cast<std::size_t>(corner)];
-    if (index < 0) {
-      index = static_cast<int>(vertices->size());
-      vertices->emplace_back(points.col(corner));
-    }
+  for (std::size_t i = 0; i < body.triangles.size(); ++i) {
     if (i % 3 == 0) faces->push_back(3);
-    faces->push_back(index);
+    faces->push_back(body.triangles[i]);
   }
-  return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size() / 3), faces);
+  return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Eigen::Vector3d>>(body.vertices),
+                                        static_cast<int>(body.triangles.size() / 3), faces);
 }
 
-Geometry round_body(const SpatialShape& shape, Eigen::Isometry3d& frame) {
-  const Eigen::Vector3d base = eigen(shape.base), top = eigen(shape.top);
-  const double height = (top - base).norm();
-  const bool is_cylinder = shape.base_radius == shape.top_radius;
-  if (!is_cylinder && shape.base_radius != 0 && shape.top_radius != 0) return nullptr;
-  const double sign = shape.top_radius > 0 ? -1 : 1;  // the tip of a cone is above
-  frame = frame_along(0.5 * (base + top), (is_cylinder ? 1 : sign) * (top - base));
-  if (is_cylinder) return std::make_shared<fcl::Cylinderd>(shape.base_radius, height);
-  return std::make_shared<fcl::Coned>(shape.base_radius + shape.top_radius, height);
-}
-
-Geometry ellipsoid(const SpatialShape& shape, Eigen::Isometry3d& frame) {
-  Eigen::Matrix3d L;
-  for (int j = 0; j < 3; ++j) L.col(j) = eigen(shape.axis.column[j]);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(L, Eigen::ComputeFullU);
-  Eigen::Matrix3d R = svd.matrixU();
-  if (R.determinant() < 0) R.col(2) = -R.col(2);
-  frame = frame_at(eigen(shape.center), R);
-  return std::make_shared<fcl::Ellipsoidd>(Eigen::Vector3d(svd.singularValues()));
-}
-
-Geometry geometry_of(const ConvexSet& S, const SpatialShape& shape, Eigen::Isometry3d& frame) {
-  if (shape.kind != Kind::point && shape.kind != Kind::segment && shape.radius > 0) return nullptr;
-  switch (shape.kind) {
-    case Kind::point:
-      frame.translation() = eigen(shape.center);
-      return std::make_shared<fcl::Sphered>(shape.radius);
-    case Kind::segment:
-      frame = frame_along(eigen(shape.center), eigen(shape.axis.column[0]));
-      return std::make_shared<fcl::Capsuled>(shape.radius, 2 * length(shape.axis.column[0]));
+Geometry geometry_of(const RigidBody& body) {
+  switch (body.kind) {
+    case Kind::ball:
+      return std::make_shared<fcl::Sphered>(body.radius);
+    case Kind::capsule:
+      return std::make_shared<fcl::Capsuled>(body.radius, body.height);
     case Kind::box:
-      frame.translation() = eigen(shape.center);
-      return std::make_shared<fcl::Boxd>(Eigen::Vector3d(2 * eigen(shape.axis.column[0])));
+      return std::make_shared<fcl::Boxd>(Eigen::Vector3d(2 * body.half));
     case Kind::ellipsoid:
-      return ellipsoid(shape, frame);
-    case Kind::frustum:
-      return round_body(shape, frame);
-    case Kind::points:
+      return std::make_shared<fcl::Ellipsoidd>(body.half);
+    case Kind::cylinder:
+      return std::make_shared<fcl::Cylinderd>(body.radius, body.height);
+    case Kind::cone:
+      return std::make_shared<fcl::Coned>(body.radius, body.height);
+    case Kind::hull:
       break;
   }
-  const PointSet* points = as_point_set(S);
-  return points == nullptr ? nullptr : hull_of(points->points());
+  return hull_of(body);
 }
 
 }  // namespace
 
 std::optional<FclBody> FclBody::of(const ConvexSet& S) {
-  if (const auto* image = dynamic_cast<const AffineImage*>(&S); image != nullptr && S.dimension() == 3) {
-    constexpr double kRigid = 1e-12;
-    const Eigen::Matrix3d R = image->M();
-    if (!(R.transpose() * R).isIdentity(kRigid) || R.determinant() < 0) return std::nullopt;
-    auto body = of(*image->S());
-    if (body)
-      body = FclBody(std::make_shared<Shape>(
-          Shape{body->shape_->geometry, frame_at(image->t(), R) * body->shape_->frame}));
-    return body;
-  }
-  SpatialShape shape;
-  if (S.dimension() != 3 || !S.spatial_shape_unchecked(shape)) return std::nullopt;
-  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  Geometry geometry = geometry_of(S, shape, frame);
-  if (geometry == nullptr) return std::nullopt;
-  return FclBody(std::make_shared<Shape>(Shape{std::move(geometry), frame}));
+  const auto body = RigidBody::of(S);
+  if (!body) return std::nullopt;
+  return FclBody(std::make_shared<Shape>(Shape{geometry_of(*body), body->frame}));
 }
 
 struct FclQuery::State {

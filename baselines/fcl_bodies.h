@@ -14,9 +14,7 @@ namespace raygauge {
 /// A convex body as FCL, the Flexible Collision Library, has it: made once, shared by queries.
 class FclBody {
  public:
-  /// The body of a set of R^3: a ball, capsule, box, ellipsoid, cylinder, cone with a tip, the hull of
-  /// points, or a rigid image of one. Empty where FCL has no such shape: truncated cones, flat hulls, sets
-  /// that are combined, and all hulls where the engine is built without Qhull.
+  /// The body of a set that RigidBody::of() takes; empty for others.
   static std::optional<FclBody> of(const ConvexSet& S);
 
  private:

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/registry.h"
 
+#ifdef RAYGAUGE_HAS_BULLET
+#include "baselines/bullet_method.h"
+#endif
 #ifdef RAYGAUGE_HAS_GLPK
 #include "baselines/glpk_simplex.h"
 #endif
@@ -43,6 +46,9 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
 #ifdef RAYGAUGE_HAS_FCL
   register_fcl_methods(registry);
 #endif
+#ifdef RAYGAUGE_HAS_BULLET
+  register_bullet_method(registry);
+#endif
 }
 
 std::vector<std::pair<std::string, std::string>> solver_versions() {
@@ -64,6 +70,9 @@ std::vector<std::pair<std::string, std::string>> solver_versions() {
 #endif
 #ifdef RAYGAUGE_HAS_FCL
   versions.emplace_back("FCL", fcl_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_BULLET
+  versions.emplace_back("Bullet", bullet_library_version());
 #endif
   return versions;
 }

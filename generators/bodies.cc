@@ -23,10 +23,9 @@ namespace raygauge::bodies {
 namespace {
 
 constexpr const char* kName = "bodies";
-constexpr double kApart = 1;  // gaps in sizes of the bodies
-constexpr double kNear = 1e-3;
-constexpr double kGrazing = 1e-6;
-constexpr double kOverlap = 0.2;  // from centre to centre; every body but a hull holds a ball of radius 0.3
+constexpr double kOverlap =
+    0.2;  // from centre to centre; every body but a hull and a needle holds a ball of radius 0.3
+constexpr double kThin = 1e-3;         // a needle's half width
 constexpr double kRounding = 0x1p-44;  // of the planted gap, relative to the size
 
 using Body = std::shared_ptr<const ConvexSet>;
@@ -96,6 +95,12 @@ const std::map<std::string, MakeBody>& kinds() {
          return std::make_shared<Ellipsoid>(t, factor);
        }},
       {"hull", hull_at},
+      {"needle",
+       [](const Shape& s, const Vector& t) -> Body {
+         Vector half = Vector::Constant(s.R.cols(), kThin * s.size);
+         half[0] = 0.6 * s.size;
+         return AffineImage::rigid(std::make_shared<Box>(-half, half), s.R, t);
+       }},
   };
   return kAll;
 }
@@ -108,57 +113,128 @@ Vector support_point(const ConvexSet& S, const Vector& u) {
   return point;
 }
 
-/// Body 2 where its support point at -u is that of body 1 at u, and gap·u further.
-Instance apart(const Shape& one, const Shape& two, const Vector& c, const Vector& u, double gap) {
-  const Body first = body_at(one, c);
-  const Vector t =
-      support_point(*first, u) - support_point(*body_at(two, Vector::Zero(u.size())), -u) + gap * u;
-  const double size = std::max(one.size, two.size);
-  return {std::make_shared<MinkowskiDifference>(body_at(two, t), first), nullptr, gap,
-          kRounding * size / gap};
+/// Where the bodies are. Lengths in sizes.
+struct Place {
+  double gap = 0;          ///< between bodies that are apart; 0 where they overlap
+  double into = 0;         ///< of bodies that overlap slightly: how far body 2 is moved into body 1
+  double between = 0;      ///< of others that overlap: from centre to centre
+  double from_origin = 1;  ///< of body 1
+  bool parallel = false;   ///< turned alike, apart along their common axis
+};
+
+const std::map<std::string, Place>& places() {
+  constexpr double kNear = 1e-3, kGrazing = 1e-6, kFar = 1e6;
+  static const std::map<std::string, Place> kAll = {
+      {"apart", {1, 0, 0}},          {"near", {kNear, 0, 0}},
+      {"grazing", {kGrazing, 0, 0}}, {"parallel", {kNear, 0, 0, 1, true}},
+      {"far", {kNear, 0, 0, kFar}},  {"slight", {0, kNear, 0}},
+      {"overlap", {0, 0, kOverlap}}, {"deep", {0, 0, 0}},
+  };
+  return kAll;
 }
 
-/// Body 2 about an inner point of body 1: its centre is one, or two hulls share their centres.
-Instance overlapping(const Shape& one, const Shape& two, const Vector& c, const Vector& u) {
-  const Body first = body_at(one, c);
-  const bool hulls = one.kind == "hull" && two.kind == "hull";
-  const Vector from = one.kind == "hull" ? Vector(c + one.points.rowwise().mean()) : c;
-  const Vector to = two.kind == "hull" ? Vector(two.points.rowwise().mean()) : Vector(Vector::Zero(u.size()));
-  const Vector t = from - to + (hulls ? 0.0 : kOverlap * std::min(one.size, two.size)) * u;
-  return {std::make_shared<MinkowskiDifference>(body_at(two, t), first), nullptr, 0.0};
+/// Two shapes and where they are.
+struct Pair {
+  Shape one, two;
+  Place place;
+  Vector c;  ///< centre of body 1
+  Vector u;  ///< the direction to body 2
+  double size = 1;
+
+  Instance of(const Body& first, const Body& second) const {
+    return {std::make_shared<MinkowskiDifference>(second, first),
+            std::make_shared<Ball>(Vector::Zero(u.size()), 1.0),
+            {}};
+  }
+};
+
+/// Where body 2 touches body 1: its support point at -u is that of body 1 at u.
+Vector touching(const Pair& pair, const Body& first) {
+  const Body second = body_at(pair.two, Vector::Zero(pair.u.size()));
+  return support_point(*first, pair.u) - support_point(*second, -pair.u);
 }
 
-Instance generate(const InstanceKey& key, const Parameters& parameters) {
-  const double size = real_parameter(parameters, "scale");
-  RandomStream of_1(key, kName, RandomPurpose::points_of_A), of_2(key, kName, RandomPurpose::points_of_Q);
-  const Shape one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.n, key.N);
-  const Shape two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.n, key.N);
-  RandomStream placement(key, kName, RandomPurpose::placement);
-  const Vector u = placement.unit_vector(key.n);
-  const Vector c = size * placement.unit_vector(key.n);
-  const std::map<std::string, double> gaps = {{"apart", kApart}, {"near", kNear}, {"grazing", kGrazing}};
-  const auto gap = gaps.find(string_parameter(parameters, "place"));
-  Instance instance =
-      gap == gaps.end() ? overlapping(one, two, c, u) : apart(one, two, c, u, gap->second * size);
-  instance.Q = std::make_shared<Ball>(Vector::Zero(key.n), 1.0);
+/// Body 2 moved from there by gap·u.
+Instance apart(const Pair& pair) {
+  const Body first = body_at(pair.one, pair.c);
+  const double gap = pair.place.gap * pair.size;
+  Instance instance = pair.of(first, body_at(pair.two, touching(pair, first) + gap * pair.u));
+  instance.exact_distance = gap;
+  instance.exact_distance_rounding = kRounding * (1 + pair.place.from_origin) * pair.size / gap;
   return instance;
 }
 
-std::vector<std::string> kind_names() {
+/// Body 2 moved from there towards the centre of body 1, which then holds the point of body 2 that touched
+/// it.
+Instance slightly_overlapping(const Pair& pair) {
+  const Body first = body_at(pair.one, pair.c);
+  const Vector inwards = (first->center() - support_point(*first, pair.u)).normalized();
+  Instance instance =
+      pair.of(first, body_at(pair.two, touching(pair, first) + pair.place.into * pair.size * inwards));
+  instance.exact_distance = 0;
+  return instance;
+}
+
+/// Body 2 about an inner point of body 1. The centre of a hull is the mean of its points; two hulls share it.
+Instance overlapping(const Pair& pair) {
+  const auto mean = [](const Shape& shape) {
+    return shape.kind == "hull" ? Vector(shape.points.rowwise().mean())
+                                : Vector(Vector::Zero(shape.R.rows()));
+  };
+  const auto holds_a_ball = [](const Shape& shape) { return shape.kind != "hull" && shape.kind != "needle"; };
+  const bool moved = holds_a_ball(pair.one) || holds_a_ball(pair.two);
+  const Vector t = pair.c + mean(pair.one) - mean(pair.two) +
+                   (moved ? pair.place.between * std::min(pair.one.size, pair.two.size) : 0.0) * pair.u;
+  Instance instance = pair.of(body_at(pair.one, pair.c), body_at(pair.two, t));
+  instance.exact_distance = 0;
+  return instance;
+}
+
+Pair pair_of(const InstanceKey& key, const Parameters& parameters) {
+  const double size = real_parameter(parameters, "scale");
+  RandomStream of_1(key, kName, RandomPurpose::points_of_A), of_2(key, kName, RandomPurpose::points_of_Q);
+  Pair pair;
+  pair.size = size;
+  pair.place = places().at(string_parameter(parameters, "place"));
+  pair.one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.n, key.N);
+  pair.two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.n, key.N);
+  RandomStream placement(key, kName, RandomPurpose::placement);
+  pair.u = placement.unit_vector(key.n);
+  pair.c = pair.place.from_origin * size * placement.unit_vector(key.n);
+  if (pair.place.parallel) {
+    pair.two.R = pair.one.R;
+    pair.u = pair.one.R.col(0);
+  }
+  return pair;
+}
+
+Instance generate(const InstanceKey& key, const Parameters& parameters) {
+  const Pair pair = pair_of(key, parameters);
+  if (pair.place.gap > 0) return apart(pair);
+  return pair.place.into > 0 ? slightly_overlapping(pair) : overlapping(pair);
+}
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& entries) {
   std::vector<std::string> names;
-  for (const auto& entry : kinds()) names.push_back(entry.first);
+  for (const auto& entry : entries) names.push_back(entry.first);
   return names;
 }
 
 std::vector<ParameterInfo> parameters() {
-  return {{"kind_1", std::string("box"), {}, {}, "kind of the first body; a hull has N points", kind_names()},
-          {"kind_2", std::string("box"), {}, {}, "kind of the second body", kind_names()},
+  return {{"kind_1",
+           std::string("box"),
+           {},
+           {},
+           "kind of the first body; a hull has N points",
+           names_of(kinds())},
+          {"kind_2", std::string("box"), {}, {}, "kind of the second body", names_of(kinds())},
           {"place",
            std::string("apart"),
            {},
            {},
-           "a size, a thousandth or a millionth of it apart, or overlapping",
-           {"apart", "near", "grazing", "overlap"}},
+           "a size, a thousandth or a millionth of it apart, or overlapping; docs/generators.md",
+           names_of(places())},
           {"scale", 1.0, 1e-100, 1e100, "size of both bodies", {}}};
 }
 

@@ -47,6 +47,7 @@ the program's.
 | GMP | LGPL-3 or GPL-2 | link it dynamically (the default) or let users relink |
 | LIBSVM | BSD-3 | keep its notice; `-DRAYGAUGE_WITH_LIBSVM=OFF` builds without |
 | FCL, libccd, OctoMap | BSD-3 | keep their notices; `-DRAYGAUGE_WITH_FCL=OFF` builds without |
+| Bullet | zlib | none; `-DRAYGAUGE_WITH_BULLET=OFF` builds without |
 | OMPL | BSD-3 | keep its notice; `-DRAYGAUGE_WITH_OMPL=OFF` builds without |
 | tinyxml2, HDF5, Random123, CLI11, toml++, fmt, nlohmann-json, zlib | BSD, MIT or zlib | keep their notices |
 | Boost | BSL-1.0 | none |

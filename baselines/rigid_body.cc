@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "baselines/rigid_body.h"
+
+#include <Eigen/SVD>
+
+#include "engine/sets/hull_3d.h"
+#include "engine/sets/spatial_shape.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/prepared_set.h"
+
+namespace raygauge {
+namespace {
+
+using Kind = RigidBody::Kind;
+
+Eigen::Vector3d eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+void stand_along(RigidBody& body, const Eigen::Vector3d& center, const Eigen::Vector3d& axis) {
+  body.frame.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  body.frame.translation() = center;
+}
+
+bool take_hull(const Eigen::MatrixXd& points, RigidBody& body) {
+  const Hull3 hull = hull_3d(points, points.rowwise().mean());
+  if (!hull.found) return false;
+  body.kind = Kind::hull;
+  std::vector<int> place(static_cast<std::size_t>(points.cols()), -1);
+  for (const int corner : hull.triangles) {
+    int& index = place[static_cast<std::size_t>(corner)];
+    if (index < 0) {
+      index = static_cast<int>(body.vertices.size());
+      body.vertices.emplace_back(points.col(corner));
+    }
+    body.triangles.push_back(index);
+  }
+  return true;
+}
+
+bool take_round_body(const SpatialShape& shape, RigidBody& body) {
+  const Eigen::Vector3d base = eigen(shape.base), top = eigen(shape.top);
+  const bool is_cylinder = shape.base_radius == shape.top_radius;
+  if (!is_cylinder && shape.base_radius != 0 && shape.top_radius != 0) return false;
+  const double sign = !is_cylinder && shape.top_radius > 0 ? -1 : 1;
+  body.kind = is_cylinder ? Kind::cylinder : Kind::cone;
+  body.radius = is_cylinder ? shape.base_radius : shape.base_radius + shape.top_radius;
+  body.height = (top - base).norm();
+  stand_along(body, 0.5 * (base + top), sign * (top - base));
+  return true;
+}
+
+void take_ellipsoid(const SpatialShape& shape, RigidBody& body) {
+  Eigen::Matrix3d L;
+  for (int j = 0; j < 3; ++j) L.col(j) = eigen(shape.axis.column[j]);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(L, Eigen::ComputeFullU);
+  Eigen::Matrix3d R = svd.matrixU();
+  if (R.determinant() < 0) R.col(2) = -R.col(2);
+  body.kind = Kind::ellipsoid;
+  body.half = svd.singularValues();
+  body.frame.linear() = R;
+  body.frame.translation() = eigen(shape.center);
+}
+
+bool take(const ConvexSet& S, const SpatialShape& shape, RigidBody& body) {
+  using Core = SpatialShape::Kind;
+  if (shape.kind != Core::point && shape.kind != Core::segment && shape.radius > 0) return false;
+  body.radius = shape.radius;
+  body.frame.translation() = eigen(shape.center);
+  switch (shape.kind) {
+    case Core::point:
+      return true;
+    case Core::segment:
+      body.kind = Kind::capsule;
+      body.height = 2 * length(shape.axis.column[0]);
+      stand_along(body, eigen(shape.center), eigen(shape.axis.column[0]));
+      return true;
+    case Core::box:
+      body.kind = Kind::box;
+      body.half = eigen(shape.axis.column[0]);
+      return true;
+    case Core::ellipsoid:
+      take_ellipsoid(shape, body);
+      return true;
+    case Core::frustum:
+      return take_round_body(shape, body);
+    case Core::points:
+      break;
+  }
+  body.frame = Eigen::Isometry3d::Identity();
+  const PointSet* points = as_point_set(S);
+  return points != nullptr && take_hull(points->points(), body);
+}
+
+}  // namespace
+
+std::optional<RigidBody> RigidBody::of(const ConvexSet& S) {
+  if (const auto* image = dynamic_cast<const AffineImage*>(&S); image != nullptr && S.dimension() == 3) {
+    constexpr double kRigid = 1e-12;
+    const Eigen::Matrix3d R = image->M();
+    if (!(R.transpose() * R).isIdentity(kRigid) || R.determinant() < 0) return std::nullopt;
+    auto body = of(*image->S());
+    if (!body) return std::nullopt;
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = R;
+    pose.translation() = image->t();
+    body->frame = pose * body->frame;
+    return body;
+  }
+  SpatialShape shape;
+  RigidBody body;
+  if (S.dimension() != 3 || !S.spatial_shape_unchecked(shape) || !take(S, shape, body)) return std::nullopt;
+  return body;
+}
+
+}  // namespace raygauge

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "baselines/pair_method.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "baselines/registry.h"
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
+
+namespace raygauge::test_pair_method {
+namespace {
+
+using Set = std::shared_ptr<const ConvexSet>;
+using Eigen::Vector3d;
+
+Instance asked(const Set& first, const Set& second, double radius = 1) {
+  Instance instance;
+  instance.A = std::make_shared<MinkowskiDifference>(second, first);
+  instance.Q = std::make_shared<Ball>(Vector3d::Zero(), radius);
+  return instance;
+}
+
+/// A library that answers what the test says.
+class Oracle final : public BodyPair {
+ public:
+  explicit Oracle(PairAnswer answer) : answer_(std::move(answer)) {}
+  PairAnswer distance(double tolerance) override {
+    if (tolerance == 0.5) throw std::runtime_error("no answer");
+    return answer_;
+  }
+
+ private:
+  PairAnswer answer_;
+};
+
+DistanceResult result_of(const PairAnswer& answer, const Instance& instance, double tolerance = 1e-6) {
+  PairLibrary library;
+  library.name = "oracle";
+  library.make = [answer](const ConvexSet& /*one*/, const ConvexSet& /*two*/, const Parameters& /*none*/) {
+    return std::make_unique<Oracle>(answer);
+  };
+  const auto method = pair_component(library).make({});
+  method->load(instance);
+  method->solve({tolerance});
+  return method->result();
+}
+
+const Set kBall = std::make_shared<Ball>(Vector3d::Zero(), 1.0);
+Set ball_at(double x) { return std::make_shared<Ball>(Vector3d(x, 0, 0), 1.0); }
+
+TEST(PairMethod, ClaimsWhatTheLibrarySaysAndProvesWhatItsDirectionDoes) {
+  const DistanceResult apart = result_of({7, Vector3d(2, 0, 0)}, asked(kBall, ball_at(5)));
+  EXPECT_EQ(apart.status, DistanceStatus::optimal);
+  EXPECT_EQ(apart.distance, 7);
+  EXPECT_NEAR(apart.lower, 3, 1e-13);
+  EXPECT_LE(apart.lower, 3);
+  EXPECT_TRUE(std::isnan(apart.upper));
+  const DistanceResult meet = result_of({-0.5, Vector3d(1, 0, 0)}, asked(kBall, ball_at(5)));
+  EXPECT_EQ(meet.status, DistanceStatus::contains_origin);
+  EXPECT_EQ(meet.distance, 0);
+  EXPECT_NEAR(result_of({6, Vector3d(1, 0, 0)}, asked(kBall, ball_at(5), 2)).lower, 1.5, 1e-13)
+      << "in units of the metric";
+}
+
+TEST(PairMethod, HasNoAnswerWhereTheLibraryFailsOrThrows) {
+  const Instance instance = asked(kBall, ball_at(5));
+  EXPECT_EQ(result_of(PairAnswer(), instance).status, DistanceStatus::precision_limit);
+  EXPECT_EQ(result_of({7, Vector3d(1, 0, 0)}, instance, 0.5).status, DistanceStatus::precision_limit);
+  EXPECT_TRUE(std::isnan(result_of({7, Vector3d(1, 0, 0)}, instance, 0.5).distance));
+}
+
+/// One body of each kind, none of them symmetric in its own frame; each holds the point (0.2, 0.1, 0.3).
+std::vector<Set> bodies() {
+  const Vector3d p(0.1, -0.4, 0.2), q(0.3, 0.5, 0.6);
+  Eigen::Matrix3d L;
+  L << 1, 0.2, 0, -0.1, 0.6, 0.1, 0, 0.3, 0.4;
+  Eigen::MatrixXd corners(3, 7);
+  corners << 1, -1, 0.2, 0, 0.1, 0, 0.6, 0, 0.3, 1, -1, 0, 0, 0.7, 0, 0, 0.1, 0.2, 1, -1, 0.5;
+  std::vector<Set> sets = {
+      std::make_shared<Ball>(p, 0.7),
+      std::make_shared<Capsule>(p, q, 0.3),
+      AffineImage::rigid(std::make_shared<Box>(-q, q),
+                         Eigen::AngleAxisd(0.4, Vector3d(2, 1, 2) / 3).toRotationMatrix(),
+                         Vector3d(0.1, 0, 0.2)),
+      std::make_shared<Ellipsoid>(p, Eigen::MatrixXd(L)),
+      std::make_shared<Cylinder>(p, q, 0.4),
+      std::make_shared<TruncatedCone>(p, 0.6, q, 0.0)};
+  if (PreparedSet::has_hulls()) sets.push_back(std::make_shared<PointSet>(corners));
+  return sets;
+}
+
+MethodRegistry all() {
+  MethodRegistry registry("method");
+  register_baselines(registry);
+  return registry;
+}
+
+std::vector<std::string> libraries() {
+  std::vector<std::string> found;
+  const MethodRegistry registry = all();
+  for (const char* name : {"bullet", "fcl_indep", "fcl_libccd"})
+    if (registry.find_if_known(name) != nullptr) found.emplace_back(name);
+  return found;
+}
+
+class Library : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<SolveMethod> method_ = all().make(GetParam(), {});
+
+  DistanceResult answer(const Instance& instance) {
+    method_->load(instance);
+    method_->solve({});
+    return method_->result();
+  }
+};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Library);
+INSTANTIATE_TEST_SUITE_P(Baselines, Library, ::testing::ValuesIn(libraries()),
+                         [](const auto& library) { return library.param; });
+
+// How far the libraries are off is what sweeps measure: a hundredth tells a shape that was misunderstood.
+// What raygauge proves from their directions has to hold.
+TEST_P(Library, UnderstandsEveryBody) {
+  ObjectDistanceSolver solver;
+  for (const Set& one : bodies()) {
+    for (const Set& other : bodies()) {
+      const Set away = AffineImage::rigid(other, Eigen::Matrix3d::Identity(), Vector3d(2, -1.5, 1.7));
+      const double truth = solver.solve(*one, *away, *kBall).distance.distance;
+      const DistanceResult found = answer(asked(one, away));
+      EXPECT_NEAR(found.distance, truth, 0.01);
+      EXPECT_LE(found.lower, truth * (1 + 1e-6));
+      EXPECT_GE(found.lower, 0.5 * truth);
+      EXPECT_EQ(answer(asked(one, other)).status, DistanceStatus::contains_origin);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_pair_method
