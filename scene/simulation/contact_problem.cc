@@ -9,6 +9,7 @@
 
 #include "raygauge/numerics/vector3.h"
 #include "scene/simulation/friction_newton.h"
+#include "scene/simulation/friction_smoothing.h"
 
 namespace raygauge {
 namespace {
@@ -152,20 +153,29 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
   return with_friction(problem, r);
 }
 
-// Newton's method from what is known of the step before; where that does not end, from where the solver's
-// passes do.
+// Newton's method from what is known of the step before; where that does not end, from the end of a path of
+// smoothed problems; then from where the solver's passes end.
 double ContactProblem::with_friction(const FrictionProblem& problem, Eigen::VectorXd& r) {
   constexpr double kEnough = 1e-11;
-  constexpr std::size_t kMostContacts = 150;  // of one factorization before the passes
-  Eigen::VectorXd own = r;
-  double residual = friction_residual(problem, own);
-  if (residual > kEnough && problem.mu.size() <= kMostContacts) residual = improve_friction(problem, own);
-  if (residual > kEnough) {
-    friction_->solve(problem, r);
-    const double passes = improve_friction(problem, r);
-    if (passes < residual) return passes;
+  constexpr std::size_t kMostContacts = 150;  // of dense factorizations before the passes
+  const bool small = problem.mu.size() <= kMostContacts || friction_ == nullptr;
+  const Eigen::VectorXd guess = r;
+  double residual = friction_residual(problem, r);
+  const auto attempt = [&](auto find) {
+    if (!(residual > kEnough)) return;
+    Eigen::VectorXd trial = guess;
+    find(trial);
+    const double found = improve_friction(problem, trial);
+    if (!(found < residual)) return;
+    residual = found;
+    r = trial;
+  };
+  if (small) {
+    attempt([](Eigen::VectorXd& /*guess*/) {});
+    for (const double rate : {0.3, 0.7})
+      attempt([&](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); });
   }
-  r = own;
+  if (friction_ != nullptr) attempt([&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
   return residual;
 }
 
