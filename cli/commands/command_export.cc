@@ -21,7 +21,7 @@ struct ExportArguments {
   AnalysisArguments analysis;
   std::string csv, refutations;
   bool tidy = false;
-  bool contacts = false, steps = false, answers = false;
+  bool contacts = false, steps = false, simulations = false, answers = false;
   bool force = false;
 };
 
@@ -31,7 +31,8 @@ std::string scene_table(const ExportArguments& arguments, const SceneFile& file)
   for (const SceneBodyRow& body : file.bodies) bodies.push_back(body.name);
   if (!file.simulation) {
     for (const auto& [option, given] :
-         {GivenOption{"--contacts", arguments.contacts}, GivenOption{"--steps", arguments.steps}}) {
+         {GivenOption{"--contacts", arguments.contacts}, GivenOption{"--steps", arguments.steps},
+          GivenOption{"--simulations", arguments.simulations}}) {
       if (given)
         throw InvalidParameterError(arguments.analysis.files.front() + ": holds no simulation, for which " +
                                     option + " is");
@@ -39,6 +40,7 @@ std::string scene_table(const ExportArguments& arguments, const SceneFile& file)
   }
   if (!file.simulation || arguments.answers) return scene_csv(file);
   if (arguments.contacts) return contacts_csv(*file.simulation, bodies);
+  if (arguments.simulations) return simulations_csv(*file.simulation);
   return arguments.steps ? steps_csv(*file.simulation) : states_csv(*file.simulation, bodies);
 }
 
@@ -77,12 +79,14 @@ int export_records(const ExportArguments& arguments) {
   if (arguments.csv.empty())
     throw InvalidParameterError("export: give --csv OUT.csv or --refutations OUT.jsonl");
   if (static_cast<int>(arguments.contacts) + static_cast<int>(arguments.steps) +
-          static_cast<int>(arguments.answers) >
+          static_cast<int>(arguments.simulations) + static_cast<int>(arguments.answers) >
       1)
-    throw InvalidParameterError("export: --contacts, --steps and --answers name one table each; give one");
+    throw InvalidParameterError(
+        "export: --contacts, --steps, --simulations and --answers name one table each; give one");
   if (exported_scene(arguments)) return kAnswered;
-  if (arguments.contacts || arguments.steps || arguments.answers)
-    throw InvalidParameterError("export: --contacts, --steps and --answers are for the file of one scene");
+  if (arguments.contacts || arguments.steps || arguments.simulations || arguments.answers)
+    throw InvalidParameterError(
+        "export: --contacts, --steps, --simulations and --answers are for the file of one scene");
   const Filter filter = filter_of(arguments.analysis);
   const Output output =
       output_of(arguments.csv, OutputKind::text, {".csv"}, arguments.analysis, arguments.force);
@@ -116,6 +120,8 @@ void add_export_command(Command& app, int& status) {
   command.add_flag("--contacts", arguments->contacts,
                    "Of a simulation: a line a contact, in place of one a body and instant");
   command.add_flag("--steps", arguments->steps, "Of a simulation: a line a step");
+  command.add_flag("--simulations", arguments->simulations,
+                   "Of a simulation: a line each step and tolerance: what it cost and how accurate it was");
   command.add_flag("--answers", arguments->answers, "Of a scene: the answers to its queries");
   add_force_option(command, arguments->force);
   command.footer(

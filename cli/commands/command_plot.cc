@@ -15,6 +15,7 @@
 #include "cli/output/output_file.h"
 #include "raygauge/exceptions.h"
 #include "results/text/language.h"
+#include "scene/page/cost_figure.h"
 #include "scene/page/scene_figure.h"
 
 namespace raygauge::cli {
@@ -23,6 +24,9 @@ namespace {
 constexpr const char* kSceneFigure = "timelines";
 constexpr const char* kSceneDescription =
     "distances of a scene over time with their certified bands, and its contacts";
+constexpr const char* kCostFigure = "cost";
+constexpr const char* kCostDescription =
+    "error, proven overlap, rise of energy and residual against seconds, for its steps and tolerances";
 
 struct PlotArguments {
   AnalysisArguments analysis;
@@ -119,14 +123,18 @@ std::vector<Written> draw_all_figures(const PlotArguments& arguments, const Figu
 /// A scene's results have one picture.
 int plot_scene(const PlotArguments& arguments) {
   refuse_options_of_scene(arguments.analysis, {{"--baseline", !arguments.baselines.empty()}});
-  if (!arguments.figure.empty() && arguments.figure != kSceneFigure)
-    throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure});
+  if (!arguments.figure.empty() && arguments.figure != kSceneFigure && arguments.figure != kCostFigure)
+    throw UnknownNameError("figure of a scene", arguments.figure, {kSceneFigure, kCostFigure});
   const ImageFormat format = image_format_of(arguments.output);
   const Output output = picture_output(arguments, arguments.output);
   const SceneFile file = read_scene(arguments.analysis);
-  const Drawing drawing = draw_scene(file, figure_size_from_string(arguments.size));
+  const FigureSize size = figure_size_from_string(arguments.size);
+  const SimulationTables simulated = file.simulation.value_or(SimulationTables());
+  const bool costs =
+      arguments.figure == kCostFigure || (arguments.figure.empty() && simulated.simulations.size() > 1);
+  const Drawing drawing = costs ? draw_costs(simulated, size) : draw_scene(file, size);
   write_to(output, described(draw_with_gnuplot(drawing.script, format, drawing.width, drawing.height), format,
-                             file.name, kSceneDescription));
+                             file.name, costs ? kCostDescription : kSceneDescription));
   print_path(output);
   return kAnswered;
 }
@@ -152,7 +160,8 @@ int plot(const PlotArguments& arguments) {
 std::string figure_help() {
   std::string text = "Default: every one that the records have the data of. One of";
   for (const Figure& figure : figures()) text += "\n  " + figure.name + ": " + figure.description;
-  return text + "\n  " + kSceneFigure + ": of the results of a scene, " + kSceneDescription;
+  return text + "\n  " + kSceneFigure + ": of the results of a scene, " + kSceneDescription + "\n  " +
+         kCostFigure + ": of several simulations of a scene, " + kCostDescription;
 }
 
 }  // namespace

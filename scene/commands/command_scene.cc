@@ -267,7 +267,7 @@ int explain(const SceneArguments& arguments) {
                      counted(plan.cells.size(), "cell") + " of work\n";
   if (source.dynamics) {
     text += "dynamics\n";
-    for (const std::string& line : explain_dynamics(source.scene, *source.dynamics)) {
+    for (const std::string& line : explain_dynamics(source.scene, *source.dynamics, source.accuracies)) {
       text += "  " + language::printable(line) + "\n";
       json["dynamics"].push_back(line);
     }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "scene/commands/command_simulate.h"
 
-#include <algorithm>
+#include <cerrno>
 #include <chrono>
-#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/console/exit_status.h"
 #include "cli/console/interrupt.h"
@@ -24,9 +24,12 @@
 #include "results/run/output_place.h"
 #include "results/text/language.h"
 #include "scene/commands/scene_input.h"
-#include "scene/file/scene_batch.h"
+#include "scene/commands/scene_text.h"
+#include "scene/file/scene_writer.h"
 #include "scene/file/simulated_tables.h"
+#include "scene/file/simulation_store.h"
 #include "scene/friction/loaded_friction.h"
+#include "scene/page/scene_drawing.h"
 
 namespace raygauge::cli {
 namespace {
@@ -34,121 +37,146 @@ namespace {
 struct SimulateArguments {
   SceneInput input;
   std::string output;
-  double step = 0;
-  double tolerance = 0;
+  std::string steps, tolerances;
+  bool resume = false;
   bool force = false;
   bool quiet = false;
 };
 
-/// The cells of a scene, kept in memory.
-class MemorySink final : public SceneSink {
- public:
-  explicit MemorySink(SceneFile& file) : file_(file) {}
-  void store(const SceneCellResult& cell) override {
-    const std::scoped_lock lock(mutex_);
-    append_cell(file_, cell, 0);
-  }
-
- private:
-  SceneFile& file_;
-  std::mutex mutex_;
-};
+SceneInput input_of(const SimulateArguments& arguments) {
+  SceneInput input = arguments.input;
+  if (!arguments.steps.empty()) input.overrides.push_back("dynamics.step=" + arguments.steps);
+  if (!arguments.tolerances.empty()) input.overrides.push_back("dynamics.tolerance=" + arguments.tolerances);
+  return input;
+}
 
 SceneSource source_to_simulate(const SimulateArguments& arguments) {
-  SceneSource source = source_of(arguments.input);
+  SceneSource source = source_of(input_of(arguments));
   if (!source.dynamics)
     throw InvalidParameterError(arguments.input.path +
                                 ": a scene without [dynamics]; `raygauge scene run` answers it");
-  if (arguments.step > 0) source.dynamics->step = arguments.step;
-  if (arguments.tolerance > 0) source.dynamics->tolerance = arguments.tolerance;
-  check_dynamics(source.scene, *source.dynamics);
   return source;
 }
 
-void print_end(const SceneFile& file, bool contact, const std::string& path, double seconds) {
-  const SimulationTables& tables = *file.simulation;
-  double residual = 0, least = 0;
-  std::size_t unproven = 0, cuts = 0, impacts = 0;
-  for (const StepRow& row : tables.steps) {
-    residual = std::max(residual, row.residual);
-    unproven += std::isinf(row.least_distance) ? 1U : 0U;
-    if (!std::isinf(row.least_distance)) least = std::min(least, row.least_distance);
-    cuts += static_cast<std::size_t>(row.substeps - 1);
-    impacts += static_cast<std::size_t>(row.impacts);
-  }
-  std::printf("%s: %s in %s; %s, %s, %s\n", language::printable(file.name).c_str(),
-              counted(tables.steps.size(), "step").c_str(), duration_text(seconds).c_str(),
-              counted(impacts, "impact").c_str(), counted(cuts, "cut").c_str(),
-              counted(tables.contacts.size(), "contact").c_str());
-  if (!contact) std::printf("  contact    not asked for: bodies pass through each other\n");
-  if (contact) std::printf("  proven     no pair closer than %.3g at any time", least);
-  if (unproven > 0) std::printf(", but for %s", counted(unproven, "step").c_str());
-  if (contact) std::printf("\n");
-  std::printf("  residual   %.2g at most\n  results    %s\n", residual, path.c_str());
-  std::printf("  next       %s report %s -o %s.html\n", language::shell(program_invocation_name).c_str(),
-              language::shell(path).c_str(), language::shell(path.substr(0, path.rfind(".h5"))).c_str());
+std::string resume_command(const SimulateArguments& arguments, const std::string& output) {
+  const SceneInput input = input_of(arguments);
+  std::string command = language::shell(program_invocation_name) + " scene simulate " +
+                        language::shell(input.path) + " -o " + language::shell(output);
+  for (const std::string& text : input.overrides) command += " --set " + language::shell(text);
+  for (const std::string& text : input.packages) command += " --package " + language::shell(text);
+  if (input.skip_missing_meshes) command += " --skip-missing-meshes";
+  return command + " --resume";
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-SimulationHooks hooks_of(ProgressDisplay& display, bool quiet) {
-  SimulationHooks hooks;
-  hooks.stop = [] { return InterruptGuard::signal() != 0; };
-  if (quiet) return hooks;
-  hooks.progress = [&display, begin = std::chrono::steady_clock::now(), shown = 0.0](double share) mutable {
-    constexpr std::uint64_t kParts = 1000;
-    const double seconds = seconds_since(begin);
-    if (seconds < shown + 1) return;
-    shown = seconds;
-    display.show({static_cast<std::uint64_t>(share * kParts), kParts, shown, shown * (1 - share) / share});
-  };
-  return hooks;
-}
-
-/// The simulation with the answers to the queries; nothing where it was interrupted.
-std::optional<SceneFile> results_of(SceneSource& source, FrictionSolver* friction,
-                                    const SimulationHooks& hooks) {
-  Simulation simulation = simulate(source.scene, *source.dynamics, friction, hooks);
-  if (simulation.stopped) return std::nullopt;
-  source.scene = simulation.scene;
-  const ScenePlan plan = plan_scene(source.scene);
-  SceneFile file = head_of(source, plan);
-  file.sessions.push_back(describe_session(Experiment(), 1, {}));
-  file.simulation = tables_of(simulation);
-  MemorySink sink(file);
-  SceneHooks query_hooks;
-  query_hooks.stop = hooks.stop;
-  if (run_scene(source.scene, plan, 1, {}, sink, query_hooks).stopped) return std::nullopt;
-  file.sessions.back().finished_at = utc_now();
-  sort_scene(file);
-  return file;
-}
-
-int simulate_file(const SimulateArguments& arguments) {
-  SceneSource source = source_to_simulate(arguments);
-  if (!arguments.quiet) print_notes(source.notes);
-  const std::string path = arguments.output.empty() ? "out/" + source.scene.name + ".h5" : arguments.output;
-  const OutputPlace place =
-      output_place({path, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
-  if (std::filesystem::exists(place.path) && !(arguments.force && is_scene_file(place.path)))
-    throw ResultsExistError(path + ": exists already; --force replaces results of a scene");
-  const std::unique_ptr<FrictionSolver> friction =
-      source.dynamics->has_friction() ? loaded_friction() : nullptr;
-  const InterruptGuard guard(nullptr);
-  ProgressDisplay display(stderr, 0);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto file = results_of(source, friction.get(), hooks_of(display, arguments.quiet));
-  display.clear();
-  if (!file) {
-    std::fprintf(stderr, "interrupted: nothing was written\n");
-    return kInterrupted;
+/// The simulations of a scene, one for each accuracy, and the answers to its queries of the finest one. All
+/// that is done is stored on the way.
+class SimulateJob {
+ public:
+  explicit SimulateJob(const SimulateArguments& arguments)
+      : arguments_(arguments), source_(source_to_simulate(arguments)) {
+    if (!arguments.quiet) print_notes(source_.notes);
+    path_ = arguments.output.empty() ? "out/" + source_.scene.name + ".h5" : arguments.output;
+    output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
+    if (source_.dynamics->has_friction()) friction_ = loaded_friction();
+    SceneFile head = head_of(source_, plan_scene(source_.scene));
+    head.sessions.push_back(describe_session(Experiment(), 1, {}));
+    const RunMode usual = arguments.force ? RunMode::force : RunMode::create;
+    const RunMode mode = arguments.resume ? RunMode::resume : usual;
+    writer_.emplace(path_, head, mode);
+    target_ = behind_links(path_);
+    if (mode == RunMode::resume) finished_ = std::filesystem::exists(target_);
+    if (mode == RunMode::force) writer_->make_room();
+    store_.emplace(target_, head.identity);
   }
-  write_output(place, encode_scene(*file));
-  if (!arguments.quiet) print_end(*file, source.dynamics->contact.has_value(), path, seconds_since(begin));
-  return kAnswered;
-}
+
+  int run() {
+    const InterruptGuard guard(arguments_.quiet ? nullptr : "\ninterrupted: storing what is done\n");
+    if (!finished_ && !(simulate_all() && answer())) return say_interrupted();
+    writer_->finish();
+    store_->clear();
+    if (!arguments_.quiet) print_end();
+    return kAnswered;
+  }
+
+ private:
+  bool simulate_all() {
+    ProgressDisplay display(stderr, 0);
+    SimulationTables tables;
+    Scene moved;
+    const auto count = static_cast<std::int32_t>(source_.accuracies.size());
+    for (std::int32_t number = 0; number < count; ++number) {
+      Dynamics dynamics = *source_.dynamics;
+      dynamics.step = source_.accuracies[static_cast<std::size_t>(number)].step;
+      dynamics.tolerance = source_.accuracies[static_cast<std::size_t>(number)].tolerance;
+      const auto begin = std::chrono::steady_clock::now();
+      const std::vector<SimulationPart> before = store_->parts_of(number);
+      Simulation found =
+          simulate(source_.scene, dynamics, friction_.get(), hooks_of(display, number), before);
+      if (found.stopped) return false;
+      add_simulation(found, dynamics, store_->seconds_of(number) + seconds_since(begin), tables);
+      moved = std::move(found.scene);
+    }
+    compare_with_finest(tables);
+    source_.scene = std::move(moved);
+    plan_ = plan_scene(source_.scene);
+    writer_->set_simulated(std::move(tables), drawing_of(source_.scene), plan_.cells.size());
+    return true;
+  }
+
+  bool answer() {
+    SceneHooks hooks;
+    hooks.stop = [] { return InterruptGuard::signal() != 0; };
+    return !run_scene(source_.scene, plan_, 1, writer_->done(), *writer_, hooks).stopped;
+  }
+
+  SimulationHooks hooks_of(ProgressDisplay& display, std::int32_t number) {
+    SimulationHooks hooks;
+    hooks.stop = [] { return InterruptGuard::signal() != 0; };
+    hooks.due = [this] { return store_->due(); };
+    hooks.store = [this, number](const SimulationPart& part) { store_->store(number, part); };
+    if (arguments_.quiet) return hooks;
+    const auto count = static_cast<double>(source_.accuracies.size());
+    hooks.progress = [this, &display, number, count](double share) {
+      constexpr std::uint64_t kParts = 1000;
+      const double seconds = seconds_since(begin_), done = (number + share) / count;
+      if (seconds < shown_ + 1) return;
+      shown_ = seconds;
+      display.show({static_cast<std::uint64_t>(done * kParts), kParts, shown_, shown_ * (1 - done) / done});
+    };
+    return hooks;
+  }
+
+  int say_interrupted() const {
+    std::fprintf(stderr, "interrupted: all steps that were done are safe; continue with\n  %s\n",
+                 resume_command(arguments_, path_).c_str());
+    return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
+  }
+
+  void print_end() const {
+    const SceneFile& file = writer_->results();
+    std::printf("%s: %s", language::printable(file.name).c_str(),
+                simulations_text(*file.simulation, source_.dynamics->contact.has_value()).c_str());
+    std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path_.c_str(),
+                language::shell(program_invocation_name).c_str(), language::shell(path_).c_str(),
+                language::shell(path_.substr(0, path_.rfind(".h5"))).c_str());
+  }
+
+  const SimulateArguments& arguments_;
+  SceneSource source_;
+  std::string path_;
+  std::filesystem::path target_;
+  std::unique_ptr<FrictionSolver> friction_;
+  std::optional<SceneWriter> writer_;
+  std::optional<SimulationStore> store_;
+  ScenePlan plan_;
+  bool finished_ = false;  ///< before this session
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double shown_ = 0;  ///< when progress was shown last
+};
 
 }  // namespace
 
@@ -161,15 +189,21 @@ void add_simulate_command(Command& scene, int& status) {
       .add_option("-o,--output", arguments->output,
                   "Results file; default: out/NAME.h5, NAME being the scene's")
       .type_name("FILE.h5");
-  command.add_option("--step", arguments->step, "Longest step in time, in place of dynamics.step")
+  command
+      .add_option(
+          "--step", arguments->steps,
+          "Longest step in time, in place of dynamics.step; of a list, as 1e-2,1e-3, a simulation each")
       .type_name("H");
   command
-      .add_option("--tolerance", arguments->tolerance,
+      .add_option("--tolerance", arguments->tolerances,
                   "How deep bodies may overlap, relative to the smallest one, in place of dynamics.tolerance")
       .type_name("D");
-  command.add_flag("--force", arguments->force, "Replace an existing results file of a scene");
+  const Option resume =
+      command.add_flag("--resume", arguments->resume, "Continue a simulation that was killed or interrupted");
+  command.add_flag("--force", arguments->force, "Replace an existing results file of a scene")
+      .excludes(resume);
   command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
-  command.callback([arguments, &status] { status = simulate_file(*arguments); });
+  command.callback([arguments, &status] { status = SimulateJob(*arguments).run(); });
 }
 
 }  // namespace raygauge::cli

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/output/counted.h"
+#include "cli/output/terminal.h"
 #include "results/text/language.h"
 #include "scene/file/events.h"
 
@@ -148,6 +149,53 @@ struct PairLine {
 
 }  // namespace
 
+namespace {
+
+std::string short_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+std::string table_of(const SimulationTables& tables) {
+  std::string text;
+  for (const Column<SimulationRow>& column : simulation_columns())
+    text += (text.empty() ? "" : ", ") + column.name + (column.unit == "s" ? " [s]" : "");
+  text += '\n';
+  for (const SimulationRow& row : tables.simulations) {
+    for (const Column<SimulationRow>& column : simulation_columns()) {
+      if (&column != &simulation_columns().front()) text += ", ";
+      const Value value = column.get(row);
+      if (const double* number = std::get_if<double>(&value))
+        text += short_text(*number);
+      else if (const auto* count = std::get_if<std::int64_t>(&value))
+        text += std::to_string(*count);
+      else
+        text += std::to_string(std::get<std::int32_t>(value));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string simulations_text(const SimulationTables& tables, bool contact) {
+  if (tables.simulations.size() != 1)
+    return counted(tables.simulations.size(), "simulation") + "\n" + table_of(tables);
+  const SimulationRow& row = tables.simulations.front();
+  std::string text = counted(row.steps, "step") + " in " + duration_text(row.seconds) + "; " +
+                     counted(row.impacts, "impact") + ", " + counted(row.cuts, "cut") + ", " +
+                     counted(tables.contacts.size(), "contact") + "\n";
+  if (!contact) text += "  contact    not asked for: bodies pass through each other\n";
+  if (contact) text += "  proven     no pair closer than " + short_text(row.least_distance) + " at any time";
+  if (contact && row.unproven > 0) text += ", but for " + counted(row.unproven, "step");
+  if (contact) text += "\n";
+  char residual[32];
+  std::snprintf(residual, sizeof residual, "%.2g", row.residual);
+  return text + "  residual   " + residual + " at most\n";
+}
+
 std::string scene_table_text(const SceneFile& file) {
   std::map<std::tuple<int, int, int>, PairLine> lines;
   std::string events;
@@ -158,7 +206,7 @@ std::string scene_table_text(const SceneFile& file) {
     else
       events += line_of(file, event_of(file, record));
   }
-  std::string text;
+  std::string text = file.simulation ? table_of(*file.simulation) : "";
   if (!lines.empty()) {
     text +=
         "query, pair, rows, in contact, least value, its lower bound, at time [s], widest relative gap, "

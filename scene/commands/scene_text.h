@@ -22,4 +22,7 @@ Json scene_info_json(const std::string& path, const SceneFile& file);
 /// One line a query and pair: least distance or growth, when, contacts. As `table` prints it.
 std::string scene_table_text(const SceneFile& file);
 
+/// How simulations went: one in some lines, several as a table.
+std::string simulations_text(const SimulationTables& tables, bool contact);
+
 }  // namespace raygauge::cli

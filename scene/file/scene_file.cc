@@ -49,9 +49,15 @@ void require_known(const SceneFile& file, const std::string& path) {
   }
   for (const SceneTallyRow& row : file.tallies) require_row(row.query, file.queries.size(), "queries", path);
   if (!file.simulation) return;
-  for (const StateRow& row : file.simulation->states)
+  const std::size_t simulations = file.simulation->simulations.size();
+  for (const StateRow& row : file.simulation->states) {
     require_row(row.body, file.bodies.size(), "bodies", path);
+    require_row(row.simulation, simulations, "simulations", path);
+  }
+  for (const StepRow& row : file.simulation->steps)
+    require_row(row.simulation, simulations, "simulations", path);
   for (const ContactRow& row : file.simulation->contacts) {
+    require_row(row.simulation, simulations, "simulations", path);
     require_row(row.body_a, file.bodies.size(), "bodies", path);
     require_row(row.body_b, file.bodies.size(), "bodies", path);
   }
@@ -99,6 +105,7 @@ std::string encode_scene(const SceneFile& file) {
     hdf5::write_table(root, "bodies", scene_body_columns(), file.bodies, Layout::plain);
     hdf5::write_table(root, "queries", scene_query_columns(), file.queries, Layout::plain);
     if (!file.simulation) return;
+    hdf5::write_table(root, "simulations", simulation_columns(), file.simulation->simulations, Layout::plain);
     hdf5::write_table(root, "states", state_columns(), file.simulation->states, Layout::packed);
     hdf5::write_table(root, "contacts", contact_columns(), file.simulation->contacts, Layout::packed);
     hdf5::write_table(root, "steps", step_columns(), file.simulation->steps, Layout::packed);
@@ -122,7 +129,8 @@ SceneFile decode_scene(const fs::path& path) {
     file.bodies = hdf5::read_table(root, "bodies", scene_body_columns(), place);
     file.queries = hdf5::read_table(root, "queries", scene_query_columns(), place);
     if (!root.nameExists("states")) return;
-    file.simulation = SimulationTables{hdf5::read_table(root, "states", state_columns(), place),
+    file.simulation = SimulationTables{hdf5::read_table(root, "simulations", simulation_columns(), place),
+                                       hdf5::read_table(root, "states", state_columns(), place),
                                        hdf5::read_table(root, "contacts", contact_columns(), place),
                                        hdf5::read_table(root, "steps", step_columns(), place)};
   });

@@ -10,6 +10,7 @@
 #include "results/run/atomic_file.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
+#include "scene/file/simulation_store.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;
@@ -68,7 +69,8 @@ void SceneWriter::refuse_existing() const {
   if (fs::exists(path_)) {
     throw ResultsExistError(path_.string() + ": exists already; --resume completes it, --force replaces it");
   }
-  if (!list_scene_parts(path_).empty() || !directory_.parts().empty()) {
+  if (!list_scene_parts(path_).empty() || !list_simulation_parts(path_).empty() ||
+      !directory_.parts().empty()) {
     throw ResultsExistError(directory_.folder().string() +
                             ": holds an unfinished run; --resume continues it, --force discards it");
   }
@@ -104,6 +106,21 @@ void SceneWriter::begin() {
   begun_ = true;
   const fs::path path = directory_.folder() / kHeadName;
   write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
+
+void SceneWriter::make_room() {
+  const std::scoped_lock lock(mutex_);
+  if (mode_ != RunMode::force || stored_any_) return;
+  discard_earlier(encode_scene(head_));
+  for (const fs::path& old : list_simulation_parts(path_)) fs::remove(old);
+  stored_any_ = true;
+}
+
+void SceneWriter::set_simulated(SimulationTables tables, std::string drawing, std::uint64_t cell_count) {
+  const std::scoped_lock lock(mutex_);
+  head_.cell_count = all_.cell_count = cell_count;
+  head_.drawing = all_.drawing = std::move(drawing);
+  all_.simulation = std::move(tables);
 }
 
 void SceneWriter::store(const SceneCellResult& cell) {

@@ -38,6 +38,12 @@ class SceneWriter final : public SceneSink {
   void begin();
   std::int32_t session() const noexcept { return session_; }
 
+  /// Under force, lets go of the earlier run, before a part of a simulation is stored in the folder.
+  void make_room();
+
+  /// What is known once a scene has been simulated: the tables, the drawing and the number of cells.
+  void set_simulated(SimulationTables tables, std::string drawing, std::uint64_t cell_count);
+
   void store(const SceneCellResult& cell) override;
   void flush() override { batch_.flush(); }
 

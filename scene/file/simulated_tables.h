@@ -7,7 +7,11 @@
 
 namespace raygauge {
 
-/// A simulation as tables: bodies at the instants of the scene, contacts, steps.
-SimulationTables tables_of(const Simulation& simulation);
+/// Adds a simulation, its bodies at the instants of the scene, its contacts and steps.
+void add_simulation(const Simulation& simulation, const Dynamics& dynamics, double seconds,
+                    SimulationTables& tables);
+
+/// Once all are added: how far bodies are from where they are in the last simulation.
+void compare_with_finest(SimulationTables& tables);
 
 }  // namespace raygauge

@@ -8,16 +8,20 @@ namespace raygauge {
 namespace {
 
 template <class Row>
-std::string csv_of(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows,
-                   const std::vector<std::string>& bodies) {
+std::string csv_of(const SimulationTables& tables, const std::vector<Column<Row>>& all,
+                   const std::vector<Row>& rows, const std::vector<std::string>& bodies) {
+  std::vector<const Column<Row>*> columns;
+  for (const auto& column : all) {
+    if (column.name != "simulation" || tables.simulations.size() > 1) columns.push_back(&column);
+  }
   std::string text;
-  for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name;
+  for (const auto* column : columns) text += (text.empty() ? "" : ",") + column->name;
   text += '\n';
   for (const Row& row : rows) {
-    for (const auto& column : columns) {
-      if (&column != &columns.front()) text += ',';
-      const Value value = column.get(row);
-      const bool name = column.name.starts_with("body");
+    for (const auto* column : columns) {
+      if (column != columns.front()) text += ',';
+      const Value value = column->get(row);
+      const bool name = column->name.starts_with("body");
       text += name ? csv_field(bodies.at(static_cast<std::size_t>(std::get<std::int32_t>(value))))
                    : csv_field(value);
     }
@@ -29,6 +33,28 @@ std::string csv_of(const std::vector<Column<Row>>& columns, const std::vector<Ro
 }  // namespace
 
 // clang-format off
+const std::vector<Column<SimulationRow>>& simulation_columns() {
+  using Row = SimulationRow;
+  static const std::vector<Column<Row>> kColumns = {
+    column("simulation", "1", "number, from coarse to fine", &Row::simulation),
+    column("step", "s", "the longest step", &Row::step),
+    column("tolerance", "1", "δ relative to the smallest body", &Row::tolerance),
+    column("delta", "1", "δ", &Row::delta),
+    column("seconds", "s", "wall time", &Row::seconds),
+    column("steps", "1", "steps", &Row::steps),
+    column("cuts", "1", "cuts of steps", &Row::cuts),
+    column("impacts", "1", "laws of impact evaluated", &Row::impacts),
+    column("contacts", "1", "points of contact problems", &Row::contacts),
+    column("unproven", "1", "steps without a proven distance", &Row::unproven),
+    column("residual", "1", "largest relative residual", &Row::residual),
+    column("least_distance", "1", "proven, but for unproven steps; at most 0", &Row::least_distance),
+    column("energy_change", "1", "at the end less at the start", &Row::energy_change),
+    column("energy_rise", "1", "most by which it rose between two steps", &Row::energy_rise),
+    column("error", "1", "farthest that a body is from where the finest has it", &Row::error),
+  };
+  return kColumns;
+}
+
 const std::vector<Column<StateRow>>& state_columns() {
   using Row = StateRow;
   static const std::vector<Column<Row>> kColumns = {
@@ -47,6 +73,7 @@ const std::vector<Column<StateRow>>& state_columns() {
     column("wx", "1/s", "angular velocity", &Row::wx),
     column("wy", "1/s", "the same", &Row::wy),
     column("wz", "1/s", "the same", &Row::wz),
+    column("simulation", "1", "row of /simulations", &Row::simulation),
   };
   return kColumns;
 }
@@ -69,6 +96,7 @@ const std::vector<Column<ContactRow>>& contact_columns() {
     column("px", "1", "impulse on body a", &Row::px),
     column("py", "1", "the same", &Row::py),
     column("pz", "1", "the same", &Row::pz),
+    column("simulation", "1", "row of /simulations", &Row::simulation),
   };
   return kColumns;
 }
@@ -90,19 +118,26 @@ const std::vector<Column<StepRow>>& step_columns() {
     column("lx", "1", "their angular momentum about the origin", &Row::lx),
     column("ly", "1", "the same", &Row::ly),
     column("lz", "1", "the same", &Row::lz),
+    column("simulation", "1", "row of /simulations", &Row::simulation),
   };
   return kColumns;
 }
 // clang-format on
 
 std::string states_csv(const SimulationTables& tables, const std::vector<std::string>& bodies) {
-  return csv_of(state_columns(), tables.states, bodies);
+  return csv_of(tables, state_columns(), tables.states, bodies);
 }
 
 std::string contacts_csv(const SimulationTables& tables, const std::vector<std::string>& bodies) {
-  return csv_of(contact_columns(), tables.contacts, bodies);
+  return csv_of(tables, contact_columns(), tables.contacts, bodies);
 }
 
-std::string steps_csv(const SimulationTables& tables) { return csv_of(step_columns(), tables.steps, {}); }
+std::string steps_csv(const SimulationTables& tables) {
+  return csv_of(tables, step_columns(), tables.steps, {});
+}
+
+std::string simulations_csv(const SimulationTables& tables) {
+  return csv_of(tables, simulation_columns(), tables.simulations, {});
+}
 
 }  // namespace raygauge

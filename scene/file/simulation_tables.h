@@ -10,6 +10,14 @@
 
 namespace raygauge {
 
+/// A row of /simulations: one for each combination of dynamics.step and dynamics.tolerance, the finest last.
+struct SimulationRow {
+  std::int32_t simulation = 0;
+  double step = 0, tolerance = 0, delta = 0, seconds = 0;
+  std::int64_t steps = 0, cuts = 0, impacts = 0, contacts = 0, unproven = 0;
+  double residual = 0, least_distance = 0, energy_change = 0, energy_rise = 0, error = 0;
+};
+
 /// A row of /states: where a body is at an instant. In the plane z and the spins but wz are 0.
 struct StateRow {
   double time = 0;
@@ -18,6 +26,7 @@ struct StateRow {
   double qw = 1, qx = 0, qy = 0, qz = 0;
   double vx = 0, vy = 0, vz = 0;
   double wx = 0, wy = 0, wz = 0;
+  std::int32_t simulation = 0;
 };
 
 /// A row of /contacts: a contact that carried an impulse.
@@ -30,6 +39,7 @@ struct ContactRow {
   double nx = 0, ny = 0, nz = 0;
   double gap = 0;
   double px = 0, py = 0, pz = 0;
+  std::int32_t simulation = 0;
 };
 
 /// A row of /steps.
@@ -40,20 +50,24 @@ struct StepRow {
   double kinetic = 0, potential = 0;
   double px = 0, py = 0, pz = 0;
   double lx = 0, ly = 0, lz = 0;
+  std::int32_t simulation = 0;
 };
 
 /// What a simulation adds to a scene's results.
 struct SimulationTables {
+  std::vector<SimulationRow> simulations;
   std::vector<StateRow> states;
   std::vector<ContactRow> contacts;
   std::vector<StepRow> steps;
 };
 
+const std::vector<Column<SimulationRow>>& simulation_columns();
 const std::vector<Column<StateRow>>& state_columns();
 const std::vector<Column<ContactRow>>& contact_columns();
 const std::vector<Column<StepRow>>& step_columns();
 
-/// The tables as CSV, bodies by their names.
+/// The tables as CSV, bodies by their names. Of one simulation without its number.
+std::string simulations_csv(const SimulationTables& tables);
 std::string states_csv(const SimulationTables& tables, const std::vector<std::string>& bodies);
 std::string contacts_csv(const SimulationTables& tables, const std::vector<std::string>& bodies);
 std::string steps_csv(const SimulationTables& tables);

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <utility>
 
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
@@ -96,19 +96,24 @@ BodyDynamics read_body_dynamics(const toml::table& table, const Body& body) {
     }
     return how;
   }
-  std::vector<std::shared_ptr<const ConvexSet>> parts;
-  for (const BodyPart& part : body.parts) parts.push_back(part.set);
-  const Moments moments = placed(table, [&] { return moments_of(parts); });
-  how.mass = mass ? *mass : *density * moments.measure;
-  how.center.head(n) = moments.center;
-  how.inertia = how.mass / moments.measure * moments.inertia();
-  if (const toml::node* node = table.get("inertia")) how.inertia = inertia_of(*node, n);
+  std::optional<Eigen::Matrix3d> inertia;
+  if (const toml::node* node = table.get("inertia")) inertia = inertia_of(*node, n);
+  how = placed(table, [&] { return reacting_body(body, mass, density, inertia); });
   if (const toml::node* node = table.get("velocity")) how.velocity = vector_of(*node, "body.velocity", n);
   if (const toml::node* node = table.get("angular_velocity")) {
     if (n == 2) how.spin[2] = read_number(*node, "body.angular_velocity");
     if (n == 3) how.spin = vector_of(*node, "body.angular_velocity", 3);
   }
   return how;
+}
+
+std::vector<SimulationAccuracy> read_accuracies(const toml::table& table) {
+  const SimulationAccuracy usual;
+  std::vector<double> steps = {usual.step}, tolerances = {usual.tolerance};
+  if (const toml::node* node = table.get("step")) steps = read_reals(*node, "dynamics.step", kPositive);
+  if (const toml::node* node = table.get("tolerance"))
+    tolerances = read_reals(*node, "dynamics.tolerance", {1e-9, 0.1});
+  return accuracies_of(std::move(steps), std::move(tolerances));
 }
 
 Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesNamed& bodies_named) {
@@ -128,8 +133,6 @@ Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesName
     dynamics.damping = Damping{number_of(damping, "linear", "dynamics.damping", {0, kMost}).value_or(0),
                                number_of(damping, "angular", "dynamics.damping", {0, kMost}).value_or(0)};
   }
-  dynamics.step = number_of(table, "step", "dynamics", kPositive).value_or(dynamics.step);
-  dynamics.tolerance = number_of(table, "tolerance", "dynamics", {1e-9, 0.1}).value_or(dynamics.tolerance);
   if (const toml::node* node = table.get("pair")) {
     if (!node->is_array()) refuse(*node, "dynamics.pair must be a list of tables, [[dynamics.pair]]");
     if (!dynamics.contact) refuse(*node, "dynamics.pair has no effect without dynamics.contact");

@@ -25,7 +25,10 @@ BodyDynamics read_body_dynamics(const toml::table& table, const Body& body);
 /// The bodies of a name, which stands at a node.
 using BodiesNamed = std::function<const std::vector<int>&(const std::string&, const toml::node&)>;
 
-/// [dynamics], but for the bodies. Throws Error, with file and line.
+/// Each combination of dynamics.step and dynamics.tolerance. Throws Error, with file and line.
+std::vector<SimulationAccuracy> read_accuracies(const toml::table& table);
+
+/// [dynamics], but for the bodies and the accuracies. Throws Error, with file and line.
 Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesNamed& bodies_named);
 
 }  // namespace raygauge::cli

@@ -39,6 +39,46 @@ void add_mesh(const Mesh& mesh, Checksum& shapes) {
   }
 }
 
+std::string text_of(const std::optional<double>& number) {
+  std::ostringstream text;
+  text.precision(17);
+  if (number) text << *number;
+  return number ? text.str() : "none";
+}
+
+std::string text_of(const ContactLaw& law) {
+  return "friction " + text_of(law.friction) + ", restitution " + text_of(law.restitution);
+}
+
+void add_numbers(const Eigen::MatrixXd& numbers, Checksum& checksum) {
+  for (const double x : numbers.reshaped()) checksum.add(x);
+}
+
+void add_dynamics(const SceneSource& source, std::ostringstream& text) {
+  const Dynamics& dynamics = *source.dynamics;
+  Checksum reactions, groups;
+  for (const BodyDynamics& body : dynamics.bodies) {
+    reactions.add(body.mass);
+    for (const Eigen::Vector3d* v : {&body.center, &body.velocity, &body.spin}) add_numbers(*v, reactions);
+    add_numbers(body.inertia, reactions);
+  }
+  text << "reactions = " << reactions.value() << "\ngravity =";
+  if (dynamics.gravity) text << ' ' << dynamics.gravity->transpose();
+  text << "\ncontact = " << (dynamics.contact ? text_of(*dynamics.contact) : "none");
+  for (const PairLaw& pair : dynamics.pairs) {
+    for (const auto* group : {&pair.group_1, &pair.group_2}) {
+      groups.add(static_cast<double>(group->size()));
+      for (const int body : *group) groups.add(body);
+    }
+    text << "; " << text_of(pair.law) << " (" << groups.value() << ')';
+  }
+  text << "\ndamping =";
+  if (dynamics.damping) text << ' ' << dynamics.damping->linear << ' ' << dynamics.damping->angular;
+  text << "\naccuracies =";
+  for (const SimulationAccuracy& one : source.accuracies) text << ' ' << one.step << '/' << one.tolerance;
+  text << '\n';
+}
+
 }  // namespace
 
 std::string scene_identity(const SceneSource& source) {
@@ -65,6 +105,7 @@ std::string scene_identity(const SceneSource& source) {
   }
   text << "instants = " << scene.instants.size() << " (" << instants.value() << ")\n"
        << "bodies = " << names << "\nshapes = " << shapes.value() << "\nplaces = " << places.value() << '\n';
+  if (source.dynamics) add_dynamics(source, text);
   for (std::size_t q = 0; q < scene.queries.size(); ++q) {
     const SceneQuery& query = scene.queries[q];
     text << "query " << q + 1 << " = " << to_string(query.effects) << "; " << source.metrics[q] << "; "

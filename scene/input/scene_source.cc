@@ -302,6 +302,7 @@ class SceneReader {
                         [this](const std::string& name, const toml::node& at) -> const std::vector<int>& {
                           return bodies_named(name, at);
                         });
+      set_accuracies(source_, read_accuracies(*node->as_table()));
     }
     for (const auto& [table, how] : reactions_) {
       if (source_.dynamics) source_.dynamics->bodies.push_back(how);
@@ -412,6 +413,12 @@ class SceneReader {
 };
 
 }  // namespace
+
+void set_accuracies(SceneSource& source, std::vector<SimulationAccuracy> accuracies) {
+  source.accuracies = std::move(accuracies);
+  source.dynamics->step = source.accuracies.back().step;
+  source.dynamics->tolerance = source.accuracies.back().tolerance;
+}
 
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
   static const std::map<std::string, std::vector<std::string>> kKeys = {

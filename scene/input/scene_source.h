@@ -17,12 +17,17 @@ namespace raygauge::cli {
 /// A scene as its file has it.
 struct SceneSource {
   Scene scene;
-  std::optional<Dynamics> dynamics;  ///< of [dynamics]
-  std::string text;                  ///< the TOML source
+  std::optional<Dynamics> dynamics;  ///< of [dynamics], as fine as the last of ...
+  std::vector<SimulationAccuracy>
+      accuracies;    ///< ... each combination of its steps and tolerances, from coarse to fine
+  std::string text;  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
   std::vector<std::string> notes;    ///< what is worth knowing of robots and meshes, one line each
   std::optional<PlanTable> plan;     ///< [plan], where there is one
 };
+
+/// Sets the accuracies, and those of the dynamics to the finest.
+void set_accuracies(SceneSource& source, std::vector<SimulationAccuracy> accuracies);
 
 /// The keys that a scene file may have, by table: "" (the file itself), time, body, robot, plan, query.
 const std::map<std::string, std::vector<std::string>>& scene_keys();

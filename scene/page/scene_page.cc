@@ -119,6 +119,25 @@ json queries_of(const SceneFile& file) {
   return queries;
 }
 
+json simulations_of(const SceneFile& file) {
+  json list = json::array();
+  if (!file.simulation) return list;
+  for (const SimulationRow& row : file.simulation->simulations) {
+    list.push_back({{"step", number(row.step)},
+                    {"tolerance", number(row.tolerance)},
+                    {"seconds", number(row.seconds)},
+                    {"steps", row.steps},
+                    {"cuts", row.cuts},
+                    {"unproven", row.unproven},
+                    {"residual", number(row.residual)},
+                    {"overlap", number(-row.least_distance)},
+                    {"energy_change", number(row.energy_change)},
+                    {"energy_rise", number(row.energy_rise)},
+                    {"error", number(row.error)}});
+  }
+  return list;
+}
+
 // Its licence asks for this in every copy, and Debian's minified file has lost it.
 constexpr const char* kThreeNotice =
     R"(/* three.js, https://threejs.org
@@ -152,6 +171,7 @@ std::string make_page(const SceneFile& file) {
   data["bodies"] = json::array();
   for (const SceneBodyRow& body : file.bodies) data["bodies"].push_back(body.name);
   data["queries"] = queries_of(file);
+  data["simulations"] = simulations_of(file);
   data["events"] = events_json(file);
   data["records"] = records_json(file);
   const bool space = data["drawing"].is_object() && data["drawing"]["dimension"] == 3;

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
@@ -48,14 +49,27 @@ std::string short_number(double x) {
   return text;
 }
 
-std::vector<std::string> explain_contact(const Dynamics& dynamics) {
+std::string list_of(const std::vector<SimulationAccuracy>& all, double SimulationAccuracy::*member) {
+  std::vector<std::string> known;
+  std::string text;
+  for (const SimulationAccuracy& one : all) {
+    const std::string number = short_number(one.*member);
+    if (std::find(known.begin(), known.end(), number) != known.end()) continue;
+    known.push_back(number);
+    text += (text.empty() ? "" : ", ") + number;
+  }
+  return text;
+}
+
+std::vector<std::string> explain_contact(const Dynamics& dynamics,
+                                         const std::vector<SimulationAccuracy>& accuracies) {
   if (!dynamics.contact) return {"contact: never computed; bodies pass through each other"};
   std::vector<std::string> lines = {
       "contact: of every pair of which one reacts; that none comes closer than -" +
-      short_number(dynamics.tolerance) + " of the smallest body's size is proven of every step"};
-  lines.emplace_back(dynamics.has_friction()
-                         ? "friction: Coulomb's law as exact cones, an island at a time, by Siconos numerics"
-                         : "friction: never computed; a contact has one unknown");
+      list_of(accuracies, &SimulationAccuracy::tolerance) +
+      " of the smallest body's size is proven of every step"};
+  lines.emplace_back(dynamics.has_friction() ? "friction: Coulomb's law as exact cones, an island at a time"
+                                             : "friction: never computed; a contact has one unknown");
   lines.emplace_back(dynamics.has_restitution() ? "restitution: Newton's law, at the proven time of impact"
                                                 : "restitution: never computed");
   if (!dynamics.pairs.empty())
@@ -64,6 +78,21 @@ std::vector<std::string> explain_contact(const Dynamics& dynamics) {
 }
 
 }  // namespace
+
+BodyDynamics reacting_body(const Body& body, std::optional<double> mass, std::optional<double> density,
+                           const std::optional<Eigen::Matrix3d>& inertia) {
+  if (mass.has_value() == density.has_value())
+    refuse("body '" + body.name + "' needs a mass or a density, not both");
+  std::vector<std::shared_ptr<const ConvexSet>> parts;
+  for (const BodyPart& part : body.parts) parts.push_back(part.set);
+  const Moments moments = moments_of(parts);
+  BodyDynamics how;
+  how.mass = mass ? *mass : *density * moments.measure;
+  how.center.head(body.dimension()) = moments.center;
+  const Eigen::Matrix3d J = how.mass / moments.measure * moments.inertia();
+  how.inertia = inertia ? *inertia : Eigen::Matrix3d((J + J.transpose()) / 2);  // rounding is not symmetric
+  return how;
+}
 
 bool Dynamics::has_friction() const {
   return contact && (contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const PairLaw& pair) {
@@ -85,6 +114,18 @@ std::optional<ContactLaw> Dynamics::law_of(int a, int b) const {
   };
   const auto last = std::find_if(pairs.rbegin(), pairs.rend(), names);
   return last == pairs.rend() ? contact : last->law;
+}
+
+std::vector<SimulationAccuracy> accuracies_of(std::vector<double> steps, std::vector<double> tolerances) {
+  for (std::vector<double>* list : {&steps, &tolerances}) {
+    std::sort(list->rbegin(), list->rend());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  std::vector<SimulationAccuracy> all;
+  for (const double step : steps) {
+    for (const double tolerance : tolerances) all.push_back({step, tolerance});
+  }
+  return all;
 }
 
 void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
@@ -115,17 +156,21 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
   for (const PairLaw& pair : dynamics.pairs) check_law(pair.law);
 }
 
-std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics) {
+std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics,
+                                          const std::vector<SimulationAccuracy>& accuracies) {
   std::size_t reacting = 0;
   for (const BodyDynamics& body : dynamics.bodies) reacting += body.reacts() ? 1U : 0U;
   std::vector<std::string> lines = {counted(reacting, "body reacts", "bodies react") + ", " +
                                     std::to_string(scene.bodies.size() - reacting) +
                                     " stand or follow their motions and push; steps of " +
-                                    short_number(dynamics.step) + " s"};
+                                    list_of(accuracies, &SimulationAccuracy::step) + " s"};
+  if (accuracies.size() > 1)
+    lines.push_back(counted(accuracies.size(), "simulation", "simulations") +
+                    ": each step with each tolerance; the queries are answered of the finest");
   lines.emplace_back(dynamics.gravity ? "gravity: constant; flights are exact" : "gravity: none");
   lines.emplace_back(dynamics.damping ? "damping: of velocities, of second order"
                                       : "damping: never computed");
-  const std::vector<std::string> contact = explain_contact(dynamics);
+  const std::vector<std::string> contact = explain_contact(dynamics, accuracies);
   lines.insert(lines.end(), contact.begin(), contact.end());
   return lines;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "raygauge/exceptions.h"
 #include "scene/queries/plane_steps.h"
 
 namespace raygauge {
@@ -132,6 +133,7 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
 // Before its step, a body's motion is not known: its travel is that of its velocities.
 std::vector<NearPair>& NearPairs::find(double t, double dt) {
   for (const NearPair& pair : near_) candidate_of(pair.part_a, pair.part_b)->near = -1;
+  std::swap(before_, near_);
   near_.clear();
   sweep(t, dt, scales_.delta);
   for (Candidate* const met : may_meet_) {
@@ -150,12 +152,34 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
                         scales_.delta;
     look(candidate, placement_of(bodies_[static_cast<std::size_t>(pair.a)], n_),
          placement_of(bodies_[static_cast<std::size_t>(pair.b)], n_), band, pair.contact);
-    candidate.normal = pair.contact.normal;
     if (pair.contact.points.empty()) continue;
+    candidate.normal = pair.contact.normal;
     candidate.near = static_cast<int>(near_.size());
     near_.push_back(std::move(pair));
   }
+  for (const NearPair& pair : before_) {
+    Candidate& candidate = *candidate_of(pair.part_a, pair.part_b);
+    if (candidate.near < 0) candidate.normal = Eigen::Vector3d::UnitX();
+  }
   return near_;
+}
+
+std::vector<KnownNormal> NearPairs::normals() const {
+  std::vector<KnownNormal> all;
+  for (const NearPair& pair : near_) all.push_back({pair.part_a, pair.part_b, pair.contact.normal});
+  return all;
+}
+
+void NearPairs::set_normals(const std::vector<KnownNormal>& known) {
+  for (const KnownNormal& one : known) {
+    Candidate* const candidate = candidate_of(one.part_a, one.part_b);
+    if (candidate == nullptr) throw InvalidParameterError("simulation: a part is of another scene");
+    candidate->normal = one.normal;
+    NearPair& pair = near_.emplace_back();
+    pair.part_a = candidate->part_a;
+    pair.part_b = candidate->part_b;
+    pair.contact.normal = one.normal;
+  }
 }
 
 double NearPairs::closer_than(const NearPair& pair, double end, double allowed) {

@@ -9,6 +9,7 @@
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_finder.h"
 #include "scene/simulation/simulated_body.h"
+#include "scene/simulation/simulation_part.h"
 
 namespace raygauge {
 
@@ -50,6 +51,10 @@ class NearPairs {
   /// The pairs that may meet within dt, where the bodies are now, with their contacts.
   std::vector<NearPair>& find(double t, double dt);
 
+  /// The normals of the pairs that the last find() returned, and their inverse: what a find() begins with.
+  std::vector<KnownNormal> normals() const;
+  void set_normals(const std::vector<KnownNormal>& known);
+
   /// Looks again where the bodies are at the end of their motions; how much closer that is than `allowed`, or
   /// 0.
   double closer_than(const NearPair& pair, double end, double allowed);
@@ -65,8 +70,8 @@ class NearPairs {
   struct Candidate {
     int part_a, part_b;
     ContactLaw law;
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-    int near = -1;  ///< its number among the near pairs
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< of the last find(), where it was near
+    int near = -1;                                      ///< its number among the near pairs
   };
 
   // The ball around a part, and how far it may move.
@@ -96,11 +101,11 @@ class NearPairs {
   ContactScales scales_;
   SimulationCounters& counters_;
   int n_;
-  std::vector<Candidate> candidates_;  // by their parts
-  std::vector<Swept> swept_;           // of each part
-  std::vector<int> order_;             // of the parts, by where their boxes begin
-  std::vector<Candidate*> may_meet_;   // of the last sweep
-  std::vector<NearPair> near_;
+  std::vector<Candidate> candidates_;    // by their parts
+  std::vector<Swept> swept_;             // of each part
+  std::vector<int> order_;               // of the parts, by where their boxes begin
+  std::vector<Candidate*> may_meet_;     // of the last sweep
+  std::vector<NearPair> near_, before_;  // of the last find(), and of the one before it
   ContactFinder finder_;
   ContinuousSolver solver_;
   std::unique_ptr<class PairSolver> planes_;

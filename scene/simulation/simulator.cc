@@ -54,10 +54,11 @@ Body about_center(const Body& body, const Eigen::Vector3d& center) {
 }  // namespace
 
 Simulator::Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction)
-    : dynamics_(dynamics), n_(scene.dimension()), problem_(n_, friction, out_.counters) {
+    : dynamics_(dynamics),
+      n_(scene.dimension()),
+      log_(scene.bodies.size()),
+      problem_(n_, friction, log_.counters) {
   check_dynamics(scene, dynamics);
-  if (friction == nullptr && dynamics.has_friction())
-    throw InvalidParameterError("dynamics: friction needs a solver");
   out_.scene = scene;
   t_ = scene.instants.front();
   double smallest = kInfinity;
@@ -67,7 +68,7 @@ Simulator::Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolve
   }
   scales_.delta = out_.tolerance = dynamics.tolerance * smallest;
   make_parts();
-  pairs_.emplace(scene, dynamics, bodies_, parts_, scales_, out_.counters);
+  pairs_.emplace(scene, dynamics, bodies_, parts_, scales_, log_.counters);
 }
 
 void Simulator::add_body(const Body& body, const BodyDynamics& how) {
@@ -90,7 +91,6 @@ void Simulator::add_body(const Body& body, const BodyDynamics& how) {
     one.motion = nullptr;
   }
   bodies_.push_back(std::move(one));
-  pieces_.emplace_back();
 }
 
 void Simulator::make_parts() {
@@ -113,26 +113,6 @@ void Simulator::refuse_overlaps() {
                                 " overlap at the start, by " + std::to_string(pair.contact.overlap) +
                                 " at least");
   }
-}
-
-Simulation Simulator::run(const SimulationHooks& hooks) {
-  refuse_overlaps();
-  const double from = t_, to = out_.scene.instants.back();
-  const auto count = static_cast<std::int64_t>(std::ceil((to - from) / dynamics_.step * (1 - 1e-12)));
-  for (std::int64_t k = 1; k <= count && !out_.stopped; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(count);
-    row_ = StepRecord();
-    step(k == count ? to : from + share * (to - from));
-    record_step();
-    if (hooks.progress) hooks.progress(share);
-    out_.stopped = hooks.stop && hooks.stop();
-  }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const SimulatedBody& body = bodies_[b];
-    if (!body.reacts() || pieces_[b].empty()) continue;
-    out_.scene.bodies[b].motion = std::make_shared<PiecewiseMotion>(std::move(pieces_[b]), t_);
-  }
-  return std::move(out_);
 }
 
 // Until the end of the step, no further than bodies that are driven keep their velocities, and than one turn
@@ -162,10 +142,12 @@ void Simulator::follow_motions() {
   }
 }
 
-void Simulator::step(double to) {
+// False: it is to stop, and is not at the end.
+bool Simulator::step(double to) {
   bounces_ = 0;
   end_of_step_ = to;
   while (t_ < to) {
+    if (stop_now()) return false;
     const double dt = longest_substep(to);
     follow_motions();
     near_ = &pairs_->find(t_, dt);
@@ -177,6 +159,7 @@ void Simulator::step(double to) {
     }
     if (!move(dt)) row_.least_distance = -kInfinity;
   }
+  return true;
 }
 
 // How fast a point of contact closes, now.
@@ -248,7 +231,7 @@ bool Simulator::bounce() {
   if (!any) return false;
   ++bounces_;
   ++row_.impacts;
-  ++out_.counters.impact_problems;
+  ++log_.counters.impact_problems;
   row_.residual = std::max(row_.residual, problem_.solve(contacts, bodies_));
   record_contacts(contacts, true);
   return true;
@@ -260,6 +243,7 @@ bool Simulator::move(double dt) {
   const double shortest = kShortest * dynamics_.step;
   for (int trial = 0; trial < kMostTrials; ++trial) {
     bodies_ = before;
+    if (stop_now()) return true;  // nothing was done
     bool possible = push_and_move(dt, before);
     while (possible && catch_leaving()) {
       bodies_ = before;
@@ -337,7 +321,7 @@ void Simulator::accelerate(SimulatedBody& body, double dt) {
     body.v += dt * g;
     return;
   }
-  ++out_.counters.damped_velocities;
+  ++log_.counters.damped_velocities;
   const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
   body.v = ((1 - c) * body.v + dt * g) / (1 + c);
   body.L *= (1 - d) / (1 + d);
@@ -411,39 +395,12 @@ void Simulator::commit(double end) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     SimulatedBody& body = bodies_[b];
     if (!body.reacts()) continue;
-    pieces_[b].push_back(body.piece);
+    log_.pieces[b].push_back(body.piece);
     const Placement at = body.motion->at(t_);
     body.x = in_space(at.t);
     body.R = polished(in_space(at.R));
     body.spin = body.rotor.spin(body.R, body.L);
   }
-}
-
-void Simulator::record_contacts(const std::vector<ContactUnknown>& contacts, bool impact) {
-  for (const ContactUnknown& contact : contacts) {
-    if (contact.impulse.isZero(0)) continue;
-    out_.contacts.push_back({static_cast<std::int64_t>(out_.steps.size()), t_, contact.a, contact.b, impact,
-                             contact.at, contact.normal, contact.gap, contact.impulse});
-  }
-}
-
-void Simulator::record_step() {
-  row_.time = t_;
-  row_.momentum.setZero();
-  row_.angular_momentum.setZero();
-  for (const SimulatedBody& body : bodies_) {
-    if (!body.reacts()) continue;
-    row_.kinetic += body.kinetic_energy();
-    if (dynamics_.gravity) row_.potential -= body.mass * dynamics_.gravity->dot(body.x);
-    row_.momentum += body.mass * body.v;
-    row_.angular_momentum += body.L + body.x.cross(body.mass * body.v);
-  }
-  out_.steps.push_back(row_);
-}
-
-Simulation simulate(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction,
-                    const SimulationHooks& hooks) {
-  return Simulator(scene, dynamics, friction).run(hooks);
 }
 
 }  // namespace raygauge

@@ -7,6 +7,7 @@
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_problem.h"
 #include "scene/simulation/near_pairs.h"
+#include "scene/simulation/simulation_part.h"
 
 namespace raygauge {
 
@@ -15,13 +16,16 @@ class Simulator {
  public:
   Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction);
 
-  Simulation run(const SimulationHooks& hooks);
+  Simulation run(const SimulationHooks& hooks, std::span<const SimulationPart> before);
 
  private:
+  SimulationState state() const;
+  void go_on(std::span<const SimulationPart> before);
+  Simulation result();
   void add_body(const Body& body, const BodyDynamics& how);
   void make_parts();
   void refuse_overlaps();
-  void step(double to);
+  bool step(double to);
   double longest_substep(double to) const;
   void follow_motions();
   void choose_roles(double dt);
@@ -38,14 +42,18 @@ class Simulator {
   bool corrected(double dt);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
   void commit(double end);
+  bool stop_now() const { return hooks_.stop && hooks_.stop(); }
   void record_contacts(const std::vector<ContactUnknown>& contacts, bool impact);
   void record_step();
+  void add_energy(StepRecord& row) const;
   double pressing(const NearPair& pair) const;
   double approach(const NearPair& pair, const GapPoint& point) const;
 
   const Dynamics& dynamics_;
   int n_;
   Simulation out_;
+  SimulationLog log_;
+  SimulationHooks hooks_;
   std::vector<SimulatedBody> bodies_;
   std::vector<SimulatedPart> parts_;
   ContactScales scales_;
@@ -53,7 +61,6 @@ class Simulator {
   ContactProblem problem_;
   double t_ = 0;
   double end_of_step_ = 0;
-  std::vector<std::vector<MotionPiece>> pieces_;  // by body
   std::vector<NearPair>* near_ = nullptr;
   std::vector<ContactUnknown> contacts_;  // of the substep in work
   std::vector<ContactUnknown> last_;      // of the one before

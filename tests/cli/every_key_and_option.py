@@ -279,6 +279,7 @@ OPTIONS = {
         "--step": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--step", "0.25"], 0, says("2 steps")),
         "--tolerance": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--tolerance", "2"], NO_EFFECT, says("tolerance")),
         "--force": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--force"], 0, says("500 steps")),
+        "--resume": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--resume"], 0, says("500 steps")),
         "--quiet": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--quiet"], 0, silent),
         "--max-input": (["scene", "simulate", "heavy.toml", "--max-input", "1"], NO_EFFECT, says("--max-input")),
     },
@@ -345,6 +346,7 @@ OPTIONS = {
         "--force": (["export", "e.h5", "--csv", "taken.svg", "--force"], 0, silent),
         "--contacts": (["export", "moved.h5", "--csv", "-", "--contacts"], 0, says("^step,time,body_a")),
         "--steps": (["export", "moved.h5", "--csv", "-", "--steps"], 0, says("^time,substeps")),
+        "--simulations": (["export", "moved.h5", "--csv", "-", "--simulations"], 0, says("^step,tolerance,delta")),
         "--answers": (["export", "moved.h5", "--csv", "-", "--answers"], 0, says("^cell,session")),
     },
     "compare": {

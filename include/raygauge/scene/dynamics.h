@@ -29,6 +29,15 @@ struct Damping {
   double linear = 0, angular = 0;
 };
 
+/// How fine a simulation is.
+struct SimulationAccuracy {
+  double step = 1e-3;       ///< the longest step in time
+  double tolerance = 1e-6;  ///< δ, relative to the reach of the smallest body that reacts
+};
+
+/// Each combination once, from coarse to fine: by falling steps, then by falling tolerances.
+std::vector<SimulationAccuracy> accuracies_of(std::vector<double> steps, std::vector<double> tolerances);
+
 /// How a body reacts. In the plane vectors have zeros behind them and the inertia is its last entry.
 struct BodyDynamics {
   double mass = 0;                                     ///< 0: it stands or follows its motion, and pushes
@@ -40,14 +49,20 @@ struct BodyDynamics {
   bool reacts() const noexcept { return mass > 0; }
 };
 
+/// How a body reacts whose mass is given, or the density of all its parts; the inertia is that of its shape,
+/// or the one given about its centre of mass. Throws InvalidParameterError: shapes without volume, or without
+/// a formula.
+BodyDynamics reacting_body(const Body& body, std::optional<double> mass, std::optional<double> density,
+                           const std::optional<Eigen::Matrix3d>& inertia = std::nullopt);
+
 /// The effects of a simulation. What is not named here is not computed.
 struct Dynamics {
   std::optional<Eigen::Vector3d> gravity;
   std::optional<ContactLaw> contact;  ///< none: bodies pass through each other
   std::vector<PairLaw> pairs;
   std::optional<Damping> damping;
-  double step = 1e-3;                ///< the longest step in time
-  double tolerance = 1e-6;           ///< δ, relative to the reach of the smallest body that reacts
+  double step = SimulationAccuracy().step;
+  double tolerance = SimulationAccuracy().tolerance;
   std::vector<BodyDynamics> bodies;  ///< of each body of the scene
 
   /// The law of a pair, if any: of the last entry of `pairs` that names it, or that of all.
@@ -63,6 +78,7 @@ struct Dynamics {
 void check_dynamics(const Scene& scene, const Dynamics& dynamics);
 
 /// What will be computed, what never, and why: one sentence a line, for people.
-std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics);
+std::vector<std::string> explain_dynamics(const Scene& scene, const Dynamics& dynamics,
+                                          const std::vector<SimulationAccuracy>& accuracies);
 
 }  // namespace raygauge

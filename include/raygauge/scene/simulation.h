@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raygauge/scene/dynamics.h"
@@ -52,13 +53,19 @@ struct Simulation {
   std::vector<ContactRecord> contacts;
   std::vector<StepRecord> steps;
   SimulationCounters counters;
-  double tolerance = 0;  ///< δ, in units of the scene
+  double tolerance = 0;        ///< δ, in units of the scene
+  double energy_at_start = 0;  ///< kinetic and potential
   bool stopped = false;
 };
 
+struct SimulationPart;  // scene/simulation/simulation_part.h
+
 struct SimulationHooks {
-  std::function<bool()> stop;                  ///< true: end after this step
+  std::function<bool()> stop;                  ///< true: end here; a step that is not done is taken back
   std::function<void(double share)> progress;  ///< of the time that is done
+  std::function<bool()> due;                   ///< after a step: whether to call `store` now
+  std::function<void(const SimulationPart& part)>
+      store;  ///< what happened since its last call; also at the end
 };
 
 /// Lets the bodies of the scene react, from its first instant to its last, in steps of at most dynamics.step.
@@ -66,9 +73,13 @@ struct SimulationHooks {
 /// and impulses, restitution acts at proven times of impact. Of every step it is proven that no pair of
 /// bodies comes closer than -δ; a step of which that is not so is cut where the proof ends.
 ///
-/// `friction` solves contact problems with friction; nullptr where no law names any. Throws what
-/// check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at the start.
+/// `friction` solves contact problems with friction that Newton's method does not solve; it may be nullptr.
+/// Throws what check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at
+/// the start.
+///
+/// `before`: what an earlier call has stored of the same scene and dynamics; this one goes on from there, and
+/// finds bit for bit what one call would have.
 Simulation simulate(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction,
-                    const SimulationHooks& hooks = {});
+                    const SimulationHooks& hooks = {}, std::span<const SimulationPart> before = {});
 
 }  // namespace raygauge

@@ -12,6 +12,7 @@
   page.startGrasps();
   page.startTimelines();
   page.startCosts();
+  page.startSimulations();
   page.startBodies();
   page.startTallies();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page.show(page.frame));

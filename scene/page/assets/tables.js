@@ -71,6 +71,33 @@ page.startCosts = () => {
   if (!section.querySelector('figure')) section.remove();
 };
 
+/** Simulations of a scene at several steps and tolerances: what each cost, and how accurate it was. */
+page.startSimulations = () => {
+  const section = page.byId('simulations'), list = page.data.simulations;
+  if (list.length === 0) {
+    section.remove();
+    return;
+  }
+  if (list.length === 1) section.querySelector('h2').textContent = 'The simulation';
+  const drawn = list.filter((s) => s.error > 0 && s.seconds > 0), { left, right, top, bottom } = page.box;
+  if (drawn.length > 1) {
+    const figure = page.element('figure', {});
+    const picture = page.svg('svg', { viewBox: '0 0 720 185', class: 'accuracy', role: 'img', 'aria-label': 'error against time' }, figure);
+    const x = page.logScale(drawn.map((s) => s.seconds), left + 20, right - 20), y = page.logScale(drawn.map((s) => s.error), bottom, top);
+    for (const s of drawn) {
+      page.svg('circle', { cx: x.at(s.seconds), cy: y.at(s.error), r: 4, fill: 'var(--line)' }, picture);
+      page.svg('text', { x: x.at(s.seconds), y: y.at(s.error) - 8, 'text-anchor': 'middle' }, picture, page.digits(s.step));
+    }
+    page.axes(picture, x.at, y.at, x.ticks, y.ticks, { x: 'seconds', y: 'distance from the finest' });
+    figure.append(page.element('figcaption', {}, 'Each mark is a simulation, with its step in seconds.'));
+    section.append(figure);
+  }
+  const head = ['step', 'tolerance', 'time', 'steps', 'cuts', 'unproven', 'proven overlap', 'residual', 'energy change', 'energy rise', 'from the finest'];
+  section.append(page.fillTable(page.element('table', { id: 'simulation-table' }), head, list.map((s) => [page.digits(s.step), page.digits(s.tolerance),
+    page.duration(s.seconds), s.steps, s.cuts, s.unproven, page.digits(s.overlap), page.digits(s.residual), page.digits(s.energy_change),
+    page.digits(s.energy_rise), s.error === null ? '–' : page.digits(s.error)].map(String))));
+};
+
 page.startTallies = () => {
   const head = ['query', 'asked', 'solved', 'shared', 'broad phase', 'coherence', 'static', 'tolerance', 'widest gap', 'time a frame', 'time'];
   page.fillTable(page.byId('tallies'), head, page.data.queries.map((q) => [q.name, q.asked, q.solved, q.shared, q.broad_phase, q.coherence,

@@ -95,6 +95,7 @@ TEST(Schema, EveryColumnOfASceneIsDocumented) {
   expect_documented("`/cells` of a scene", scene_cell_columns());
   expect_documented("`/bodies` of a scene", scene_body_columns());
   expect_documented("`/queries` of a scene", scene_query_columns());
+  expect_documented("`/simulations` of a scene", simulation_columns());
   expect_documented("`/states` of a simulation", state_columns());
   expect_documented("`/contacts` of a simulation", contact_columns());
   expect_documented("`/steps` of a simulation", step_columns());
