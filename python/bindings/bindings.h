@@ -14,6 +14,7 @@ void bind_results(pybind11::module_& module);
 void bind_contacts(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
+void bind_simulations(pybind11::module_& module);
 void bind_edges(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);
 void bind_object_batches(pybind11::module_& module);

@@ -16,5 +16,6 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_batches(module);
   raygauge::python::bind_object_batches(module);
   raygauge::python::bind_scenes(module);
+  raygauge::python::bind_simulations(module);
   raygauge::python::bind_edges(module);
 }

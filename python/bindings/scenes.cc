@@ -127,6 +127,8 @@ SceneQuery query_of(const py::dict& asked) {
   return query;
 }
 
+}  // namespace
+
 Scene scene_of(const py::list& bodies, py::handle instants, const std::vector<std::pair<int, int>>& ignored,
                const py::list& queries) {
   Scene scene;
@@ -139,6 +141,8 @@ Scene scene_of(const py::list& bodies, py::handle instants, const std::vector<st
   check_scene(scene);
   return scene;
 }
+
+namespace {
 
 py::dict answers(const py::list& bodies, py::handle instants, const std::vector<std::pair<int, int>>& ignored,
                  const py::list& queries, int threads) {

@@ -73,6 +73,7 @@ from .files import ResultsError, open
 from .loading import Robot, SceneFile, load_robot, load_scene, load_set
 from .planning import Plan, plan
 from .scenes import Scene, SceneAnswers
+from .simulation import Simulation, simulate
 from .sweeps import ProgramError, run
 
 
@@ -128,6 +129,7 @@ __all__ = [
     "Separation",
     "SeparationResult",
     "Simplex",
+    "Simulation",
     "Status",
     "SupportMappingSet",
     "TruncatedCone",
@@ -159,4 +161,5 @@ __all__ = [
     "prove_path",
     "run",
     "separation",
+    "simulate",
 ]

@@ -457,6 +457,14 @@ def scene_answers(
 def scene_explanation(
     bodies: list[dict[str, Any]], instants: Array, ignored: list[tuple[int, int]], queries: list[dict[str, Any]]
 ) -> list[list[str]]: ...
+def simulation(
+    bodies: list[dict[str, Any]],
+    instants: Array,
+    ignored: list[tuple[int, int]],
+    queries: list[dict[str, Any]],
+    effects: dict[str, Any],
+    threads: int,
+) -> dict[str, Any]: ...
 class RobotProblem:
     def __init__(
         self, robot: dict[str, Any], obstacles: list[dict[str, Any]], margin: float, contact: float, max_looks: int

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._raygauge import ConvexSet, InvalidParameterError, Mesh, UnknownNameError
 from .scenes import SceneAnswers
+from .simulation import Simulation
 from .sweeps import ProgramError
 
 if TYPE_CHECKING:
@@ -153,8 +154,12 @@ class SceneFile:
         return lines
 
     def run(self, *, threads: int = 0) -> SceneAnswers:
-        """Answers every query, as Scene.run does; nothing is stored."""
+        """Answers every query, as Scene.run does; nothing is stored. For a file with [dynamics] there is simulate."""
         return SceneAnswers.of_numbers(self._file.columns(threads), self.bodies, self.queries)
+
+    def simulate(self, *, threads: int = 0) -> Simulation:
+        """Lets the bodies react as [dynamics] says, like raygauge.simulate; nothing is stored."""
+        return Simulation(self._file.simulation(threads), self.bodies, self.queries)
 
 
 def load_scene(path: str | os.PathLike[str], *, set: Iterable[str] = (), packages: Folders | None = None) -> SceneFile:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,24 +23,17 @@ if TYPE_CHECKING:
 Effect = Literal["separated", "distance", "closest_points", "gradient", "depth", "growth", "time_of_impact", "clearance"]
 
 
-class SceneAnswers(Mapping[str, NDArray[Any]]):
-    """The answers of a scene: arrays by the name of a column, one row an answer.
-
-    query, body_a, body_b: names. part_a, part_b: numbers of the nearest convex parts, -1: not looked for. kind: instant,
-    time_of_impact or clearance. instant: its number, -1 for the whole time. time: seconds. time_lower, time_upper: no contact
-    before, a contact at. status: separated, intersecting, undecided, contact or free. decided: solved, broad_phase, coherence
-    or static. distance with lower and upper; growth and depth with their bounds; point_a, point_b, gradient: shape (rows, n).
-    nan: not asked for. solves, seconds: the work.
-    """
+class Columns(Mapping[str, NDArray[Any]]):
+    """A table: arrays by the name of a column, all with the same number of rows."""
 
     def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
         self._columns = dict(columns)
 
     @classmethod
-    def of_numbers(cls, columns: Mapping[str, NDArray[Any]], bodies: Sequence[str], queries: Sequence[str]) -> SceneAnswers:
-        """Columns whose query, body_a and body_b are numbers."""
+    def of_numbers(cls, columns: Mapping[str, NDArray[Any]], bodies: Sequence[str], queries: Sequence[str] = ()) -> Self:
+        """Columns whose bodies and queries are numbers."""
         known = np.array(list(bodies))
-        names = {"query": np.array(list(queries) or [""]), "body_a": known, "body_b": known}
+        names = {"query": np.array(list(queries) or [""]), "body": known, "body_a": known, "body_b": known}
         return cls({name: names[name][column] if name in names else column for name, column in columns.items()})
 
     def __getitem__(self, name: str) -> NDArray[Any]:
@@ -52,18 +45,23 @@ class SceneAnswers(Mapping[str, NDArray[Any]]):
     def __len__(self) -> int:
         return len(self._columns)
 
-    def __repr__(self) -> str:
-        return f"<raygauge.SceneAnswers, {len(self['query'])} rows: {', '.join(self)}>"
+    @property
+    def rows(self) -> int:
+        """How many rows there are."""
+        return len(next(iter(self._columns.values()), ()))
 
-    def where(self, **values: Any) -> SceneAnswers:
+    def __repr__(self) -> str:
+        return f"<raygauge.{type(self).__name__}, {self.rows} rows: {', '.join(self)}>"
+
+    def where(self, **values: Any) -> Self:
         """The rows in which every column named has the value."""
-        keep = np.ones(len(self["query"]), dtype=bool)
+        keep = np.ones(self.rows, dtype=bool)
         for name, value in values.items():
             keep &= self[name] == value
-        return SceneAnswers({name: column[keep] for name, column in self._columns.items()})
+        return type(self)({name: column[keep] for name, column in self._columns.items()})
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A pandas.DataFrame with a row for each answer; points and gradients are columns point_a_0, point_a_1, ..."""
+        """A pandas.DataFrame with a row for each row; vectors are columns point_a_0, point_a_1, ..."""
         with extra("results"):
             import pandas as pd
 
@@ -74,6 +72,17 @@ class SceneAnswers(Mapping[str, NDArray[Any]]):
             else:
                 columns.update({f"{name}_{k}": column[:, k] for k in range(column.shape[1])})
         return pd.DataFrame(columns)
+
+
+class SceneAnswers(Columns):
+    """The answers of a scene: arrays by the name of a column, one row an answer.
+
+    query, body_a, body_b: names. part_a, part_b: numbers of the nearest convex parts, -1: not looked for. kind: instant,
+    time_of_impact or clearance. instant: its number, -1 for the whole time. time: seconds. time_lower, time_upper: no contact
+    before, a contact at. status: separated, intersecting, undecided, contact or free. decided: solved, broad_phase, coherence
+    or static. distance with lower and upper; growth and depth with their bounds; point_a, point_b, gradient: shape (rows, n).
+    nan: not asked for. solves, seconds: the work.
+    """
 
 
 class Scene:
@@ -115,6 +124,9 @@ class Scene:
         velocity: ArrayLike | None = None,
         acceleration: ArrayLike | None = None,
         spin: ArrayLike | None = None,
+        density: float | None = None,
+        mass: float | None = None,
+        inertia: ArrayLike | None = None,
         groups: Iterable[str] = (),
     ) -> None:
         """Adds a rigid body: a set, an array of points, or a list of sets whose union it is.
@@ -122,6 +134,8 @@ class Scene:
         pose: homogeneous matrix of shape (n+1, n+1), where it is at the first instant. velocity, acceleration: shape (n,); spin:
         angular velocity, a number in the plane, shape (3,) in space: constant rates from there on. Or keyframes: times,
         shape (K,), and poses, shape (K, n+1, n+1), between which it moves straight and turns about a fixed axis.
+        density or mass: it reacts, see simulate; velocity (of its centre of mass) and spin are then its first ones. inertia: about
+        the centre of mass, in place of that of the shape: 3 moments or shape (3, 3), in the plane a number.
         groups: names under which queries find it besides its own.
 
         Raises InvalidParameterError; what is wrong with the numbers is raised by run.
@@ -132,13 +146,17 @@ class Scene:
             raise InvalidParameterError(f"body '{name}': times and poses belong together")
         if times is not None and any(value is not None for value in (pose, velocity, acceleration, spin)):
             raise InvalidParameterError(f"body '{name}': keyframes, or a pose and rates, not both")
+        if density is None and mass is None and inertia is not None:
+            raise InvalidParameterError(f"body '{name}': inertia needs a mass")
+        if (density is not None or mass is not None) and (times is not None or acceleration is not None):
+            raise InvalidParameterError(f"body '{name}': a body that reacts follows no motion; it has a first velocity and spin")
         is_list = isinstance(parts, (list, tuple)) and any(isinstance(part, ConvexSet) for part in parts)
         self._groups[name] = [len(self._bodies)]
         for group in groups:
             self._groups.setdefault(group, []).append(len(self._bodies))
         self._bodies.append(
             {"name": name, "parts": parts if is_list else [parts], "pose": pose, "times": times, "poses": poses,
-             "velocity": velocity, "acceleration": acceleration, "spin": spin}
+             "velocity": velocity, "acceleration": acceleration, "spin": spin, "density": density, "mass": mass, "inertia": inertia}
         )  # fmt: skip
 
     def add_robot(
@@ -211,6 +229,9 @@ class Scene:
         Without the interpreter's lock; Ctrl-C ends it after the cells in work. Raises InvalidParameterError,
         DimensionMismatchError, NonFiniteError, EmptySetError, UnknownNameError.
         """
+        for body in self._bodies:
+            if body["density"] is not None or body["mass"] is not None:
+                raise InvalidParameterError(f"body '{body['name']}' has a mass: simulate lets it react, and answers the queries")
         columns = _raygauge.scene_answers(self._bodies, self._instants, self._ignored, self._queries, threads)
         bodies = [body["name"] for body in self._bodies]
         return SceneAnswers.of_numbers(columns, bodies, [query["name"] for query in self._queries])

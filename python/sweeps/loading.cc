@@ -15,6 +15,7 @@
 #include "cli/input/set_source.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/scene_answers.h"
+#include "python/bindings/simulated_columns.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/joint_gradient.h"
 #include "raygauge/scene/joint_motion.h"
@@ -189,7 +190,19 @@ void bind_scene_files(py::module_& module) {
       .def("explain", [](const SceneSource& source) { return scene_lines(source.scene); })
       .def(
           "columns",
-          [](const SceneSource& source, int threads) { return scene_columns(source.scene, threads); },
+          [](const SceneSource& source, int threads) {
+            if (source.dynamics)
+              throw InvalidParameterError("scene '" + source.scene.name + "' has [dynamics]: use simulate");
+            return scene_columns(source.scene, threads);
+          },
+          py::arg("threads"))
+      .def(
+          "simulation",
+          [](const SceneSource& source, int threads) {
+            if (!source.dynamics)
+              throw InvalidParameterError("scene '" + source.scene.name + "' has no [dynamics]: use run");
+            return simulated_columns(source.scene, *source.dynamics, threads);
+          },
           py::arg("threads"));
   module.def(
       "load_scene",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/simulation/friction.h"
+#include "raygauge/scene/friction.h"
 
 namespace raygauge {
 

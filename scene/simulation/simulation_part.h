@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "raygauge/scene/simulation.h"
 #include "scene/simulation/piecewise_motion.h"
-#include "scene/simulation/simulation.h"
 
 namespace raygauge {
 

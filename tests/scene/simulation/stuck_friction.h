@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/simulation/friction.h"
+#include "raygauge/scene/friction.h"
 
 /// Four contacts of a heap of boxes, μ = 0.5, of which Newton's method alone is left with a residual of 2e-7.
 namespace raygauge::stuck_friction {
