@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "engine/kernels/kernel.h"
-#include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/methods/spatial/active_pieces.h"
+#include "engine/methods/spatial/gjk.h"
 
 namespace raygauge {
 namespace {
@@ -114,34 +115,32 @@ PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
   const SpatialCombination& found = cores_.answer().combination;
   const double* n = cores_.normal();
   const PreciseVector3 normal = -raygauge::precise({n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0});
-  PrecisePoint point[4];
+  ActivePieces<PrecisePair> simplex;
   DoubleDouble height;
-  int count = 1;
-  point[0] = precise.support(normal, height);
+  simplex.point[0] = precise.support(normal, height);
+  simplex.count = 1;
   if (found.count > 0) {
     PrecisePoint projected;
     projected.a1 = raygauge::precise(found.point[0].a1);
     projected.a2 = raygauge::precise(pair_.to_second(found.point[0].a2));
-    for (int i = 0; i < kProjections && precise.project(projected); ++i) point[0] = projected;
+    for (int i = 0; i < kProjections && precise.project(projected); ++i) simplex.point[0] = projected;
   }
   for (int i = 0; i < std::min(found.count, 3); ++i) {
-    point[count].index_1 = found.point[i].index_1;
-    point[count].index_2 = found.point[i].index_2;
-    if (precise.follow(normal, point[count])) ++count;
+    PrecisePoint& piece = simplex.point[simplex.count];
+    piece.index_1 = found.point[i].index_1;
+    piece.index_2 = found.point[i].index_2;
+    if (precise.follow(normal, piece)) ++simplex.count;
   }
   PreciseVector3 v;
   for (int step = 0; step < kMostSteps; ++step) {
-    const PreciseVector3* s[4] = {&point[0].s, &point[1].s, &point[2].s, &point[3].s};
-    const SimplexFace<DoubleDouble> face = nearest_face<DoubleDouble>(s, count);
-    count = face.count;
-    for (int i = 0; i < count; ++i) point[i] = point[face.corner[i]];
-    v = point[0].s;
-    for (int i = 1; i < count; ++i) v = v + (point[i].s - point[0].s) * face.weight[i];
+    const SimplexFace<DoubleDouble> face = nearest_face_of(simplex);
+    keep(face, simplex);
+    v = combine(simplex, face);
     const double away = length(rounded(v));
-    if (count == 4 || !(away > 0)) break;
+    if (simplex.count == 4 || !(away > 0)) break;
     const PrecisePoint w = precise.support(v * DoubleDouble{-1 / away}, height);
     if (!((height + away).high > precise.error())) break;
-    point[count++] = w;
+    simplex.point[simplex.count++] = w;
   }
   return v;
 }

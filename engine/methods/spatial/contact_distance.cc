@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/spatial/contact_program.h"
+#include "engine/methods/spatial/active_pieces.h"
 
 namespace raygauge {
 namespace {
@@ -28,11 +28,6 @@ class ContactDescent {
   void run();
 
  private:
-  void begin();
-  void add(const SpatialPoint& point, double weight);
-  bool shares(int k, int i, int body) const;
-  void follow(int i);
-  Matrix3 hessian() const;
   void add_other_rims(const SpatialPoint& point);
   bool try_discs();
   bool try_disc(int i, const Vector3& v);
@@ -45,9 +40,7 @@ class ContactDescent {
   double tolerance_;
   SpatialAnswer& answer_;
   Vector3 u_;
-  SpatialPoint piece_[kMostContactPieces];
-  double weight_[kMostContactPieces];
-  int count_ = 0;
+  ActivePieces<SpatialPair> pieces_;
   double last_step_ = 1;
   double longest_step_ = kLongestStep;
   double lowest_ = 1e300;  // height met, at lowest_u_
@@ -55,72 +48,15 @@ class ContactDescent {
   bool tried_[2] = {false, false};
 };
 
-void ContactDescent::add(const SpatialPoint& point, double weight) {
-  for (int i = 0; i < count_; ++i) {
-    if (!piece_[i].has_same_pieces(point)) continue;
-    weight_[i] += weight;
-    return;
-  }
-  if (count_ == kMostContactPieces) return;
-  piece_[count_] = point;
-  weight_[count_++] = weight;
-}
-
-// Whether pieces k and i have the same point of a core for any normal, or the core is made of vertices.
-bool ContactDescent::shares(int k, int i, int body) const {
-  return !is_curved(pair_.shape(body)) || piece_[k].index(body) == piece_[i].index(body);
-}
-
-// Piece i at u_, where those before it are.
-void ContactDescent::follow(int i) {
-  for (int k = 0; k < i; ++k) {
-    if (!shares(k, i, 0) || !shares(k, i, 1)) continue;
-    SpatialPoint& point = piece_[i];
-    if (point.index_1 < 0) point.a1 = piece_[k].a1;
-    if (point.index_2 < 0) point.a2 = piece_[k].a2;
-    point.s = point.a1 - point.a2;
-    return;
-  }
-  pair_.follow(u_, piece_[i]);
-}
-
-// Of the pieces with their weights, once for those that differ in vertices alone.
-Matrix3 ContactDescent::hessian() const {
-  Matrix3 H;
-  double weight[kMostContactPieces];
-  for (int i = 0; i < count_; ++i) {
-    weight[i] = weight_[i];
-    int k = 0;
-    while (k < i && !(shares(k, i, 0) && shares(k, i, 1))) ++k;
-    if (k == i) continue;
-    weight[k] += weight[i];
-    weight[i] = 0;
-  }
-  for (int i = 0; i < count_; ++i) {
-    if (weight[i] > 0) pair_.add_hessian(u_, piece_[i], weight[i], H);
-  }
-  return H;
-}
-
 // The pieces that differ from `point` in one rim.
 void ContactDescent::add_other_rims(const SpatialPoint& point) {
   for (int i = 0; i < 2; ++i) {
     SpatialPoint other = point;
     other.index(i) = other_piece(pair_.shape(i), point.index(i));
     if (other.index(i) == point.index(i)) continue;
-    const int known = count_;
-    add(other, 0);
-    if (count_ > known) follow(known);
-  }
-}
-
-void ContactDescent::begin() {
-  const SpatialCombination& before = answer_.combination;
-  u_ = answer_.hint * (1 / length(answer_.hint));
-  for (int i = 0; i < before.count; ++i) {
-    SpatialPoint point = before.point[i];
-    pair_.follow(u_, point);
-    add(point, before.weight[i]);
+    if (pieces_.find(other) < pieces_.count) continue;
+    pair_.follow(u_, other, &point);
+    pieces_.add(other);
   }
 }
 
@@ -168,18 +104,14 @@ bool ContactDescent::try_discs() {
 
 void ContactDescent::record(const ContactStep<double>& found) {
   SpatialCombination& combination = answer_.combination;
-  SpatialPoint kept[3];
-  for (int i = 0; i < found.count; ++i) kept[i] = piece_[found.piece[i]];
+  pieces_.keep(found);
+  combination.count = pieces_.count;
   Vector3 v;
-  count_ = 0;
-  for (int i = 0; i < found.count; ++i) {
-    const double weight = std::clamp(found.weight[i], 0.0, 1.0);
-    add(kept[i], weight);
-    combination.point[i] = kept[i];
-    combination.weight[i] = weight;
-    v = v + kept[i].s * weight;
+  for (int i = 0; i < pieces_.count; ++i) {
+    combination.point[i] = pieces_.point[i];
+    combination.weight[i] = pieces_.weight[i];
+    v = v + pieces_.point[i].s * pieces_.weight[i];
   }
-  combination.count = found.count;
   answer_.hint = u_;
   bound(v);
 }
@@ -201,8 +133,7 @@ bool ContactDescent::look(double& height) {
     lowest_ = height;
     lowest_u_ = u_;
   }
-  for (int i = 0; i < count_; ++i) follow(i);
-  add(w, count_ == 0 ? 1 : 0);
+  pieces_.follow(pair_, u_, &w);
   add_other_rims(w);
   return true;
 }
@@ -211,33 +142,23 @@ bool ContactDescent::look(double& height) {
 bool ContactDescent::step() {
   double height = 0;
   if (!look(height)) return false;
-  const Matrix3 H = hessian();
-  const double size = H.column[0].x + H.column[1].y + H.column[2].z;
-  const TangentMetric metric(u_, H,
-                             std::fabs(height) + kDamping * last_step_ * last_step_ * size + pair_.error());
-  ContactPiece<double> pieces[kMostContactPieces];
-  for (int i = 0; i < count_; ++i) {
-    pieces[i].height = dot(u_, piece_[i].s);
-    metric.image(dot(metric.tangent[0], piece_[i].s), dot(metric.tangent[1], piece_[i].s), pieces[i].slope);
-  }
-  const ContactStep<double> found = contact_step(pieces, count_);
+  const TangentMetric metric =
+      pieces_.metric(pair_, u_, std::fabs(height), kDamping * last_step_ * last_step_);
+  const ContactStep<double> found =
+      pieces_.step(metric, u_, [this](int i) -> const Vector3& { return pieces_.point[i].s; });
   record(found);
   if (answer_.end != SpatialEnd::open || answer_.closes(tolerance_)) return false;
   if (answer_.upper - answer_.lower <= kPreciseGap * pair_.error()) return false;
-  double d[2];
-  metric.step(found.y, d);
-  const double long_by = std::hypot(d[0], d[1]);
-  const double share = long_by > longest_step_ ? longest_step_ / long_by : 1.0;
+  const double long_by = turn(metric, found.y, longest_step_, u_);
   const bool converged = long_by * std::max(long_by, kDamping * last_step_ * last_step_) < kConverged;
   last_step_ = std::min(long_by, 1.0);
-  u_ = u_ + metric.tangent[0] * (d[0] * share) + metric.tangent[1] * (d[1] * share);
-  u_ = u_ * (1 / length(u_));
   return !converged;
 }
 
 void ContactDescent::run() {
   if (!(dot(answer_.hint, answer_.hint) > 0)) return;
-  begin();
+  u_ = answer_.hint * (1 / length(answer_.hint));
+  pieces_.begin(answer_.combination);
   for (int i = 0; i < kMostSteps; ++i, ++answer_.iterations) {
     if (try_discs() || !step()) return;
   }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
-#include "engine/methods/spatial/spatial_growth.h"
+#include "engine/methods/spatial/portal.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -33,6 +33,7 @@ class InnerBall {
   bool find_simplex();
   bool choose_portal(const double* weight);
   double depth() const;
+  Portal<DoubleDouble> about_c() const { return {portal_[0] - c_, portal_[1] - c_, portal_[2] - c_}; }
   double refine();
 
   PrecisePair& precise_;
@@ -109,15 +110,8 @@ bool InnerBall::choose_portal(const double* weight) {
   c_ = c_ + simplex_[3] * DoubleDouble{rest};
   for (const auto& facet : kFacets) {
     for (int i = 0; i < 3; ++i) portal_[i] = simplex_[facet[i]];
-    const PreciseVector3 b[3] = {portal_[0] - c_, portal_[1] - c_, portal_[2] - c_};
-    const bool outward = dot(cross(b[0], b[1]), b[2]).high > 0;
-    double side[3];
-    for (int i = 0; i < 3; ++i) side[i] = -dot(c_, cross(b[i], b[(i + 1) % 3])).high;
-    if (!outward) {
-      std::swap(portal_[0], portal_[1]);
-      for (double& each : side) each = -each;
-    }
-    if (side[0] >= 0 && side[1] >= 0 && side[2] >= 0) return true;
+    if (about_c().determinant().high < 0) std::swap(portal_[0], portal_[1]);
+    if (about_c().holds(-c_)) return true;
   }
   return false;
 }
@@ -134,10 +128,7 @@ RAYGAUGE_FUSED double InnerBall::refine() {
     const PreciseVector3 w = support(n);
     const double gain = dot(n, w - portal_[0]).high;
     if (dot(n, w).high < 0 || !(gain > precise_.error())) break;
-    const PreciseVector3 s = w - c_;
-    double d[3];
-    for (int k = 0; k < 3; ++k) d[k] = dot(p, cross(s, portal_[k] - c_)).high;
-    portal_[leaving_corner(d[0], d[1], d[2])] = w;
+    portal_[about_c().leaving(p, w - c_)] = w;
   }
   return deepest;
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/methods/spatial/nearest_on_simplex.h"
-#include "engine/methods/spatial/precise_pieces.h"
+#include "engine/methods/spatial/active_pieces.h"
+#include "engine/methods/spatial/gjk.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -27,30 +27,24 @@ class PreciseDescent {
   PreciseDescent(PrecisePair& precise, double tolerance, SpatialAnswer& answer)
       : precise_(precise), tolerance_(tolerance), answer_(answer), before_(answer.combination) {}
 
-  void run(const SpatialPair& pair);
-  void record(const SpatialPair& pair);
+  void run();
+  void record();
 
  private:
   bool begin_at_vertices();
-  bool begin_on_curves(const SpatialPair& pair);
-  bool step();
+  bool begin_on_curves();
+  void approach();
   bool step_on_face();
   void begin_opposite_longest_edge();
   bool nearest_on_face(PreciseVector3* edge, PreciseVector3& v);
   bool closes_on_pieces();
   bool look(const PreciseVector3& v, const PreciseVector3& u);
   bool disc_step();
-  bool projection_steps(const SpatialPair& pair);
+  bool projection_steps();
   bool gather();
-  bool curved_step(const SpatialPair& pair);
+  bool curved_step();
   bool conclude(const PreciseVector3& v, const PrecisePoint& pair_of_points);
-  SimplexFace<DoubleDouble> reduce();
-  void keep(const SimplexFace<DoubleDouble>& face);
   bool is_closed() { return answer_.closes(tolerance_); }
-  PreciseVector3 direction(const PreciseVector3& v) const;
-  PreciseVector3 combine(const SimplexFace<DoubleDouble>& face) const;
-  PrecisePoint combine(const ContactStep<DoubleDouble>& step) const;
-  bool holds(const PrecisePoint& w) const;
   void bound_from_above(double length);
   void bound_from_below(const PreciseVector3& u, const DoubleDouble& height);
 
@@ -58,8 +52,7 @@ class PreciseDescent {
   double tolerance_;
   SpatialAnswer& answer_;
   const SpatialCombination& before_;  // as doubles left it, until record()
-  PrecisePieces now_;                 // proves the upper bound
-  PreciseVector3 normal_;             // of the lower bound; zero: that of doubles is the best
+  ActivePieces<PrecisePair> now_;     // proves the upper bound
   PreciseVector3 u_;                  // of steps on curved cores
   double last_step_ = 0;
   bool bounded_ = false;  // from above, by now_
@@ -71,127 +64,45 @@ bool PreciseDescent::begin_at_vertices() {
   for (int i = 0; i < before.count; ++i) {
     PrecisePoint point;
     const SpatialPoint& known = before.point[i];
-    if (precise_.vertex(known.index_1, known.index_2, point) && !holds(point))
+    if (precise_.vertex(known.index_1, known.index_2, point) && !holds(now_, point))
       now_.point[now_.count++] = point;
   }
   return now_.count > 0;
 }
 
 // With the best normal of before and the pieces of its combination.
-bool PreciseDescent::begin_on_curves(const SpatialPair& pair) {
+bool PreciseDescent::begin_on_curves() {
   const Vector3& u = answer_.hint;
   if (!(dot(u, u) > 0)) return false;
-  double world[3] = {0, 0, 0};
-  pair.to_world(u * (1 / length(u)), world);
-  u_ = precise({world[0], world[1], world[2]});
+  u_ = precise(precise_.to_world(u * (1 / length(u))));
   now_.begin(before_);
   return true;
 }
 
-void PreciseDescent::run(const SpatialPair& pair) {
-  if (before_.count == 1 && projection_steps(pair)) return;
+void PreciseDescent::run() {
+  if (before_.count == 1 && projection_steps()) return;
   if (!precise_.is_curved()) {
     if (!begin_at_vertices()) return;
-    if (step_on_face()) return;
-    for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
+    if (!step_on_face()) approach();
     return;
   }
   if (before_.count == 1 && disc_step()) return;
-  if (!begin_on_curves(pair)) return;
-  for (int i = 0; i < kMostCurvedIterations && curved_step(pair); ++i) ++answer_.iterations;
+  if (!begin_on_curves()) return;
+  for (int i = 0; i < kMostCurvedIterations && curved_step(); ++i) ++answer_.iterations;
   if (answer_.end != SpatialEnd::open) return;
   // Sharp edges that overlap, for instance: no point of one edge need be inside the other body.
-  for (int i = 0; i < kMostIterations && step(); ++i) ++answer_.iterations;
-}
-
-bool PreciseDescent::holds(const PrecisePoint& w) const {
-  for (int i = 0; i < now_.count; ++i) {
-    if (is_zero(now_.point[i].s - w.s)) return true;
-  }
-  return false;
-}
-
-SimplexFace<DoubleDouble> PreciseDescent::reduce() {
-  const PreciseVector3* points[4];
-  for (int i = 0; i < now_.count; ++i) points[i] = &now_.point[i].s;
-  const SimplexFace<DoubleDouble> face = nearest_face(points, now_.count);
-  keep(face);
-  return face;
-}
-
-// Corners are in ascending order.
-void PreciseDescent::keep(const SimplexFace<DoubleDouble>& face) {
-  for (int i = 0; i < face.count; ++i) {
-    if (face.corner[i] != i) now_.point[i] = now_.point[face.corner[i]];
-    now_.weight[i] = face.weight[i].rounded();
-  }
-  now_.count = face.count;
-}
-
-// Σ c_l s_l of the weights as they are, not negative, over their sum: a point of the simplex.
-PreciseVector3 PreciseDescent::combine(const SimplexFace<DoubleDouble>& face) const {
-  if (face.count == 1) return now_.point[0].s;
-  PreciseVector3 v;
-  DoubleDouble sum;
-  for (int i = 0; i < face.count; ++i) {
-    v = v + now_.point[i].s * face.weight[i];
-    sum = sum + face.weight[i];
-  }
-  return v * (DoubleDouble{1} / sum);
-}
-
-// The same of the points and their parts, with the weights of a step, of which rounding may leave some
-// negative.
-PrecisePoint PreciseDescent::combine(const ContactStep<DoubleDouble>& step) const {
-  PrecisePoint sum = now_.point[0];
-  if (step.count == 1) return sum;
-  sum.s = sum.a1 = sum.a2 = {};
-  DoubleDouble all;
-  for (int i = 0; i < step.count; ++i) {
-    if (!(step.weight[i] > DoubleDouble{})) continue;
-    sum.s = sum.s + now_.point[i].s * step.weight[i];
-    sum.a1 = sum.a1 + now_.point[i].a1 * step.weight[i];
-    sum.a2 = sum.a2 + now_.point[i].a2 * step.weight[i];
-    all = all + step.weight[i];
-  }
-  const DoubleDouble share = DoubleDouble{1} / all;
-  sum.s = sum.s * share;
-  sum.a1 = sum.a1 * share;
-  sum.a2 = sum.a2 * share;
-  return sum;
-}
-
-// Of length 1 in about, from the simplex to the origin; of a vertex in doubles, as the height of a ball
-// hardly depends on it.
-PreciseVector3 PreciseDescent::direction(const PreciseVector3& v) const {
-  PreciseVector3 u = now_.count == 1 ? precise(rounded(-v)) : -v;
-  if (now_.count == 2) {
-    const double size = 1 / std::sqrt(dot(u, u).high);
-    u = u * DoubleDouble{size};
-    const PreciseVector3 edge = now_.point[1].s - now_.point[0].s;
-    u = u - edge * (dot(u, edge) / dot(edge, edge));
-  } else if (now_.count == 3) {
-    u = triangle_normal(now_.point[0].s, now_.point[1].s, now_.point[2].s);
-    if (dot(u, now_.point[0].s).high > 0) u = -u;
-  }
-  const double square = dot(u, u).high;
-  if (!(square > 0)) return {};
-  if (now_.count == 1) return precise(rounded(u) * (1 / std::sqrt(square)));
-  return u * DoubleDouble{1 / std::sqrt(square)};
+  approach();
 }
 
 // By the length of a vector of D that the combination has.
 void PreciseDescent::bound_from_above(double length) {
-  answer_.bound_from_above((length + precise_.error()) * kUp);
+  answer_.bound_from_above(upper_bound(precise_, length));
   bounded_ = true;
 }
 
 void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDouble& height) {
-  const double size = length(rounded(u)) * kUp;
-  const double lower = (-height.rounded() / size) * kDown - precise_.error();
-  if (!(lower > answer_.lower)) return;
-  answer_.lower = lower;
-  normal_ = u;
+  const double lower = lower_bound(precise_, u, height);
+  if (lower > answer_.lower) answer_.bound_from_below(lower, precise_.to_first(u));
 }
 
 // The bounds of v, a point of the simplex, and of u; the support point for u joins the simplex. False where
@@ -203,25 +114,15 @@ bool PreciseDescent::look(const PreciseVector3& v, const PreciseVector3& u) {
   bound_from_below(u, height);
   if (is_closed()) return false;
   precise_.place(w);
-  if (holds(w)) return false;
+  if (holds(now_, w)) return false;
   ++now_.count;
   return true;
 }
 
-RAYGAUGE_FUSED bool PreciseDescent::step() {
-  const SimplexFace<DoubleDouble> face = reduce();
-  const PreciseVector3 v = combine(face);
-  const double size = std::sqrt(dot(v, v).high);
-  if (face.depth > 2 * precise_.error() || precise_.balls_meet(size * kUp)) {
-    answer_.end = SpatialEnd::intersecting;
-    return false;
-  }
-  const PreciseVector3 u = now_.count < 4 && size > precise_.error() ? direction(v) : PreciseVector3{};
-  if (is_zero(u)) {
-    bound_from_above(length(rounded(precise_.through_balls(v))));
-    return false;
-  }
-  return look(v, u);
+// Until nothing is to be gained.
+RAYGAUGE_FUSED void PreciseDescent::approach() {
+  Gjk<PrecisePair, ActivePieces<PrecisePair>> steps(precise_, tolerance_, now_, answer_);
+  for (int i = 0; i < kMostIterations && steps.step(); ++i) ++answer_.iterations;
 }
 
 // The two shorter edges of a triangle meet there, where their cross product loses least.
@@ -324,10 +225,10 @@ RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
 }
 
 // From the nearest points in doubles of a core and the centre of a ball. True where that is all.
-bool PreciseDescent::projection_steps(const SpatialPair& pair) {
+bool PreciseDescent::projection_steps() {
   PrecisePoint point;
   point.a1 = precise(before_.point[0].a1);
-  point.a2 = precise(pair.to_second(before_.point[0].a2));
+  point.a2 = precise(precise_.in_doubles().to_second(before_.point[0].a2));
   for (int i = 0; i < kMostProjections; ++i) {
     if (!precise_.project(point)) return false;
     const double size = length(rounded(point.s));
@@ -380,45 +281,30 @@ bool PreciseDescent::closes_on_pieces() {
 }
 
 // A step of contact_distance, whose pieces are all that is left of the bodies.
-RAYGAUGE_FUSED bool PreciseDescent::curved_step(const SpatialPair& pair) {
+RAYGAUGE_FUSED bool PreciseDescent::curved_step() {
   if (!gather() || closes_on_pieces()) return false;
   const double height_of_cores = std::fabs(dot(rounded(u_), rounded(now_.point[0].s)));
-  const TangentMetric M =
-      now_.metric(pair, u_, height_of_cores + precise_.error(), kDamping * last_step_ * last_step_);
-  const PreciseVector3 tangent[2] = {precise(M.tangent[0]), precise(M.tangent[1])};
-  ContactPiece<DoubleDouble> pieces[4];
-  for (int i = 0; i < now_.count; ++i) {
-    pieces[i].height = dot(u_, now_.point[i].s);
-    M.image(dot(tangent[0], now_.point[i].s), dot(tangent[1], now_.point[i].s), pieces[i].slope);
-  }
-  const ContactStep<DoubleDouble> found = contact_step(pieces, now_.count);
+  const TangentMetric metric = now_.metric(precise_, u_, height_of_cores, kDamping * last_step_ * last_step_);
+  const ContactStep<DoubleDouble> found =
+      now_.step(metric, u_, [this](int i) -> const PreciseVector3& { return now_.point[i].s; });
   now_.keep(found);
-  const PrecisePoint points = combine(found);
+  const PrecisePoint points = now_.combine(found);
   if (conclude(points.s, points)) return false;
-  DoubleDouble d[2];
-  M.step(found.y, d);
-  last_step_ = std::hypot(d[0].high, d[1].high);
+  last_step_ = turn(metric, found.y, kLongestStep, u_);
   if (within_ && !(last_step_ > kSmallStep)) return false;
-  const DoubleDouble share{last_step_ > kLongestStep ? kLongestStep / last_step_ : 1.0};
-  u_ = u_ + (tangent[0] * d[0] + tangent[1] * d[1]) * share;
-  u_ = u_ * DoubleDouble{1 / std::sqrt(dot(u_, u_).high)};
   last_step_ = std::min(last_step_, 1.0);
   return last_step_ > 0;
 }
 
 // The closest points and the normal, in the frame of the first body.
-void PreciseDescent::record(const SpatialPair& pair) {
-  if (!is_zero(normal_)) {
-    const double normal[3] = {normal_.x.high, normal_.y.high, normal_.z.high};
-    answer_.normal = pair.to_body(normal);
-  }
+void PreciseDescent::record() {
   if (answer_.end == SpatialEnd::open) return;
   SpatialCombination& combination = answer_.combination;
   combination.count = answer_.end == SpatialEnd::closed ? now_.count : 0;
   for (int i = 0; i < combination.count; ++i) {
     SpatialPoint& point = combination.point[i];
     point.a1 = rounded(now_.point[i].a1);
-    point.a2 = pair.from_second(rounded(now_.point[i].a2));
+    point.a2 = precise_.in_doubles().from_second(rounded(now_.point[i].a2));
     point.s = point.a1 - point.a2;
     point.index_1 = std::max(now_.point[i].index_1, kSmoothPiece);
     point.index_2 = std::max(now_.point[i].index_2, kSmoothPiece);
@@ -432,8 +318,8 @@ void precise_distance(const SpatialPair& pair, double tolerance, SpatialAnswer& 
   PrecisePair precise;
   if (!precise.bind(pair)) return;
   PreciseDescent descent(precise, tolerance, answer);
-  descent.run(pair);
-  descent.record(pair);
+  descent.run();
+  descent.record();
 }
 
 }  // namespace raygauge

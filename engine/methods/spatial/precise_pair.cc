@@ -16,6 +16,7 @@ constexpr double kError = 0x1p-88;
 }  // namespace
 
 bool PrecisePair::bind(const SpatialPair& pair) {
+  spatial_ = &pair;
   const int n = pair.dimension();
   double size = 0;
   double t[2][3] = {{0, 0, 0}, {0, 0, 0}};
@@ -41,6 +42,17 @@ bool PrecisePair::bind(const SpatialPair& pair) {
   isa_ = pair.instruction_set();
   CorePair::begin();
   return true;
+}
+
+Vector3 PrecisePair::to_first(const PreciseVector3& vector) const {
+  const double world[3] = {vector.x.high, vector.y.high, vector.z.high};
+  return spatial_->to_body(world);
+}
+
+Vector3 PrecisePair::to_world(const Vector3& vector) const {
+  double world[3] = {0, 0, 0};
+  spatial_->to_world(vector, world);
+  return {world[0], world[1], world[2]};
 }
 
 namespace {
@@ -212,8 +224,8 @@ PreciseVector3 PrecisePair::rough_normal(const PreciseVector3& p) const {
   return size > 0 ? u * DoubleDouble{1 / size} : PreciseVector3{};
 }
 
-bool PrecisePair::balls_meet(double v) const {
-  return v + error_ < frame_.body[0].ball + frame_.body[1].ball;
+bool PrecisePair::balls_meet(double away) const {
+  return away + error_ < frame_.body[0].ball + frame_.body[1].ball;
 }
 
 }  // namespace raygauge

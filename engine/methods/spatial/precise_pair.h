@@ -13,8 +13,15 @@ using PrecisePoint = PairPoint<DoubleDouble>;
 /// 2⁻⁸⁸ times the size of the bodies and of the way between them.
 class PrecisePair : public CorePair<WorldFrame> {
  public:
-  /// False where the numbers are too large or too small to be split in two.
+  /// The pair in doubles, which must outlive this one. False where the numbers are too large or too small to
+  /// be split in two.
   bool bind(const SpatialPair& pair);
+
+  const SpatialPair& in_doubles() const noexcept { return *spatial_; }
+
+  /// A vector of the world in the first body's frame, rounded, and one of that frame in the world.
+  Vector3 to_first(const PreciseVector3& vector) const;
+  Vector3 to_world(const Vector3& vector) const;
 
   /// The support point of the cores for u, and h(u) of the bodies, their balls included.
   PrecisePoint support(const PreciseVector3& u, DoubleDouble& height);
@@ -67,15 +74,31 @@ class PrecisePair : public CorePair<WorldFrame> {
   /// The point of D that is reached from v, a point of the cores, by going back along it through both balls.
   PreciseVector3 through_balls(const PreciseVector3& v) const;
 
-  /// Whether the balls of both bodies about a pair of points of the cores, v apart, are sure to meet.
-  bool balls_meet(double v) const;
+  /// Whether the balls of both bodies about a pair of points of the cores, at most `away` from each other,
+  /// are sure to meet.
+  bool balls_meet(double away) const;
 
  private:
   template <bool kPoints>
   DoubleDouble height_of(const PreciseVector3& u, PrecisePoint& point);
   void add_axes(int i, PreciseVector3* M) const;
 
+  const SpatialPair* spatial_ = nullptr;
   DoubleDouble ball_height_;  // what the balls added to the last height
 };
+
+/// Bounds on the distance of the bodies, rounding errors outward: from above by the length of a vector of D,
+/// or what is left of v, a point of the difference of the cores; from below by u and h(u).
+inline double upper_bound(const PrecisePair& pair, double length) noexcept {
+  constexpr double kUp = 1 + 0x1p-50;
+  return (length + pair.error()) * kUp;
+}
+inline double upper_bound(const PrecisePair& pair, const PreciseVector3& v) {
+  return upper_bound(pair, length(rounded(pair.through_balls(v))));
+}
+inline double lower_bound(const PrecisePair& pair, const PreciseVector3& u, const DoubleDouble& height) {
+  constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;  // of rounding to doubles, and a length of them
+  return (-height.rounded() / (length(rounded(u)) * kUp)) * kDown - pair.error();
+}
 
 }  // namespace raygauge

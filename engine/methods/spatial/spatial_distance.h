@@ -77,6 +77,9 @@ inline double upper_bound(const SpatialPair& pair, double length) noexcept {
   constexpr double kRounding = 1 + 0x1p-48;  // of a few operations on numbers that are certain otherwise
   return (length + pair.error()) * kRounding - pair.radius();
 }
+inline double upper_bound(const SpatialPair& pair, const Vector3& v) noexcept {
+  return upper_bound(pair, length(v));
+}
 inline double lower_bound(const SpatialPair& pair, double along) noexcept {
   constexpr double kUp = 1 + 0x1p-48, kDown = 1 - 0x1p-48;
   return (-along - pair.error()) * kDown - pair.radius() * kUp;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/methods/spatial/portal.h"
 
 namespace raygauge {
 namespace {
@@ -56,8 +57,7 @@ class Growth {
   bool recall(const SpatialStart& start, Vector3& u);
   void refine();
   void find_inner_radius();
-  bool weigh(double* weight) const;
-  void enclose_weights(const double* weight);
+  Portal<double> portal() const { return {portal_[0].s, portal_[1].s, portal_[2].s}; }
   void bound_by_portal(bool may_end);
 
   SpatialPair& pair_;
@@ -170,36 +170,6 @@ bool Growth::newton(Vector3 u) {
     ratio = higher;
   }
   return false;
-}
-
-// The weights of the portal in p; false where it is flat.
-bool Growth::weigh(double* weight) const {
-  const Vector3 n0 = cross(portal_[1].s, portal_[2].s);
-  const double determinant = dot(n0, portal_[0].s);
-  if (!(std::fabs(determinant) > 0)) return false;
-  const double share = 1 / determinant;
-  weight[0] = std::max(0.0, dot(n0, p_) * share);
-  weight[1] = std::max(0.0, dot(cross(portal_[2].s, portal_[0].s), p_) * share);
-  weight[2] = std::max(0.0, dot(cross(portal_[0].s, portal_[1].s), p_) * share);
-  return true;
-}
-
-// Without a ball inside B: the exact weights, if they are positive for certain, prove their sum. The exact
-// inverse of the portal differs from the computed one by a share of error times its norm, which must be
-// small.
-void Growth::enclose_weights(const double* weight) {
-  double norm = 0;
-  Vector3 r = p_;
-  const double determinant = std::fabs(dot(cross(portal_[0].s, portal_[1].s), portal_[2].s));
-  for (int i = 0; i < 3; ++i) {
-    norm += length(cross(portal_[(i + 1) % 3].s, portal_[(i + 2) % 3].s)) / determinant;
-    r = r - portal_[i].s * weight[i];
-  }
-  if (!(8 * norm * pair_.error() < 0.25)) return;
-  const double sum = weight[0] + weight[1] + weight[2];
-  const double uncertainty = 2 * norm * (length(r) + 4 * pair_.error() * (1 + sum));
-  if (weight[0] >= uncertainty && weight[1] >= uncertainty && weight[2] >= uncertainty)
-    answer_.bound_from_above((sum + 3 * uncertainty) * kUp);
 }
 
 // The way from what is known of the portal, one support point or two, to the ray of p, at the height of the
@@ -330,12 +300,8 @@ bool Growth::recall(const SpatialStart& start, Vector3& u) {
     SpatialPoint& corner = portal_[i];
     corner.s = corner.s + p_;
   }
-  const Vector3 n = cross(portal_[0].s, portal_[1].s);
-  if (dot(n, portal_[2].s) < 0) std::swap(portal_[0], portal_[1]);
-  if (dot(p_, cross(portal_[0].s, portal_[1].s)) >= 0 && dot(p_, cross(portal_[1].s, portal_[2].s)) >= 0 &&
-      dot(p_, cross(portal_[2].s, portal_[0].s)) >= 0) {
-    return true;
-  }
+  if (portal().determinant() < 0) std::swap(portal_[0], portal_[1]);
+  if (portal().holds(p_)) return true;
   const Vector3 plane = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
   if (dot(plane, p_) > 0 && dot(plane, portal_[0].s) > 0) u = plane;
   return false;
@@ -363,10 +329,12 @@ void Growth::find_inner_radius() {
 // The upper bound of the portal, by what proves it with the least work.
 void Growth::bound_by_portal(bool may_end) {
   double weight[3];
-  if (!weigh(weight)) return;
+  if (!portal().weigh(p_, weight)) return;
+  const double enclosed[3] = {weight[0], weight[1], weight[2]};
+  for (double& each : weight) each = std::max(0.0, each);
   bound_from_above(portal_, 3, weight);
   if (is_done()) return;
-  enclose_weights(weight);
+  answer_.bound_from_above(portal().sum_of_weights(p_, enclosed, pair_.error()));
   if (!may_end || is_done() || inner_radius_ > 0) return;
   find_inner_radius();
   bound_from_above(portal_, 3, weight);
@@ -378,9 +346,8 @@ void Growth::refine() {
   double farthest = 0;  // n·s/n·p
   int idle = 0;
   for (int i = 0; i < kMostExchanges && idle < kMostIdleExchanges; ++i) {
-    Vector3 n = cross(portal_[1].s - portal_[0].s, portal_[2].s - portal_[0].s);
-    double along = dot(n, p_);
-    if (along < 0) n = -n, along = -along;
+    double along = 0;
+    const Vector3 n = portal().normal(p_, along);
     const double plane = dot(n, portal_[0].s);
     if (!(plane > 0)) return;
     const double meets = plane / along;
@@ -390,14 +357,12 @@ void Growth::refine() {
     const double hopeful = plane / dot(n, w.s);  // lower/upper, but for rounding
     const bool may_end = hopeful >= 1 - tolerance_;
     if (may_end || !std::isnan(threshold_)) {
-      if (may_end || dot(n, p_) > threshold_ * dot(n, w.s)) bound_from_below(n, w);
+      if (may_end || along > threshold_ * dot(n, w.s)) bound_from_below(n, w);
       bound_by_portal(may_end);
       if (is_done()) return;
       if (hopeful >= 1 - 1e-15) return;
     }
-    const double d0 = dot(p_, cross(w.s, portal_[0].s)), d1 = dot(p_, cross(w.s, portal_[1].s)),
-                 d2 = dot(p_, cross(w.s, portal_[2].s));
-    portal_[leaving_corner(d0, d1, d2)] = w;
+    portal_[portal().leaving(p_, w.s)] = w;
   }
 }
 

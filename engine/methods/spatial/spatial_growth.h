@@ -6,13 +6,6 @@
 
 namespace raygauge {
 
-/// Which of the three corners of a portal, whose cone holds p, makes room for a new point w: the one without
-/// which the cone still holds p. `d0`, `d1` and `d2`: p·(w × corner) of the corners.
-constexpr int leaving_corner(double d0, double d1, double d2) noexcept {
-  if (d1 >= 0 && d2 <= 0) return 0;
-  return d2 >= 0 && d0 <= 0 ? 1 : 2;
-}
-
 /// The growth distance of two bodies about their centres: with p from the first centre to the second and
 /// B = D + p = (S1 - c_1) - (S2 - c_2),
 ///

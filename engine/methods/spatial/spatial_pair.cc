@@ -129,7 +129,9 @@ void SpatialPair::add_prisms(const Vector3& u, SpatialPoint& point) const {
   for (const Vector3& v : prisms()) point.s = dot(u, v) < 0 ? point.s - v : point.s + v;
 }
 
-void SpatialPair::follow(const Vector3& u, SpatialPoint& point) const { find_pieces(u, point, nullptr); }
+bool SpatialPair::follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed) const {
+  return find_pieces(u, point, followed);
+}
 
 bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   const bool curved = radius() > 0 || has_curved_surface(shape(0)) || has_curved_surface(shape(1));
@@ -138,7 +140,7 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   for (int i = 0; i < 2; ++i) {
     with_core(shape(i), [&](const auto& core) {
       if constexpr (requires { core.kIsCurved; }) {
-        add_hessian(i, u, core.look(frame_.into(i, u), isa_).index, 1, H);
+        add_piece(i, u, core.look(frame_.into(i, u), isa_).index, 1, H);
       }
     });
   }
@@ -148,7 +150,7 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
 }
 
 // `weight` times the Hessian of the support function of piece `index` of core i at u, in the first frame.
-void SpatialPair::add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const {
+void SpatialPair::add_piece(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const {
   with_core(shape(i), [&](const auto& core) {
     if constexpr (requires { core.kIsCurved; }) {
       CoreCurvature curvature = core.curvature(axes_[i], u, index);
@@ -158,9 +160,10 @@ void SpatialPair::add_hessian(int i, const Vector3& u, std::int32_t index, doubl
   });
 }
 
-void SpatialPair::add_hessian(const Vector3& u, const SpatialPoint& point, double weight, Matrix3& H) const {
-  add_hessian(0, u, point.index_1, weight, H);
-  add_hessian(1, u, point.index_2, weight, H);
+void SpatialPair::add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
+                              Matrix3& H) const {
+  add_piece(0, u, index_1, weight, H);
+  add_piece(1, u, index_2, weight, H);
 }
 
 void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {

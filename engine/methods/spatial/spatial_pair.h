@@ -58,14 +58,17 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// Whether the cores have vertices, so that a support point is known by two indices.
   bool has_vertices() const noexcept { return !is_curved() && prisms_ == 0; }
 
-  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u.
-  void follow(const Vector3& u, SpatialPoint& point) const;
+  /// The point that the vertices, rims and curved surfaces of `point`'s indices have for u. `followed` is a
+  /// point that has followed u before, or null: it may share a rim. Always true, as that of a PrecisePair is
+  /// not.
+  bool follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed = nullptr) const;
 
   /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
   bool hessian(const Vector3& u, Matrix3& H) const;
 
-  /// Adds `weight` times the Hessian of u·s(u) for the pieces of the cores that `point` is on.
-  void add_hessian(const Vector3& u, const SpatialPoint& point, double weight, Matrix3& H) const;
+  /// Adds `weight` times the Hessian of u·s(u) for these pieces of the cores.
+  void add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
+                   Matrix3& H) const;
 
   /// Of the bodies and the way between them, at most.
   double size() const noexcept { return size_; }
@@ -112,6 +115,11 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// A vector of the world in the first body's frame.
   Vector3 to_body(const double* vector) const noexcept;
 
+  /// What a PrecisePair has, too: the pair in doubles, and a vector of the pair's frame in the first body's,
+  /// rounded.
+  const SpatialPair& in_doubles() const noexcept { return *this; }
+  static const Vector3& to_first(const Vector3& vector) noexcept { return vector; }
+
   int dimension() const noexcept { return dimension_; }
   InstructionSet instruction_set() const noexcept { return isa_; }
 
@@ -123,7 +131,7 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   void turn_normal(const Vector3& u, double* out) const noexcept;
   void add_prisms(const Vector3& u, SpatialPoint& point) const;
   void place_axes();
-  void add_hessian(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;
+  void add_piece(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;
 
   Matrix3 axes_[2], form_[2];  // of curved cores, in the first frame
   PoseNumbers pose_[2];
