@@ -75,8 +75,9 @@ void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vecto
 // bounds.
 void BodyDepth::bound_apart(BodyDepthAnswer& answer) {
   const SpatialAnswer& apart = cores_.answer();
-  const bool is_first = !has_points_, nearer = answer.bounds.raise_lower(down(ball_lower_ + -apart.upper));
-  const bool lower = answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.lower)));
+  const bool is_first = !has_points_,
+             nearer = answer.bounds.raise_lower(down(ball_lower_ + -apart.bounds.upper()));
+  const bool lower = answer.bounds.reduce_upper(std::max(0.0, up(ball_upper_ + -apart.bounds.lower())));
   if (is_first || lower) {
     const double* n = cores_.normal();
     answer.normal = {n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0};
@@ -180,7 +181,7 @@ bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthA
     if (!known || cores_.answer().end != SpatialEnd::closed) break;
     bound_apart(answer);
     if (answer.bounds.close(tolerance)) break;
-    asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().upper);
+    asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().bounds.upper());
   }
   if (!answer.bounds.close(tolerance)) refine_apart(answer);
   normal_ = -pair_.to_body(&answer.normal.x);

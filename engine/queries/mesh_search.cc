@@ -364,13 +364,13 @@ void MeshSearch::solve_precisely(std::int32_t one, std::int32_t two, const Conve
   const bool done = solve_.distance(options_.tolerance, nullptr);
   const SpatialAnswer& answer = solve_.answer();
   if (answer.end == SpatialEnd::intersecting) return meet(one, two);
-  const bool nearer = answer.upper < upper_;
-  if (answer.lower > 0) take_normal(solve_.normal(), nearer);
+  const bool nearer = answer.bounds.upper() < upper_;
+  if (answer.bounds.lower() > 0) take_normal(solve_.normal(), nearer);
   if (nearer) {
     points_ = done ? Points::in_world : Points::unknown;
     if (done) solve_.closest_points(world_point_[0], world_point_[1]);
   }
-  take(answer.lower, answer.upper, one, two);
+  take(answer.bounds.lower(), answer.bounds.upper(), one, two);
 }
 
 void MeshSearch::solve_generally(std::int32_t one, std::int32_t two, const ConvexSet& second) {

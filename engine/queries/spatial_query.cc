@@ -54,8 +54,10 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   DistanceResult& distance = result.distance;
   const bool apart = answer.end != SpatialEnd::intersecting;
   const double share = radius == 1 ? 1.0 : 1 / radius;
-  const double lower = !apart ? 0 : radius == 1 ? answer.lower : answer.lower * share * kDown;
-  const double upper = !apart ? 0 : radius == 1 ? answer.upper : answer.upper * share * kUp;
+  const double lower = !apart        ? 0
+                       : radius == 1 ? answer.bounds.lower()
+                                     : answer.bounds.lower() * share * kDown;
+  const double upper = !apart ? 0 : radius == 1 ? answer.bounds.upper() : answer.bounds.upper() * share * kUp;
   if (!found) {
     proven_ = {{lower, upper}};
     for (int k = 0; lower > 0 && k < n; ++k) proven_.normal[k] = solve_.normal()[k] * share;
@@ -87,16 +89,16 @@ bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, con
   const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm);
   const SpatialAnswer& answer = solve_.answer();
   if (!found) {
-    proven_ = {{answer.lower, answer.upper}};
-    if (answer.lower > 0) solve_.growth_normal(proven_.normal);
+    proven_ = {answer.bounds};
+    if (answer.bounds.lower() > 0) solve_.growth_normal(proven_.normal);
     return false;
   }
-  result.status = answer.upper > 0 ? DistanceStatus::optimal : DistanceStatus::contains_origin;
-  result.lower = answer.lower;
-  result.upper = answer.upper;
-  result.distance = std::min(answer.upper, std::numeric_limits<double>::max());
-  result.normal.resize(answer.lower > 0 ? solve_.dimension() : 0);
-  if (answer.lower > 0) solve_.growth_normal(result.normal.data());
+  result.status = answer.bounds.upper() > 0 ? DistanceStatus::optimal : DistanceStatus::contains_origin;
+  result.lower = answer.bounds.lower();
+  result.upper = answer.bounds.upper();
+  result.distance = std::min(answer.bounds.upper(), std::numeric_limits<double>::max());
+  result.normal.resize(answer.bounds.lower() > 0 ? solve_.dimension() : 0);
+  if (answer.bounds.lower() > 0) solve_.growth_normal(result.normal.data());
   set_counters(result);
   return true;
 }
@@ -107,7 +109,7 @@ Separation SpatialQuery::separation(const Posed& A1, const Posed& A2, const Dist
   solve_.distance(kAny, nullptr);
   const SpatialAnswer& answer = solve_.answer();
   if (answer.end == SpatialEnd::intersecting) return Separation::intersecting;
-  return answer.lower > 0 ? Separation::separated : Separation::undecided;
+  return answer.bounds.lower() > 0 ? Separation::separated : Separation::undecided;
 }
 
 Vector SpatialQuery::normal() const { return Vector::Map(solve_.normal(), solve_.dimension()); }

@@ -98,7 +98,7 @@ void SpatialSolve::step_on_cores(double tolerance) {
   spatial_distance(pair_, tolerance, record_.start, may_begin_at_portal ? kNearFlat : SpatialNearness{},
                    record_.answer);
   if (!may_begin_at_portal || record_.answer.end != SpatialEnd::open ||
-      !(record_.answer.upper > kNearFlat.very_near * pair_.size())) {
+      !(record_.answer.bounds.upper() > kNearFlat.very_near * pair_.size())) {
     return;
   }
   constexpr double kExact = 1e-15;
@@ -139,7 +139,7 @@ bool SpatialSolve::find_distance(double tolerance) {
 // For bodies that no other steps set apart.
 bool SpatialSolve::find_overlap() {
   PrecisePair precise;
-  if (record_.answer.lower > 0 || !precise.bind(pair_)) return false;
+  if (record_.answer.bounds.lower() > 0 || !precise.bind(pair_)) return false;
   bool overlap = inner_ball(pair_, precise, {}, 0) > 0;
   if (!overlap && make_prism_of_flat(pair_, false)) overlap = inner_ball(pair_, precise, {}, 0) > 0;
   if (overlap) record_.answer.end = SpatialEnd::intersecting;
@@ -152,14 +152,14 @@ inline void SpatialSolve::turn_normal() {
   const double square = dot(answer.normal, answer.normal);
   const bool is_unit = std::fabs(square - 1) <= kUnitSquare;  // nearly always: no root to wait for
   const Vector3 normal = answer.normal * (is_unit ? -1.0 : -1 / std::sqrt(square));
-  pair_.normal_to_world(normal, answer.lower < kClose * pair_.size(), record_.normal);
+  pair_.normal_to_world(normal, answer.bounds.lower() < kClose * pair_.size(), record_.normal);
 }
 
 bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
   record_.begin();
   if (!begin_with_vertices(warm)) begin_with_normal(warm);
   if (!find_distance(tolerance) && !find_overlap()) {
-    if (record_.answer.lower > 0) turn_normal();
+    if (record_.answer.bounds.lower() > 0) turn_normal();
     return false;
   }
   const bool apart = record_.answer.end == SpatialEnd::closed;
@@ -173,7 +173,7 @@ bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
 bool SpatialSolve::find_growth(bool about_origin, double tolerance, double threshold) {
   if (about_origin && !pair_.scale_first_about_origin(*first_)) return false;
   if (!about_origin && pair_.is_concentric()) {
-    record_.answer.upper = 0;  // a factor of 0
+    record_.answer.bounds.reduce_upper(0);  // a factor of 0
     record_.answer.end = SpatialEnd::closed;
     return true;
   }
@@ -207,13 +207,14 @@ bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold,
   if (!find_growth(about_origin, tolerance, threshold)) return false;
   if (warm == nullptr) return true;
   record(warm);
-  if (record_.answer.lower > 0) pair_.normal_to_world(-record_.answer.normal, false, warm->normal.data());
+  if (record_.answer.bounds.lower() > 0)
+    pair_.normal_to_world(-record_.answer.normal, false, warm->normal.data());
   return true;
 }
 
 void SpatialSolve::growth_normal(double* normal) const {
   const double along = dot(record_.answer.normal, pair_.between_centers());
-  pair_.normal_to_world(record_.answer.normal * (-record_.answer.lower / along), false, normal);
+  pair_.normal_to_world(record_.answer.normal * (-record_.answer.bounds.lower() / along), false, normal);
 }
 
 }  // namespace raygauge

@@ -37,7 +37,7 @@ class SpatialSolve {
   std::ptrdiff_t points() const noexcept { return points_of(pair_.shape(0)) + points_of(pair_.shape(1)); }
   std::int64_t support_queries() const noexcept { return pair_.queries(); }
 
-  /// The normal that proves answer().lower of the last distance where that is above 0, of length one, in the
+  /// The normal that proves the lower bound of the last distance where that is above 0, of length one, in the
   /// world: n numbers.
   const double* normal() const noexcept { return record_.normal; }
 

@@ -92,8 +92,8 @@ bool PartSolver::distance_by_fixed_code(const PlacedPair& pair, PartNumbers part
     return true;
   }
   const int n = pair.dimension();
-  answer.lower = found.lower;
-  answer.value = answer.upper = found.upper;
+  answer.lower = found.bounds.lower();
+  answer.value = answer.upper = found.bounds.upper();
   copy(solve->normal(), n, answer.normal);
   copy(solve->normal(), n, memory.normal);
   answer.rate = kOutward;
@@ -197,8 +197,8 @@ void PartSolver::growth(PlacedPair& pair, PartNumbers parts, PartMemory& memory,
   SpatialSolve* solve = fixed_solve(pair, parts);
   if (solve != nullptr && solve->growth(false, tolerance_, kNoThreshold, &memory.growth)) {
     counters.support_queries += solve->support_queries();
-    answer.lower = solve->answer().lower;
-    answer.upper = solve->answer().upper;
+    answer.lower = solve->answer().bounds.lower();
+    answer.upper = solve->answer().bounds.upper();
     answer.value = std::min(answer.upper, std::numeric_limits<double>::max());
     if (answer.upper == 0) answer.status = DistanceStatus::contains_origin;
     return;

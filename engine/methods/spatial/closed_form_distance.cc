@@ -106,15 +106,15 @@ bool closed_form_distance(SpatialPair& pair, double tolerance, SpatialAnswer& an
   answer.combination.count = 1;
   answer.combination.point[0] = nearest;
   answer.combination.weight[0] = 1;
-  answer.bound_from_above(upper_bound(pair, size));
-  if (answer.upper < 0) {
+  answer.bounds.reduce_upper(upper_bound(pair, size));
+  if (answer.bounds.upper() < 0) {
     answer.end = SpatialEnd::intersecting;
     return true;
   }
   answer.hint = nearest.s * (-1 / size);
   SpatialPoint touched;
   pair.support(answer.hint, touched);
-  answer.bound_from_below(lower_bound(pair, dot(answer.hint, touched.s)), answer.hint);
+  answer.raise_lower(lower_bound(pair, dot(answer.hint, touched.s)), answer.hint);
   if (answer.closes(tolerance)) return true;
   name_ends(pair, nearest, answer.combination);
   return false;

@@ -62,8 +62,8 @@ void ContactDescent::add_other_rims(const SpatialPoint& point) {
 
 // By v, a point of the difference of the cores that the combination has.
 void ContactDescent::bound(const Vector3& v) {
-  answer_.bound_from_above(upper_bound(pair_, length(v)));
-  if (answer_.upper < 0) answer_.end = SpatialEnd::intersecting;
+  answer_.bounds.reduce_upper(upper_bound(pair_, length(v)));
+  if (answer_.bounds.upper() < 0) answer_.end = SpatialEnd::intersecting;
 }
 
 // v is a direction from the disc of frustum i outward, near its axis.
@@ -83,7 +83,7 @@ bool ContactDescent::try_disc(int i, const Vector3& v) {
   answer_.combination.count = 1;
   answer_.combination.point[0] = point;
   answer_.combination.weight[0] = 1;
-  answer_.bound_from_below(lower_bound(pair_, dot(n, point.s)), n);
+  answer_.raise_lower(lower_bound(pair_, dot(n, point.s)), n);
   bound(point.s);
   answer_.closes(tolerance_);
   return true;
@@ -122,7 +122,7 @@ bool ContactDescent::look(double& height) {
   SpatialPoint w;
   pair_.support(u_, w);
   height = dot(u_, w.s);
-  answer_.bound_from_below(lower_bound(pair_, height), u_);
+  answer_.raise_lower(lower_bound(pair_, height), u_);
   if (height > lowest_ + kNoise * pair_.error()) {
     if (last_step_ < kShortStep) return false;
     u_ = lowest_u_;
@@ -148,7 +148,7 @@ bool ContactDescent::step() {
       pieces_.step(metric, u_, [this](int i) -> const Vector3& { return pieces_.point[i].s; });
   record(found);
   if (answer_.end != SpatialEnd::open || answer_.closes(tolerance_)) return false;
-  if (answer_.upper - answer_.lower <= kPreciseGap * pair_.error()) return false;
+  if (answer_.bounds.gap() <= kPreciseGap * pair_.error()) return false;
   const double long_by = turn(metric, found.y, longest_step_, u_);
   const bool converged = long_by * std::max(long_by, kDamping * last_step_ * last_step_) < kConverged;
   last_step_ = std::min(long_by, 1.0);

@@ -144,7 +144,7 @@ bool Gjk<Pair, Simplex>::step() {
   keep(face, simplex_);
   const Vector v = combine(simplex_, face);
   const double size = length_of(v);
-  answer_.bound_from_above(upper_bound(pair_, v));
+  answer_.bounds.reduce_upper(upper_bound(pair_, v));
   if (face.depth > kDeep * pair_.error() || balls_meet(pair_, size)) {
     answer_.end = SpatialEnd::intersecting;
     return false;
@@ -158,10 +158,11 @@ bool Gjk<Pair, Simplex>::step() {
     best_hope_ = bound.hopeful;
     answer_.hint = pair_.to_first(u);
   }
-  if (bound.lower > answer_.lower) answer_.bound_from_below(bound.lower, pair_.to_first(u));
+  if (bound.lower > answer_.bounds.lower()) answer_.raise_lower(bound.lower, pair_.to_first(u));
   if (answer_.closes(tolerance_)) return false;
-  if (answer_.upper < near_ && answer_.upper > very_near_) return false;
-  if (answer_.upper - bound.hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
+  const double upper = answer_.bounds.upper();
+  if (upper < near_ && upper > very_near_) return false;
+  if (upper - bound.hopeful <= kNoise * pair_.error() || holds(simplex_, w)) return false;
   simplex_.weight[simplex_.count++] = 1;
   return true;
 }

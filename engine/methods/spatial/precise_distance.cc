@@ -96,13 +96,13 @@ void PreciseDescent::run() {
 
 // By the length of a vector of D that the combination has.
 void PreciseDescent::bound_from_above(double length) {
-  answer_.bound_from_above(upper_bound(precise_, length));
+  answer_.bounds.reduce_upper(upper_bound(precise_, length));
   bounded_ = true;
 }
 
 void PreciseDescent::bound_from_below(const PreciseVector3& u, const DoubleDouble& height) {
   const double lower = lower_bound(precise_, u, height);
-  if (lower > answer_.lower) answer_.bound_from_below(lower, precise_.to_first(u));
+  if (lower > answer_.bounds.lower()) answer_.raise_lower(lower, precise_.to_first(u));
 }
 
 // The bounds of v, a point of the simplex, and of u; the support point for u joins the simplex. False where

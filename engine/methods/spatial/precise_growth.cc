@@ -186,8 +186,8 @@ bool PreciseGrowth::descend(double tolerance) {
 
 void PreciseGrowth::record(bool done, SpatialAnswer& answer) const {
   answer.iterations += iterations_;
-  answer.bound_from_below(bounds_.lower(), pair_.to_first(normal_));
-  answer.bound_from_above(bounds_.upper());
+  answer.raise_lower(bounds_.lower(), pair_.to_first(normal_));
+  answer.bounds.reduce_upper(bounds_.upper());
   if (!done) return;
   answer.end = SpatialEnd::closed;
   for (int i = 0; i < answer.combination.count; ++i) {

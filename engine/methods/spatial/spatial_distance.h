@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/methods/spatial/spatial_pair.h"
+#include "engine/proof/bounds.h"
 
 namespace raygauge {
 
@@ -21,36 +22,29 @@ struct SpatialCombination {
 /// steps that work on it, one kind after the other, only ever better its bounds.
 struct SpatialAnswer {
   SpatialEnd end = SpatialEnd::open;
-  double lower = 0;
-  double upper = __builtin_inf();
-  Vector3 normal;  ///< outer normal of what touches the difference D, of any length: it proves `lower`
+  Bounds bounds;
+  Vector3 normal;  ///< outer normal of what touches the difference D, of any length: it proves bounds.lower()
   Vector3 hint;    ///< the best normal met, though it may prove nothing: where to go on from
-  SpatialCombination combination;  ///< of the last steps; it proves `upper`, but for rounding
+  SpatialCombination combination;  ///< of the last steps; it proves bounds.upper(), but for rounding
   int iterations = 0;
 
   /// Of a new solve: nothing is known, and the combination has no points. Steps begin with a hint of their
   /// own.
   void begin() noexcept {
     end = SpatialEnd::open;
-    lower = 0;
-    upper = __builtin_inf();
+    bounds = {};
     normal = {};
     combination.count = iterations = 0;
   }
 
   /// A bound that outer normal u proves.
-  void bound_from_below(double bound, const Vector3& u) noexcept {
-    if (!(bound > lower)) return;
-    lower = bound;
-    normal = u;
-  }
-  void bound_from_above(double bound) noexcept {
-    if (bound < upper) upper = bound;
+  void raise_lower(double bound, const Vector3& u) noexcept {
+    if (bounds.raise_lower(bound)) normal = u;
   }
 
   /// Whether the bounds of a distance are close enough; the end is `closed` then.
   bool closes(double tolerance) noexcept {
-    if (!(lower > 0) || !(upper - lower <= tolerance * upper)) return false;
+    if (!(bounds.lower() > 0) || !bounds.close(tolerance)) return false;
     end = SpatialEnd::closed;
     return true;
   }

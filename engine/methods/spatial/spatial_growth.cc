@@ -84,11 +84,11 @@ SpatialPoint Growth::support(const Vector3& u) {
 }
 
 bool Growth::is_done() {
-  if (answer_.upper < kInfinity && answer_.upper - answer_.lower <= tolerance_ * answer_.upper) {
+  if (answer_.bounds.close(tolerance_)) {
     answer_.end = SpatialEnd::closed;
-  } else if (answer_.lower > threshold_) {
+  } else if (answer_.bounds.lower() > threshold_) {
     answer_.end = SpatialEnd::separated;
-  } else if (answer_.upper < threshold_) {
+  } else if (answer_.bounds.upper() < threshold_) {
     answer_.end = SpatialEnd::intersecting;
   }
   return answer_.end != SpatialEnd::open;
@@ -99,7 +99,7 @@ void Growth::bound_from_below(const Vector3& u, const SpatialPoint& w) {
   const double slack = 2 * pair_.error() * length(u);
   const double along = dot(u, p_) - slack, height = dot(u, w.s) + slack;
   if (!(along > 0) || !(height > 0)) return;
-  answer_.bound_from_below(along / height * kDown, u);
+  answer_.raise_lower(along / height * kDown, u);
 }
 
 double Growth::price_of_residual(const Vector3& r, double weights) const {
@@ -114,7 +114,7 @@ void Growth::bound_from_above(const SpatialPoint* corner, int count, const doubl
     r = r - corner[i].s * weight[i];
     sum += weight[i];
   }
-  answer_.bound_from_above(sum * kUp + price_of_residual(r, sum));
+  answer_.bounds.reduce_upper(sum * kUp + price_of_residual(r, sum));
 }
 
 // A solve of the 3 × 3 system K x = b for a positive definite K; false where it is singular to working
@@ -334,7 +334,7 @@ void Growth::bound_by_portal(bool may_end) {
   for (double& each : weight) each = std::max(0.0, each);
   bound_from_above(portal_, 3, weight);
   if (is_done()) return;
-  answer_.bound_from_above(portal().sum_of_weights(p_, enclosed, pair_.error()));
+  answer_.bounds.reduce_upper(portal().sum_of_weights(p_, enclosed, pair_.error()));
   if (!may_end || is_done() || inner_radius_ > 0) return;
   find_inner_radius();
   bound_from_above(portal_, 3, weight);
@@ -376,7 +376,7 @@ void Growth::run(const SpatialStart& start) {
     bound_from_below(u, support(u));
     if (is_done()) return;
   }
-  Vector3 u = answer_.lower > 0 ? answer_.normal : steered ? start.normal : p_;
+  Vector3 u = answer_.bounds.lower() > 0 ? answer_.normal : steered ? start.normal : p_;
   if (!recall(start, u) && !discover(u)) return;
   refine();
   answer_.combination.count = 3;

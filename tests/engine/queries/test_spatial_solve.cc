@@ -57,11 +57,11 @@ TEST(SpatialSolve, AnswersAsOneBoundAnewDoesWhereverTheBodiesAreMoved) {
         ASSERT_EQ(fresh.distance(1e-6, nullptr), found);
         if (!found) continue;
         EXPECT_EQ(kept.answer().end, fresh.answer().end);
-        EXPECT_EQ(kept.answer().lower, fresh.answer().lower);
-        EXPECT_EQ(kept.answer().upper, fresh.answer().upper);
+        EXPECT_EQ(kept.answer().bounds.lower(), fresh.answer().bounds.lower());
+        EXPECT_EQ(kept.answer().bounds.upper(), fresh.answer().bounds.upper());
         ASSERT_EQ(kept.growth(false, 1e-6, kNever, nullptr), fresh.growth(false, 1e-6, kNever, nullptr));
-        EXPECT_EQ(kept.answer().lower, fresh.answer().lower);
-        EXPECT_EQ(kept.answer().upper, fresh.answer().upper);
+        EXPECT_EQ(kept.answer().bounds.lower(), fresh.answer().bounds.lower());
+        EXPECT_EQ(kept.answer().bounds.upper(), fresh.answer().bounds.upper());
       }
     }
   }
@@ -75,10 +75,10 @@ TEST(SpatialSolve, ForgetsAboutTheOriginWhenTheBodiesAreMoved) {
   ASSERT_TRUE(solve.bind(box, box, InstructionSet::automatic) &&
               solve.place(PoseNumbers(&here), PoseNumbers(&there)));
   ASSERT_TRUE(solve.growth(true, 1e-9, kNever, nullptr));  // 1.5 σ = 4 - σ
-  EXPECT_NEAR(solve.answer().upper, 1.6, 1e-8);
+  EXPECT_NEAR(solve.answer().bounds.upper(), 1.6, 1e-8);
   ASSERT_TRUE(solve.place(PoseNumbers(&here), PoseNumbers(&there)) &&
               solve.growth(false, 1e-9, kNever, nullptr));
-  EXPECT_NEAR(solve.answer().upper, 1.75, 1e-8);  // 0.5 + σ = 4 - σ
+  EXPECT_NEAR(solve.answer().bounds.upper(), 1.75, 1e-8);  // 0.5 + σ = 4 - σ
 }
 
 TEST(SpatialSolve, ProvesItsBoundsFromAnyStart) {
@@ -92,7 +92,7 @@ TEST(SpatialSolve, ProvesItsBoundsFromAnyStart) {
       ASSERT_TRUE(solve.bind(*first, *second, InstructionSet::automatic) &&
                   solve.place(PoseNumbers(&one), PoseNumbers(&two)));
       ASSERT_TRUE(solve.distance(1e-9, nullptr));
-      const double lower = solve.answer().lower, upper = solve.answer().upper;
+      const double lower = solve.answer().bounds.lower(), upper = solve.answer().bounds.upper();
       for (int trial = 0; trial < 100; ++trial) {
         WarmStart corrupt;
         corrupt.dimension = 3;
@@ -102,8 +102,8 @@ TEST(SpatialSolve, ProvesItsBoundsFromAnyStart) {
         }
         corrupt.normal = {std::ldexp(1.0, 40 * index(random)), trial % 3 == 0 ? std::nan("") : 1.0, -1};
         if (!solve.distance(1e-9, &corrupt)) continue;
-        EXPECT_LE(solve.answer().lower, upper);
-        EXPECT_GE(solve.answer().upper, lower);
+        EXPECT_LE(solve.answer().bounds.lower(), upper);
+        EXPECT_GE(solve.answer().bounds.upper(), lower);
       }
     }
   }

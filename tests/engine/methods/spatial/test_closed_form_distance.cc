@@ -98,7 +98,7 @@ TEST(ClosedFormDistance, OfTwoCapsulesIsThatOfTheirSegments) {
     ++closed;
     for (int k = 0; k < 50; ++k) {
       const double apart = (p + d * draw.uniform(0, 1) - r - e * draw.uniform(0, 1)).norm() - 0.03;
-      EXPECT_LE(answer.lower, apart + 1e-14);
+      EXPECT_LE(answer.bounds.lower(), apart + 1e-14);
     }
   }
   EXPECT_GT(closed, 1900);
@@ -116,9 +116,9 @@ TEST(ClosedFormDistance, IsLeftToOthersWhereThereIsNoFormulaOrTheCoresOverlap) {
   EXPECT_FALSE(closed_form_distance(pair, 1e-6, answer));
   ASSERT_TRUE(pair.bind(box, far, InstructionSet::automatic) && pair.place({}, {}));
   ASSERT_TRUE(closed_form_distance(pair, 1e-6, answer));
-  EXPECT_LE(answer.lower, 3.9);
-  EXPECT_GE(answer.upper, 3.9);
-  EXPECT_LE(answer.upper - answer.lower, 1e-12);
+  EXPECT_LE(answer.bounds.lower(), 3.9);
+  EXPECT_GE(answer.bounds.upper(), 3.9);
+  EXPECT_LE(answer.bounds.gap(), 1e-12);
 }
 
 }  // namespace

@@ -176,10 +176,10 @@ TEST(PreciseGrowth, CertifiesNeedlesOfEllipsoidsWithEveryKind) {
       ASSERT_TRUE(solve.place(PoseNumbers(&one), PoseNumbers(&two)));
       ASSERT_TRUE(solve.growth(false, 1e-6, std::numeric_limits<double>::quiet_NaN(), nullptr)) << trial;
       const SpatialAnswer& answer = solve.answer();
-      EXPECT_LE(answer.upper - answer.lower, 1e-6 * answer.upper);
+      EXPECT_LE(answer.bounds.gap(), 1e-6 * answer.bounds.upper());
       const DistanceResult& r = general.solve_about_centers({*other, two}, {ellipsoid, one});
-      EXPECT_LE(answer.lower, r.upper);
-      EXPECT_LE(r.lower, answer.upper);
+      EXPECT_LE(answer.bounds.lower(), r.upper);
+      EXPECT_LE(r.lower, answer.bounds.upper());
     }
   }
 }
