@@ -177,6 +177,20 @@ double BodyFaces::overlap(const Vector3& normal) const {
   return height(0, n, point) + height(1, -n, point) + (radius_[0] + radius_[1]) * length(n);
 }
 
+void BodyFaces::list_top(const Vector3& normal, double margin, std::vector<Vector3>& points) const {
+  points.clear();
+  if (!has_shapes_) return;
+  const Vector3 v = pair_.to_body(&normal.x);
+  with_core(pair_.shape(0), [&](const auto& core) {
+    core.face(v, margin + noise_, pair_.instruction_set(), [&](const Vector3& x) {
+      Vector3 world;
+      pair_.point_to_world(x + v * radius_[0], &world.x);
+      if (dimension_ == 2) world.z = 0;
+      points.push_back(world);
+    });
+  });
+}
+
 bool BodyFaces::has_one_top(int i, const Vector3& normal, double tilt) const {
   if (!has_shapes_) return false;
   const Vector3 v = pair_.to_body(&normal.x);

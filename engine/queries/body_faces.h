@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/methods/spatial/common_face.h"
 #include "engine/methods/spatial/spatial_pair.h"
@@ -58,6 +59,10 @@ class BodyFaces {
 
   /// h_A1(n) + h_A2(-n): how far the bodies overlap along `normal`.
   double overlap(const Vector3& normal) const;
+
+  /// Of body 0: the corners of what is at most `margin` below the highest point along `normal`, of length 1,
+  /// in the world. Nothing where it has no SpatialShape.
+  void list_top(const Vector3& normal, double margin, std::vector<Vector3>& points) const;
 
   /// Whether one point of body i is the highest one along `normal` (A1) or its negative (A2), and along what
   /// is tilted from that by `tilt`.

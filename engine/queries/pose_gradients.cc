@@ -119,11 +119,20 @@ bool PoseGradients::find_single_contact(const Vector3& normal, double sigma, con
 
 bool PoseGradients::is_half_space(int i) const { return as_half_space(posed_[i]->set) != nullptr; }
 
-// Of a half-space and a body: whether one point of the body is the nearest to the plane, or the deepest.
-bool PoseGradients::has_one_lowest(const Vector3& by_translation) {
+// Of a half-space and a body: the points of the body that are the nearest to the plane, or the deepest. What
+// is above one of them is on their normal: it turns with the same gradient.
+void PoseGradients::add_lowest(const Vector3& by_translation, PoseGradient& gradient) {
   const int body = is_half_space(0) ? 1 : 0;
   const Vector3 n = by_translation * ((body == 0 ? -1 : 1) / length(by_translation));
-  return faces_.bind(*posed_[body], *posed_[body], isa_) && faces_.has_one_top(0, n, kTilt);
+  gradient.kind = GradientKind::undecided;
+  if (!faces_.bind(*posed_[body], *posed_[body], isa_)) return;
+  if (faces_.has_one_top(0, n, kTilt)) {
+    gradient.kind = GradientKind::unique;
+    return;
+  }
+  faces_.list_top(n, kTilt * faces_.size(), lowest_);
+  for (const Vector3& x : lowest_) gradient.candidates.push_back(candidate(by_translation, x, x));
+  if (!lowest_.empty()) gradient.kind = GradientKind::one_sided;
 }
 
 PoseGradient::Candidate PoseGradients::candidate(const Vector3& by_translation, const Vector3& x1,
@@ -158,10 +167,8 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
   gradient.body_1 = first.body_1;
   gradient.body_2 = first.body_2;
   gradient.kind = by_ball ? GradientKind::unique : GradientKind::undecided;
-  if (by_ball && pair_ == nullptr && is_half_space(0) != is_half_space(1)) {
-    if (!has_one_lowest(by_translation)) gradient.kind = GradientKind::undecided;
-    return;
-  }
+  if (by_ball && pair_ == nullptr && is_half_space(0) != is_half_space(1))
+    return add_lowest(by_translation, gradient);
   if (by_ball && pair_ == nullptr && bind()) pair_ = faces_.pair();
   if (!by_ball || (other_normals_.empty() && is_rounded())) return;
   const Vector3 way = by_translation * (-1 / length(by_translation));

@@ -35,7 +35,7 @@ class PoseGradients {
   bool bind();
   bool is_rounded() const;
   bool is_half_space(int i) const;
-  bool has_one_lowest(const Vector3& by_translation);
+  void add_lowest(const Vector3& by_translation, PoseGradient& gradient);
   int top_of(const Vector3& n) const;
   bool has_one_top(const Vector3& normal) const;
   bool leads_through(const SpatialCombination* portal) const;
@@ -51,7 +51,7 @@ class PoseGradients {
   InstructionSet isa_ = InstructionSet::automatic;
   Vector3 origin_[2];
   double factor_ = 1;  // of the velocities of A1
-  std::vector<Vector3> other_normals_;
+  std::vector<Vector3> other_normals_, lowest_;
   BodyFaces faces_;
 };
 

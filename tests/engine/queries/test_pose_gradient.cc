@@ -131,14 +131,19 @@ TEST(PoseGradient, OfHalfSpacesIsThatOfCentralDifferences) {
   expect_errors(errors, 40);
 }
 
-TEST(PoseGradient, OfAFaceOnAHalfSpaceIsNotUnique) {
+TEST(PoseGradient, OfAFaceOnAHalfSpaceIsOneSided) {
   ObjectDistanceSolver solver(options(1e-12));
   const HalfSpace floor(V(0, 0, 1), 0);
   for (const double height : {-0.25, 0.5}) {
     const Box box(V(-1, -1, height), V(1, 1, 3));
     const PoseGradient& g = solver.solve(box, floor, euclidean(3), kWanted).pose_gradient;
-    EXPECT_EQ(g.kind, GradientKind::undecided);
+    EXPECT_EQ(g.kind, GradientKind::one_sided);
     EXPECT_LT((numbers(g.body_1).head<3>() - V(0, 0, 1)).norm(), kRounding);
+    EXPECT_EQ(g.candidates.size(), 4U);
+    EXPECT_NEAR(g.along({{}, {1, 0, 0}}, {}), -1, kRounding);  // ω y, least at y = -1
+    EXPECT_NEAR(g.along({{}, {0, -1, 0}}, {}), -1, kRounding);
+    EXPECT_NEAR(g.along({}, {{}, {1, 0, 0}}), -1, kRounding);  // the floor turns
+    EXPECT_NEAR(g.along({{0, 0, -2}, {}}, {}), -2, kRounding);
   }
 }
 
