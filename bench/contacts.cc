@@ -26,7 +26,7 @@ namespace {
 using V = Eigen::Vector3d;
 
 const std::vector<std::pair<const char*, std::shared_ptr<const ConvexSet>>>& bodies() {
-  static const auto all = [] {
+  static const auto kAll = [] {
     std::mt19937_64 random(1);
     std::normal_distribution<double> normal;
     Eigen::MatrixXd points(3, 200);
@@ -40,7 +40,7 @@ const std::vector<std::pair<const char*, std::shared_ptr<const ConvexSet>>>& bod
         {"ellipsoid", std::make_shared<Ellipsoid>(V(0, 0, 0), Eigen::MatrixXd(V(1, 0.5, 0.4).asDiagonal()))},
         {"hull of 200", std::make_shared<PreparedSet>(points)}};
   }();
-  return all;
+  return kAll;
 }
 
 // Arguments: the body, and whether it is turned. It is 1e-3 above the box, or in it.
