@@ -239,7 +239,7 @@ bool MeshSweep::direction_of(std::int32_t one, std::int32_t two, Vector3& u) {
     solve_.distance(kTolerance, nullptr);
     const double* n = solve_.normal();
     u = {-n[0], -n[1], -n[2]};
-    return solve_.answer().lower > 0;
+    return solve_.answer().bounds.lower() > 0;
   }
   pose_a_.assign_checked(turn_a, &zero.x, 0);
   pose_b_.assign_checked(turn_b, way, 0);
