@@ -52,7 +52,8 @@ TEST(Bodies, AreAsFarApartAsPlantedWhateverTheirKindsAndSize) {
           const DistanceResult& found = distance_of(instance, solver);
           EXPECT_LE(found.lower, *instance.exact_distance + error) << one << ' ' << two << ' ' << place;
           EXPECT_GE(found.upper, *instance.exact_distance - error) << one << ' ' << two << ' ' << place;
-          if (place != std::string("far")) EXPECT_EQ(found.status, DistanceStatus::optimal);
+          if (place == std::string("far")) continue;
+          EXPECT_EQ(found.status, DistanceStatus::optimal);
         }
       }
     }
