@@ -20,6 +20,9 @@ MethodRegistry baselines() {
 
 TEST(BaselinesRegistry, HoldsTheMethodsOfThisBuild) {
   std::vector<std::string> expected;
+#ifdef RAYGAUGE_HAS_BULLET
+  expected.emplace_back("bullet");
+#endif
 #ifdef RAYGAUGE_HAS_CLP
   expected.insert(expected.end(), {"clp_dual", "clp_primal"});
 #endif

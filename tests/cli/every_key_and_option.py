@@ -265,7 +265,7 @@ OPTIONS = {
         "--output": (SCENE_PLAN, 0, kept("x.path.csv")),
         "--planner": (SCENE_PLAN + ["--planner", "est"], 0, says("found by est")),
         "--time-limit": (SCENE_PLAN + ["--time-limit", "1e-9"], 3, says("no path was found")),
-        "--seed": (SCENE_PLAN + ["--seed", "0"], NO_EFFECT, says("--seed")),
+        "--seed": (SCENE_PLAN + ["--seed", "0"], NO_EFFECT, says("the seed of a plan must be")),
         "--threads": (SCENE_PLAN + ["--threads", "3"], 0, says("on 3 threads")),
         "--force": (["scene", "plan", "plan.toml", "-o", "plan_copy.h5", "--force"], 0, says("records")),
         "--quiet": (SCENE_PLAN + ["--quiet"], 0, silent),

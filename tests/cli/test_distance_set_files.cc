@@ -7,6 +7,7 @@
 
 #include "cli/input/registries.h"
 #include "cli/input/shapes.h"
+#include "engine/numerics/number_text.h"
 #include "tests/cli/program_fixture.h"
 
 namespace raygauge::testing::test_distance_set_files {
@@ -128,7 +129,8 @@ TEST_F(DistanceOfSetFiles, AreDescribedByHelpAndInfo) {
     EXPECT_NE(help.find("\n  " + shape.name + " "), std::string::npos) << shape.name;
     for (const cli::ShapeParameter& parameter : shape.parameters) {
       EXPECT_EQ(listed[i]["parameters"][parameter.name]["type"], parameter.type);
-      EXPECT_NE(info.find("\n      " + parameter.name + ": " + parameter.type), std::string::npos)
+      const std::string usual = parameter.usual ? " = " + rounded_text(*parameter.usual, 3) : "";
+      EXPECT_NE(info.find("\n      " + parameter.name + usual + ": " + parameter.type), std::string::npos)
           << parameter.name;
     }
   }

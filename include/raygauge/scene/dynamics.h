@@ -29,7 +29,7 @@ struct Damping {
   double linear = 0, angular = 0;
 };
 
-/// How fine a simulation is.
+/// The step and the tolerance of a simulation.
 struct SimulationAccuracy {
   double step = 1e-3;       ///< the longest step in time
   double tolerance = 1e-6;  ///< δ, relative to the reach of the smallest body that reacts

@@ -264,8 +264,8 @@ TEST_F(SetFiles, WithoutAShapeAreRefused) {
   for (const char* text : {"", "# a comment\n", "radius = 1"})
     EXPECT_EQ(complaint(text), "set.toml:1: a set needs a shape, as in shape = \"ball\"") << text;
   EXPECT_EQ(complaint("shape = 3"), "set.toml:1: shape must be a string, got 3");
-  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\n[A]\nshape = \"file\"\nfile = 1\n"),
-            "set.toml:4: file.file must be a string, got 1");
+  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nB = 2\n[A]\nshape = \"file\"\nfile = 1\n"),
+            "set.toml:5: file.file must be a string, got 1");
 }
 
 TEST_F(SetFiles, AnswerUnknownNamesWithTheNearest) {
@@ -322,7 +322,7 @@ TEST_F(SetFiles, TakeSetsWhereSetsAreWanted) {
             "set.toml:2: union_hull.sets must be a list of sets, [[sets]]");
   EXPECT_EQ(complaint("shape = \"union_hull\"\nsets = [1]"),
             "set.toml:2: union_hull.sets must be a set, that is a table with a shape");
-  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nA = 1"),
+  EXPECT_EQ(complaint("shape = \"minkowski_sum\"\nA = 1\nB = 2"),
             "set.toml:2: minkowski_sum.A must be a set, that is a table with a shape");
 }
 
