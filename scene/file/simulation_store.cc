@@ -92,8 +92,8 @@ std::vector<fs::path> list_simulation_parts(const fs::path& target) {
   return parts;
 }
 
-SimulationStore::SimulationStore(const fs::path& target, std::string identity)
-    : target_(target), identity_(std::move(identity)) {
+SimulationStore::SimulationStore(fs::path target, std::string identity)
+    : target_(std::move(target)), identity_(std::move(identity)) {
   for (const fs::path& path : list_simulation_parts(target_)) before_.push_back(decode_part(path, identity_));
   next_ = before_.size();
 }

@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> list_simulation_parts(const std::filesystem::
 class SimulationStore {
  public:
   /// Throws ResultsError for parts that cannot be read, OtherExperimentError for those of another scene.
-  SimulationStore(const std::filesystem::path& target, std::string identity);
+  SimulationStore(std::filesystem::path target, std::string identity);
 
   /// What earlier sessions have stored of a simulation, and the seconds that they took.
   std::vector<SimulationPart> parts_of(std::int32_t simulation) const;

@@ -68,6 +68,12 @@ std::string beyond_limits(const RobotLink& link, const TreeLink& step, const Joi
   return text.str();
 }
 
+std::string what_is_missing(const Robot& robot) {
+  if (robot.skipped.empty()) return "";
+  return " that is there; missing: " + robot.skipped.front() +
+         (robot.skipped.size() > 1 ? " and " + std::to_string(robot.skipped.size() - 1) + " more" : "");
+}
+
 std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
                                   const JointTrajectory& trajectory, bool has_trajectory) {
   std::vector<std::string> notes, beyond;
@@ -159,7 +165,8 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
     result.bodies.push_back(
         placed(table, [&] { return make_body(result.name + "/" + link.name, link.shapes, motion); }));
   }
-  if (body_of_link.empty()) refuse(urdf, "no link of the robot has a collision shape");
+  if (body_of_link.empty())
+    refuse(urdf, "no link of the robot has a collision shape" + what_is_missing(robot));
   result.joined = joined_bodies(robot, body_of_link);
   result.notes = notes_of(robot, result.name, *trajectory, given != nullptr);
   result.robot = robot;

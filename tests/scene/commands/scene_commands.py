@@ -263,6 +263,13 @@ class Scenes(unittest.TestCase):
         self.assertIn("cannot be written to an XML file",
                       self.run_raygauge("scene", "collisions", robot, "--srdf", srdf, status=2).stderr)
 
+    def test_a_robot_all_of_whose_meshes_are_missing_says_so(self):
+        meshes = "".join(f'<collision><geometry><mesh filename="{k}.stl"/></geometry></collision>' for k in range(3))
+        (self.work / "bare.urdf").write_text(f'<robot name="r"><link name="a">{meshes}</link></robot>')
+        (self.work / "bare.toml").write_text('[[robot]]\nurdf = "bare.urdf"\n[[query]]\neffects = ["distance"]\n')
+        told = self.run_raygauge("scene", "explain", self.work / "bare.toml", "--skip-missing-meshes", status=2).stderr
+        self.assertIn("no link of the robot has a collision shape that is there; missing: 0.stl of link 'a' and 2 more", told)
+
     def test_the_journal_of_a_matrix_knows_as_what_meshes_are_taken(self):
         corners = ("0 0 0", "1 0 0", "0 1 0", "0 0 1")
         (self.work / "corner.obj").write_text("".join(f"v {v}\n" for v in corners) + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
