@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/run_directory.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -66,6 +67,17 @@ void remove_temporary_files(const fs::path& folder) {
 }  // namespace
 
 fs::path parts_folder(const fs::path& target) { return target.string() + ".parts"; }
+
+std::vector<fs::path> parts_named(const fs::path& target, std::string_view prefix) {
+  std::vector<fs::path> parts;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(".h5")) parts.push_back(entry.path());
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
 
 PartList list_parts(const fs::path& target) {
   PartList result;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "results/run/file_lock.h"
 
@@ -34,6 +35,9 @@ inline constexpr std::string_view kTemporarySuffix = ".tmp";
 
 /// TARGET.parts.
 std::filesystem::path parts_folder(const std::filesystem::path& target);
+
+/// The files in it whose names begin with `prefix` and end with .h5, by name; none where there is no folder.
+std::vector<std::filesystem::path> parts_named(const std::filesystem::path& target, std::string_view prefix);
 
 /// The parts of `target` that are there; none where there is no folder.
 PartList list_parts(const std::filesystem::path& target);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/file/scene_writer.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "results/run/atomic_file.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
+#include "results/run/run_directory.h"
 #include "scene/file/simulation_store.h"
 
 namespace raygauge {
@@ -40,16 +40,7 @@ SceneFile part_of(const SceneFile& head, SceneFile cells, bool drawing) {
 
 }  // namespace
 
-std::vector<fs::path> list_scene_parts(const fs::path& target) {
-  std::vector<fs::path> parts;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(kPart) && name.ends_with(".h5")) parts.push_back(entry.path());
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
+std::vector<fs::path> list_scene_parts(const fs::path& target) { return parts_named(target, kPart); }
 
 SceneWriter::SceneWriter(const std::string& path, SceneFile head, RunMode mode)
     : path_(behind_links(path)),

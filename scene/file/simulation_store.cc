@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "results/exceptions.h"
@@ -81,16 +80,7 @@ StoredSimulationPart decode_part(const fs::path& path, const std::string& identi
   return stored;
 }
 
-std::vector<fs::path> list_simulation_parts(const fs::path& target) {
-  std::vector<fs::path> parts;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(parts_folder(target), error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(kPart) && name.ends_with(".h5")) parts.push_back(entry.path());
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
+std::vector<fs::path> list_simulation_parts(const fs::path& target) { return parts_named(target, kPart); }
 
 SimulationStore::SimulationStore(fs::path target, std::string identity)
     : target_(std::move(target)), identity_(std::move(identity)) {
