@@ -11,9 +11,12 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
 #include "scene/model/part_tree.h"
+#include "scene/queries/placed_pair.h"
 
 namespace raygauge {
 namespace {
+
+const SceneMetric kEuclidean;
 
 const PlacementError kNoError;
 
@@ -173,6 +176,13 @@ const Frame& EdgeStage::at(int moment, const EdgeBody& body) const {
   if (body.stands) return body.at;
   return obstacles_[static_cast<std::size_t>(moment) * moving_.size() +
                     static_cast<std::size_t>(body.moving)];
+}
+
+void EdgeStage::place(int moment, const EdgeBody& a, const EdgeBody& b, PlacedPair& placed) const {
+  const Frame &of_a = at(moment, a), &of_b = at(moment, b);
+  placed.bind(a.body, b.body, kEuclidean);
+  placed.place({of_a.R, of_a.t}, {of_b.R, of_b.t}, nullptr);
+  placed.check_placements();
 }
 
 const PlacementError& EdgeStage::error(int moment, const EdgeBody& body) const {

@@ -12,6 +12,8 @@
 
 namespace raygauge {
 
+class PlacedPair;
+
 /// One convex part of a body, or all of it, as tests over a time see it; in the frame of the body.
 struct EdgeShape {
   const BodyPart* part = nullptr;  ///< null: the whole body
@@ -65,6 +67,9 @@ class EdgeStage {
     return links_[static_cast<std::size_t>(moment * chain_.links() + link)];
   }
   const Frame& at(int moment, const EdgeBody& body) const;
+
+  /// Two bodies where they are at a moment, for the solvers of Euclidean distances.
+  void place(int moment, const EdgeBody& a, const EdgeBody& b, PlacedPair& placed) const;
 
   /// How far placements are from those of the exact motion, at most.
   const PlacementError& error(int moment, const EdgeBody& body) const;

@@ -12,10 +12,6 @@
 namespace raygauge {
 namespace {
 
-const SceneMetric kEuclidean;
-
-Placement placement_of(const Frame& frame) { return {frame.R, frame.t}; }
-
 const Mesh* mesh_of(const EdgeShape& shape) { return as_mesh(*shape.part->set); }
 
 bool is_solid(const Mesh* mesh) { return mesh != nullptr && mesh->kind() == MeshKind::solid; }
@@ -89,9 +85,7 @@ void EdgeSearch::place(const Parts& parts, int moment) {
   const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
   const EdgeBody& a = bodies_[static_cast<std::size_t>(pair.a)];
   const EdgeBody& b = bodies_[static_cast<std::size_t>(pair.b)];
-  placed_.bind(a.body, b.body, kEuclidean);
-  placed_.place(placement_of(stage_.at(moment, a)), placement_of(stage_.at(moment, b)), nullptr);
-  placed_.check_placements();
+  stage_.place(moment, a, b, placed_);
 }
 
 void EdgeSearch::look(Parts& parts, int moment) {

@@ -17,8 +17,6 @@
 namespace raygauge {
 namespace {
 
-const SceneMetric kEuclidean;
-
 // Configurations tried before boxes are; how many of them are improved, and in how many steps.
 constexpr int kSamples = 256, kStarts = 3, kImprovements = 120;
 
@@ -27,8 +25,6 @@ constexpr double kTolerance = 1e-3;
 
 // Halving a range 50 times loses at most so much of its ends.
 constexpr double kHalvings = 1e-13;
-
-Placement placement_of(const Frame& frame) { return {frame.R, frame.t}; }
 
 RobotModel model_of(const RobotModel& robot, int a, int b) {
   RobotModel two = robot;
@@ -114,9 +110,7 @@ class PairSearch {
     stage_.clear();
     chain_.follow(q_, q_, 0, 1);
     stage_.add(0);
-    placed_.bind(bodies_[0].body, bodies_[1].body, kEuclidean);
-    placed_.place(placement_of(stage_.at(0, bodies_[0])), placement_of(stage_.at(0, bodies_[1])), nullptr);
-    placed_.check_placements();
+    stage_.place(0, bodies_[0], bodies_[1], placed_);
   }
 
   /// How far the bodies move in a box, against each other, from where they stand.

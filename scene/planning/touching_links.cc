@@ -14,14 +14,10 @@
 namespace raygauge {
 namespace {
 
-const SceneMetric kEuclidean;
-
 constexpr EdgePair kPair{0, 1};
 
 // Joints whose corners are looked at: more are not between two links in practice.
 constexpr std::size_t kMostShifts = 6;
-
-Placement placement_of(const Frame& frame) { return {frame.R, frame.t}; }
 
 class Touching {
  public:
@@ -70,9 +66,7 @@ class Touching {
     stage_.clear();
     chain_.follow(q_, q_, 0, 1);
     stage_.add(0);
-    placed_.bind(bodies_[0].body, bodies_[1].body, kEuclidean);
-    placed_.place(placement_of(stage_.at(0, bodies_[0])), placement_of(stage_.at(0, bodies_[1])), nullptr);
-    placed_.check_placements();
+    stage_.place(0, bodies_[0], bodies_[1], placed_);
   }
 
   double slack(PartNumbers parts) const {
