@@ -60,9 +60,11 @@ int export_refutations(const ExportArguments& arguments) {
   for (const auto& [option, given] :
        {GivenOption{"--csv", !arguments.csv.empty()}, GivenOption{"--tidy", arguments.tidy},
         GivenOption{"--contacts", arguments.contacts}, GivenOption{"--steps", arguments.steps},
-        GivenOption{"--answers", arguments.answers}}) {
+        GivenOption{"--simulations", arguments.simulations}, GivenOption{"--answers", arguments.answers}}) {
     if (given) throw InvalidParameterError("export: --refutations or " + option + ", not both");
   }
+  if (is_scene_file(arguments.analysis.files.front()))
+    refuse_options_of_scene(arguments.analysis, {{"--refutations", true}});
   const Filter filter = filter_of(arguments.analysis);
   const Output output =
       output_of(arguments.refutations, OutputKind::text, {".jsonl"}, arguments.analysis, arguments.force);

@@ -330,6 +330,8 @@ class Scenes(unittest.TestCase):
         self.assertAlmostEqual(answers(dots + "\nscale = -2\npose = { translation = [12, 12, 24] }"), 5, places=5)
         self.assertAlmostEqual(answers(dots, '"clearance"'), 1.5, places=2)
         self.run_raygauge("report", self.work / "plates.h5", "-o", self.work / "dots.html")
+        for more, message in (([], "--refutations has no effect"), (["--simulations"], "--refutations or --simulations, not both")):
+            self.assertIn(message, self.run_raygauge("export", self.work / "plates.h5", "--refutations", "-", *more, status=2).stderr)
 
         def refusal(body, effects='"distance"'):
             scene.write_text(f'[[body]]\nname = "plates"\n{body}\n[[body]]\nshape = {{ shape = "ball", center = [4, 4, 3], '
