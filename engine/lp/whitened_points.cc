@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/lp/whitened_points.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/numerics/decompositions.h"
 
 namespace raygauge {
 namespace {
@@ -43,15 +44,11 @@ bool WhitenedPoints::compute(const ColumnPool& A, const ColumnPool& Q, int n) {
     }
     P.row(i) = point;
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(P);
+  const auto triangle = orthonormalise(P, kSpan);
+  if (!triangle) return false;
   const double size = std::sqrt(static_cast<double>(rows));
-  const Eigen::VectorXd diagonal = qr.matrixQR().diagonal().cwiseAbs();
-  if (!(diagonal.minCoeff() > kSpan * diagonal.maxCoeff())) return false;
   R_.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-  Eigen::Map<Eigen::MatrixXd>(R_.data(), n, n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  Eigen::Map<Eigen::MatrixXd>(R_.data(), n, n) /= size;
-  P.setIdentity();
-  P.applyOnTheLeft(qr.householderQ());
+  Eigen::Map<Eigen::MatrixXd>(R_.data(), n, n) = *triangle / size;
   P *= size;
   blocks_A_ = place(P, 0, size_A_, A_);
   blocks_Q_ = place(P, size_A_, size_Q_, Q_);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/sets/affine_image.h"
 
-#include <Eigen/LU>
 #include <string>
 #include <utility>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/sets/bounded_inverse.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
@@ -26,7 +26,7 @@ bool is_singular(Eigen::MatrixXd M) {
     if (largest == 0) return true;
     M.col(j) /= largest;
   }
-  return !Eigen::FullPivLU<Eigen::MatrixXd>(M).isInvertible();
+  return !is_invertible(M);
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/bounded_inverse.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
+
+#include "engine/numerics/decompositions.h"
 
 namespace raygauge {
 namespace {
@@ -25,7 +26,7 @@ double spectral_norm_bound(const DenseMatrix& X, double frobenius) {
 BoundedInverse::BoundedInverse(const DenseMatrix& L) {
   const Eigen::Index n = L.rows();
   if (n != L.cols()) return;
-  inverse_ = L.partialPivLu().inverse();
+  inverse_ = lu_inverse(L);
   norm_ = inverse_.norm();
   const double rounding = 2 * static_cast<double>(n + 4) * std::numeric_limits<double>::epsilon();
   defect_ = (inverse_ * L - Eigen::MatrixXd::Identity(n, n)).norm() + rounding * norm_ * L.norm();

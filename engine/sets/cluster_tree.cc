@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/cluster_tree.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/splitmix64.h"
 #include "raygauge/sets/point_set.h"
@@ -34,12 +33,10 @@ void isotropic_axes(const Eigen::MatrixXd& centred, DenseMatrix& F, DenseMatrix&
   Eigen::MatrixXd sample(count, n);
   for (Eigen::Index i = 0; i < count; ++i)
     sample.row(i) = centred.col(i * centred.cols() / count).transpose() / std::sqrt(double(count));
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(sample);
-  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  const Eigen::VectorXd axes = svd.singularValues().cwiseMax(kFlattest * svd.singularValues()[0]);
-  F = svd.matrixV() * axes.asDiagonal();
-  inverse = axes.cwiseInverse().asDiagonal() * svd.matrixV().transpose();
+  const auto [values, V] = right_singular(qr_triangle(sample));
+  const Eigen::VectorXd axes = values.cwiseMax(kFlattest * values[0]);
+  F = V * axes.asDiagonal();
+  inverse = axes.cwiseInverse().asDiagonal() * V.transpose();
 }
 
 // max_i |δ_ik|, what F y_i leaves of p_i - c in coordinate k.

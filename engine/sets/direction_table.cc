@@ -3,11 +3,12 @@
 #include "engine/sets/direction_table.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
+
+#include "engine/numerics/decompositions.h"
 
 namespace raygauge {
 namespace {
@@ -58,8 +59,7 @@ RoundPoints round_points(const Eigen::Ref<const Eigen::Matrix3Xd>& points) {
   if (points.cols() < 4) return plain;
   const Eigen::Vector3d center = points.rowwise().sum() / static_cast<double>(points.cols());
   const Eigen::Matrix3Xd centred = points.colwise() - center;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(centred.transpose());
-  const Eigen::Matrix3d triangle = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+  const Eigen::Matrix3d triangle = qr_triangle(centred.transpose());
   RoundPoints mapped;
   mapped.F = triangle.transpose() / std::sqrt(static_cast<double>(points.cols()));
   const Eigen::Matrix3d inverse = mapped.F.inverse();

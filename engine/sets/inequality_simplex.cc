@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/inequality_simplex.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/numerics/double_double.h"
 #include "engine/numerics/floating_point.h"
 
@@ -99,7 +99,7 @@ bool InequalitySimplex::factorise(Vertex& at) const {
     if (at.active[static_cast<std::size_t>(i)] >= 0)
       B.row(i) = G_.row(at.active[static_cast<std::size_t>(i)]);
   }
-  at.edges = B.partialPivLu().inverse();
+  at.edges = lu_inverse(B);
   for (int turn = 0; turn < 2; ++turn) {
     Vector off = Vector::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {

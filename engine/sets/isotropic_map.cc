@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/isotropic_map.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/numerics/decompositions.h"
 
 namespace raygauge {
 namespace {
@@ -24,9 +25,9 @@ std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd
   for (Eigen::Index i = 0; i < count; ++i) chosen.col(i) = points.col(i * points.cols() / count) / magnitude;
   Eigen::MatrixXd sigma = Eigen::MatrixXd::Zero(n, n);
   sigma.selfadjointView<Eigen::Lower>().rankUpdate(chosen, 1.0 / static_cast<double>(count));
-  const Eigen::LLT<Eigen::MatrixXd> moments(sigma);
-  if (moments.info() != Eigen::Success) return {};
-  Eigen::MatrixXd F = moments.matrixL();
+  const auto factor = cholesky_factor(sigma);
+  if (!factor) return {};
+  const Eigen::MatrixXd& F = *factor;
   const double longest = F.diagonal().maxCoeff();
   const double shortest = F.diagonal().minCoeff();
   if (!(longest > kRound * shortest && shortest > kFlattest * longest)) return {};

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 
@@ -71,7 +72,7 @@ NearestRotation nearest_rotation(const std::string& name, const Eigen::Ref<const
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
   const double defect = (R.transpose() * R - one).cwiseAbs().maxCoeff();
   if (!(defect <= kConverges)) refuse_rotation(name, "RᵀR differs from 1", defect);
-  if (R.determinant() < 0) {
+  if (determinant(R) < 0) {
     throw InvalidParameterError(name +
                                 ": the matrix is a reflection (its determinant is -1), not a rotation");
   }
@@ -139,10 +140,10 @@ void Pose::check() {
   if (!is_finite) checked_finite("pose", "t", translation());
   replaced_ = 0;
   if (!(defect_ <= n * kOrthogonality)) return take_nearest_rotation();
-  const double determinant = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
-                             : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
-                                      : rotation().determinant();
-  if (determinant < 0) {
+  const double handedness = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
+                            : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
+                                     : determinant(rotation());
+  if (handedness < 0) {
     throw InvalidParameterError("pose: the matrix is a reflection (its determinant is -1), not a rotation");
   }
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/sets/zonotope.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
@@ -17,9 +17,8 @@ namespace {
 double inner_radius_about_center(const Eigen::MatrixXd& G) {
   const Eigen::MatrixXd M = G * G.transpose();
   if (!(M.trace() > 0 && M.trace() < kHugeSquare)) return 0;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(M, Eigen::EigenvaluesOnly);
   const auto size = static_cast<double>(G.rows() + G.cols());
-  const double least = solver.eigenvalues()[0] - 64 * size * kUnitRoundoff * M.trace();
+  const double least = least_eigenvalue(M) - 64 * size * kUnitRoundoff * M.trace();
   return least > 0 ? std::sqrt(least) * (1 - 4 * kUnitRoundoff) : 0;
 }
 

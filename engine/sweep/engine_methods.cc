@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/numerics/decompositions.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/affine_image.h"
@@ -78,7 +79,7 @@ struct MovedObject {
  private:
   static bool is_rotation(const DenseMatrix& M) {
     constexpr double kRigid = 1e-12;
-    return M.rows() > 0 && (M.transpose() * M).isIdentity(kRigid) && M.determinant() > 0;
+    return M.rows() > 0 && (M.transpose() * M).isIdentity(kRigid) && determinant(M) > 0;
   }
 };
 

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/numerics/decompositions.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace raygauge {
+namespace {
+
+using Eigen::MatrixXd;
+
+MatrixXd triangle_of(const Eigen::HouseholderQR<MatrixXd>& qr) {
+  return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
+}
+
+}  // namespace
+
+MatrixXd lu_inverse(const MatrixXd& M) { return M.partialPivLu().inverse(); }
+
+bool is_invertible(const MatrixXd& M) { return Eigen::FullPivLU<MatrixXd>(M).isInvertible(); }
+
+double determinant(const MatrixXd& M) { return M.determinant(); }
+
+std::optional<MatrixXd> cholesky_factor(const MatrixXd& M) {
+  const Eigen::LLT<MatrixXd> factors(M);
+  if (factors.info() != Eigen::Success) return {};
+  return MatrixXd(factors.matrixL());
+}
+
+double least_eigenvalue(const MatrixXd& M) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+MatrixXd qr_triangle(const MatrixXd& M) { return triangle_of(Eigen::HouseholderQR<MatrixXd>(M)); }
+
+std::optional<MatrixXd> orthonormalise(MatrixXd& M, double span) {
+  const Eigen::HouseholderQR<MatrixXd> qr(M);
+  const Eigen::VectorXd diagonal = qr.matrixQR().diagonal().cwiseAbs();
+  if (!(diagonal.minCoeff() > span * diagonal.maxCoeff())) return {};
+  M.setIdentity();
+  M.applyOnTheLeft(qr.householderQ());
+  return triangle_of(qr);
+}
+
+RightSingular right_singular(const MatrixXd& M) {
+  const Eigen::JacobiSVD<MatrixXd> svd(M, Eigen::ComputeFullV);
+  return {svd.singularValues(), svd.matrixV()};
+}
+
+}  // namespace raygauge
