@@ -85,6 +85,7 @@ Shape shape_of(const RigidBody& body, double margin) {
     case Kind::cone:
       shape = std::make_unique<btConeShapeZ>(body.radius, body.height);
       break;
+    case Kind::frustum:
     case Kind::hull:
       shape = hull_of(body);
       break;

@@ -45,6 +45,7 @@ Geometry geometry_of(const RigidBody& body) {
       return std::make_shared<fcl::Cylinderd>(body.radius, body.height);
     case Kind::cone:
       return std::make_shared<fcl::Coned>(body.radius, body.height);
+    case Kind::frustum:
     case Kind::hull:
       break;
   }

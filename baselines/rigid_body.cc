@@ -3,6 +3,7 @@
 #include "baselines/rigid_body.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "engine/sets/hull_3d.h"
 #include "engine/sets/spatial_shape.h"
@@ -40,10 +41,11 @@ bool take_hull(const Eigen::MatrixXd& points, RigidBody& body) {
 bool take_round_body(const SpatialShape& shape, RigidBody& body) {
   const Eigen::Vector3d base = eigen(shape.base), top = eigen(shape.top);
   const bool is_cylinder = shape.base_radius == shape.top_radius;
-  if (!is_cylinder && shape.base_radius != 0 && shape.top_radius != 0) return false;
-  const double sign = !is_cylinder && shape.top_radius > 0 ? -1 : 1;
-  body.kind = is_cylinder ? Kind::cylinder : Kind::cone;
-  body.radius = is_cylinder ? shape.base_radius : shape.base_radius + shape.top_radius;
+  const bool is_frustum = !is_cylinder && shape.base_radius != 0 && shape.top_radius != 0;
+  const double sign = shape.top_radius > shape.base_radius ? -1 : 1;
+  body.kind = is_cylinder ? Kind::cylinder : is_frustum ? Kind::frustum : Kind::cone;
+  body.radius = std::max(shape.base_radius, shape.top_radius);
+  body.top_radius = std::min(shape.base_radius, shape.top_radius);
   body.height = (top - base).norm();
   stand_along(body, 0.5 * (base + top), sign * (top - base));
   return true;
@@ -93,12 +95,12 @@ bool take(const ConvexSet& S, const SpatialShape& shape, RigidBody& body) {
 
 }  // namespace
 
-std::optional<RigidBody> RigidBody::of(const ConvexSet& S) {
+std::optional<RigidBody> RigidBody::of(const ConvexSet& S, Frusta frusta) {
   if (const auto* image = dynamic_cast<const AffineImage*>(&S); image != nullptr && S.dimension() == 3) {
     constexpr double kRigid = 1e-12;
     const Eigen::Matrix3d R = image->M();
     if (!(R.transpose() * R).isIdentity(kRigid) || R.determinant() < 0) return std::nullopt;
-    auto body = of(*image->S());
+    auto body = of(*image->S(), frusta);
     if (!body) return std::nullopt;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = R;
@@ -109,6 +111,7 @@ std::optional<RigidBody> RigidBody::of(const ConvexSet& S) {
   SpatialShape shape;
   RigidBody body;
   if (S.dimension() != 3 || !S.spatial_shape_unchecked(shape) || !take(S, shape, body)) return std::nullopt;
+  if (body.kind == Kind::frustum && frusta == Frusta::refused) return std::nullopt;
   return body;
 }
 

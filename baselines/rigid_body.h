@@ -15,11 +15,12 @@ namespace raygauge {
 /// A convex body of R^3 as collision libraries have it: a shape about the origin of its own frame. Capsules,
 /// cylinders and cones stand along z, centred between their ends; the tip of a cone is above.
 struct RigidBody {
-  enum class Kind : std::uint8_t { ball, capsule, box, ellipsoid, cylinder, cone, hull };
+  enum class Kind : std::uint8_t { ball, capsule, box, ellipsoid, cylinder, cone, frustum, hull };
 
   Kind kind = Kind::ball;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< its own frame in that of the set
   double radius = 0;                                        ///< of balls, capsules, cylinders and cones
+  double top_radius = 0;                                    ///< of a frustum, above; `radius` is below
   double height = 0;                               ///< between the ends of a segment, discs, disc and tip
   Eigen::Vector3d half = Eigen::Vector3d::Zero();  ///< half edges of a box, semi-axes of an ellipsoid
   std::vector<Eigen::Vector3d> vertices;           ///< of a hull ...
@@ -28,7 +29,9 @@ struct RigidBody {
   /// The body of a set of R^3: a ball, capsule, box, ellipsoid, cylinder, cone with a tip, the hull of
   /// points, or a rigid image of one. Empty for other sets: truncated cones, flat hulls, sets that are
   /// combined, and all hulls where the engine is built without Qhull.
-  static std::optional<RigidBody> of(const ConvexSet& S);
+  /// Frusta::taken: truncated cones too, for libraries that have them.
+  enum class Frusta : bool { refused, taken };
+  static std::optional<RigidBody> of(const ConvexSet& S, Frusta frusta = Frusta::refused);
 };
 
 /// "balls, capsules, …": what RigidBody::of() takes, for messages.

@@ -49,8 +49,9 @@ Body make_body(const std::string& kind, double size, double thin, Random& random
   }
   if (kind == "capsule") return std::make_shared<Capsule>(Eigen::Vector3d(-up), up, 0.4 * across);
   if (kind == "cylinder") return std::make_shared<Cylinder>(Eigen::Vector3d(-up), up, 0.5 * across);
-  if (kind == "cone") {
-    return std::make_shared<TruncatedCone>(Eigen::Vector3d(-up), 0.6 * across, up, 0.3 * across);
+  if (kind == "cone" || kind == "pointed") {
+    const double top = kind == "cone" ? 0.3 * across : 0.0;
+    return std::make_shared<TruncatedCone>(Eigen::Vector3d(-up), 0.6 * across, up, top);
   }
   if (kind == "ellipsoid") {
     const Eigen::Vector3d axes(size, 0.6 * across, 0.4 * across);
@@ -80,12 +81,13 @@ void bring_near(PosedPair& pair, double gap) {
 }  // namespace
 
 std::vector<std::string> body_kinds() {
-  return {"points8", "points200", "points2000", "hull8", "hull200",   "hull2000",
-          "box",     "capsule",   "cylinder",   "cone",  "ellipsoid", "ball"};
+  return {"points8", "points200", "points2000", "hull8",   "hull200",   "hull2000", "box",
+          "capsule", "cylinder",  "cone",       "pointed", "ellipsoid", "ball"};
 }
 
 std::vector<std::string> pair_places() {
-  return {"apart", "overlap", "concentric", "touching", "1e-9", "parallel", "needles", "large", "small"};
+  return {"apart", "overlap",  "concentric", "touching", "1e-9",
+          "1e-4",  "parallel", "needles",    "large",    "small"};
 }
 
 bool is_polytope(const std::string& kind) {
@@ -109,6 +111,7 @@ PosedPair make_pair(const std::string& one, const std::string& two, const std::s
   pair.pose_2 = Pose(q_2, t_1 + pair.size * way * direction);
   if (place == "touching") bring_near(pair, 0);
   if (place == "1e-9") bring_near(pair, 1e-9);
+  if (place == "1e-4") bring_near(pair, 1e-4);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.01, gaussian(random).normalized()));
   pair.moved_2 = Pose(turn.toRotationMatrix() * pair.pose_2.rotation(),
                       pair.pose_2.translation() + 0.002 * pair.size * gaussian(random).normalized());

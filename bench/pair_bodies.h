@@ -18,12 +18,13 @@ struct PosedPair {
       1;  ///< of the bodies: they lie within `size` of their origins, but for the needles' half length
 };
 
-/// "hull N" and "points N" are N points on the unit sphere, prepared and raw.
+/// "hull N" and "points N" are N points on the unit sphere, prepared and raw; "cone" is a truncated cone,
+/// "pointed" one with its tip.
 std::vector<std::string> body_kinds();
 
-/// How pairs stand. "apart": centres 3 apart. Unfriendly ones: "touching" and "1e-9" (moved along the normal
-/// until they are so far apart), "overlap" (centres 0.3 apart), "concentric", "parallel" (poses without a
-/// rotation), "needles" (1e6 : 1), "large" and "small" (1e±6 times the size).
+/// How pairs stand. "apart": centres 3 apart. Unfriendly ones: "touching", "1e-9" and "1e-4" (moved along the
+/// normal until they are so far apart), "overlap" (centres 0.3 apart), "concentric", "parallel" (poses
+/// without a rotation), "needles" (1e6 : 1), "large" and "small" (1e±6 times the size).
 std::vector<std::string> pair_places();
 
 bool is_polytope(const std::string& kind);

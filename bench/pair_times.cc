@@ -6,11 +6,11 @@
 #include <cmath>
 #include <exception>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "bench/timed_medians.h"
+#include "engine/sweep/order_statistics.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
@@ -28,28 +28,12 @@ constexpr double kWrong = 1e-5;  // ten times FCL's own tolerance
 
 using Query = std::pair<PairQuery, std::function<void()>>;
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void time_in_turn(const std::vector<Query>& queries, PairTally& tally) {
-  std::vector<std::vector<double>> rounds(queries.size());
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t q = 0; q < queries.size(); ++q) {
-      const auto& call = queries[q].second;
-      call();
-      const double seconds = seconds_of([&call] {
-        for (int i = 0; i < kCalls; ++i) call();
-      });
-      rounds[q].push_back(1e6 / kCalls * seconds);
-    }
-  }
-  for (std::size_t q = 0; q < queries.size(); ++q) {
-    tally.microseconds[static_cast<std::size_t>(queries[q].first)].push_back(median_of(rounds[q]));
-  }
+  std::vector<std::function<void()>> calls;
+  for (const Query& query : queries) calls.push_back(query.second);
+  const std::vector<double> medians = microseconds_in_turn(calls, kRounds, kCalls);
+  for (std::size_t q = 0; q < queries.size(); ++q)
+    tally.microseconds[static_cast<std::size_t>(queries[q].first)].push_back(medians[q]);
 }
 
 struct Solvers {
@@ -147,7 +131,8 @@ const char* name_of(PairQuery query) {
 }
 
 double PairTally::median(PairQuery query) const {
-  return median_of(microseconds[static_cast<std::size_t>(query)]);
+  const std::vector<double>& values = microseconds[static_cast<std::size_t>(query)];
+  return values.empty() ? std::nan("") : sample_median(values);
 }
 
 namespace {

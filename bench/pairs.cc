@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Pairs of bodies of R^3: Euclidean and growth distance, first time and after a small motion, separation;
-// beside FCL.
+// beside FCL, or beside a library behind an adapter.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bench/library_rows.h"
 #include "bench/pair_times.h"
 #include "bench/program.h"
 
@@ -63,6 +65,8 @@ struct Settings {
   std::vector<std::string> places = {"apart"};
   int pairs = 20;
   bool diagonal = false;
+  std::string library;
+  double tolerance = 1e-6;
 };
 
 // The pairs of a row, and beside each one its friendly twin: one after the other, as the clock wanders.
@@ -78,14 +82,34 @@ void measure_row(const Settings& settings, const Row& kinds, const std::string& 
   print_row(kinds, place, tally, is_friendly ? nullptr : &twin);
 }
 
+void measure_beside(const Settings& settings, LibraryTable& table, const Row& kinds,
+                    const std::string& place) {
+  LibraryTallies tallies;
+  for (int i = 0; i < settings.pairs; ++i) {
+    const PosedPair pair = make_pair(kinds.first, kinds.second, place, i);
+    measure_beside(table.library(), pair, settings.tolerance, tallies);
+  }
+  table.print(kinds.first + " " + kinds.second + " " + place, tallies);
+}
+
 void run(const Settings& settings) {
-  print_head();
+  std::optional<LibraryTable> table;
+  if (settings.library.empty())
+    print_head();
+  else
+    table.emplace(settings.library);
   for (const std::string& place : settings.places) {
     for (std::size_t a = 0; a < settings.kinds.size(); ++a) {
-      for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b)
-        measure_row(settings, {settings.kinds[a], settings.kinds[b]}, place);
+      for (std::size_t b = a; b < (settings.diagonal ? a + 1 : settings.kinds.size()); ++b) {
+        const Row kinds(settings.kinds[a], settings.kinds[b]);
+        if (table)
+          measure_beside(settings, *table, kinds, place);
+        else
+          measure_row(settings, kinds, place);
+      }
     }
   }
+  if (table) table->print_summary();
 }
 
 void add_options(CLI::App& app, Settings& settings) {
@@ -98,6 +122,12 @@ void add_options(CLI::App& app, Settings& settings) {
       ->check(CLI::IsMember(pair_places()));
   app.add_option("--pairs", settings.pairs, "random pairs of each kind")->check(CLI::Range(1, 10000));
   app.add_flag("--diagonal", settings.diagonal, "only pairs of two bodies of a kind");
+  auto* library = app.add_option("--library", settings.library,
+                                 "adapter of another library (see bench/pair_library.h): measure beside it")
+                      ->check(CLI::ExistingFile);
+  app.add_option("--tolerance", settings.tolerance, "relative, ours and the library's")
+      ->check(CLI::Range(1e-12, 1e-2))
+      ->needs(library);
 }
 
 }  // namespace

@@ -36,6 +36,24 @@ double seconds_of(const std::function<void()>& call, Clock clock) {
   return now() - begin;
 }
 
+std::vector<double> microseconds_in_turn(const std::vector<std::function<void()>>& calls, int rounds,
+                                         int repeats, Clock clock) {
+  std::vector<std::vector<double>> means(calls.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t c = 0; c < calls.size(); ++c) {
+      const auto& call = calls[c];
+      call();
+      const auto repeat = [&call, repeats] {
+        for (int i = 0; i < repeats; ++i) call();
+      };
+      means[c].push_back(1e6 / repeats * seconds_of(repeat, clock));
+    }
+  }
+  std::vector<double> medians;
+  for (std::vector<double>& of_call : means) medians.push_back(sample_median(std::move(of_call)));
+  return medians;
+}
+
 double cold_solve_seconds(SolveMethod& method, Clock clock) {
   if (clock == Clock::wall) return time_solve(method, {}, kMinSeconds).seconds;
   const double begin = processor_seconds();

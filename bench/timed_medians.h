@@ -18,6 +18,11 @@ enum class Clock : std::uint8_t { wall, processor };
 /// Seconds of one call.
 double seconds_of(const std::function<void()>& call, Clock clock = Clock::wall);
 
+/// Microseconds of each call: the calls take turns in `rounds`, in each of which one is made once and then
+/// `repeats` times; the median of the rounds' means.
+std::vector<double> microseconds_in_turn(const std::vector<std::function<void()>>& calls, int rounds,
+                                         int repeats, Clock clock = Clock::wall);
+
 /// Seconds of a cold solve of the loaded model at the default request: solved once before, then the median of
 /// three; short solves are repeated.
 double cold_solve_seconds(SolveMethod& method, Clock clock = Clock::wall);
