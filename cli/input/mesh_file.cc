@@ -84,6 +84,4 @@ Eigen::MatrixXd distinct_vertices(const MeshFile& mesh) {
   return Eigen::MatrixXd::Map(vertices.front().data(), 3, static_cast<std::ptrdiff_t>(vertices.size()));
 }
 
-Eigen::MatrixXd read_mesh_vertices(const std::string& path) { return distinct_vertices(read_mesh(path)); }
-
 }  // namespace raygauge::cli

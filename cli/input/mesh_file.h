@@ -27,16 +27,12 @@ struct MeshFile {
   std::vector<MeshRun> runs = {};  ///< of an OBJ file with objects, or else groups: all triangles, in order
 };
 
-/// Throws as read_mesh_vertices does, and InvalidParameterError for more vertices than 2^31.
+/// Every digit counts, in the axes and the unit of the file (docs/meshes.md). Throws InvalidParameterError,
+/// with the line of a text, for a file that cannot be read or understood, and for more vertices than 2^31;
+/// EmptySetError for one without vertices, NonFiniteError for a NaN or an infinity among them.
 MeshFile read_mesh(const std::string& path);
 
-/// The distinct vertices of a mesh as the columns of a 3 × N matrix, sorted.
+/// The distinct vertices of a mesh as the columns of a 3 × N matrix, sorted: those that no face uses, too.
 Eigen::MatrixXd distinct_vertices(const MeshFile& mesh);
-
-/// The vertices of a mesh file as the columns of a 3 × N matrix, each distinct one once: those that no face
-/// uses too, with every digit, in the axes and the unit of the file (docs/meshes.md). Throws
-/// InvalidParameterError, with the line of a text, for a file that cannot be read or understood,
-/// EmptySetError for one without vertices, NonFiniteError for a NaN or an infinity among them.
-Eigen::MatrixXd read_mesh_vertices(const std::string& path);
 
 }  // namespace raygauge::cli

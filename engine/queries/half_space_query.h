@@ -35,9 +35,8 @@ class HalfSpaceQuery {
   /// A lower bound on the distance, 0 where there is none; doubles alone.
   double lower_bound(const ConvexSet& Q) const;
 
-  /// Bounds on g, after a query.
+  /// A lower bound on g, after a query.
   double gap_lower() const noexcept { return gap_lower_; }
-  double gap_upper() const noexcept { return gap_upper_; }
 
   /// ±m, a normal that leads from the second object to the first, and the point of K that is lowest.
   const Vector& direction() const noexcept { return direction_; }

@@ -16,7 +16,7 @@ void check_cloud_file(std::string_view input) {
   static const ScratchFile file(".pcd");
   file.write(input);
   expect_success_or_error([&] {
-    const Eigen::MatrixXd points = cli::read_mesh_vertices(file.path());
+    const Eigen::MatrixXd points = cli::distinct_vertices(cli::read_mesh(file.path()));
     require(points.rows() == 3 && points.cols() > 0 && points.allFinite(), "accepted points are finite");
     require(static_cast<std::size_t>(points.cols()) <= input.size(), "points take bytes");
     const auto cloud = cli::read_cloud(file.path(), kRadius);

@@ -101,7 +101,7 @@ void check_mesh_file(std::string_view input) {
   const std::size_t chosen = static_cast<unsigned char>(input[0]) % 5;
   files[chosen].write(input.substr(1));
   expect_success_or_error([&] {
-    const Eigen::MatrixXd vertices = cli::read_mesh_vertices(files[chosen].path());
+    const Eigen::MatrixXd vertices = cli::distinct_vertices(cli::read_mesh(files[chosen].path()));
     require(vertices.rows() == 3 && vertices.cols() > 0, "accepted meshes have vertices");
     require(vertices.allFinite(), "accepted vertices are finite");
     require(static_cast<std::size_t>(vertices.cols()) <= input.size(), "vertices take bytes");

@@ -30,7 +30,7 @@ class MeshFile : public ::testing::Test {
  protected:
   Eigen::MatrixXd read(const std::string& name, const std::string& bytes) {
     testing::write_bytes(folder_.file(name), bytes);
-    return read_mesh_vertices(folder_.file(name));
+    return distinct_vertices(read_mesh(folder_.file(name)));
   }
 
   static std::string big_endian_ints(const std::vector<int>& values) {
@@ -147,7 +147,7 @@ TEST_F(MeshFile, GzipIsReadUnderAnyName) {
     const gzFile file = gzopen(folder_.file(name).c_str(), "wb");
     gzputs(file, kOff);
     gzclose(file);
-    EXPECT_EQ(read_mesh_vertices(folder_.file(name)), expected) << name;
+    EXPECT_EQ(distinct_vertices(read_mesh(folder_.file(name))), expected) << name;
   }
   const std::string half = testing::read_bytes(folder_.file("t.off")).substr(0, 30);
   EXPECT_EQ(error("half.off.gz", half), "half.off.gz: gzip data that is truncated or damaged");
@@ -178,7 +178,7 @@ TEST_F(MeshFile, CoordinatesThatAreNotFiniteAreRefused) {
 
 TEST_F(MeshFile, AMissingFileIsNamedWithTheReason) {
   try {
-    read_mesh_vertices("nowhere.obj");
+    distinct_vertices(read_mesh("nowhere.obj"));
     FAIL() << "read a file that is not there";
   } catch (const InvalidParameterError& caught) {
     EXPECT_STREQ(caught.what(), "nowhere.obj: No such file or directory");

@@ -10,29 +10,19 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
-#include "tests/engine/meshes/mesh_shapes.h"
+#include "tests/cli/input/mesh_text.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_mesh_object_file {
 namespace {
 
 using raygauge::testing::box_shape;
+using raygauge::testing::hollow;
 using raygauge::testing::kOne;
 using raygauge::testing::kZero;
 using raygauge::testing::MeshShape;
+using raygauge::testing::obj_text;
 using SetPointer = std::shared_ptr<const ConvexSet>;
-
-std::string obj_text(const MeshShape& mesh) {
-  std::ostringstream text;
-  for (const auto& p : mesh.vertices.colwise()) text << "v " << p.transpose() << '\n';
-  for (const auto& t : mesh.triangles) text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  return text.str();
-}
-
-/// A box with a cavity: not convex, closed, of volume 26.
-MeshShape hollow() {
-  return raygauge::testing::joined(box_shape(kZero, 3 * kOne), box_shape(kOne, 2 * kOne, 1, true));
-}
 
 class BadMeshes : public ::testing::Test {
  protected:
