@@ -11,12 +11,13 @@
 namespace raygauge {
 
 /// Three points s_l of a convex set that holds the origin, the corners a, b and c. Minkowski portal
-/// refinement moves them outward as long as their cone holds a point p, in either arithmetic.
-template <class Real>
+/// refinement moves them outward as long as their cone holds a point p, in either arithmetic. `Corner` may be
+/// a reference to a corner that outlives the portal.
+template <class Real, class Corner = BasicVector3<Real>>
 struct Portal {
   using Vector = BasicVector3<Real>;
 
-  Vector a, b, c;
+  Corner a, b, c;
 
   Real determinant() const { return dot(cross(a, b), c); }
 

@@ -57,7 +57,7 @@ class Growth {
   bool recall(const SpatialStart& start, Vector3& u);
   void refine();
   void find_inner_radius();
-  Portal<double> portal() const { return {portal_[0].s, portal_[1].s, portal_[2].s}; }
+  Portal<double, const Vector3&> portal() const { return {portal_[0].s, portal_[1].s, portal_[2].s}; }
   void bound_by_portal(bool may_end);
 
   SpatialPair& pair_;
