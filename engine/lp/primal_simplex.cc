@@ -381,30 +381,4 @@ double PrimalSimplex::dual_length() const noexcept {
   return sum;
 }
 
-void PrimalSimplex::origin_weights(std::vector<PointWeight>& weights) const {
-  const BasisView& view = basis_.view();
-  weights.clear();
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || is_from_Q(view.id[i]) || !(view.x()[i] > left_out_)) continue;
-    weights.push_back({static_cast<std::ptrdiff_t>(view.id[i] / 2), view.x()[i]});
-  }
-}
-
-void PrimalSimplex::contact_point(double* point) const {
-  const BasisView& view = basis_.view();
-  std::fill_n(point, n_, 0.0);
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
-    for (int k = 0; k < n_; ++k) point[k] += view.x()[i] * basis_.column(i)[k];
-  }
-}
-
-void PrimalSimplex::points_of_A(WeightedPoints& points) const {
-  const BasisView& view = basis_.view();
-  for (int i = 0; i < view.m; ++i) {
-    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
-    points.add(basis_.column(i), view.x()[i]);
-  }
-}
-
 }  // namespace raygauge

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// What a basic solution proves.
+// What a basic solution is, and what it proves.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +16,32 @@ namespace {
 constexpr double kNegligibleError = 0.125;  // of an upper bound, relative to the gap that is asked for
 
 }  // namespace
+
+void PrimalSimplex::origin_weights(std::vector<PointWeight>& weights) const {
+  const BasisView& view = basis_.view();
+  weights.clear();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i]) || !(view.x()[i] > left_out_)) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(view.id[i] / 2), view.x()[i]});
+  }
+}
+
+void PrimalSimplex::contact_point(double* point) const {
+  const BasisView& view = basis_.view();
+  std::fill_n(point, n_, 0.0);
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    for (int k = 0; k < n_; ++k) point[k] += view.x()[i] * basis_.column(i)[k];
+  }
+}
+
+void PrimalSimplex::points_of_A(WeightedPoints& points) const {
+  const BasisView& view = basis_.view();
+  for (int i = 0; i < view.m; ++i) {
+    if (is_artificial(view.id[i]) || is_from_Q(view.id[i])) continue;
+    points.add(basis_.column(i), view.x()[i]);
+  }
+}
 
 double PrimalSimplex::proven_upper() {
   if (stage_ != Stage::optimise) return kInfinity;
