@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/methods/column_generation/sifting.h"
+#include "engine/methods/problem.h"
 
 namespace raygauge {
 
