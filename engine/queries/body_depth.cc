@@ -168,6 +168,18 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   if (answer.bounds.reduce_upper(std::max(0.0, up(height) + error))) answer.normal = -rounded(u);
 }
 
+// h(u) of the cores plus what the balls add is below 0 for the direction of before.
+bool BodyDepth::has_parted(const WarmStart& start, BodyDepthAnswer& answer) {
+  const double* normal = recorded_normal(start, pair_.dimension());
+  if (normal == nullptr) return false;
+  const Vector3 u = -pair_.to_body(normal);
+  SpatialPoint point;
+  pair_.support(u, point);
+  const double height = dot(u, point.s), size = length(u) * (1 + 0x1p-50);
+  answer.parted = height + (pair_.error() + up(ball_upper_)) * size * (1 + 0x1p-50) < 0;
+  return answer.parted;
+}
+
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
 bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer) {
   double asked = tolerance;
@@ -299,7 +311,11 @@ void BodyDepth::solve(double tolerance, const WarmStart* start, const Stopwatch&
   source_ = Source::none;
   floor_ = 0;
   if (tiny_ > 0) return bound_tiny(tolerance, answer);
-  if (has_balls() && solve_apart(tolerance, start, answer)) return;
+  if (start != nullptr && start->overlap && has_parted(*start, answer)) return;
+  if (has_balls() && solve_apart(tolerance, start, answer)) {
+    answer.support_queries += pair_.queries();
+    return;
+  }
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
   Vector3 a1, a2;
   if (has_balls() && cores_.answer().end != SpatialEnd::intersecting) {

@@ -21,6 +21,7 @@ struct BodyDepthAnswer {
   Vector3 point_1, point_2;  ///< of the bodies: point_2 - point_1 is depth times the normal, to the gap
   std::int64_t support_queries = 0;
   int iterations = 0;
+  bool parted = false;  ///< proven apart by the normal of before; nothing else is said
 };
 
 /// The depth of two bodies by fixed-size code. Of both the cores and the radius r of the sum of their balls:
@@ -33,7 +34,8 @@ class BodyDepth {
   /// Where they are; the numbers must outlive the solves.
   bool place(const PoseNumbers& first, const PoseNumbers& second);
 
-  /// Of bodies that are not known to be apart. `start`: what a solve of the pair recorded, or nullptr.
+  /// Of bodies that are not known to be apart. `start`: what a solve of the pair recorded, or nullptr. Where
+  /// it recorded an overlap, one look along its normal comes first: most bodies that part do so across it.
   void solve(double tolerance, const WarmStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
 
   /// The vertices of the face that was found, or those that are the nearest of cores that are apart. None
@@ -45,6 +47,7 @@ class BodyDepth {
 
  private:
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
+  bool has_parted(const WarmStart& start, BodyDepthAnswer& answer);
   bool solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer);
   void bound_apart(BodyDepthAnswer& answer);
   DoubleDouble ball_height(const PreciseVector3& u) const;

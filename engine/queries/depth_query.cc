@@ -37,6 +37,7 @@ bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, c
     return false;
   }
   bodies_.solve(options.tolerance, start, watch_, answer_);
+  if (answer_.parted) return true;
   const int n = A1.dimension();
   result.lower = radius == 1 ? answer_.bounds.lower() : answer_.bounds.lower() / radius * kDown;
   result.upper = radius == 1 ? answer_.bounds.upper() : answer_.bounds.upper() / radius * kUp;
@@ -136,6 +137,10 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
     } else {
       bound_along_axes(first.set(), second.set(), Q, result);
     }
+  }
+  if (by_bodies_ && answer_.parted) {
+    result = ObjectDepth();
+    return;
   }
   result.depth = result.upper;
   result.evaluations = 1;

@@ -126,6 +126,7 @@ bool Ladder::Solve::depth(Ladder& ladder, Ask& ask) {
   ObjectDistance& answer = ladder.answer_;
   answer.distance.seconds = DistanceResult::kUnset;
   ladder.find_depth(ask);
+  ladder.depth_start_.overlap = false;
   if (!(answer.depth.lower > 0)) return false;
   set_overlap(answer.distance);
   answer.distance.sigma = DistanceResult::kUnset;
@@ -217,7 +218,7 @@ void Ladder::find_pose_gradient(const Ask& ask) {
 void Ladder::find_depth(const Ask& ask) {
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
                has_depth_start_ ? &depth_start_ : nullptr, answer_.distance.seconds, answer_.depth);
-  if (ask.warm != nullptr) depth_.record(answer_.depth, *ask.warm);
+  if (ask.warm != nullptr && answer_.depth.evaluations > 0) depth_.record(answer_.depth, *ask.warm);
 }
 
 }  // namespace raygauge

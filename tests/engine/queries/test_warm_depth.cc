@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/queries/body_depth.h"
 #include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/object_distance.h"
 #include "tests/engine/queries/depth_cases.h"
@@ -90,6 +91,41 @@ TEST(WarmDepth, OfBodiesThatHaveComeApartIsNone) {
       EXPECT_EQ(apart.distance.status, DistanceStatus::optimal) << name_1 << ' ' << name_2;
       EXPECT_EQ(apart.depth.evaluations, 0) << name_1 << ' ' << name_2;
       EXPECT_FALSE(warm.overlap) << name_1 << ' ' << name_2;
+    }
+  }
+}
+
+// Bodies that part in small motions do so across the normal of before: one look along it, and no depth.
+TEST(WarmDepth, OfBodiesThatPartAcrossTheNormalIsNotAskedFor) {
+  Random random(66);
+  ObjectDistanceSolver solver, fresh;
+  for (const auto& [name_1, A1] : depth_bodies()) {
+    for (const auto& [name_2, A2] : depth_bodies()) {
+      const std::string names = name_1 + " " + name_2;
+      const Pose one = random_pose(random, 0.2), far = random_pose(random, 3);
+      const DistanceResult start = fresh.solve({*A1, one}, {*A2, far}, euclidean()).distance;
+      const auto at = [&](double gap) {
+        return Pose(far.rotation(), far.translation() + start.normal * (start.distance - gap));
+      };
+      const Pose near = at(-1e-3), parted = at(1e-3);
+      WarmStart warm;
+      const ObjectDepth deep = solver.solve({*A1, one}, {*A2, near}, euclidean(), kWanted, &warm).depth;
+      ASSERT_EQ(deep.evaluations, 1) << names;
+      BodyDepth bodies;
+      ASSERT_TRUE(bodies.bind(*A1, *A2, InstructionSet::automatic)) << names;
+      ASSERT_TRUE(bodies.place(PoseNumbers(&one), PoseNumbers(&parted))) << names;
+      BodyDepthAnswer answer;
+      bodies.solve(1e-6, &warm, Stopwatch(), answer);
+      EXPECT_TRUE(answer.parted) << names;
+      EXPECT_EQ(answer.iterations, 0) << names;
+      const ObjectDistance r = solver.solve({*A1, one}, {*A2, parted}, euclidean(), kWanted, &warm);
+      const ObjectDistance cold = fresh.solve({*A1, one}, {*A2, parted}, euclidean(), kWanted);
+      EXPECT_EQ(r.distance.status, cold.distance.status) << names;
+      EXPECT_LE(r.distance.lower, cold.distance.upper) << names;
+      EXPECT_GE(r.distance.upper, cold.distance.lower) << names;
+      EXPECT_EQ(r.depth.evaluations, 0) << names;
+      EXPECT_EQ(r.depth.support_queries, 0) << names;
+      EXPECT_FALSE(warm.overlap) << names;
     }
   }
 }
