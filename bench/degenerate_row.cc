@@ -45,8 +45,38 @@ bool is_right(const DistanceResult& result, double truth) {
   return result.status == DistanceStatus::optimal && result.lower <= truth && truth <= result.upper;
 }
 
-double solve_seconds(SolveMethod& method, Clock clock) {
-  return seconds_of([&] { method.solve({1e-6, kTimeLimit}); }, clock);
+double solve_seconds(SolveMethod& method, Clock clock, double limit = kTimeLimit) {
+  return seconds_of([&] { method.solve({1e-6, limit}); }, clock);
+}
+
+// upper / lower - 1; 0 where nothing is left to say.
+double relative_gap(const DistanceResult& result) {
+  return result.lower == result.upper ? 0 : result.upper / result.lower - 1;
+}
+
+// What is known of each instance of a cell when a limit ends the solve. Returns the longest overrun.
+double print_cell_in_time(const Variant& family, int n, int N, const Effort& effort) {
+  const std::unique_ptr<SolveMethod> ours = make_method("column_generation");
+  int right = 0, bounded = 0;
+  double longest = 0;
+  std::vector<double> gaps;
+  for (int repetition = 0; repetition < effort.instances; ++repetition) {
+    const Instance instance = make_instance(family, n, N, repetition);
+    ours->load(instance);
+    longest = std::max(longest, solve_seconds(*ours, Clock::wall, effort.limit));
+    const DistanceResult result = ours->result();
+    const double truth = instance.exact_distance.value_or(NAN);
+    right += is_right(result, truth) ? 1 : 0;
+    bounded += result.upper < INFINITY || std::isinf(truth) ? 1 : 0;
+    gaps.push_back(relative_gap(result));
+  }
+  std::printf(
+      "%-22s n = %3d  N = %4d  certified %2d of %2d, bounded above %2d  gap: median %8.2g, worst %8.2g  "
+      "longest %6.2f s\n",
+      family.name.c_str(), n, N, right, effort.instances, bounded, sample_median(gaps),
+      *std::max_element(gaps.begin(), gaps.end()), longest);
+  std::fflush(stdout);
+  return longest - effort.limit;
 }
 
 // All instances of one cell. Returns the largest ratio.
@@ -92,11 +122,12 @@ void print_degenerate(const Variant& /*variant*/, const Effort& effort) {
   for (const int n : dimensions) {
     for (const Variant& family : families()) {
       for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
-        worst = std::max(worst, print_cell(family, n, N, effort));
+        const auto print = effort.limit > 0 ? print_cell_in_time : print_cell;
+        worst = std::max(worst, print(family, n, N, effort));
       }
     }
   }
-  std::printf("worst of all %.4g\n", worst);
+  std::printf(effort.limit > 0 ? "longest overrun %.4g s\n" : "worst of all %.4g\n", worst);
 }
 
 }  // namespace raygauge::bench

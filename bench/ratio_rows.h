@@ -14,6 +14,7 @@ struct Effort {
   int instances = 20;           ///< per cell
   bool processor_time = false;  ///< of the rows high, degenerate, shapes, euclidean, instead of wall time
   std::vector<int> dimensions;  ///< of the rows `high` and `degenerate`; none: their own
+  double limit = 0;             ///< seconds a solve of the row `degenerate`, and no competitor; 0: a minute
 };
 
 /// Each prints one row of the table of speed targets to standard output: its cells, geometric mean and worst

@@ -80,6 +80,7 @@ InteriorPoint::End InteriorPoint::solve(const PricedPoints& A, const PricedPoint
     const double length = step();
     if (!(length > kShortest) || !(y_[size] < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
+    if (y_[size] >= enough_) return End::converged;
     const double gap = complementarity(0, 0);
     single = single && gap > kCoarse * std::fabs(y_[size]);
     const double scale = std::fabs(y_[size]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ class InteriorPoint {
   /// digits. The guess and the duals are those of the points before it.
   End solve_whitened(const WhitenedPoints& points, int n, const double* guess, const Kernels& kernels,
                      const Stopwatch& stopwatch);
+
+  /// The next solves may end as converged where t reaches `distance`, a known upper bound less a tolerance.
+  void end_at(double distance) noexcept { enough_ = distance; }
 
   const double* normal() const noexcept { return y_.data(); }  ///< u
 
@@ -107,6 +111,7 @@ class InteriorPoint {
 
   int n_ = 0;
   bool many_ = false;  // points
+  double enough_ = std::numeric_limits<double>::infinity();  // of t
   const Kernels* kernels_ = nullptr;
   std::int64_t iterations_ = 0;
   std::ptrdiff_t count_ = 0;  // of points

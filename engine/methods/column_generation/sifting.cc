@@ -36,7 +36,8 @@ void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions&
   if (separated_ && is_separated()) {
     return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
   }
-  if (interior_state_ == InteriorState::converged && interior_.is_degenerate() && is_complete() &&
+  const bool look_inside = interior_.is_degenerate() || ray_.upper() < kInfinity;
+  if (interior_state_ == InteriorState::converged && look_inside && is_complete() &&
       certify_inside(effects, result)) {
     return;
   }
@@ -75,6 +76,7 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   interior_state_ = InteriorState::untried;
   separated_ = false;
   farkas_.clear();
+  ray_.forget();
   pivots_at_zero_ = pivots_at_repair_ = -1;
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
@@ -241,6 +243,9 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
   }
   late = late || stopwatch_->expired();
   if (!restricted) lower = std::max(lower, bound_inside(lower));
+  if (n_ >= kLeastToStall && !(upper < kInfinity)) ray_.find(working_A_, working_Q_, n_);
+  if (ray_.upper() < upper)
+    return finish_with_ray(late ? DistanceStatus::time_limit : status_of(end), lower, effects, result);
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/lp/column_pool.h"
+#include "engine/lp/common_ray.h"
 #include "engine/lp/exact_simplex.h"
 #include "engine/lp/gauge_bound.h"
 #include "engine/lp/interior_point.h"
@@ -67,6 +68,8 @@ class Sifting {
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
   bool certify_inside(Effects effects, DistanceResult& result);
+  bool certify_ray(Effects effects, DistanceResult& result);
+  void finish_with_ray(DistanceStatus status, double lower, Effects effects, DistanceResult& result);
   bool certify_carriers(double distance, Effects effects, DistanceResult& result);
   bool certify_zero(Effects effects, DistanceResult& result);
   double upper_of_face();
@@ -132,6 +135,7 @@ class Sifting {
   enum class InteriorState : std::uint8_t { untried, failed, converged };
   InteriorState interior_state_ = InteriorState::untried;
   bool separated_ = false;  // by interior_, the working sets
+  CommonRay ray_;
   OptimalFace face_;
   bool by_face_ = false;                // whether that proved the last upper bound
   std::int64_t pivots_at_zero_ = -1;    // when certify_zero() tried last

@@ -26,6 +26,9 @@ constexpr double kWhitening = 10;  // operations for each point and n², in thos
 // so ill-conditioned that weights of 1e-4 are rounding.
 constexpr double kCarries[] = {1e-9, 1e-3};
 
+// Of the relative gap that is asked for: where a known upper bound is met.
+constexpr double kShareOfTolerance = 0.25;
+
 // That exact arithmetic may take for weights that other arithmetic has as good.
 constexpr double kSecondsForWeights = 1e-3;
 
@@ -55,6 +58,8 @@ bool Sifting::finish_inside(Effects effects, DistanceResult& result) {
 
 // Runs the interior-point method, from a guess of the normal.
 void Sifting::solve_inside(const double* guess) {
+  ray_.find(working_A_, working_Q_, n_);
+  interior_.end_at((1 - kShareOfTolerance * tolerance_) * ray_.upper());
   InteriorPoint::End end =
       interior_.solve(working_A_.view(), working_Q_.view(), n_, guess, *kernels_, *stopwatch_);
   if (end == InteriorPoint::End::failed && interior_.iterations() < kFewIterations && whiten())
@@ -84,11 +89,33 @@ double Sifting::bound_inside(double lower) {
 bool Sifting::certify_inside(Effects effects, DistanceResult& result) {
   const double* y = interior_.duals();
   const double distance = std::fabs(y[n_]);
+  if (certify_ray(effects, result)) return true;
   if (distance < kMaybeZero && certify_carriers(0, effects, result)) return true;
   if (certify_carriers(distance, effects, result)) return true;
   if (distance < 1 / kMaybeZero) return false;
   farkas_.assign(y, y + n_);
   return certify_by_plane(effects, result);
+}
+
+// The point of A on a ray with one of Q, where the normal proves that there is no better one.
+bool Sifting::certify_ray(Effects effects, DistanceResult& result) {
+  const double upper = ray_.upper();
+  if (!(upper < kInfinity) || !(interior_.duals()[n_] >= (1 - tolerance_) * upper)) return false;
+  const double lower = bound_inside(0);
+  if (!Bounds(lower, upper).close(tolerance_)) return false;
+  finish_with_ray(DistanceStatus::optimal, lower, effects, result);
+  return true;
+}
+
+// As finish(), with the upper bound of that point.
+void Sifting::finish_with_ray(DistanceStatus status, double lower, Effects effects, DistanceResult& result) {
+  finish(status, lower, ray_.upper(), effects, result);
+  const double ratio = std::ldexp(ray_.ratio(), -scaling_.distance_shift());
+  result.distance = std::max(result.lower, std::min(ratio, result.upper));
+  double* contact = result.room_for_contact(effects, n_);
+  if (contact == nullptr) return;
+  working_A_.copy_point(ray_.point_of_A(), contact);
+  for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
 }
 
 // The carriers where d is about `distance`, those of A alone where that is 0.

@@ -78,6 +78,23 @@ TEST_P(Limits, ThatAreNotReachedChangeNothing) {
   EXPECT_TRUE(std::isnan(truth_.seconds));  // the clock is not read unless a limit asks for it
 }
 
+// A point of A on the ray of one of Q: 3 times it, whatever the others are.
+TEST(LimitsOfPointSets, LeaveTheUpperBoundOfACommonRay) {
+  Random random(34);
+  for (const int n : {16, 60}) {
+    Eigen::MatrixXd a = integer_points(n, n + 2, 10, random);
+    const Eigen::MatrixXd q = integer_points(n, n + 2, 10, random);
+    a.col(5) = 3 * q.col(9);
+    DistanceOptions options;
+    options.method = DistanceMethod::column_generation;
+    options.time_limit = 0;
+    const DistanceResult result = DistanceSolver(options).solve(PointSet(a), PointSet(q));
+    EXPECT_EQ(result.status, DistanceStatus::time_limit);
+    EXPECT_LE(result.lower, 3) << n;
+    EXPECT_EQ(result.upper, std::nextafter(3.0, 4.0)) << n;
+  }
+}
+
 // A support query of an H-polytope is a linear program: the clock is looked at after each.
 TEST(LimitsOfGeneralSets, EndRaysAfterEachDearSupportQuery) {
   Random random(7);
