@@ -18,7 +18,7 @@
 #include "raygauge/scene/edge_checker.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/cylinder.h"
-#include "scene/input/urdf_file.h"
+#include "scene/input/robot_file.h"
 
 namespace raygauge::bench {
 namespace {
@@ -199,7 +199,7 @@ cli::Robot robot_of(const Settings& settings) {
     const std::size_t equals = package.find('=');
     meshes.packages[package.substr(0, equals)] = package.substr(equals + 1);
   }
-  return cli::read_urdf(settings.urdf, meshes);
+  return cli::read_robot(settings.urdf, meshes);
 }
 
 std::vector<double> near(const std::vector<double>& q, const Joints& joints, double length, Random& random) {

@@ -62,7 +62,7 @@ BenchRobot robot_of(const fs::path& folder) {
   cli::RobotMeshes meshes;
   meshes.as = "hull";
   meshes.packages["meshes"] = (folder / "meshes").string();
-  bench.robot = cli::read_urdf(only(folder, ".urdf").string(), meshes);
+  bench.robot = cli::read_robot(only(folder, ".urdf").string(), meshes);
   bench.semantics = cli::read_srdf(only(folder, ".srdf").string(), bench.robot);
   bench.model.base = Placement::identity(3);
   std::vector<int> body_of(bench.robot.links.size(), -1);

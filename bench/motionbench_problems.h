@@ -9,7 +9,7 @@
 #include "raygauge/scene/body.h"
 #include "raygauge/scene/edge_checker.h"
 #include "scene/input/srdf_file.h"
-#include "scene/input/urdf_file.h"
+#include "scene/input/robot_file.h"
 
 namespace raygauge::bench {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "cli/input/input_file.h"
@@ -28,23 +29,39 @@ void require_finite(const std::vector<Vertex>& vertices, const std::string& path
   }
 }
 
+/// A format, known by the ending of its files.
+struct MeshFormat {
+  std::string_view ending;
+  MeshText (*read)(std::string_view bytes, const std::string& name);
+};
+
+constexpr std::array<MeshFormat, 8> kFormats = {{{"obj", obj_mesh},
+                                                 {"off", off_mesh},
+                                                 {"stl", stl_mesh},
+                                                 {"ply", ply_mesh},
+                                                 {"dae", collada_mesh},
+                                                 {"glb", gltf_mesh},
+                                                 {"gltf", gltf_mesh},
+                                                 {"pcd", pcd_points}}};
+
+const MeshFormat* format_of(const std::string& path) {
+  const std::string ending = content_extension(path);
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const MeshFormat& format) { return format.ending == ending; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
 MeshText mesh_of(const std::string& bytes, const std::string& path) {
-  const std::string format = content_extension(path);
-  if (format == "obj") return obj_mesh(bytes, path);
-  if (format == "off") return off_mesh(bytes, path);
-  if (format == "ply") return ply_mesh(bytes, path);
-  if (format == "stl") return stl_mesh(bytes, path);
-  if (format == "pcd") return pcd_points(bytes, path);
-  if (format == "dae") return collada_mesh(bytes, path);
-  throw InvalidParameterError(path + ": not a mesh that is read: .obj, .off, .stl, .ply, .dae and .pcd are");
+  if (const MeshFormat* format = format_of(path)) return format->read(bytes, path);
+  std::string known;
+  for (const MeshFormat& format : kFormats)
+    known += (known.empty() ? "." : ", .") + std::string(format.ending);
+  throw InvalidParameterError(path + ": not a mesh that is read, which are " + known);
 }
 
 }  // namespace
 
-bool is_mesh_file(const std::string& path) {
-  constexpr std::array<const char*, 6> kExtensions = {"obj", "off", "stl", "ply", "dae", "pcd"};
-  return std::find(kExtensions.begin(), kExtensions.end(), content_extension(path)) != kExtensions.end();
-}
+bool is_mesh_file(const std::string& path) { return format_of(path) != nullptr; }
 
 MeshFile read_mesh(const std::string& path) {
   // Read here, so that a missing file, a directory, … are named as for every other kind of input.

@@ -10,8 +10,8 @@
 
 namespace raygauge::cli {
 
-/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply, .dae or .pcd, in any case, also with .gz
-/// behind it.
+/// Whether the name ends as a mesh's does: .obj, .off, .stl, .ply, .dae, .glb, .gltf or .pcd, in any case,
+/// also with .gz behind it.
 bool is_mesh_file(const std::string& path);
 
 /// An object of a file, or a group: triangles [begin, end).
@@ -24,7 +24,7 @@ struct MeshRun {
 struct MeshFile {
   Eigen::Matrix3Xd vertices;
   std::vector<Triangle> triangles;
-  std::vector<MeshRun> runs = {};  ///< of an OBJ file with objects, or else groups: all triangles, in order
+  std::vector<MeshRun> runs = {};  ///< of a file with objects: all triangles, in order
 };
 
 /// Every digit counts, in the axes and the unit of the file (docs/meshes.md). Throws InvalidParameterError,

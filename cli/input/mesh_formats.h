@@ -32,7 +32,7 @@ struct FaceRun {
 struct MeshText {
   std::vector<Vertex> vertices;
   Polygons faces;
-  std::vector<FaceRun> runs = {};  ///< of an OBJ file with names, those without faces too
+  std::vector<FaceRun> runs = {};  ///< of a file whose objects have names, those without faces too
 };
 
 /// Mesh files in their own axes and units. The size of the
@@ -64,5 +64,10 @@ MeshText pcd_points(std::string_view bytes, const std::string& name);
 /// that the file states; its up axis turns nothing. Skins in their bind pose. Other geometry than meshes is
 /// refused.
 MeshText collada_mesh(std::string_view text, const std::string& name);
+
+/// glTF 2.0, binary or text: the positions of all meshes that the scene shows, moved by its nodes, in metres;
+/// y is up, and nothing turns it. The meshes of nodes are objects. Skins, sparse accessors and extensions
+/// that change positions are refused. A text may name buffers in files beside it.
+MeshText gltf_mesh(std::string_view bytes, const std::string& name);
 
 }  // namespace raygauge::cli

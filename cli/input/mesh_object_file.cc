@@ -79,8 +79,9 @@ Objects objects_of(const MeshFile& file) {
 std::vector<SetPointer> parts_of(const MeshFile& file, const std::string& name, Notes& notes) {
   Objects objects = objects_of(file);
   if (objects.names.size() < 2)
-    throw InvalidParameterError(name + ": as = \"parts\" needs a folder or a list of meshes, a convex part " +
-                                "each, or an OBJ file with two objects or groups (o, g) with faces or more");
+    throw InvalidParameterError(
+        name + ": as = \"parts\" needs a folder or a list of meshes, a convex part " +
+        "each, or an OBJ or glTF file with two objects or groups (o, g) with faces or more");
   std::vector<SetPointer> parts;
   for (const std::string& object : objects.names) {
     const MeshFile own = own_mesh(file, objects.triangles.at(object));

@@ -21,11 +21,20 @@ std::string line_text(const std::string& path, int line) {
 
 bool is_blank(const char* text) { return words_of(text).empty(); }
 
+bool only_comments(std::string_view text) {
+  while (true) {
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n")));
+    if (!text.starts_with("<!--")) return text.empty();
+    text.remove_prefix(std::min(text.size(), text.find("-->")));
+    text.remove_prefix(std::min<std::size_t>(text.size(), 3));
+  }
+}
+
 /// Programs write comments in front of <?xml … ?>, which is against the rules and changes nothing.
 void blank_declaration(std::string& text) {
   const std::size_t begin = text.find("<?xml ");
   const std::size_t end = begin == std::string::npos ? begin : text.find("?>", begin);
-  if (end == std::string::npos || text.find("<robot") < begin) return;
+  if (end == std::string::npos || !only_comments({text.data(), begin})) return;
   std::replace_if(
       text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end + 2),
       [](char c) { return c != '\n'; }, ' ');
@@ -90,6 +99,18 @@ double XmlFile::number(const XmlElement& element, const char* name) const {
 
 double XmlFile::number(const XmlElement& element, const char* name, double otherwise) const {
   return element.Attribute(name) == nullptr ? otherwise : number(element, name);
+}
+
+std::vector<double> XmlFile::numbers(const XmlElement& element, const char* name) const {
+  const std::string value = text(element, name);
+  std::vector<double> numbers;
+  for (const std::string_view word : words_of(value)) {
+    const std::optional<double> number = number_of(word);
+    if (!number || !std::isfinite(*number))
+      refuse(element, std::string(name) + " must be finite numbers, got " + quoted(word));
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 Eigen::Vector3d XmlFile::vector(const XmlElement& element, const char* name,

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace raygauge::cli {
 
@@ -32,10 +33,20 @@ class XmlFile {
   double limit(const XmlElement& element,
                const char* name) const;  ///< may be infinite; 0 where it is missing
   Eigen::Vector3d vector(const XmlElement& element, const char* name, const Eigen::Vector3d& otherwise) const;
+  std::vector<double> numbers(const XmlElement& element, const char* name) const;  ///< separated by blanks
 
  private:
   std::string path_;
   tinyxml2::XMLDocument document_;
+};
+
+/// An element and the file that it is of.
+struct XmlNode {
+  const XmlFile* file = nullptr;
+  const XmlElement* element = nullptr;
+
+  std::string text(const char* name) const { return file->text(*element, name); }
+  [[noreturn]] void refuse(const std::string& what) const { file->refuse(*element, what); }
 };
 
 }  // namespace raygauge::cli

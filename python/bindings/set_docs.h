@@ -94,7 +94,7 @@ size: M. volume: of a solid. Raises EmptySetError, InvalidParameterError, NonFin
 )";
 
 inline constexpr const char* kMeshFromFileDoc =
-    R"(The mesh of a file: .obj, .off, .stl, .ply, .dae or .pcd, also .gz (docs/meshes.md).
+    R"(The mesh of a file: .obj, .off, .stl, .ply, .dae, .glb or .pcd, also .gz (docs/meshes.md).
 
 Raises Error, with the file's name; ProgramError where the package was built without the program.
 

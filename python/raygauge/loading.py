@@ -58,9 +58,10 @@ def load_mesh(source: str | os.PathLike[str], solid: bool) -> Mesh:
 
 
 class Robot:
-    """A robot of a URDF file: links with collision shapes, and joints.
+    """A robot of a URDF, MJCF or SDF file: links with collision shapes, and joints.
 
-    name. joints: names of those that take a value, in the order of the values. links: names, parents first.
+    name. joints: names of those that take a value, in the order of the values. links: names, parents first. notes: what was left out
+    of the file, and what meshes that are not convex are taken for.
 
     >>> robot = rg.load_robot("arm.urdf")
     >>> len(robot.links) > len(robot.joints) > 0
@@ -73,6 +74,7 @@ class Robot:
         self.name: str = self._file.name
         self.joints: tuple[str, ...] = tuple(self._file.joints)
         self.links: tuple[str, ...] = tuple(self._file.links)
+        self.notes: tuple[str, ...] = tuple(self._file.notes)
         self._shapes: list[list[ConvexSet]] = self._file.shapes()
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -120,7 +122,7 @@ class Robot:
 
 
 def load_robot(path: str | os.PathLike[str], *, packages: Folders | None = None, meshes: str | None = None) -> Robot:
-    """The robot of a URDF file. packages: the folders of package:// names. meshes: what they are taken as, "hull", "surface",
+    """The robot of a URDF, MJCF or SDF file. packages: the folders of package:// names. meshes: what they are taken as, "hull", "surface",
     "solid" or "parts"; None: each as it is, by its hull where it is convex.
 
     Raises InvalidParameterError, with file and link; UnknownNameError; ProgramError where the package was built without the program.

@@ -20,7 +20,7 @@
 #include "raygauge/scene/joint_gradient.h"
 #include "raygauge/scene/joint_motion.h"
 #include "scene/input/scene_source.h"
-#include "scene/input/urdf_file.h"
+#include "scene/input/robot_file.h"
 
 namespace raygauge::python {
 namespace {
@@ -55,6 +55,13 @@ std::vector<std::vector<MutableSet>> shapes(const Robot& robot) {
     for (const SetPointer& shape : link.shapes) all.back().push_back(for_python(shape));
   }
   return all;
+}
+
+/// What was left out of the file, and what its meshes are taken for.
+std::vector<std::string> notes(const Robot& robot) {
+  std::vector<std::string> lines = cli::lines_of_left_out(robot);
+  lines.insert(lines.end(), robot.notes.begin(), robot.notes.end());
+  return lines;
 }
 
 /// Pairs of links that a joint joins.
@@ -160,10 +167,11 @@ std::vector<std::pair<double, double>> limits(const Robot& robot, const std::vec
 }
 
 void bind_robots(py::module_& module) {
-  py::class_<Robot>(module, "RobotFile", "A robot as its URDF file has it; see raygauge.load_robot.")
+  py::class_<Robot>(module, "RobotFile", "A robot as its file has it; see raygauge.load_robot.")
       .def_readonly("name", &Robot::name)
       .def_readonly("joints", &Robot::joints)
       .def_property_readonly("links", &link_names)
+      .def_property_readonly("notes", &notes)
       .def_property_readonly("joined", &joined)
       .def("shapes", &shapes)
       .def("tree", &tree)
@@ -174,7 +182,7 @@ void bind_robots(py::module_& module) {
       "load_robot",
       [](const std::string& path, const Folders& packages, const std::string& meshes) {
         if (!meshes.empty()) cli::check_way_to_take_a_mesh(meshes, "meshes", "");
-        return cli::read_urdf(path, {packages, false, meshes});
+        return cli::read_robot(path, {packages, false, meshes});
       },
       py::arg("path"), py::arg("packages"), py::arg("meshes"));
 }

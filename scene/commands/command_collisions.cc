@@ -93,7 +93,7 @@ Matrix matrix_of(const CollisionArguments& arguments) {
   if (!arguments.as.empty()) check_way_to_take_a_mesh(arguments.as, "--as", "");
   RobotMeshes meshes = meshes_of(arguments.input);
   meshes.as = arguments.as;
-  matrix.robot = read_urdf(arguments.input.path, meshes);
+  matrix.robot = read_robot(arguments.input.path, meshes);
   if (!arguments.as.empty()) check_has_meshes(matrix.robot, "--as");
   RobotModel& model = matrix.model;
   model.tree = matrix.robot.tree;
@@ -242,9 +242,7 @@ int collisions(const CollisionArguments& arguments) {
   if (!arguments.srdf.empty())
     place = output_place({arguments.srdf, OutputKind::text, {".srdf", ".xml"}, inputs, arguments.force});
   Matrix matrix = matrix_of(arguments);
-  std::vector<std::string> notes;
-  for (const std::string& mesh : matrix.robot.skipped)
-    notes.push_back("left out, for it is missing: " + mesh);
+  std::vector<std::string> notes = lines_of_left_out(matrix.robot);
   notes.insert(notes.end(), matrix.robot.notes.begin(), matrix.robot.notes.end());
   print_notes(notes);
   if (!arguments.compare.empty()) matrix.differences = differences(matrix, arguments.compare);

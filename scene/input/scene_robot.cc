@@ -20,9 +20,6 @@ namespace {
 
 using Trajectory = std::shared_ptr<const JointTrajectory>;
 
-/// More entries of a note than this are counted.
-constexpr std::size_t kMostNamed = 12;
-
 Trajectory all_zero(const Robot& robot, double from, double to) {
   auto still = std::make_shared<JointTrajectory>();
   still->times = {from, to > from ? to : from + 1};
@@ -40,14 +37,6 @@ std::vector<std::pair<int, int>> joined_bodies(const Robot& robot, const std::ma
     if (parent >= 0) joined.emplace_back(body_of_link.at(parent), body);
   }
   return joined;
-}
-
-std::string listed(const std::vector<std::string>& entries, const std::string& separator) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(entries.size(), kMostNamed); ++i)
-    text += (text.empty() ? "" : separator) + entries[i];
-  if (entries.size() > kMostNamed) text += separator + std::to_string(entries.size() - kMostNamed) + " more";
-  return text;
 }
 
 /// What the value of a joint is at its farthest beyond the limits; empty: within them.
@@ -77,8 +66,7 @@ std::string what_is_missing(const Robot& robot) {
 std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
                                   const JointTrajectory& trajectory, bool has_trajectory) {
   std::vector<std::string> notes, beyond;
-  if (!robot.skipped.empty())
-    notes.push_back("robot '" + name + "': left out, for they are missing: " + listed(robot.skipped, ", "));
+  for (const std::string& line : lines_of_left_out(robot)) notes.push_back("robot '" + name + "': " + line);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     if (robot.tree.links[i].kind == JointKind::fixed) continue;
     const std::string joint = beyond_limits(robot.links[i], robot.tree.links[i], trajectory);
@@ -92,30 +80,45 @@ std::vector<std::string> notes_of(const Robot& robot, const std::string& name,
   return notes;
 }
 
+/// Adds the bodies of two links, if both have one.
+void add_pair(int link_a, int link_b, const std::map<int, int>& body_of_link,
+              std::vector<std::pair<int, int>>& pairs) {
+  const auto a = body_of_link.find(link_a), b = body_of_link.find(link_b);
+  if (a != body_of_link.end() && b != body_of_link.end()) pairs.emplace_back(a->second, b->second);
+}
+
 /// Adds the pairs that the SRDF file of the robot disables.
 void take_semantics(const toml::node& node, const std::filesystem::path& folder,
                     const std::map<int, int>& body_of_link, RobotBodies& result) {
   const std::string path = (folder / read_text(node, "robot.srdf")).string();
   result.semantics = placed(node, [&] { return read_srdf(path, result.robot); });
-  for (const DisabledPair& pair : result.semantics.disabled) {
-    const auto a = body_of_link.find(pair.link_a), b = body_of_link.find(pair.link_b);
-    if (a != body_of_link.end() && b != body_of_link.end()) result.joined.emplace_back(a->second, b->second);
-  }
+  for (const DisabledPair& pair : result.semantics.disabled)
+    add_pair(pair.link_a, pair.link_b, body_of_link, result.joined);
   if (!result.semantics.unknown.empty()) {
     result.notes.push_back("robot '" + result.name + "': its SRDF file names what the robot does not have: " +
                            listed(result.semantics.unknown, ", "));
   }
 }
 
-Robot read_robot(const toml::node& urdf, const std::string& path, const toml::node* as,
-                 const RobotMeshes& meshes) {
-  if (as == nullptr) return placed(urdf, [&] { return read_urdf(path, meshes); });
+Robot robot_of(const toml::node& file, const std::string& path, const toml::node* as,
+               const RobotMeshes& meshes) {
+  if (as == nullptr) return placed(file, [&] { return read_robot(path, meshes); });
   RobotMeshes taken = meshes;
   taken.as = read_text(*as, "robot.as");
   check_way_to_take_a_mesh(taken.as, "robot.as", place_of(*as));
-  Robot robot = placed(urdf, [&] { return read_urdf(path, taken); });
+  Robot robot = placed(file, [&] { return read_robot(path, taken); });
   placed(*as, [&] { check_has_meshes(robot, "robot.as"); });
   return robot;
+}
+
+/// The key `file`, which files of before 0.3 call `urdf`.
+const toml::node& file_of(const toml::table& table) {
+  const toml::node* file = table.get("file");
+  const toml::node* urdf = table.get("urdf");
+  if (file != nullptr && urdf != nullptr)
+    refuse(*urdf, "robot.file and robot.urdf are the same key: one is enough");
+  if (file == nullptr && urdf == nullptr) refuse(table, "a robot needs the key file");
+  return file != nullptr ? *file : *urdf;
 }
 
 class Records final : public SceneSink {
@@ -129,17 +132,17 @@ class Records final : public SceneSink {
 }  // namespace
 
 const std::vector<std::string>& robot_keys() {
-  static const std::vector<std::string> kKeys = {"name", "urdf", "as", "srdf", "base", "trajectory", "group"};
+  static const std::vector<std::string> kKeys = {"name", "file", "urdf",       "as",
+                                                 "srdf", "base", "trajectory", "group"};
   return kKeys;
 }
 
 RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::path& folder, double from,
                               double to, const RobotMeshes& meshes) {
   reject_unknown_keys(table, "[[robot]] key", robot_keys());
-  if (!table.contains("urdf")) refuse(table, "a robot needs the key urdf");
-  const toml::node& urdf = *table.get("urdf");
-  const std::string path = (folder / read_text(urdf, "robot.urdf")).string();
-  const Robot robot = read_robot(urdf, path, table.get("as"), meshes);
+  const toml::node& file = file_of(table);
+  const std::string path = (folder / read_text(file, "robot.file")).string();
+  const Robot robot = robot_of(file, path, table.get("as"), meshes);
   RobotBodies result;
   result.name = table.contains("name") ? read_text(*table.get("name"), "robot.name") : robot.name;
   Placement base = Placement::identity(3);
@@ -150,8 +153,8 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
   Trajectory trajectory = all_zero(robot, from, to);
   const toml::node* given = table.get("trajectory");
   if (given != nullptr) {
-    const std::string file = (folder / read_text(*given, "robot.trajectory")).string();
-    trajectory = placed(*given, [&] { return read_joint_file(file, robot.joints, robot.without_value); });
+    const std::string joints = (folder / read_text(*given, "robot.trajectory")).string();
+    trajectory = placed(*given, [&] { return read_joint_file(joints, robot.joints, robot.without_value); });
   }
   const auto tree = std::make_shared<const KinematicTree>(robot.tree);
   std::map<int, int> body_of_link;
@@ -161,13 +164,14 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
     body_of_link[i] = static_cast<int>(result.bodies.size());
     result.links.push_back(i);
     const MotionPointer motion =
-        placed(given == nullptr ? urdf : *given, [&] { return LinkMotion::make(tree, trajectory, base, i); });
+        placed(given == nullptr ? file : *given, [&] { return LinkMotion::make(tree, trajectory, base, i); });
     result.bodies.push_back(
         placed(table, [&] { return make_body(result.name + "/" + link.name, link.shapes, motion); }));
   }
   if (body_of_link.empty())
-    refuse(urdf, "no link of the robot has a collision shape" + what_is_missing(robot));
+    refuse(file, "no link of the robot has a collision shape" + what_is_missing(robot));
   result.joined = joined_bodies(robot, body_of_link);
+  for (const auto& [a, b] : robot.apart) add_pair(a, b, body_of_link, result.joined);
   result.notes = notes_of(robot, result.name, *trajectory, given != nullptr);
   result.robot = robot;
   result.base = base;

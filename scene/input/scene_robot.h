@@ -9,8 +9,8 @@
 
 #include "cli/input/toml_source.h"
 #include "raygauge/scene/scene.h"
+#include "scene/input/robot_file.h"
 #include "scene/input/srdf_file.h"
-#include "scene/input/urdf_file.h"
 
 namespace raygauge::cli {
 
@@ -19,7 +19,7 @@ struct RobotBodies {
   std::string name;
   std::vector<Body> bodies;                 ///< called ROBOT/LINK
   std::vector<std::pair<int, int>> joined;  ///< bodies that a joint joins, also over links without a shape,
-                                            ///< and those that the SRDF file disables
+                                            ///< and those that its files disable
   std::vector<std::string> notes;           ///< meshes left out, joint values beyond their limits
   Robot robot;
   RobotSemantics semantics;  ///< empty without an SRDF file

@@ -10,7 +10,7 @@
 #include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/scene.h"
 #include "scene/input/plan_table.h"
-#include "scene/input/urdf_file.h"
+#include "scene/input/robot_file.h"
 
 namespace raygauge::cli {
 

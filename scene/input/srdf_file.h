@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/input/urdf_file.h"
+#include "scene/input/robot_file.h"
 
 namespace raygauge::cli {
 

@@ -31,7 +31,7 @@ name = "b"
 file = "points.csv"
 [[robot]]
 name = "arm"
-urdf = "arm.urdf"
+file = "arm.urdf"
 group = "crew"
 [[query]]
 effects = ["separated", "distance"]
@@ -86,7 +86,7 @@ SCENE_KEYS = {
              "scale": ("", "scale = 0.5"),
              "pose": ("", "pose = { translation = [0, 0, 1] }"), "motion": ("", "motion = { velocity = [1, 0, 0] }"),
              **{key: ("", lines) for key, lines in REACTION_KEYS.items()}},
-    "robot": {"name": ("", 'name = "other"'), "urdf": ("", 'urdf = "other.urdf"'), "as": ("", 'as = "hull"'),
+    "robot": {"name": ("", 'name = "other"'), "file": ("", 'file = "other.urdf"'), "urdf": ("", 'urdf = "other.urdf"'), "as": ("", 'as = "hull"'),
               "base": ("", "base = { translation = [0, 1, 0] }"), "trajectory": ("", 'trajectory = "joints.csv"'),
               "group": ("", 'group = "a"'), "srdf": ("", 'srdf = "arm.srdf"')},
     "query": {"name": ("", 'name = "asked"'), "between": ("", 'between = ["a", "b"]'),

@@ -18,7 +18,7 @@ constexpr const char* kCrew =
 cli::Robot crew() {
   const ScratchFile file(".crew.urdf");
   file.write(kCrew);
-  return cli::read_urdf(file.path(), {{}, true});
+  return cli::read_robot(file.path(), {{}, true});
 }
 
 }  // namespace

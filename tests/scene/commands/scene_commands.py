@@ -166,7 +166,7 @@ class Scenes(unittest.TestCase):
         text = (self.scenes / "arm_plan.toml").read_text()
         begin, end = text.index("start = "), text.index("margin = ")
         scene = self.work / "planned.toml"
-        scene.write_text(text[:begin].replace('urdf = "arm.urdf"', 'urdf = "arm.urdf"\nsrdf = "arm.srdf"') +
+        scene.write_text(text[:begin].replace('file = "arm.urdf"', 'file = "arm.urdf"\nsrdf = "arm.srdf"') +
                          'group = "arm"\nstart = "left"\ngoal = { turn = 1.2, lift = 1.2, elbow = 0.6 }\n' + text[end:])
         with_pairs = scene.read_text().replace('srdf = "arm.srdf"\n', "").replace('group = "arm"\n', "").replace(
             '"left"', "{ turn = 1 }")

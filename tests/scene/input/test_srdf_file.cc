@@ -29,7 +29,7 @@ class SrdfFile : public ::testing::Test {
  protected:
   SrdfFile() {
     testing::write_bytes(folder_.file("r.urdf"), kRobot);
-    robot_ = read_urdf(folder_.file("r.urdf"), {});
+    robot_ = read_robot(folder_.file("r.urdf"), {});
   }
 
   RobotSemantics read(const std::string& inside) const {

@@ -1,15 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/input/urdf_file.h"
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-
-#include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh_object.h"
-#include "tests/results/support.h"
+#include "tests/scene/input/robot_reading.h"
 
 namespace raygauge::cli::test_urdf_file {
 namespace {
@@ -30,38 +22,20 @@ std::string joint(const std::string& name, const std::string& parent, const std:
          "\"/><child link=\"" + child + "\"/>" + inside + "</joint>";
 }
 
-class UrdfFile : public ::testing::Test {
+class UrdfFile : public testing_robots::RobotReading {
  protected:
-  Robot read(const std::string& text, const RobotMeshes& meshes = {}) const {
-    testing::write_bytes(folder_.file("r.urdf"), text);
-    return read_urdf(folder_.file("r.urdf"), meshes);
-  }
-
-  std::string complaint(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const Error& error) {
-      std::string message = error.what();
-      const std::string folder = folder_.path() + "/";
-      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-        message.erase(at, folder.size());
-      return message;
-    }
-    return "nothing was thrown";
-  }
-
-  testing::TemporaryFolder folder_;
+  UrdfFile() : RobotReading("r.urdf") {}
 };
 
 TEST_F(UrdfFile, ShapesAreThoseOfCollisionsCapsulesToo) {
-  const Robot read_robot =
+  const Robot robot_read =
       read(robot(link("l", shape("<capsule radius=\"0.5\" length=\"2\"/>") + shape("<sphere radius=\"3\"/>") +
                                "<collision><origin xyz=\"1 0 0\" rpy=\"0 1.5707963267948966 0\"/><geometry>"
                                "<cylinder radius=\"1\" length=\"4\"/></geometry></collision>" +
                                shape("<box size=\"2 4 6\"/>"))));
-  ASSERT_EQ(read_robot.links.at(0).shapes.size(), 4U);
+  ASSERT_EQ(robot_read.links.at(0).shapes.size(), 4U);
   const auto top = [&](std::size_t i) {
-    return read_robot.links[0].shapes[i]->support_function(Eigen::Vector3d::UnitZ());
+    return robot_read.links[0].shapes[i]->support_function(Eigen::Vector3d::UnitZ());
   };
   EXPECT_EQ(top(0), 1.5) << "the length of a capsule is that of its cylinder";
   EXPECT_EQ(top(1), 3);
@@ -132,12 +106,12 @@ TEST_F(UrdfFile, MeshesAreTakenAsAsked) {
   };
   const std::string mirrored = "filename=\"two.obj\" scale=\"-2 1 1\"";
   for (const std::string as : {"", "solid", "surface"}) {
-    const Robot read_robot = taken(as, mirrored);
-    ASSERT_EQ(read_robot.links[0].shapes.size(), 1U) << as;
-    const Mesh* mesh = as_mesh(*read_robot.links[0].shapes[0]);
+    const Robot robot_read = taken(as, mirrored);
+    ASSERT_EQ(robot_read.links[0].shapes.size(), 1U) << as;
+    const Mesh* mesh = as_mesh(*robot_read.links[0].shapes[0]);
     ASSERT_NE(mesh, nullptr) << as;
     EXPECT_NEAR(mesh->volume(), as == "surface" ? 0 : 2.0 / 3, 1e-12) << as;  // of both, outside in
-    EXPECT_NE(read_robot.notes.at(0).find("two.obj of link 'l'"), std::string::npos);
+    EXPECT_NE(robot_read.notes.at(0).find("two.obj of link 'l'"), std::string::npos);
   }
   EXPECT_EQ(taken("hull", mirrored).links[0].shapes[0]->support_function(-Eigen::Vector3d::UnitX()), 8);
   const Robot parts = taken("parts", "filename=\"two.obj\"");
@@ -169,17 +143,14 @@ TEST_F(UrdfFile, MeshesAreScaledAndNamedByPackages) {
             "r.urdf:2: link 'l': m.obj:2: 'w' is no keyword of an OBJ file");
 }
 
-struct Refusal {
-  std::string text, message;
-};
-
 TEST_F(UrdfFile, WhatIsNotUnderstoodIsNamedWithLineAndLinkOrJoint) {
   const std::string two = link("a") + link("b");
-  const std::vector<Refusal> refusals = {
+  expect_refusals({
       {"this is no XML", "r.urdf:1: not XML that can be read: "},
       {"<robot name=\"r\"><link name=\"l\"></robot>", "r.urdf:1: not XML that can be read: "},
       {robot(link("l")) + "<robot/>", "r.urdf:4: not XML that can be read: a second root element"},
-      {"<sdf/>", "r.urdf:1: not a URDF file: its root is <sdf>, not <robot>"},
+      {"<html/>",
+       "r.urdf:1: not a robot: its root is <html>; <robot> (URDF), <mujoco> (MJCF) and <sdf> (SDF) are read"},
       {robot("<xacro:macro name=\"a\"/>"),
        "r.urdf:2: <xacro:macro>: a xacro file; expand it first, as in: xacro r.urdf > robot.urdf"},
       {robot(""), "r.urdf:1: a robot without a link"},
@@ -219,12 +190,7 @@ TEST_F(UrdfFile, WhatIsNotUnderstoodIsNamedWithLineAndLinkOrJoint) {
       {robot(link("l", "<colision/>")), "r.urdf:2: link 'l': <colision>; did you mean <collision>?"},
       {robot(link("l", shape("<mesh filename=\"package://p/b.stl\"/>"))),
        "r.urdf:2: link 'l': the folder of package 'p' is not known; say --package p=FOLDER"},
-  };
-  for (const Refusal& refusal : refusals) {
-    const std::string message = complaint(refusal.text);
-    EXPECT_EQ(message.substr(0, refusal.message.size()), refusal.message) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
+  });
 }
 
 }  // namespace

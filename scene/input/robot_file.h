@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/input/hull_note.h"
@@ -22,16 +23,18 @@ struct RobotLink {
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// A robot as its URDF file has it.
+/// A robot as its file has it.
 struct Robot {
   std::string name;
-  KinematicTree tree;                                ///< parents first
+  KinematicTree tree;                                ///< parents first; several may hang on no link
   std::vector<RobotLink> links;                      ///< by link of the tree
   std::vector<std::string> joints;                   ///< that take a value, in the order of the values
   std::map<std::string, std::string> without_value;  ///< the other ones, and why: "mimics 'a'", "is fixed"
   std::vector<std::string> skipped;                  ///< meshes that were missing: "a.stl of link 'b'"
-  Notes notes;                                       ///< on meshes that are not convex
-  int meshes = 0;                                    ///< those that were read
+  std::vector<std::string> left_out;       ///< of the file: "free joint of 'base', which stands still"
+  std::vector<std::pair<int, int>> apart;  ///< links that the file does not compare
+  Notes notes;                             ///< on meshes that are not convex
+  int meshes = 0;                          ///< those that were read
 };
 
 /// Where the meshes of robots are, and what becomes of those that are not there.
@@ -42,12 +45,14 @@ struct RobotMeshes {
                         ///< of the "parts"
 };
 
-/// Reads the collision shapes (boxes, spheres, cylinders, capsules, meshes as `meshes` say) and the
-/// joints (fixed, revolute, continuous, prismatic, mimics) of a URDF file; nothing else in it is looked at.
-/// Names of meshes other than package:// and file:// are relative to the file. Throws InvalidParameterError,
-/// naming file, line and link or joint, for what is not understood: a joint of another type, a mesh that is
-/// missing, a package that is not known, text that is not URDF.
-Robot read_urdf(const std::string& path, const RobotMeshes& meshes);
+/// Reads the collision shapes and the joints of a robot in URDF, MJCF or SDF: the root element says which
+/// (docs/meshes.md says what is read of each). Names of meshes are relative to the file. Throws
+/// InvalidParameterError, naming file, line and link or joint, for what is not understood, a mesh that is
+/// missing, a package that is not known.
+Robot read_robot(const std::string& path, const RobotMeshes& meshes);
+
+/// What was left out, for people: "left out: …", "left out, for they are missing: …"; nothing: no line.
+std::vector<std::string> lines_of_left_out(const Robot& robot);
 
 /// Throws InvalidParameterError, which begins with `what`, for a robot without a mesh.
 void check_has_meshes(const Robot& robot, const std::string& what);
