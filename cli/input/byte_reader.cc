@@ -11,7 +11,7 @@
 namespace raygauge::cli {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\v\f\r";
+constexpr std::string_view kBlanks = " \t\v\f\r\n";
 
 }  // namespace
 

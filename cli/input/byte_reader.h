@@ -66,7 +66,7 @@ class ByteReader {
   bool among_bytes_ = false;
 };
 
-/// The words of a line, put in the place of those in `words`.
+/// The words of a line, or of several, put in the place of those in `words`.
 void split_words(std::string_view line, std::vector<std::string_view>& words);
 std::vector<std::string_view> words_of(std::string_view line);
 

@@ -143,11 +143,12 @@ class ColladaReader {
     while (input != nullptr && file_.text(*input, "semantic") != "POSITION")
       input = input->NextSiblingElement("input");
     if (input == nullptr) file_.refuse(*corners, "vertices without positions");
-    const std::size_t before = mesh_.vertices.size();
+    const std::size_t before = mesh_.vertices.size(), first_face = mesh_.faces.ends.size();
     const std::size_t count = add_positions(named(*input, "source", "source"), map);
     for (const XmlElement* child = mesh->FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement())
       add_faces(*child, before, count);
+    if (map.linear().determinant() < 0) mesh_.faces.turn_about(first_face);
   }
 
   std::size_t add_positions(const XmlElement& source, const Map& map) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // glTF 2.0, as far as the positions and triangles of meshes and the nodes that place them go.
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -269,8 +268,9 @@ class GltfReader {
       const Eigen::Vector3d placed = map * given;
       mesh_.vertices.push_back({placed[0], placed[1], placed[2]});
     }
-    add_faces(corners_of(primitive, before, at.count), whole(primitive, "mode", 4),
-              map.linear().determinant() < 0);
+    const std::size_t first = mesh_.faces.ends.size();
+    add_faces(corners_of(primitive, before, at.count), whole(primitive, "mode", 4));
+    if (map.linear().determinant() < 0) mesh_.faces.turn_about(first);
   }
 
   std::vector<std::uint32_t> corners_of(const Json& primitive, std::size_t before, std::size_t count) const {
@@ -291,12 +291,11 @@ class GltfReader {
     return corners;
   }
 
-  /// Triangles, strips and fans; points and lines have no faces. A mirror turns every triangle about.
-  void add_faces(const std::vector<std::uint32_t>& corners, std::size_t mode, bool mirrored) {
+  /// Triangles, strips and fans; points and lines have no faces.
+  void add_faces(const std::vector<std::uint32_t>& corners, std::size_t mode) {
     if (mode > 6) fail("a primitive of mode " + std::to_string(mode));
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-      for (const std::size_t i : mirrored ? std::array{a, c, b} : std::array{a, b, c})
-        mesh_.faces.add(corners[i]);
+      for (const std::size_t i : {a, b, c}) mesh_.faces.add(corners[i]);
       mesh_.faces.close();
     };
     if (mode == 4 && corners.size() % 3 != 0) fail("the corners of triangles are not three for each");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,15 @@ struct Polygons {
 
   void add(std::uint32_t corner) { corners.push_back(corner); }
   void close() { ends.push_back(corners.size()); }
+
+  /// Turns polygons from number `first` on about, as a mirror does.
+  void turn_about(std::size_t first) {
+    for (std::size_t k = first; k < ends.size(); ++k) {
+      const std::size_t begin = k == 0 ? 0 : ends[k - 1];
+      std::reverse(corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                   corners.begin() + static_cast<std::ptrdiff_t>(ends[k]));
+    }
+  }
 };
 
 /// Faces from `first` on, up to those of the next run, that belong to an object or a group.

@@ -77,10 +77,17 @@ class SdfReader {
   }
 
  private:
-  /// The model of `member`, whose scope is the model's own, with its pose relative to a frame.
+  /// The model of `member`, whose scope is the model's own, with its pose relative to a frame. For joints its
+  /// frame stands for its canonical link: the one that it names, or else its first.
   void read_model(const Member& member, const std::string& relative_to, const Placement& pose) {
     frames_.add(member.node, member.scope.frame, relative_to, pose);
+    const std::size_t first = links_.size();
     read_members(member);
+    const char* canonical = member.node.element->Attribute("canonical_link");
+    if (canonical != nullptr && *canonical != '\0')
+      attached_to_[member.scope.frame] = member.scope.full(canonical, "");
+    else if (links_.size() > first)
+      attached_to_[member.scope.frame] = links_[first].name();
   }
 
   void read_members(const Member& model) {
@@ -317,7 +324,7 @@ class SdfReader {
   SdfFrames frames_;
   std::vector<Member> links_, joints_;
   std::set<std::string> link_names_;
-  std::map<std::string, std::string> attached_to_;  ///< of frames
+  std::map<std::string, std::string> attached_to_;  ///< of frames and models
   std::set<std::string> hangs_;
   std::deque<std::string> paths_;
   std::deque<XmlFile> files_;

@@ -81,7 +81,7 @@ TEST(GltfMesh, NodesPlaceMeshesAndAreObjectsAndMirrorsTurnTheTriangles) {
   const std::vector<std::uint32_t> own(mesh.faces.corners.begin(), mesh.faces.corners.begin() + 3);
   const std::vector<std::uint32_t> mirrored(mesh.faces.corners.begin() + 12, mesh.faces.corners.begin() + 15);
   EXPECT_EQ(own, (std::vector<std::uint32_t>{0, 2, 1}));
-  EXPECT_EQ(mirrored, (std::vector<std::uint32_t>{4, 5, 6}));
+  EXPECT_EQ(mirrored, (std::vector<std::uint32_t>{5, 6, 4}));
 }
 
 TEST(GltfMesh, StripsFansAndTextsWithBase64AreRead) {

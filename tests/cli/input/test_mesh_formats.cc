@@ -291,6 +291,20 @@ std::string collada(const std::string& asset, const std::string& node = "",
          "<instance_visual_scene url=\"#s\"/></scene></COLLADA>";
 }
 
+TEST(ColladaVertices, MayStandOnLinesOfTheirOwn) {
+  std::string text = collada("");
+  text.replace(text.find("1 0 0 0 2"), 9, "\n1 0 0\r\n0 2");
+  EXPECT_EQ(collada_vertices(text, "m"), kTriangle);
+}
+
+TEST(ColladaFaces, AreTurnedAboutByAMirror) {
+  const auto corners = [](const std::string& node) {
+    return collada_mesh(collada("", node), "m").faces.corners;
+  };
+  EXPECT_EQ(corners("<scale>1 2 1</scale>"), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(corners("<scale>1 -2 1</scale>"), (std::vector<std::uint32_t>{2, 1, 0}));
+}
+
 TEST(ColladaVertices, KeepTheAxesOfTheFileAndTakeItsUnit) {
   for (const char* up : {"X_UP", "Y_UP", "Z_UP"})
     EXPECT_EQ(collada_vertices(collada(std::string("<up_axis>") + up + "</up_axis>"), "m"), kTriangle) << up;

@@ -117,7 +117,7 @@ TEST_F(MjcfFile, MeshesAreScaledAndFoundInTheirFolderOrWritten) {
            "</asset>";
   };
   EXPECT_EQ(reach(read(model(bodies, assets("<mesh file=\"part.obj\"/>"))), "a", kZ), 3);
-  const std::string written = "<mesh name=\"part\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 8\"/>";
+  const std::string written = "<mesh name=\"part\" vertex=\"0 0 0\n1 0 0\r\n0 1 0  0 0 8\"/>";
   EXPECT_EQ(reach(read(model(bodies, assets(written))), "a", kZ), 5);
   EXPECT_EQ(complaint(model(bodies, assets("<mesh name=\"part\" file=\"gone.stl\"/>"))),
             "m.xml:2: link 'a': there is no mesh assets/gone.stl (--skip-missing-meshes leaves it out)");

@@ -112,6 +112,26 @@ TEST_F(SdfFile, FramesNestedModelsAndIncludesAreResolved) {
   EXPECT_EQ(reach(robot, "left::palm", kZ), 8);
 }
 
+TEST_F(SdfFile, AModelStandsForItsCanonicalLinkInAJoint) {
+  const auto parent = [&](const std::string& attributes, const std::string& name) {
+    const Robot robot =
+        read(model(link("a") + "<frame name=\"f\"/><model name=\"sub\"" + attributes + ">" + link("b") +
+                   link("c") + "</model>" + link("d") + "<joint name=\"j\" type=\"fixed\"><parent>" + name +
+                   "</parent><child>d</child></joint>"));
+    const std::vector<std::string> names = names_of(robot);
+    const auto d = std::find(names.begin(), names.end(), "d") - names.begin();
+    return names.at(static_cast<std::size_t>(robot.tree.links[static_cast<std::size_t>(d)].parent));
+  };
+  EXPECT_EQ(parent("", "__model__"), "a");
+  EXPECT_EQ(parent("", "f"), "a");
+  EXPECT_EQ(parent("", "sub"), "sub::b");
+  EXPECT_EQ(parent(" canonical_link=\"c\"", "sub"), "sub::c");
+}
+
+TEST_F(SdfFile, NumbersMayStandOnLinesOfTheirOwn) {
+  EXPECT_EQ(place_of(read(model(link("a", "<pose>\n1 2\r\n\t3 0 0 0\n</pose>"))), "a").t[1], 2);
+}
+
 TEST_F(SdfFile, AWorldIsOneRobotOfItsModels) {
   const Robot robot =
       read("<sdf version=\"1.9\"><world name=\"w\"><model name=\"m\"><pose>0 0 1 0 0 0</pose>" +
