@@ -169,8 +169,7 @@ typedef struct rg_verdict {
 /* "0.2.0": major, minor and patch. */
 RG_API const char* rg_version(void);
 
-/* One line about the last call of this thread that failed; "" if none has. It is valid until the next call
- * fails. */
+/* One line about the last call of this thread that failed, or "". It is valid until the next call fails. */
 RG_API const char* rg_last_message(void);
 
 /* "RG_NON_FINITE" and the like; "optimal" and the like. "unknown" for any other number. */
@@ -191,8 +190,7 @@ RG_API rg_error rg_set_ball(int32_t n, const double* center, double radius, rg_s
 /* {x : lower <= x <= upper}, coordinate by coordinate. */
 RG_API rg_error rg_set_box(int32_t n, const double* lower, const double* upper, rg_set** set);
 
-/* {center + L z : |z| <= 1}: the factor L is n x m, by columns; a column is a semi-axis where they are
- * orthogonal. */
+/* {center + L z : |z| <= 1}: the factor L is n x m, by columns, semi-axes where these are orthogonal. */
 RG_API rg_error rg_set_ellipsoid(int32_t n, const double* center, int32_t m, const double* factor,
                                  rg_set** set);
 
@@ -217,8 +215,7 @@ RG_API rg_error rg_set_simplex(int32_t n, const double* corner, const double* le
 RG_API rg_error rg_set_zonotope(int32_t n, const double* center, int32_t count, const double* generators,
                                 rg_set** set);
 
-/* {x : G_i.x <= g_i for i = 1, ..., count}, bounded, with interior. The normals G_i stand one after the
- * other. */
+/* {x : G_i.x <= g_i for i = 1, ..., count}, bounded, with interior; the normals G_i one after the other. */
 RG_API rg_error rg_set_h_polytope(int32_t n, int64_t count, const double* normals, const double* offsets,
                                   rg_set** set);
 
@@ -286,8 +283,7 @@ RG_API void rg_warm_free(rg_warm* warm);
 
 /* ---- Single queries ---- */
 
-/* A solver with the default options. It keeps its workspace: a repeated query of the same size allocates
- * nothing. */
+/* A solver with the default options. It keeps its workspace: a query of the same size allocates nothing. */
 RG_API rg_error rg_solver_create(rg_solver** solver);
 RG_API void rg_solver_free(rg_solver* solver);
 
@@ -316,8 +312,7 @@ RG_API rg_error rg_solver_set_stop(rg_solver* solver, rg_stop stop, void* data);
 RG_API rg_error rg_distance(rg_solver* solver, const rg_pair* pair, uint32_t effects, rg_warm* warm,
                             rg_answer* answer);
 
-/* The distance of two objects in the metric with the unit ball Q; a null Q is the Euclidean one. 0 if they
- * meet. */
+/* The distance of two objects in the metric with unit ball Q; a null Q: the Euclidean one. 0 if they meet. */
 RG_API rg_error rg_object_distance(rg_solver* solver, const rg_pair* pair, const rg_set* Q, uint32_t effects,
                                    rg_warm* warm, rg_answer* answer);
 
@@ -393,8 +388,7 @@ RG_API void rg_checker_free(rg_checker* checker);
 RG_API rg_error rg_checker_prove(rg_checker* checker, int64_t count, const double* configurations,
                                  rg_verdict* verdict);
 
-/* Forgets what is kept from earlier edges to save time: answers are then those of a new checker, bit for bit.
- */
+/* Forgets what is kept from earlier edges to save time: answers are those of a new checker, bit for bit. */
 RG_API rg_error rg_checker_forget(rg_checker* checker);
 
 /* NOLINTEND */
