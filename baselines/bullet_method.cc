@@ -102,7 +102,7 @@ class BulletPair final : public BodyPair {
     input_.m_transformB = bullet(second.frame);
   }
 
-  PairAnswer distance(double /*tolerance*/) override {
+  PairAnswer answer(Quantity quantity, double /*tolerance*/) override {
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver epa;
     btGjkPairDetector detector(first_.get(), second_.get(), &simplex, &epa);
@@ -111,7 +111,7 @@ class BulletPair final : public BodyPair {
     PairAnswer answer;
     if (!found.m_hasResult) return answer;
     const btVector3& to_first = found.m_normalOnBInWorld;
-    answer.value = found.m_distance;  // minus the depth where they meet
+    answer.value = quantity == Quantity::depth ? -found.m_distance : found.m_distance;  // it is a signed one
     answer.direction = -Eigen::Vector3d(to_first.x(), to_first.y(), to_first.z());
     return answer;
   }
@@ -126,9 +126,8 @@ class BulletPair final : public BodyPair {
 void register_bullet_method(MethodRegistry& registry) {
   PairLibrary library;
   library.name = "bullet";
-  library.description =
-      "the Euclidean distance of two bodies of R^3 by the pair detector (GJK, EPA) of Bullet " +
-      bullet_library_version() + ", double precision";
+  library.description = "distance and depth of two bodies of R^3 by the pair detector (GJK, EPA) of Bullet " +
+                        bullet_library_version() + ", double precision";
   library.parameters = {
       {"margin",
        0.0,
@@ -138,6 +137,7 @@ void register_bullet_method(MethodRegistry& registry) {
        "and hulls larger",
        {}}};
   library.takes = kRigidBodies;
+  library.quantities = {Quantity::distance, Quantity::depth, Quantity::separated};
   library.make = [](const ConvexSet& one, const ConvexSet& two,
                     const Parameters& parameters) -> std::unique_ptr<BodyPair> {
     const auto first = RigidBody::of(one), second = RigidBody::of(two);

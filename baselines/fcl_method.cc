@@ -22,11 +22,13 @@ class FclPair final : public BodyPair {
         solver_(solver),
         own_tolerance_(own_tolerance) {}
 
-  PairAnswer distance(double tolerance) override {
+  PairAnswer answer(Quantity quantity, double tolerance) override {
     if (!query_ || tolerance_ != tolerance) {
       query_.emplace(first_, second_, solver_, own_tolerance_ > 0 ? own_tolerance_ : tolerance);
       tolerance_ = tolerance;
     }
+    if (quantity == Quantity::separated) return {query_->collide() ? 0.0 : 1.0};
+    if (quantity == Quantity::depth) return {query_->penetration()};
     const double distance = query_->distance(true);
     return {distance, query_->between_closest_points()};
   }
@@ -43,7 +45,7 @@ Component<SolveMethod> component(const std::string& name, const std::string& by,
   PairLibrary library;
   library.name = name;
   library.description =
-      "the Euclidean distance of two bodies of R^3 by " + by + " of FCL " + fcl_library_version();
+      "distance and depth of two bodies of R^3 by " + by + " of FCL " + fcl_library_version();
   library.parameters = {{"distance_tolerance",
                          0.0,
                          0.0,
@@ -51,6 +53,7 @@ Component<SolveMethod> component(const std::string& name, const std::string& by,
                          "FCL's distance_tolerance, absolute; 0: the tolerance of the solve",
                          {}}};
   library.takes = kRigidBodies;
+  library.quantities = {Quantity::distance, Quantity::depth, Quantity::separated};
   library.make = [solver](const ConvexSet& one, const ConvexSet& two,
                           const Parameters& parameters) -> std::unique_ptr<BodyPair> {
     auto first = FclBody::of(one), second = FclBody::of(two);

@@ -19,7 +19,13 @@ class PairMethod final : public SolveMethod {
   PairMethod(std::shared_ptr<const PairLibrary> library, Parameters parameters)
       : library_(std::move(library)), parameters_(std::move(parameters)) {}
 
+  bool answers(Quantity quantity) const override {
+    const auto& all = library_->quantities;
+    return std::find(all.begin(), all.end(), quantity) != all.end();
+  }
+
   void load(const Instance& instance) override {
+    quantity_ = instance.quantity;
     const auto* metric = dynamic_cast<const Ball*>(instance.Q.get());
     if (metric == nullptr || metric->dimension() != 3 || metric->center() != Vector::Zero(3))
       throw InvalidParameterError("method '" + library_->name +
@@ -37,7 +43,7 @@ class PairMethod final : public SolveMethod {
     if (pair_ == nullptr) throw Error("method '" + library_->name + "': solve before load");
     answer_ = PairAnswer();
     try {
-      answer_ = pair_->distance(request.tolerance);
+      answer_ = pair_->answer(quantity_, request.tolerance);
     } catch (const std::exception&) {
       answer_ = PairAnswer();  // it gives up: unsolved
     }
@@ -46,27 +52,41 @@ class PairMethod final : public SolveMethod {
   DistanceResult result() override {
     if (pair_ == nullptr) throw Error("method '" + library_->name + "': result before solve");
     DistanceResult result;
-    result.distance = std::max(answer_.value, 0.0) / radius_;
-    result.lower = certified_lower();
-    if (std::isnan(answer_.value)) {
-      result.distance = DistanceResult::kUnset;
-    } else {
-      result.status = answer_.value > 0 ? DistanceStatus::optimal : DistanceStatus::contains_origin;
-    }
+    put_bound(result);
+    if (std::isnan(answer_.value)) return result;
+    const bool apart = answer_.value > 0;
+    const double unit = quantity_ == Quantity::growth ? 1 : radius_;
+    result.distance =
+        quantity_ == Quantity::separated ? (apart ? 1 : 0) : std::max(answer_.value, 0.0) / unit;
+    const bool of_gap = quantity_ == Quantity::distance || quantity_ == Quantity::separated;
+    result.status = of_gap && !apart ? DistanceStatus::contains_origin : DistanceStatus::optimal;
     return result;
   }
 
  private:
-  // Weak duality (10) at u, which points from A to the origin: -h_A(u)/(r |u|), rounding errors included.
-  double certified_lower() const {
-    constexpr double kDown = 1 - 0x1p-48;
+  // At least h_A(u)/(r |u|) for u from A to the origin, rounding errors included: weak duality (10). NaN
+  // where there is no direction.
+  double reach() const {
+    constexpr double kOutwards = 0x1p-48;
     const Eigen::Vector3d u = -answer_.direction;
-    if (!u.allFinite() || u.norm() == 0) return 0;
+    if (!u.allFinite() || u.norm() == 0) return DistanceResult::kUnset;
     Eigen::Vector3d point, magnitude;
     const double h = A_->support_unchecked(u.data(), point.data());
     A_->magnitude_unchecked(magnitude.data());
-    const double error = ConvexSet::rounding_error(3) * u.cwiseAbs().dot(magnitude);
-    return std::max(0.0, -(h + error) / (radius_ * u.norm()) * kDown);
+    const double above =
+        (h + ConvexSet::rounding_error(3) * u.cwiseAbs().dot(magnitude)) / (radius_ * u.norm());
+    return above * (above > 0 ? 1 + kOutwards : 1 - kOutwards);
+  }
+
+  void put_bound(DistanceResult& result) const {
+    const double above = quantity_ == Quantity::growth ? DistanceResult::kUnset : reach();
+    result.lower = 0;
+    if (quantity_ == Quantity::depth) {
+      result.upper = std::max(above, 0.0);
+      if (std::isnan(above)) result.upper = DistanceResult::kUnset;
+    } else if (above < 0) {
+      result.lower = quantity_ == Quantity::separated ? 1 : -above;
+    }
   }
 
   std::shared_ptr<const PairLibrary> library_;
@@ -76,6 +96,7 @@ class PairMethod final : public SolveMethod {
   std::unique_ptr<BodyPair> pair_;
   PairAnswer answer_;
   double radius_ = 1;
+  Quantity quantity_ = Quantity::distance;
 };
 
 }  // namespace

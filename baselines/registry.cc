@@ -5,6 +5,18 @@
 #ifdef RAYGAUGE_HAS_BULLET
 #include "baselines/bullet_method.h"
 #endif
+#ifdef RAYGAUGE_HAS_LIBCCD
+#include "baselines/libccd_method.h"
+#endif
+#ifdef RAYGAUGE_HAS_ODE
+#include "baselines/ode_method.h"
+#endif
+#ifdef RAYGAUGE_HAS_MUJOCO
+#include "baselines/mujoco_method.h"
+#endif
+#ifdef RAYGAUGE_HAS_CGAL
+#include "baselines/cgal_method.h"
+#endif
 #ifdef RAYGAUGE_HAS_GLPK
 #include "baselines/glpk_simplex.h"
 #endif
@@ -49,6 +61,18 @@ void register_baselines([[maybe_unused]] MethodRegistry& registry) {
 #ifdef RAYGAUGE_HAS_BULLET
   register_bullet_method(registry);
 #endif
+#ifdef RAYGAUGE_HAS_LIBCCD
+  register_libccd_methods(registry);
+#endif
+#ifdef RAYGAUGE_HAS_CGAL
+  register_cgal_method(registry);
+#endif
+#ifdef RAYGAUGE_HAS_MUJOCO
+  register_mujoco_method(registry);
+#endif
+#ifdef RAYGAUGE_HAS_ODE
+  register_ode_method(registry);
+#endif
 }
 
 std::vector<std::pair<std::string, std::string>> solver_versions() {
@@ -73,6 +97,12 @@ std::vector<std::pair<std::string, std::string>> solver_versions() {
 #endif
 #ifdef RAYGAUGE_HAS_BULLET
   versions.emplace_back("Bullet", bullet_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_CGAL
+  versions.emplace_back("CGAL", cgal_library_version());
+#endif
+#ifdef RAYGAUGE_HAS_MUJOCO
+  versions.emplace_back("MuJoCo", mujoco_library_version());
 #endif
   return versions;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 
 #include "engine/sets/hull_3d.h"
 #include "engine/sets/spatial_shape.h"
@@ -94,6 +95,45 @@ bool take(const ConvexSet& S, const SpatialShape& shape, RigidBody& body) {
 }
 
 }  // namespace
+
+Eigen::Vector3d RigidBody::support(const Eigen::Vector3d& u) const {
+  const Eigen::Vector3d v = frame.linear().transpose() * u;
+  const double side = std::copysign(0.5 * height, v.z());
+  const auto rim = [&] {  // of the disc at height 0
+    const double across = std::hypot(v.x(), v.y());
+    return across > 0 ? Eigen::Vector3d(radius * v.x() / across, radius * v.y() / across, 0)
+                      : Eigen::Vector3d(0, 0, 0);
+  };
+  switch (kind) {
+    case Kind::ball:
+      return frame * (radius * v.normalized());
+    case Kind::capsule:
+      return frame * (side * Eigen::Vector3d::UnitZ() + radius * v.normalized());
+    case Kind::box:
+      return frame * Eigen::Vector3d(half.array() * v.array().sign());
+    case Kind::ellipsoid:
+      return frame * Eigen::Vector3d(half.cwiseProduct(half.cwiseProduct(v).normalized()));
+    case Kind::cylinder:
+      return frame * (rim() + side * Eigen::Vector3d::UnitZ());
+    case Kind::cone: {
+      const Eigen::Vector3d tip = 0.5 * height * Eigen::Vector3d::UnitZ(), foot = rim() - tip;
+      return frame * (v.dot(tip) > v.dot(foot) ? tip : foot);
+    }
+    case Kind::hull:
+      break;
+  }
+  const auto higher = [&v](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    return p.dot(v) < q.dot(v);
+  };
+  return frame * *std::max_element(vertices.begin(), vertices.end(), higher);
+}
+
+Eigen::Vector3d RigidBody::inner_point() const {
+  if (kind != Kind::hull) return frame.translation();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : vertices) sum += vertex;
+  return frame * (sum / static_cast<double>(vertices.size()));
+}
 
 std::optional<RigidBody> RigidBody::of(const ConvexSet& S, Frusta frusta) {
   if (const auto* image = dynamic_cast<const AffineImage*>(&S); image != nullptr && S.dimension() == 3) {

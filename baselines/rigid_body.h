@@ -26,6 +26,12 @@ struct RigidBody {
   std::vector<Eigen::Vector3d> vertices;           ///< of a hull ...
   std::vector<int> triangles;  ///< ... and its faces, three vertices each, seen from outside
 
+  /// A point of the body, in the frame of the set, that is farthest along u, not 0.
+  Eigen::Vector3d support(const Eigen::Vector3d& u) const;
+
+  /// A point well inside, in the frame of the set.
+  Eigen::Vector3d inner_point() const;
+
   /// The body of a set of R^3: a ball, capsule, box, ellipsoid, cylinder, cone with a tip, the hull of
   /// points, or a rigid image of one. Empty for other sets: truncated cones, flat hulls, sets that are
   /// combined, and all hulls where the engine is built without Qhull.

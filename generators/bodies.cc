@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -113,8 +114,18 @@ Vector support_point(const ConvexSet& S, const Vector& u) {
   return point;
 }
 
+/// The radius of a ball, in sizes, that rolls about inside of a body and touches all of its boundary: the
+/// least radius of curvature, of an ellipsoid b²/a; 0 where there are edges.
+double rolling_radius(const std::string& kind) {
+  static const std::map<std::string, double> kRounded = {
+      {"ball", 0.5}, {"capsule", 0.3}, {"ellipsoid", 0.35 * 0.35 / 0.7}};
+  const auto found = kRounded.find(kind);
+  return found == kRounded.end() ? 0 : found->second;
+}
+
 /// Where the bodies are. Lengths in sizes.
 struct Place {
+  double growth = 0;       ///< the growth distance, where that is asked for
   double gap = 0;          ///< between bodies that are apart; 0 where they overlap
   double into = 0;         ///< of bodies that overlap slightly: how far body 2 is moved into body 1
   double between = 0;      ///< of others that overlap: from centre to centre
@@ -125,10 +136,14 @@ struct Place {
 const std::map<std::string, Place>& places() {
   constexpr double kNear = 1e-3, kGrazing = 1e-6, kFar = 1e6;
   static const std::map<std::string, Place> kAll = {
-      {"apart", {1, 0, 0}},          {"near", {kNear, 0, 0}},
-      {"grazing", {kGrazing, 0, 0}}, {"parallel", {kNear, 0, 0, 1, true}},
-      {"far", {kNear, 0, 0, kFar}},  {"slight", {0, kNear, 0}},
-      {"overlap", {0, 0, kOverlap}}, {"deep", {0, 0, 0}},
+      {"apart", {2, 1, 0, 0}},
+      {"near", {1 + kNear, kNear, 0, 0}},
+      {"grazing", {1 + kGrazing, kGrazing, 0, 0}},
+      {"parallel", {1 + kNear, kNear, 0, 0, 1, true}},
+      {"far", {1 + kNear, kNear, 0, 0, kFar}},
+      {"slight", {1 - kNear, 0, kNear, 0}},
+      {"overlap", {0.5, 0, 0, kOverlap}},
+      {"deep", {kNear, 0, 0, 0}},
   };
   return kAll;
 }
@@ -140,11 +155,19 @@ struct Pair {
   Vector c;  ///< centre of body 1
   Vector u;  ///< the direction to body 2
   double size = 1;
+  Quantity quantity = Quantity::distance;
 
-  Instance of(const Body& first, const Body& second) const {
-    return {std::make_shared<MinkowskiDifference>(second, first),
-            std::make_shared<Ball>(Vector::Zero(u.size()), 1.0),
-            {}};
+  /// The instance, with the distance or the depth of the bodies where it is known: 0 on the other side of 0.
+  Instance of(const Body& first, const Body& second, double distance, std::optional<double> depth) const {
+    Instance instance{std::make_shared<MinkowskiDifference>(second, first),
+                      std::make_shared<Ball>(Vector::Zero(u.size()), 1.0), distance};
+    instance.quantity = quantity;
+    if (quantity == Quantity::separated) instance.exact_distance = distance > 0 ? 1 : 0;
+    if (quantity == Quantity::depth) instance.exact_distance = depth;
+    const double planted = instance.exact_distance.value_or(0);
+    if (quantity != Quantity::separated && planted > 0)
+      instance.exact_distance_rounding = kRounding * (1 + place.from_origin) * size / planted;
+    return instance;
   }
 };
 
@@ -158,24 +181,26 @@ Vector touching(const Pair& pair, const Body& first) {
 Instance apart(const Pair& pair) {
   const Body first = body_at(pair.one, pair.c);
   const double gap = pair.place.gap * pair.size;
-  Instance instance = pair.of(first, body_at(pair.two, touching(pair, first) + gap * pair.u));
-  instance.exact_distance = gap;
-  instance.exact_distance_rounding = kRounding * (1 + pair.place.from_origin) * pair.size / gap;
-  return instance;
+  return pair.of(first, body_at(pair.two, touching(pair, first) + gap * pair.u), gap, 0.0);
 }
 
-/// Body 2 moved from there towards the centre of body 1, which then holds the point of body 2 that touched
-/// it.
+/// Body 2 moved from there into body 1: by -δ u where a ball of radius δ or more rolls about inside of one of
+/// the bodies, and so inside of their difference. That is then the depth: the ball touches the boundary of
+/// the difference where the origin was. Other bodies are moved towards the centre of body 1, which then holds
+/// the point of body 2 that touched it.
 Instance slightly_overlapping(const Pair& pair) {
   const Body first = body_at(pair.one, pair.c);
-  const Vector inwards = (first->center() - support_point(*first, pair.u)).normalized();
-  Instance instance =
-      pair.of(first, body_at(pair.two, touching(pair, first) + pair.place.into * pair.size * inwards));
-  instance.exact_distance = 0;
-  return instance;
+  const double into = pair.place.into * pair.size;
+  const bool planted = pair.quantity == Quantity::depth &&
+                       rolling_radius(pair.one.kind) + rolling_radius(pair.two.kind) > pair.place.into;
+  Vector inwards = -pair.u;
+  if (!planted) inwards = (first->center() - support_point(*first, pair.u)).normalized();
+  return pair.of(first, body_at(pair.two, touching(pair, first) + into * inwards), 0,
+                 planted ? std::optional(into) : std::nullopt);
 }
 
 /// Body 2 about an inner point of body 1. The centre of a hull is the mean of its points; two hulls share it.
+/// The depth of two balls is the sum of their radii less what is between their centres.
 Instance overlapping(const Pair& pair) {
   const auto mean = [](const Shape& shape) {
     return shape.kind == "hull" ? Vector(shape.points.rowwise().mean())
@@ -183,10 +208,26 @@ Instance overlapping(const Pair& pair) {
   };
   const auto holds_a_ball = [](const Shape& shape) { return shape.kind != "hull" && shape.kind != "needle"; };
   const bool moved = holds_a_ball(pair.one) || holds_a_ball(pair.two);
-  const Vector t = pair.c + mean(pair.one) - mean(pair.two) +
-                   (moved ? pair.place.between * std::min(pair.one.size, pair.two.size) : 0.0) * pair.u;
-  Instance instance = pair.of(body_at(pair.one, pair.c), body_at(pair.two, t));
-  instance.exact_distance = 0;
+  const double between = moved ? pair.place.between * std::min(pair.one.size, pair.two.size) : 0;
+  const Vector t = pair.c + mean(pair.one) - mean(pair.two) + between * pair.u;
+  std::optional<double> depth;
+  if (pair.one.kind == "ball" && pair.two.kind == "ball")
+    depth = 0.5 * (pair.one.size + pair.two.size) - between;
+  return pair.of(body_at(pair.one, pair.c), body_at(pair.two, t), 0, depth);
+}
+
+/// Body 2 where both touch once they are scaled by σ about their centres: then the planes through the points
+/// that touch separate the scaled bodies.
+Instance at_growth(const Pair& pair) {
+  const Body first = body_at(pair.one, pair.c), second = body_at(pair.two, Vector::Zero(pair.u.size()));
+  const double growth = pair.place.growth;
+  const Vector center = second->center();
+  const Vector reach =
+      (support_point(*first, pair.u) - first->center()) - (support_point(*second, -pair.u) - center);
+  Instance instance =
+      pair.of(first, body_at(pair.two, first->center() + growth * reach - center), growth, {});
+  instance.exact_distance_rounding =
+      kRounding * (1 + pair.place.from_origin) * pair.size / (growth * reach.dot(pair.u));
   return instance;
 }
 
@@ -195,6 +236,7 @@ Pair pair_of(const InstanceKey& key, const Parameters& parameters) {
   RandomStream of_1(key, kName, RandomPurpose::points_of_A), of_2(key, kName, RandomPurpose::points_of_Q);
   Pair pair;
   pair.size = size;
+  pair.quantity = quantity_from_string(string_parameter(parameters, "quantity"));
   pair.place = places().at(string_parameter(parameters, "place"));
   pair.one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.n, key.N);
   pair.two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.n, key.N);
@@ -210,6 +252,7 @@ Pair pair_of(const InstanceKey& key, const Parameters& parameters) {
 
 Instance generate(const InstanceKey& key, const Parameters& parameters) {
   const Pair pair = pair_of(key, parameters);
+  if (pair.quantity == Quantity::growth) return at_growth(pair);
   if (pair.place.gap > 0) return apart(pair);
   return pair.place.into > 0 ? slightly_overlapping(pair) : overlapping(pair);
 }
@@ -218,6 +261,13 @@ template <class T>
 std::vector<std::string> names_of(const std::map<std::string, T>& entries) {
   std::vector<std::string> names;
   for (const auto& entry : entries) names.push_back(entry.first);
+  return names;
+}
+
+std::vector<std::string> quantities() {
+  std::vector<std::string> names;
+  for (const Quantity each : {Quantity::distance, Quantity::depth, Quantity::separated, Quantity::growth})
+    names.emplace_back(to_string(each));
   return names;
 }
 
@@ -235,6 +285,12 @@ std::vector<ParameterInfo> parameters() {
            {},
            "a size, a thousandth or a millionth of it apart, or overlapping; docs/generators.md",
            names_of(places())},
+          {"quantity",
+           std::string("distance"),
+           {},
+           {},
+           "what is asked: the distance, the depth, whether they are separated, the growth distance",
+           quantities()},
           {"scale", 1.0, 1e-100, 1e100, "size of both bodies", {}}};
 }
 
@@ -244,10 +300,8 @@ std::vector<ParameterInfo> parameters() {
 namespace raygauge {
 
 Component<Generator> bodies_generator() {
-  return with_known_distance(
-      generator_component(bodies::kName, "two bodies at a planted Euclidean distance, or overlapping",
-                          bodies::parameters(), bodies::generate, 2),
-      bodies::kRounding);
+  return generator_component(bodies::kName, "two bodies at a planted Euclidean distance, or overlapping",
+                             bodies::parameters(), bodies::generate, 2);
 }
 
 }  // namespace raygauge

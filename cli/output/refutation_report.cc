@@ -36,7 +36,23 @@ Json json_of(const PointOfPieces& point) {
   return {{"weights", json_of(point.weights)}, {"z", json_of(point.z)}};
 }
 
+void put(const SeparatingNormal& proof, Json& json) { json["normal"] = json_of(proof.normal); }
+
+void put(const ClosePoints& proof, Json& json) {
+  json["point_1"] = json_of(proof.first);
+  json["point_2"] = json_of(proof.second);
+}
+
+void put(const SurfaceAround& proof, Json& json) {
+  json["triangles"] = proof.triangles;
+  for (const ClosePoints& corner : proof.corners) {
+    json["corners_1"].push_back(json_of(corner.first));
+    json["corners_2"].push_back(json_of(corner.second));
+  }
+}
+
 Json json_of(const Record& record, const Refutation& refutation) {
+  const Quantity quantity = quantity_of(record);
   Json json = {{"method", record.method},
                {"method_parameters", record.method_parameters},
                {"generator_parameters", record.generator_parameters},
@@ -45,16 +61,16 @@ Json json_of(const Record& record, const Refutation& refutation) {
                {"seed", record.seed},
                {"repetition", record.repetition},
                {"tolerance", record.tolerance},
+               {"quantity", std::string(to_string(quantity))},
                {"size", size_of_bodies(record)},
                {"answer", claimed_distance(record)},
                {"first", json_of(refutation.first)},
                {"second", json_of(refutation.second)}};
-  if (const auto* proof = std::get_if<SeparatingNormal>(&refutation.proof)) {
-    json["normal"] = json_of(proof->normal);
-  } else {
-    const auto& points = std::get<ClosePoints>(refutation.proof);
-    json["point_1"] = json_of(points.first);
-    json["point_2"] = json_of(points.second);
+  std::visit([&json](const auto& proof) { put(proof, json); }, refutation.proof);
+  if (quantity == Quantity::growth) {
+    json["center_1"] = json_of(refutation.center_1);
+    json["center_2"] = json_of(refutation.center_2);
+    json["growth"] = refutation.proven;
   }
   return json;
 }
@@ -78,7 +94,7 @@ RefutationReport refutation_report(const std::vector<Record>& records, const Fil
     ++report.wrong;
     const Instance instance = instance_of(record, generators);
     const auto refutation =
-        refute(instance, claimed_distance(record), kWrongSignBeyond * size_of_bodies(record));
+        refute(instance, claimed_distance(record), kWrongSignBeyond * unit_of_errors(record));
     if (!refutation) continue;
     ++report.refuted;
     report.lines += json_text(json_of(record, *refutation)) + '\n';

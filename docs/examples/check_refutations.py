@@ -3,7 +3,9 @@
 """Checks, by NumPy alone, each line of `raygauge export --refutations`: python3 check_refutations.py FILE.jsonl
 
 A body is the hull of the ellipsoids c + F z, |z| <= 1. With a unit vector u, all points of the first body are at least
--h_2(-u) - h_1(u) from those of the second; the bodies are at most as far apart as a point of each."""
+-h_2(-u) - h_1(u) from those of the second; the bodies are at most as far apart as a point of each. They are at most
+h_2(-u) + h_1(u) deep, and at least as deep as the planes of a closed surface in their difference are far from the origin,
+if all its triangles are seen from there in the same sense. Growth: both scaled about their centres."""
 import json
 import sys
 
@@ -20,18 +22,46 @@ def point(body, where):
     return weights / weights.sum() @ pieces
 
 
+def by_normal(case, answer):
+    u = np.array(case["normal"]) / np.linalg.norm(case["normal"])
+    reach = support(case["second"], -u) + support(case["first"], u)
+    if case["quantity"] == "growth":
+        between = u @ np.subtract(case["center_2"], case["center_1"])
+        return between / (reach + between) - answer
+    return answer - reach if case["quantity"] == "depth" else -reach - answer
+
+
+def by_points(case, answer):
+    first, second = point(case["first"], case["point_1"]), point(case["second"], case["point_2"])
+    if case["quantity"] == "growth":
+        first, second = ((1 - case["growth"]) * np.array(c) + case["growth"] * p
+                         for c, p in ((case["center_1"], first), (case["center_2"], second)))
+        return answer - case["growth"] if np.linalg.norm(second - first) < 1e-9 * case["size"] else -1
+    claimed = 1e-9 * case["size"] if case["quantity"] == "separated" else answer
+    return claimed - np.linalg.norm(second - first)
+
+
+def by_surface(case, answer):
+    pairs = zip(case["corners_1"], case["corners_2"])
+    corners = np.array([point(case["second"], p2) - point(case["first"], p1) for p1, p2 in pairs])
+    edges = [(t[k], t[k - 1]) for t in case["triangles"] for k in range(3)]
+    closed = len(set(edges)) == len(edges) and {(b, a) for a, b in edges} == set(edges)
+    a, b, c = corners[np.array(case["triangles"])].transpose(1, 0, 2)
+    normals = np.cross(b - a, c - a)
+    offsets = np.einsum("ij,ij->i", normals, a) / np.linalg.norm(normals, axis=1)
+    return min(offsets) - answer if closed and min(offsets) > 0 else -1
+
+
 def error(case):
     """By how much the answer is off at least."""
-    first, second, answer = case["first"], case["second"], float(case["answer"])
-    if "normal" in case:
-        u = np.array(case["normal"]) / np.linalg.norm(case["normal"])
-        return -support(second, -u) - support(first, u) - answer
-    return answer - np.linalg.norm(point(second, case["point_2"]) - point(first, case["point_1"]))
+    proof = by_normal if "normal" in case else by_surface if "triangles" in case else by_points
+    return proof(case, float(case["answer"]))
 
 
 if __name__ == "__main__":
     cases = [json.loads(line) for line in open(sys.argv[1], encoding="utf-8")]
-    failed = [number for number, case in enumerate(cases, 1) if not error(case) > 5e-10 * case["size"]]
+    units = [1 if case["quantity"] == "growth" else case["size"] for case in cases]
+    failed = [i for i, (case, unit) in enumerate(zip(cases, units), 1) if not error(case) > 5e-10 * unit]
     print(f"{len(cases) - len(failed)} of {len(cases)} answers are refuted")
     for number in failed:
         print(f"line {number}: not refuted")

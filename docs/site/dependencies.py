@@ -46,8 +46,10 @@ the program's.
 | NLopt | MIT, in Debian's build with parts under LGPL-2.1 | link it dynamically (the default) or let users relink; `-DRAYGAUGE_WITH_NLOPT=OFF` builds without |
 | GMP | LGPL-3 or GPL-2 | link it dynamically (the default) or let users relink |
 | LIBSVM | BSD-3 | keep its notice; `-DRAYGAUGE_WITH_LIBSVM=OFF` builds without |
-| FCL, libccd, OctoMap | BSD-3 | keep their notices; `-DRAYGAUGE_WITH_FCL=OFF` builds without |
+| FCL, libccd, OctoMap | BSD-3 | keep their notices |
 | Bullet | zlib | none; `-DRAYGAUGE_WITH_BULLET=OFF` builds without |
+| ODE, MuJoCo | BSD-3, Apache-2.0 | keep their notices |
+| CGAL | GPL-3 | the whole binary falls under GPL-3; `-DRAYGAUGE_WITH_CGAL=OFF` builds without |
 | OMPL | BSD-3 | keep its notice; `-DRAYGAUGE_WITH_OMPL=OFF` builds without |
 | tinyxml2, HDF5, Random123, CLI11, toml++, fmt, nlohmann-json, zlib | BSD, MIT or zlib | keep their notices |
 | Boost | BSL-1.0 | none |

@@ -94,15 +94,16 @@ Record CellRunner::blank_record(const Cell& cell, int repetition, std::size_t me
   return record;
 }
 
+void CellRunner::load(std::size_t method, const Instance& instance, const SolveRequest& request) {
+  load_within(*methods_[method], label_of(plan_.experiment().methods[method]), instance, request.time_limit);
+}
+
 void CellRunner::warm_up(const Cell& cell, const Instance& instance) {
   if (plan_.experiment().warmup == 0) return;
-  for (const auto& method : methods_) {
-    const SolveRequest request = plan_.request(cell);
-    limit_load(*method, request.time_limit);
-    method->load(instance);
-    for (int i = 0; i < plan_.experiment().warmup && !hooks_.stop_asked(); ++i) {
-      method->solve(request);
-    }
+  const SolveRequest request = plan_.request(cell);
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    load(m, instance, request);
+    for (int i = 0; i < plan_.experiment().warmup && !hooks_.stop_asked(); ++i) methods_[m]->solve(request);
   }
 }
 
@@ -142,8 +143,7 @@ void CellRunner::measure(const Cell& cell, const Instance& instance, std::size_t
   record.started_at = seconds_since(circumstances_.sweep_start);
   const SteadyClock::time_point start = SteadyClock::now();
   const SolveRequest request = plan_.request(cell);
-  limit_load(solver, request.time_limit);
-  solver.load(instance);
+  load(method, instance, request);
   record.load_seconds = seconds_since(start);
   const TimedSolve timed = hooks_.time(solver, request, plan_.experiment().min_seconds);
   record.seconds = timed.seconds;

@@ -48,6 +48,7 @@ class CellRunner {
 
  private:
   Record blank_record(const Cell& cell, int repetition, std::size_t method) const;
+  void load(std::size_t method, const Instance& instance, const SolveRequest& request);
   void warm_up(const Cell& cell, const Instance& instance);
   /// These append the records of repetitions first, …, last - 1; false if the sweep was asked to stop. The
   /// methods are warmed up where `records` are empty.

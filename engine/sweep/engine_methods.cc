@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numerics/decompositions.h"
+#include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/affine_image.h"
@@ -83,11 +84,13 @@ struct MovedObject {
   }
 };
 
-/// ObjectDistanceSolver behind the same interface: A is the difference of the two objects, or one beside the
-/// origin.
+/// ObjectDistanceSolver and GrowthDistanceSolver behind the same interface: A is the difference of the two
+/// objects, or one beside the origin.
 class ObjectMethod final : public EngineMethod {
  public:
-  ObjectMethod() : EngineMethod(DistanceOptions()), solver_(std::in_place) {}
+  ObjectMethod() : EngineMethod(DistanceOptions()), distance_(std::in_place), growth_(std::in_place) {}
+
+  bool answers(Quantity /*any*/) const override { return true; }
 
   void load(const Instance& instance) override {
     const auto* difference = dynamic_cast<const MinkowskiDifference*>(instance.A.get());
@@ -97,18 +100,67 @@ class ObjectMethod final : public EngineMethod {
     first_.emplace(difference == nullptr ? std::shared_ptr<const ConvexSet>(origin()) : difference->A1());
     second_.emplace(difference == nullptr ? instance.A : difference->A2());
     Q_ = instance.Q;
+    quantity_ = instance.quantity;
     result_ = nullptr;
   }
 
   void solve(const SolveRequest& request) override {
-    if (take(request)) solver_.emplace(options_);
-    result_ = &solver_->solve(first_->posed(), second_->posed(), *Q_).distance;
+    if (take(request)) {
+      distance_.emplace(options_);
+      growth_.emplace(growth_options());
+    }
+    const Posed A1 = first_->posed(), A2 = second_->posed();
+    switch (quantity_) {
+      case Quantity::distance:
+        result_ = &distance_->solve(A1, A2, *Q_).distance;
+        return;
+      case Quantity::growth:
+        result_ = &growth_->solve_about_centers(A1, A2);
+        return;
+      case Quantity::depth:
+        take_depth(distance_->solve(A1, A2, *Q_, ObjectEffects::depth));
+        break;
+      case Quantity::separated:
+        take_separation(growth_->separation(A1, A2));
+        break;
+    }
+    result_ = &answer_;
   }
 
  private:
-  std::optional<ObjectDistanceSolver> solver_;
+  DistanceOptions growth_options() const {
+    DistanceOptions options = options_;
+    options.method = DistanceMethod::newton;  // see GrowthDistanceSolver
+    return options;
+  }
+
+  void take_depth(const ObjectDistance& found) {
+    const bool computed = found.depth.evaluations > 0;
+    answer_.distance = computed ? found.depth.depth : 0;
+    answer_.lower = computed ? found.depth.lower : 0;
+    answer_.upper = computed ? found.depth.upper : 0;
+    answer_.status = computed ? found.depth.status : DistanceStatus::optimal;
+    answer_.counters = found.distance.counters;
+  }
+
+  void take_separation(const SeparationResult& found) {
+    const bool apart = found.outcome == Separation::separated;
+    const bool meet = found.outcome == Separation::intersecting;
+    answer_.lower = apart ? 1 : 0;
+    answer_.upper = meet ? 0 : 1;
+    answer_.distance = answer_.lower == answer_.upper ? answer_.lower : DistanceResult::kUnset;
+    answer_.status = apart  ? DistanceStatus::optimal
+                     : meet ? DistanceStatus::contains_origin
+                            : DistanceStatus::precision_limit;
+    answer_.counters = found.counters;
+  }
+
+  std::optional<ObjectDistanceSolver> distance_;
+  std::optional<GrowthDistanceSolver> growth_;
   std::optional<MovedObject> first_, second_;
   std::shared_ptr<const ConvexSet> Q_;
+  Quantity quantity_ = Quantity::distance;
+  DistanceResult answer_;  ///< of a quantity whose solver has another result
 };
 
 const std::map<std::string, InstructionSet> kInstructionSets = {{"automatic", InstructionSet::automatic},
@@ -172,7 +224,7 @@ void register_engine_methods(MethodRegistry& registry) {
          return std::make_unique<DistanceMethodOfEngine>(options_from(DistanceMethod::newton, parameters));
        }});
   registry.add({"object_distance",
-                "two objects, A = A2 - A1, as scenes ask for them: fixed-size code first",
+                "two objects, A = A2 - A1, as scenes ask for them: fixed-size code first; all quantities",
                 {},
                 [](const Parameters& /*none*/) { return std::make_unique<ObjectMethod>(); }});
   std::vector<ParameterInfo> published = common_parameters();

@@ -45,10 +45,9 @@ Probe probe_of(const SweepPlan& plan, const Cell& cell, double budget_seconds, c
   const Instance instance = plan.instance(cell, 0);
   const std::vector<std::unique_ptr<SolveMethod>> methods = plan.make_methods();
   const double before = heap_bytes ? heap_bytes() : 0;
-  for (const auto& method : methods) {
-    limit_load(*method, request.time_limit);
-    method->load(instance);
-    time_solve(*method, request, plan.experiment().min_seconds);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    load_within(*methods[m], label_of(plan.experiment().methods[m]), instance, request.time_limit);
+    time_solve(*methods[m], request, plan.experiment().min_seconds);
   }
   const double made = heap_bytes ? std::max(0.0, heap_bytes() - before) : 0;
   return {expected_cost(cell), seconds_since(start), made / coordinates(cell)};

@@ -7,6 +7,7 @@
 
 #include "engine/numerics/number_text.h"
 #include "engine/sweep/parameter_text.h"
+#include "raygauge/sweep/instance.h"
 
 namespace raygauge {
 namespace {
@@ -49,16 +50,28 @@ T get(const Parameters& parameters, const std::string& name) {
 }
 
 constexpr std::array<std::string_view, 3> kRoleNames = {"engine", "baseline", "oracle"};
+constexpr std::array<std::string_view, 4> kQuantityNames = {"distance", "depth", "separated", "growth"};
+
+/// The value of an enumeration by its name.
+template <class Enum, std::size_t N>
+Enum value_of(const char* kind, std::string_view name, const std::array<std::string_view, N>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw UnknownNameError(kind, std::string(name), {names.begin(), names.end()});
+  return static_cast<Enum>(found - names.begin());
+}
 
 }  // namespace
 
 std::string_view to_string(Role role) noexcept { return kRoleNames[static_cast<std::size_t>(role)]; }
 
-Role role_from_string(std::string_view name) {
-  const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
-  if (found == kRoleNames.end())
-    throw UnknownNameError("role", std::string(name), {kRoleNames.begin(), kRoleNames.end()});
-  return static_cast<Role>(found - kRoleNames.begin());
+Role role_from_string(std::string_view name) { return value_of<Role>("role", name, kRoleNames); }
+
+std::string_view to_string(Quantity quantity) noexcept {
+  return kQuantityNames[static_cast<std::size_t>(quantity)];
+}
+
+Quantity quantity_from_string(std::string_view name) {
+  return value_of<Quantity>("quantity", name, kQuantityNames);
 }
 
 Parameters complete(const std::string& owner, const std::vector<ParameterInfo>& declared,

@@ -23,6 +23,9 @@ TEST(BaselinesRegistry, HoldsTheMethodsOfThisBuild) {
 #ifdef RAYGAUGE_HAS_BULLET
   expected.emplace_back("bullet");
 #endif
+#ifdef RAYGAUGE_HAS_CGAL
+  expected.emplace_back("cgal");
+#endif
 #ifdef RAYGAUGE_HAS_CLP
   expected.insert(expected.end(), {"clp_dual", "clp_primal"});
 #endif
@@ -35,11 +38,20 @@ TEST(BaselinesRegistry, HoldsTheMethodsOfThisBuild) {
 #ifdef RAYGAUGE_HAS_GLPK
   expected.insert(expected.end(), {"glpk_dual", "glpk_primal"});
 #endif
+#ifdef RAYGAUGE_HAS_LIBCCD
+  expected.insert(expected.end(), {"libccd_gjk", "libccd_mpr"});
+#endif
 #ifdef RAYGAUGE_HAS_LIBSVM
   expected.emplace_back("libsvm_smo");
 #endif
+#ifdef RAYGAUGE_HAS_MUJOCO
+  expected.emplace_back("mujoco");
+#endif
 #ifdef RAYGAUGE_HAS_NLOPT
   expected.emplace_back("nlopt_slsqp");
+#endif
+#ifdef RAYGAUGE_HAS_ODE
+  expected.emplace_back("ode");
 #endif
   EXPECT_EQ(baselines().names(), expected);
 }

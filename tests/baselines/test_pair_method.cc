@@ -30,10 +30,12 @@ namespace {
 using Set = std::shared_ptr<const ConvexSet>;
 using Eigen::Vector3d;
 
-Instance asked(const Set& first, const Set& second, double radius = 1) {
+Instance asked(const Set& first, const Set& second, double radius = 1,
+               Quantity quantity = Quantity::distance) {
   Instance instance;
   instance.A = std::make_shared<MinkowskiDifference>(second, first);
   instance.Q = std::make_shared<Ball>(Vector3d::Zero(), radius);
+  instance.quantity = quantity;
   return instance;
 }
 
@@ -41,7 +43,7 @@ Instance asked(const Set& first, const Set& second, double radius = 1) {
 class Oracle final : public BodyPair {
  public:
   explicit Oracle(PairAnswer answer) : answer_(std::move(answer)) {}
-  PairAnswer distance(double tolerance) override {
+  PairAnswer answer(Quantity /*any*/, double tolerance) override {
     if (tolerance == 0.5) throw std::runtime_error("no answer");
     return answer_;
   }
@@ -53,6 +55,7 @@ class Oracle final : public BodyPair {
 DistanceResult result_of(const PairAnswer& answer, const Instance& instance, double tolerance = 1e-6) {
   PairLibrary library;
   library.name = "oracle";
+  library.quantities = {Quantity::distance, Quantity::depth, Quantity::separated};
   library.make = [answer](const ConvexSet& /*one*/, const ConvexSet& /*two*/, const Parameters& /*none*/) {
     return std::make_unique<Oracle>(answer);
   };
@@ -77,6 +80,25 @@ TEST(PairMethod, ClaimsWhatTheLibrarySaysAndProvesWhatItsDirectionDoes) {
   EXPECT_EQ(meet.distance, 0);
   EXPECT_NEAR(result_of({6, Vector3d(1, 0, 0)}, asked(kBall, ball_at(5), 2)).lower, 1.5, 1e-13)
       << "in units of the metric";
+}
+
+TEST(PairMethod, ProvesADepthFromAboveAndASeparationByItsDirection) {
+  const auto depth = [](double value, double x) {
+    return result_of({value, Vector3d(1, 0, 0)}, asked(kBall, ball_at(x), 1, Quantity::depth));
+  };
+  EXPECT_EQ(depth(0.4, 1.5).distance, 0.4);
+  EXPECT_EQ(depth(0.4, 1.5).status, DistanceStatus::optimal);
+  EXPECT_NEAR(depth(0.4, 1.5).upper, 0.5, 1e-13);
+  EXPECT_GE(depth(0.4, 1.5).upper, 0.5);
+  EXPECT_EQ(depth(-1, 5).distance, 0);
+  EXPECT_EQ(depth(-1, 5).status, DistanceStatus::optimal);
+  const auto separated = [](double value) {
+    return result_of({value, Vector3d(1, 0, 0)}, asked(kBall, ball_at(5), 1, Quantity::separated));
+  };
+  EXPECT_EQ(separated(7).distance, 1);
+  EXPECT_EQ(separated(7).lower, 1);
+  EXPECT_EQ(separated(0).distance, 0);
+  EXPECT_EQ(separated(0).status, DistanceStatus::contains_origin);
 }
 
 TEST(PairMethod, HasNoAnswerWhereTheLibraryFailsOrThrows) {
@@ -115,13 +137,32 @@ MethodRegistry all() {
 std::vector<std::string> libraries() {
   std::vector<std::string> found;
   const MethodRegistry registry = all();
-  for (const char* name : {"bullet", "fcl_indep", "fcl_libccd"})
+  for (const char* name :
+       {"bullet", "cgal", "fcl_indep", "fcl_libccd", "libccd_gjk", "libccd_mpr", "mujoco", "ode"})
     if (registry.find_if_known(name) != nullptr) found.emplace_back(name);
   return found;
 }
 
 class Library : public ::testing::TestWithParam<std::string> {
  protected:
+  /// Whether the library has such bodies, of which it has some.
+  bool takes(const Set& body) {
+    try {
+      method_->load(asked(body, body, 1, Quantity::separated));
+      return true;
+    } catch (const InvalidParameterError&) {
+      return false;
+    }
+  }
+
+  std::vector<Set> bodies_taken() {
+    std::vector<Set> taken;
+    for (const Set& body : bodies())
+      if (takes(body)) taken.push_back(body);
+    EXPECT_GE(taken.size(), 1U);
+    return taken;
+  }
+
   std::unique_ptr<SolveMethod> method_ = all().make(GetParam(), {});
 
   DistanceResult answer(const Instance& instance) {
@@ -138,15 +179,37 @@ INSTANTIATE_TEST_SUITE_P(Baselines, Library, ::testing::ValuesIn(libraries()),
 // What raygauge proves from their directions has to hold.
 TEST_P(Library, UnderstandsEveryBody) {
   ObjectDistanceSolver solver;
-  for (const Set& one : bodies()) {
-    for (const Set& other : bodies()) {
+  const std::vector<Set> taken = bodies_taken();
+  for (const Set& one : taken) {
+    for (const Set& other : taken) {
       const Set away = AffineImage::rigid(other, Eigen::Matrix3d::Identity(), Vector3d(2, -1.5, 1.7));
+      EXPECT_EQ(answer(asked(one, away, 1, Quantity::separated)).distance, 1);
+      EXPECT_EQ(answer(asked(one, other, 1, Quantity::separated)).status, DistanceStatus::contains_origin);
+      if (!method_->answers(Quantity::distance)) continue;
       const double truth = solver.solve(*one, *away, *kBall).distance.distance;
       const DistanceResult found = answer(asked(one, away));
       EXPECT_NEAR(found.distance, truth, 0.01);
       EXPECT_LE(found.lower, truth * (1 + 1e-6));
       EXPECT_GE(found.lower, 0.5 * truth);
       EXPECT_EQ(answer(asked(one, other)).status, DistanceStatus::contains_origin);
+    }
+  }
+}
+
+// Portal refinement is no method for depths: it may tell much more than the least.
+TEST_P(Library, FindsDepths) {
+  ObjectDistanceSolver solver;
+  const std::vector<Set> taken = bodies_taken();
+  const bool refines_portals = GetParam() == "libccd_mpr" || GetParam() == "fcl_libccd";
+  for (const Set& one : taken) {
+    for (const Set& other : taken) {
+      const Set near = AffineImage::rigid(other, Eigen::Matrix3d::Identity(), Vector3d(0.2, -0.15, 0.17));
+      const double truth = solver.solve(*one, *near, *kBall, ObjectEffects::depth).depth.depth;
+      const DistanceResult found = answer(asked(one, near, 1, Quantity::depth));
+      if (!std::isnan(found.upper)) EXPECT_GE(found.upper, truth * (1 - 1e-6));
+      if (found.status != DistanceStatus::optimal) continue;
+      EXPECT_GE(found.distance, truth - 0.02);
+      if (!refines_portals) EXPECT_LE(found.distance, truth + 0.02);
     }
   }
 }

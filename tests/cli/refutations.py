@@ -23,6 +23,7 @@ kind_1 = ["box", "cone", "hull"]
 kind_2 = ["ball", "capsule", "cylinder", "ellipsoid", "hull"]
 place = ["near", "overlap"]
 scale = [1e-3, 1, 50]
+quantity = QUANTITY
 [[method]]
 name = "object_distance"
 [[method]]
@@ -41,7 +42,53 @@ def spoilt(case):
     """The same with an answer that its proof does not refute."""
     answer = float(case["answer"])
     far = 10 * case["size"] + answer
+    if case["quantity"] == "separated":
+        return dict(case, answer=1.0 - answer)
+    if case["quantity"] == "depth":
+        return dict(case, answer=0.0 if "normal" in case else far)
     return dict(case, answer=far if "normal" in case else 0.0)
+
+
+class Sweep:
+    """The experiment about one quantity, and what of it fails."""
+
+    def __init__(self, arguments, folder, quantity, proofs):
+        self.arguments, self.folder, self.proofs, self.failures = arguments, folder, proofs, []
+        text = EXPERIMENT.replace("QUANTITY", f'"{quantity}"')
+        (folder / "wrong.toml").write_text(text)
+        self.raygauge("run", "wrong.toml", "-o", "wrong.h5", "--quiet", "--force")
+        self.said = self.raygauge("export", "wrong.h5", "--refutations", "wrong.jsonl").stderr
+        self.cases = [json.loads(line) for line in (folder / "wrong.jsonl").read_text().splitlines()]
+
+    def raygauge(self, *words):
+        command = [self.arguments.raygauge, *words]
+        return subprocess.run(command, cwd=self.folder, check=True, capture_output=True, text=True)
+
+    def fail_unless(self, holds, text):
+        self.failures += [] if holds else [text]
+
+    def check(self):
+        wrong = int(self.said.split()[1])
+        self.fail_unless(wrong == len(self.cases) > 20, f"{len(self.cases)} lines: {self.said}")
+        for case in self.cases:
+            self.fail_unless(case["method"].startswith("fcl"), f"of {case['method']}")
+        checked = check(self.arguments.check, self.folder / "wrong.jsonl")
+        verified = checked.returncode == 0 and checked.stdout == f"{wrong} of {wrong} answers are refuted\n"
+        self.fail_unless(verified, checked.stdout)
+        for proof in self.proofs:
+            self.check_spoilt(proof)
+        table = self.raygauge("table", "wrong.h5", "--wrong").stdout
+        self.fail_unless("Who is wrong" in table and "fcl_libccd" in table, table)
+        return wrong
+
+    def check_spoilt(self, proof):
+        case = next((case for case in self.cases if proof in case), None)
+        if case is None:
+            self.failures.append(f"no case with {proof}")
+            return
+        (self.folder / "spoilt.jsonl").write_text(json.dumps(spoilt(case)) + "\n")
+        code = check(self.arguments.check, self.folder / "spoilt.jsonl").returncode
+        self.fail_unless(code == 1, f"a spoilt refutation passes: {spoilt(case)}")
 
 
 def main():
@@ -49,32 +96,12 @@ def main():
     parser.add_argument("--raygauge", required=True)
     parser.add_argument("--check", required=True)
     arguments = parser.parse_args()
+    failures, wrong = [], 0
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "wrong.toml").write_text(EXPERIMENT)
-
-        def raygauge(*words):
-            return subprocess.run([arguments.raygauge, *words], cwd=folder, check=True, capture_output=True, text=True)
-
-        raygauge("run", "wrong.toml", "-o", "wrong.h5", "--quiet")
-        said = raygauge("export", "wrong.h5", "--refutations", "wrong.jsonl").stderr
-        lines = (folder / "wrong.jsonl").read_text().splitlines()
-        cases = [json.loads(line) for line in lines]
-        wrong = int(said.split()[1])
-        failures = [] if wrong == len(cases) > 20 else [f"{len(cases)} lines: {said}"]
-        for kind in ("normal", "point_1"):
-            failures += [] if any(kind in case for case in cases) else [f"no case with {kind}"]
-        failures += [f"of {case['method']}" for case in cases if not case["method"].startswith("fcl")]
-        checked = check(arguments.check, folder / "wrong.jsonl")
-        if checked.returncode != 0 or checked.stdout != f"{wrong} of {wrong} answers are refuted\n":
-            failures.append(checked.stdout)
-        for case in (next(case for case in cases if kind in case) for kind in ("normal", "point_1")):
-            (folder / "spoilt.jsonl").write_text(json.dumps(spoilt(case)) + "\n")
-            if check(arguments.check, folder / "spoilt.jsonl").returncode != 1:
-                failures.append(f"a spoilt refutation passes: {spoilt(case)}")
-        table = raygauge("table", "wrong.h5", "--wrong").stdout
-        if "Who is wrong" not in table or "fcl_libccd" not in table:
-            failures.append(table)
+        for quantity, proofs in (("distance", ("normal", "point_1")), ("depth", ("normal", "triangles"))):
+            sweep = Sweep(arguments, pathlib.Path(name), quantity, proofs)
+            wrong += sweep.check()
+            failures += [f"{quantity}: {text}" for text in sweep.failures]
     print("\n".join(failures) or f"{wrong} refutations")
     sys.exit(1 if failures else 0)
 

@@ -4,23 +4,26 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::test_bodies {
 namespace {
 
 const std::string kKinds[] = {"ball", "box", "capsule", "cone", "cylinder", "ellipsoid", "hull", "needle"};
+const std::string kPlaces[] = {"apart", "near", "grazing", "parallel", "far", "slight", "overlap", "deep"};
 
 Instance make(const std::string& one, const std::string& two, const std::string& place, double scale = 1,
-              int seed = 1, int n = 3) {
+              int seed = 1, int n = 3, const std::string& quantity = "distance") {
   const Component<Generator> component = bodies_generator();
-  const Parameters parameters =
-      complete("generator 'bodies'", component.parameters,
-               {{"kind_1", one}, {"kind_2", two}, {"place", place}, {"scale", scale}});
+  const Parameters parameters = complete(
+      "generator 'bodies'", component.parameters,
+      {{"kind_1", one}, {"kind_2", two}, {"place", place}, {"scale", scale}, {"quantity", quantity}});
   InstanceKey key;
   key.seed = static_cast<std::uint64_t>(seed);
   key.n = n;
@@ -101,6 +104,39 @@ TEST(Bodies, OverlapByAThousandthAtMostWhereTheyOverlapSlightly) {
       EXPECT_LE(found.depth.lower, 1e-3) << one << ' ' << two;
     }
   }
+}
+
+DistanceResult answer_of(const Instance& instance) {
+  MethodRegistry registry("method");
+  register_engine_methods(registry);
+  const auto method = registry.make("object_distance", {});
+  EXPECT_TRUE(method->answers(instance.quantity));
+  method->load(instance);
+  method->solve({});
+  return method->result();
+}
+
+TEST(Bodies, HaveThePlantedDepthGrowthAndSeparation) {
+  int depths = 0;
+  for (const std::string& one : kKinds) {
+    for (const std::string& two : kKinds) {
+      for (const std::string& place : kPlaces) {
+        for (const std::string& quantity : {"depth", "separated", "growth"}) {
+          const Instance instance = make(one, two, place, 50, 2, 3, quantity);
+          const DistanceResult found = answer_of(instance);
+          const bool planted = instance.exact_distance.has_value();
+          EXPECT_TRUE(planted || quantity == "depth");
+          if (!planted) continue;
+          depths += quantity == "depth" && *instance.exact_distance > 0;
+          const double truth = *instance.exact_distance, slack = instance.exact_distance_rounding * truth;
+          EXPECT_LE(found.lower, truth + slack) << one << ' ' << two << ' ' << place << ' ' << quantity;
+          EXPECT_GE(found.upper, truth - slack) << one << ' ' << two << ' ' << place << ' ' << quantity;
+          if (place != "far") EXPECT_LE(found.upper - found.lower, 2e-6 * std::max(found.upper, 1.0));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(depths, 64 - 25 + 2) << "slight ones of rounded bodies, and two balls";
 }
 
 }  // namespace

@@ -12,13 +12,27 @@ namespace raygauge::test_generator_promises {
 namespace {
 
 /// The defaults, and them with one parameter at another of its choices.
-std::vector<Parameters> variants_of(const Component<Generator>& component) {
+std::vector<Parameters> variants_of_one(const Component<Generator>& component) {
   std::vector<Parameters> variants(1);
   for (const ParameterInfo& info : component.parameters) {
     for (const std::string& choice : info.choices) variants.push_back({{info.name, choice}});
     if (std::holds_alternative<bool>(info.default_value)) {
       variants.push_back({{info.name, true}});
       variants.push_back({{info.name, false}});
+    }
+  }
+  return variants;
+}
+
+/// The defaults, and them with one parameter, or two, at another of its choices.
+std::vector<Parameters> variants_of(const Component<Generator>& component) {
+  std::vector<Parameters> variants = variants_of_one(component);
+  const std::vector<Parameters> one = variants;
+  for (const Parameters& first : one) {
+    for (const Parameters& second : one) {
+      Parameters both = first;
+      both.insert(second.begin(), second.end());
+      if (both.size() == 2) variants.push_back(std::move(both));
     }
   }
   return variants;

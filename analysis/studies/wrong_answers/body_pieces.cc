@@ -94,10 +94,13 @@ PointOfPieces point_of_capsule(const Capsule& body, const Vector& x) {
   return {pair_of(1 - part, part), within_unit(x - on_axis, body.radius())};
 }
 
-/// The weights of the points that prove 0 in S - x.
+/// The weights of the points that prove 0 in S - x; of a point of the set, that alone.
 std::optional<PointOfPieces> point_of_hull(const PointSet& S, const Vector& x) {
   DenseMatrix moved = S.points();
   moved.colwise() -= x;
+  for (Eigen::Index i = 0; i < moved.cols(); ++i) {
+    if (moved.col(i).isZero(0)) return PointOfPieces{Vector::Unit(S.size(), i), Vector::Zero(x.size())};
+  }
   DistanceSolver solver;
   const DistanceResult& found = solver.solve(PointSet(moved), Ball(Vector::Zero(x.size()), 1.0));
   if (found.status != DistanceStatus::contains_origin || found.origin_weights.empty()) return std::nullopt;

@@ -33,8 +33,8 @@ struct PointOfPieces {
 std::optional<BodyPieces> pieces_of(const ConvexSet& S);
 
 /// The point of a body of pieces_of() near x: x itself where it is in the body; of a point set, where it is
-/// strictly inside. Empty where x is not found to be inside; weights are clamped to what a point of the body
-/// has.
+/// strictly inside, or one of the points. Empty where x is not found to be inside; weights are clamped to
+/// what a point of the body has.
 std::optional<PointOfPieces> point_near(const ConvexSet& S, const Vector& x);
 
 }  // namespace raygauge

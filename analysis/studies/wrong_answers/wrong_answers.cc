@@ -61,9 +61,11 @@ std::vector<WrongAnswers> in_order(const Tallies& tallies, const MethodList& met
   return rows;
 }
 
-WrongInPlace finished(double tolerance, const std::string& place, const Part& part,
+using Question = std::pair<double, Quantity>;  ///< with its tolerance
+
+WrongInPlace finished(const Question& asked, const std::string& place, const Part& part,
                       const MethodList& methods) {
-  WrongInPlace result{tolerance, place, in_order(part.all, methods), {}};
+  WrongInPlace result{asked.first, asked.second, place, in_order(part.all, methods), {}};
   for (const auto& [kind, tallies] : part.kinds) result.kinds.emplace_back(kind, in_order(tallies, methods));
   return result;
 }
@@ -101,10 +103,20 @@ double size_of_bodies(const Record& record) {
   return scale.empty() ? 1 : std::stod(scale);
 }
 
+Quantity quantity_of(const Record& record) {
+  const std::string name = parameter_text(record, "quantity");
+  return name.empty() ? Quantity::distance : quantity_from_string(name);
+}
+
+double unit_of_errors(const Record& record) {
+  const Quantity asked = quantity_of(record);
+  return asked == Quantity::distance || asked == Quantity::depth ? size_of_bodies(record) : 1;
+}
+
 double error_in_sizes(const Record& record, const KnownDistance& known) {
   const double claim = claimed_distance(record);
   return std::max({known.lower - claim, claim - known.upper, std::isnan(claim) ? kNaN : 0.0}) /
-         size_of_bodies(record);
+         unit_of_errors(record);
 }
 
 Verdict verdict_on(const Record& record, const KnownDistance& known) {
@@ -112,7 +124,8 @@ Verdict verdict_on(const Record& record, const KnownDistance& known) {
   if (!claim) return record.status == DistanceStatus::precision_limit ? Verdict::gave_up : Verdict::limit;
   if (std::isnan(*claim)) return Verdict::gave_up;
   const double error = error_in_sizes(record, known);
-  const bool other_side = *claim > 0 ? known.upper == 0 : known.lower > 0;
+  const double touching = quantity_of(record) == Quantity::growth ? 1 : 0;
+  const bool other_side = *claim > touching ? known.upper <= touching : known.lower > touching;
   if (other_side && error > kWrongSignBeyond) return Verdict::wrong_sign;
   return error > kWrongBeyond ? Verdict::inexact : Verdict::right;
 }
@@ -123,9 +136,9 @@ WrongStudy wrong_answers(const std::vector<Record>& records, const Filter& filte
   if (kept.empty()) throw EmptySetError("no record of the generator bodies passes the filter");
   const KnownDistances known(records);
   WrongStudy study{methods_of(kept), {}};
-  std::map<double, std::pair<std::vector<std::string>, std::map<std::string, Part>>> by_tolerance;
+  std::map<Question, std::pair<std::vector<std::string>, std::map<std::string, Part>>> by_question;
   for (const Record& record : kept) {
-    auto& [order, parts] = by_tolerance[record.tolerance];
+    auto& [order, parts] = by_question[{record.tolerance, quantity_of(record)}];
     const std::string place = parameter_text(record, "place");
     if (!parts.contains(place)) order.push_back(place);
     const KnownDistance distance = known(record);
@@ -134,10 +147,10 @@ WrongStudy wrong_answers(const std::vector<Record>& records, const Filter& filte
       for (const std::string& kind : kinds_of(record)) part->kinds[kind][record.method].add(record, distance);
     }
   }
-  for (const auto& [tolerance, places] : by_tolerance) {
+  for (const auto& [asked, places] : by_question) {
     for (const std::string& place : places.first)
-      study.places.push_back(finished(tolerance, place, places.second.at(place), study.methods));
-    study.places.push_back(finished(tolerance, "", places.second.at(""), study.methods));
+      study.places.push_back(finished(asked, place, places.second.at(place), study.methods));
+    study.places.push_back(finished(asked, "", places.second.at(""), study.methods));
   }
   return study;
 }

@@ -36,6 +36,7 @@ Chart picture_of(const WrongStudy& study) {
       Series series;
       series.method = row.method;
       series.facets = {{"tolerance", rounded_text(part.tolerance, 3)},
+                       {"quantity", std::string(to_string(part.quantity))},
                        {"place", part.place.empty() ? "all" : part.place}};
       series.points.push_back({kMicroseconds * row.median_seconds,
                                std::max(kPerCent * row.wrong_share(), kNone), kNaN, kNaN, remark_on(row),

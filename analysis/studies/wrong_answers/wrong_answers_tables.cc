@@ -26,20 +26,22 @@ TableCell time_cell(double seconds) {
 
 std::string name_of(const std::string& place) { return place.empty() ? "all" : place; }
 
-std::string title(const std::string& what, double tolerance) {
-  return what + " at tolerance " + rounded_text(tolerance, 6);
+std::string title(const std::string& what, const WrongInPlace& part) {
+  const std::string about =
+      part.quantity == Quantity::distance ? "" : ", quantity " + std::string(to_string(part.quantity));
+  return what + about + " at tolerance " + rounded_text(part.tolerance, 6);
 }
 
-Table by_method(double tolerance) {
+Table by_method(const WrongInPlace& part) {
   Table table;
-  table.title = title("Who is wrong", tolerance);
+  table.title = title("Who is wrong", part);
   table.key_columns = 2;
   table.header = {{"place", "method", "asked", "wrong", "share", "wrong sign", "gave up", "limit",
                    "worst error", "median µs"}};
   table.notes = {
       "wrong: off by more than 1e-6 of the size of the bodies, or of the wrong sign: that bodies apart meet, "
       "or "
-      "the reverse (by more than 1e-9); worst error: in sizes",
+      "the reverse (by more than 1e-9); worst error: in sizes, of growth in 1",
       "gave up: an exception, or the solver says that it failed; limit: no answer in time"};
   return table;
 }
@@ -63,12 +65,13 @@ void add_rows(Table& table, const WrongInPlace& part) {
   }
 }
 
-Table by_kind(double tolerance, const MethodList& methods) {
+/// `all`: all places of the question.
+Table by_kind(const WrongInPlace& all) {
   Table table;
-  table.title = title("Share of wrong answers by place and kind of body", tolerance);
+  table.title = title("Share of wrong answers by place and kind of body", all);
   table.key_columns = 2;
   table.header = {{"place", "kind"}};
-  for (const std::string& method : methods) table.header[0].push_back(method);
+  for (const WrongAnswers& row : all.methods) table.header[0].push_back(row.method);
   table.notes = {"a pair counts for the kinds of both of its bodies"};
   return table;
 }
@@ -92,8 +95,8 @@ void add_kind_rows(Table& table, const WrongInPlace& part) {
 
 TableRow long_row(const WrongInPlace& part, const std::string& kind, const WrongAnswers& row) {
   TableRow line;
-  line.cells = {number_cell(part.tolerance), TableCell(name_of(part.place)), TableCell(kind),
-                TableCell(row.method)};
+  line.cells = {number_cell(part.tolerance), TableCell(std::string(to_string(part.quantity))),
+                TableCell(name_of(part.place)), TableCell(kind), TableCell(row.method)};
   for (const std::size_t number : {row.asked, row.wrong(), row.wrong_sign, row.gave_up, row.limits})
     line.cells.push_back(number_cell(static_cast<double>(number)));
   for (const double value : {row.wrong_share(), row.worst, 1e6 * row.median_seconds})
@@ -105,15 +108,16 @@ TableRow long_row(const WrongInPlace& part, const std::string& kind, const Wrong
 
 std::vector<Table> wrong_answers_tables(const WrongStudy& study) {
   std::vector<Table> tables;
-  double tolerance = -1;
-  for (const WrongInPlace& part : study.places) {
-    if (part.tolerance != tolerance) {
-      tolerance = part.tolerance;
-      tables.push_back(by_method(tolerance));
-      tables.push_back(by_kind(tolerance, study.methods));
+  bool begins = true;
+  for (auto part = study.places.begin(); part != study.places.end(); ++part) {
+    if (begins) {
+      const auto all = std::find_if(part, study.places.end(), [](const auto& p) { return p.place.empty(); });
+      tables.push_back(by_method(*all));
+      tables.push_back(by_kind(*all));
     }
-    add_rows(tables[tables.size() - 2], part);
-    add_kind_rows(tables.back(), part);
+    begins = part->place.empty();
+    add_rows(tables[tables.size() - 2], *part);
+    add_kind_rows(tables.back(), *part);
   }
   return tables;
 }
@@ -121,9 +125,9 @@ std::vector<Table> wrong_answers_tables(const WrongStudy& study) {
 Table wrong_answers_long_table(const WrongStudy& study) {
   Table table;
   table.title = "Who is wrong";
-  table.key_columns = 4;
-  table.header = {{"tolerance", "place", "kind", "method", "asked", "wrong", "wrong_sign", "gave_up",
-                   "limits", "wrong_share", "worst_error", "median_microseconds"}};
+  table.key_columns = 5;
+  table.header = {{"tolerance", "quantity", "place", "kind", "method", "asked", "wrong", "wrong_sign",
+                   "gave_up", "limits", "wrong_share", "worst_error", "median_microseconds"}};
   for (const WrongInPlace& part : study.places) {
     for (const WrongAnswers& row : part.methods) table.rows.push_back(long_row(part, "all", row));
     for (const auto& [kind, rows] : part.kinds) {

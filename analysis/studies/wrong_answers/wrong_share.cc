@@ -36,7 +36,9 @@ std::string share_axis(bool labelled) {
 }
 
 std::string panel_title(const WrongInPlace& part, bool several_tolerances) {
-  const std::string place = part.place.empty() ? "all places" : part.place;
+  const std::string about =
+      part.quantity == Quantity::distance ? "" : std::string(to_string(part.quantity)) + ", ";
+  const std::string place = about + (part.place.empty() ? "all places" : part.place);
   return several_tolerances ? place + ", ε = " + rounded_text(part.tolerance, 3) : place;
 }
 

@@ -28,6 +28,9 @@ class SolveMethod {
  public:
   virtual ~SolveMethod() = default;
 
+  /// Whether the method computes this quantity. A sweep refuses instances that ask for another.
+  virtual bool answers(Quantity quantity) const { return quantity == Quantity::distance; }
+
   /// Builds the model of `instance`, which outlives the solves that follow. Throws InvalidParameterError
   /// where the method cannot take such sets (the message says what it takes).
   virtual void load(const Instance& instance) = 0;

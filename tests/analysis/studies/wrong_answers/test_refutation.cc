@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "raygauge/queries/growth_distance.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
@@ -49,6 +51,12 @@ Instance instance_of(const Body& A1, const Body& A2) {
   return instance;
 }
 
+Instance asked(Quantity quantity, const Body& A1, const Body& A2) {
+  Instance instance = instance_of(A1, A2);
+  instance.quantity = quantity;
+  return instance;
+}
+
 Body moved(const Body& S, const Vector3d& t) { return AffineImage::rigid(S, Eigen::Matrix3d::Identity(), t); }
 
 TEST(BodyPieces, HaveTheSupportFunctionOfTheBody) {
@@ -83,11 +91,11 @@ TEST(Refutation, OfAnAnswerTooSmallIsANormalAndOfOneTooLargeAreTwoPoints) {
       const auto small = refute(apart, 0, 1e-9);
       ASSERT_TRUE(small.has_value());
       EXPECT_TRUE(std::holds_alternative<SeparatingNormal>(small->proof));
-      const auto large = refute(apart, small->distance + 1e-6, 1e-9);
+      const auto large = refute(apart, small->proven + 1e-6, 1e-9);
       ASSERT_TRUE(large.has_value());
       ASSERT_TRUE(std::holds_alternative<ClosePoints>(large->proof));
-      EXPECT_GE(large->distance, small->distance - 1e-12);
-      EXPECT_FALSE(refute(apart, 0.5 * (small->distance + large->distance), 1e-6).has_value()) << "the truth";
+      EXPECT_GE(large->proven, small->proven - 1e-12);
+      EXPECT_FALSE(refute(apart, 0.5 * (small->proven + large->proven), 1e-6).has_value()) << "the truth";
     }
   }
 }
@@ -99,8 +107,61 @@ TEST(Refutation, OfADistanceOfBodiesThatMeetIsACommonPoint) {
         const auto found = refute(instance_of(A1, moved(A2, t)), 1e-8, 1e-9);
         ASSERT_TRUE(found.has_value());
         EXPECT_TRUE(std::holds_alternative<ClosePoints>(found->proof));
-        EXPECT_LE(found->distance, 1e-12);
+        EXPECT_LE(found->proven, 1e-12);
       }
+    }
+  }
+}
+
+TEST(Refutation, OfADepthTooSmallIsASurfaceAndOfOneTooLargeIsANormal) {
+  ObjectDistanceSolver solver;
+  const Ball unit(Vector3d::Zero(), 1.0);
+  for (const Body& A1 : bodies()) {
+    for (const Body& A2 : bodies()) {
+      const Body near = moved(A2, Vector3d(0.2, 0.1, -0.1));
+      const ObjectDepth depth = solver.solve(*A1, *near, unit, ObjectEffects::depth).depth;
+      const Instance instance = asked(Quantity::depth, A1, near);
+      const auto small = refute(instance, 0.9 * depth.lower, 1e-9);
+      ASSERT_TRUE(small.has_value());
+      const auto& surface = std::get<SurfaceAround>(small->proof);
+      EXPECT_EQ(surface.triangles.size(), 2 * surface.corners.size() - 4) << "Euler's formula";
+      const auto large = refute(instance, depth.upper + 1e-6, 1e-9);
+      ASSERT_TRUE(large.has_value());
+      EXPECT_TRUE(std::holds_alternative<SeparatingNormal>(large->proof));
+      EXPECT_LE(large->proven, depth.upper + 1e-9);
+      EXPECT_FALSE(refute(instance, depth.depth, 1e-6).has_value()) << "the truth";
+    }
+  }
+}
+
+TEST(Refutation, OfAGrowthDistanceIsANormalOrAPointOfBothGrownBodies) {
+  GrowthDistanceSolver solver;
+  for (const Body& A1 : bodies()) {
+    for (const Body& A2 : bodies()) {
+      for (const Vector3d& t : {Vector3d(0.2, 0.1, -0.1), Vector3d(4, 3, 0)}) {
+        const DistanceResult growth = solver.solve_about_centers(*A1, *moved(A2, t));
+        const Instance instance = asked(Quantity::growth, A1, moved(A2, t));
+        const auto small = refute(instance, growth.lower - 1e-5, 1e-9);
+        ASSERT_TRUE(small.has_value());
+        EXPECT_TRUE(std::holds_alternative<SeparatingNormal>(small->proof));
+        const auto large = refute(instance, growth.upper + 1e-5, 1e-9);
+        ASSERT_TRUE(large.has_value());
+        EXPECT_TRUE(std::holds_alternative<ClosePoints>(large->proof));
+        EXPECT_FALSE(refute(instance, growth.distance, 1e-5).has_value()) << "the truth";
+      }
+    }
+  }
+}
+
+TEST(Refutation, OfASeparationIsACommonPointOrANormal) {
+  for (const Body& A1 : bodies()) {
+    for (const Body& A2 : bodies()) {
+      const auto apart = asked(Quantity::separated, A1, moved(A2, Vector3d(4, 3, 0)));
+      EXPECT_FALSE(refute(apart, 1, 1e-9).has_value()) << "the truth";
+      ASSERT_TRUE(refute(apart, 0, 1e-9).has_value());
+      const auto meet = asked(Quantity::separated, A1, moved(A2, Vector3d(0.2, 0.1, -0.1)));
+      EXPECT_FALSE(refute(meet, 0, 1e-9).has_value()) << "the truth";
+      ASSERT_TRUE(refute(meet, 1, 1e-9).has_value());
     }
   }
 }

@@ -115,6 +115,27 @@ TEST(WrongAnswers, AreReadAsTwoTables) {
   EXPECT_EQ(all.rows.size(), 3U * 3U * 2U);
 }
 
+TEST(WrongAnswers, OfOtherQuantitiesHaveTheirOwnSignAndTheirOwnTables) {
+  const auto asked = [](const std::string& quantity, double found, double planted) {
+    Record record = answer("object_distance", "near", 0, found, planted);
+    record.generator_parameters += " quantity=" + quantity;
+    return record;
+  };
+  EXPECT_EQ(verdict(asked("growth", 1 - 1e-7, 1 + 1e-7)), Verdict::wrong_sign);
+  EXPECT_EQ(verdict(asked("growth", 0.5, 0.7)), Verdict::inexact);
+  EXPECT_EQ(verdict(asked("growth", 0.5 + 1.1e-6, 0.5)), Verdict::inexact) << "whatever the size";
+  EXPECT_EQ(verdict(asked("depth", 0, 0.1)), Verdict::wrong_sign);
+  EXPECT_EQ(verdict(asked("depth", 0.1 + 9e-6, 0.1)), Verdict::right) << "of a size of 10";
+  EXPECT_EQ(verdict(asked("separated", 1, 0)), Verdict::wrong_sign);
+  EXPECT_EQ(verdict(asked("separated", 1, 1)), Verdict::right);
+  const WrongStudy study = wrong_answers({asked("depth", 0.1, 0.1), answer("fcl_libccd", "near", 0, 2, 2)});
+  const std::vector<Table> tables = wrong_answers_tables(study);
+  ASSERT_EQ(tables.size(), 4U);
+  EXPECT_EQ(tables[0].title, "Who is wrong at tolerance 1e-06");
+  EXPECT_EQ(tables[2].title, "Who is wrong, quantity depth at tolerance 1e-06");
+  EXPECT_EQ(tables[3].header[0].size(), 3U) << "the methods that answer it";
+}
+
 TEST(WrongAnswers, NeedRecordsOfTwoBodies) {
   EXPECT_EQ(message_of<EmptySetError>([] { wrong_answers({testing::record("fcl_libccd", 3, 20, 0, 1)}); }),
             "no record of the generator bodies passes the filter");
