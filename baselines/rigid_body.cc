@@ -99,10 +99,9 @@ bool take(const ConvexSet& S, const SpatialShape& shape, RigidBody& body) {
 Eigen::Vector3d RigidBody::support(const Eigen::Vector3d& u) const {
   const Eigen::Vector3d v = frame.linear().transpose() * u;
   const double side = std::copysign(0.5 * height, v.z());
-  const auto rim = [&] {  // of the disc at height 0
+  const auto rim = [&](double r, double z) -> Eigen::Vector3d {  // of the disc of radius r at height z
     const double across = std::hypot(v.x(), v.y());
-    return across > 0 ? Eigen::Vector3d(radius * v.x() / across, radius * v.y() / across, 0)
-                      : Eigen::Vector3d(0, 0, 0);
+    return across > 0 ? Eigen::Vector3d(r * v.x() / across, r * v.y() / across, z) : Eigen::Vector3d(0, 0, z);
   };
   switch (kind) {
     case Kind::ball:
@@ -114,10 +113,11 @@ Eigen::Vector3d RigidBody::support(const Eigen::Vector3d& u) const {
     case Kind::ellipsoid:
       return frame * Eigen::Vector3d(half.cwiseProduct(half.cwiseProduct(v).normalized()));
     case Kind::cylinder:
-      return frame * (rim() + side * Eigen::Vector3d::UnitZ());
-    case Kind::cone: {
-      const Eigen::Vector3d tip = 0.5 * height * Eigen::Vector3d::UnitZ(), foot = rim() - tip;
-      return frame * (v.dot(tip) > v.dot(foot) ? tip : foot);
+    case Kind::cone:
+    case Kind::frustum: {
+      const Eigen::Vector3d foot = rim(radius, -0.5 * height);
+      const Eigen::Vector3d top = rim(top_radius, 0.5 * height);
+      return frame * (v.dot(top) > v.dot(foot) ? top : foot);
     }
     case Kind::hull:
       break;

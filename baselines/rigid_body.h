@@ -20,7 +20,8 @@ struct RigidBody {
   Kind kind = Kind::ball;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< its own frame in that of the set
   double radius = 0;                                        ///< of balls, capsules, cylinders and cones
-  double top_radius = 0;                                    ///< of a frustum, above; `radius` is below
+  double top_radius =
+      0;  ///< of discs above: the radius of a cylinder, 0 of a cone, less than `radius` of a frustum
   double height = 0;                               ///< between the ends of a segment, discs, disc and tip
   Eigen::Vector3d half = Eigen::Vector3d::Zero();  ///< half edges of a box, semi-axes of an ellipsoid
   std::vector<Eigen::Vector3d> vertices;           ///< of a hull ...
