@@ -19,9 +19,6 @@ class ByteReader {
   bool empty() const noexcept { return left_.empty(); }
   std::size_t size() const noexcept { return left_.size(); }
 
-  /// The number, from 1, of the line that line() gave last; 0 in front of the first one.
-  std::size_t line_number() const noexcept { return line_; }
-
   /// The next line without its end: LF, CR LF or CR.
   std::string_view line();
 
