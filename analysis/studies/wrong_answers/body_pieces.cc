@@ -94,12 +94,15 @@ PointOfPieces point_of_capsule(const Capsule& body, const Vector& x) {
   return {pair_of(1 - part, part), within_unit(x - on_axis, body.radius())};
 }
 
-/// The weights of the points that prove 0 in S - x; of a point of the set, that alone.
+/// The weights of the points that prove 0 in S - x; of a point of the set, to
+/// rounding errors, that alone.
 std::optional<PointOfPieces> point_of_hull(const PointSet& S, const Vector& x) {
   DenseMatrix moved = S.points();
   moved.colwise() -= x;
+  const double rounding = 1e-15 * (x.norm() + S.points().cwiseAbs().maxCoeff());
   for (Eigen::Index i = 0; i < moved.cols(); ++i) {
-    if (moved.col(i).isZero(0)) return PointOfPieces{Vector::Unit(S.size(), i), Vector::Zero(x.size())};
+    if (moved.col(i).norm() <= rounding)
+      return PointOfPieces{Vector::Unit(S.size(), i), Vector::Zero(x.size())};
   }
   DistanceSolver solver;
   const DistanceResult& found = solver.solve(PointSet(moved), Ball(Vector::Zero(x.size()), 1.0));

@@ -135,7 +135,9 @@ double growth_by_normal(const Claim& claim, const Vector& u) {
 }
 
 std::optional<Refutation> of_growth(const Claim& claim) {
-  constexpr double kMore = 1 + 1e-7;  // so that points of bodies scaled by less are inside
+  // Bodies that are scaled by a little less do not meet, and a point between them is inside of both once they
+  // are scaled by a little more, even of bodies that are 1e3 times as long as they are thick.
+  constexpr double kLess = 1 - 1e-9, kMore = 1 + 8e-7;
   DistanceOptions options = precise();
   options.method = DistanceMethod::newton;
   GrowthDistanceSolver solver(options);
@@ -146,11 +148,11 @@ std::optional<Refutation> of_growth(const Claim& claim) {
     const double least = growth_by_normal(claim, u);
     if (claim.is_below(least)) return claim.by(SeparatingNormal{u}, least);
   }
-  const double most = growth.lower * kShrink * kMore;
+  const double most = growth.lower * kLess * kMore;
   if (!claim.is_above(most)) return std::nullopt;
   ObjectDistanceSolver between(precise());
   const Ball unit(Vector::Zero(claim.A1->dimension()), 1.0);
-  const double factor = growth.lower * kShrink;
+  const double factor = growth.lower * kLess;
   const ObjectDistance& near = between.solve(*shrunk(claim.A1, factor), *shrunk(claim.A2, factor), unit,
                                              ObjectEffects::closest_points);
   if (near.closest_point_1.size() == 0) return std::nullopt;

@@ -44,7 +44,7 @@ struct Refutation {
 /// Refutes that the quantity of the bodies A1 and A2 of an instance, A = A2 - A1 and Q the unit ball, is
 /// `answer`, by more than `slack`. Empty where the answer is within slack of the truth, or where no proof is
 /// found: of bodies that pieces_of() does not know, or that touch; of depths that are too small, outside of
-/// R^3 or where 4000 points do not suffice.
+/// R^3, where 4000 points do not suffice, and of some polytopes many of whose facets are in one plane.
 std::optional<Refutation> refute(const Instance& instance, double claim, double slack);
 
 }  // namespace raygauge

@@ -28,9 +28,7 @@ class Surface {
       if (nearest < 0) return false;
       const auto& facet = polytope_.facet(nearest);
       if (facet.offset > depth) return true;
-      const Point beyond = support(facet.n);
-      if (!(polytope_.above(facet, beyond.s) > polytope_.noise()) || !polytope_.add(nearest, beyond))
-        return false;
+      if (!expand(nearest)) return false;
       note_made();
     }
     return false;
@@ -69,8 +67,9 @@ class Surface {
   }
 
   bool begin() {
-    const std::array<Vector3, 4> directions = {Vector3{1, 1, 1}, Vector3{1, -1, -1}, Vector3{-1, 1, -1},
-                                               Vector3{-1, -1, 1}};
+    // Askew, so that few corners of a regular body are as high.
+    const std::array<Vector3, 4> directions = {Vector3{1, 0.9, 1.2}, Vector3{1.1, -1, -0.8},
+                                               Vector3{-0.9, 1.1, -1}, Vector3{-1, -0.8, 1.1}};
     std::array<Point, 4> corners;
     double size = 0;
     for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = support(directions[k]);
@@ -83,6 +82,21 @@ class Surface {
     if (!polytope_.begin(corners.data(), size)) return false;
     note_made();
     return true;
+  }
+
+  /// Adds the support point beyond a facet. Where rounding hides what it sees, many facets of a polytope are
+  /// in one plane: directions nearby have other points.
+  bool expand(std::int32_t number) {
+    constexpr double kAside = 1.0 / 64;
+    const Vector3 n = polytope_.facet(number).n;
+    for (const Vector3& aside : {Vector3{0, 0, 0}, Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1},
+                                 Vector3{-1, 0, 0}, Vector3{0, -1, 0}, Vector3{0, 0, -1}}) {
+      const Point beyond = support({n.x + kAside * aside.x, n.y + kAside * aside.y, n.z + kAside * aside.z});
+      if (polytope_.above(polytope_.facet(number), beyond.s) > polytope_.noise() &&
+          polytope_.add(number, beyond))
+        return true;
+    }
+    return false;
   }
 
   void note_made() {

@@ -115,8 +115,9 @@ double unit_of_errors(const Record& record) {
 
 double error_in_sizes(const Record& record, const KnownDistance& known) {
   const double claim = claimed_distance(record);
-  return std::max({known.lower - claim, claim - known.upper, std::isnan(claim) ? kNaN : 0.0}) /
-         unit_of_errors(record);
+  const bool is_ratio = quantity_of(record) == Quantity::growth && known.lower > 1;
+  const double unit = is_ratio ? known.lower : unit_of_errors(record);
+  return std::max({known.lower - claim, claim - known.upper, std::isnan(claim) ? kNaN : 0.0}) / unit;
 }
 
 Verdict verdict_on(const Record& record, const KnownDistance& known) {

@@ -124,6 +124,7 @@ TEST(WrongAnswers, OfOtherQuantitiesHaveTheirOwnSignAndTheirOwnTables) {
   EXPECT_EQ(verdict(asked("growth", 1 - 1e-7, 1 + 1e-7)), Verdict::wrong_sign);
   EXPECT_EQ(verdict(asked("growth", 0.5, 0.7)), Verdict::inexact);
   EXPECT_EQ(verdict(asked("growth", 0.5 + 1.1e-6, 0.5)), Verdict::inexact) << "whatever the size";
+  EXPECT_EQ(verdict(asked("growth", 3 + 2.9e-6, 3)), Verdict::right) << "relative to a larger one";
   EXPECT_EQ(verdict(asked("depth", 0, 0.1)), Verdict::wrong_sign);
   EXPECT_EQ(verdict(asked("depth", 0.1 + 9e-6, 0.1)), Verdict::right) << "of a size of 10";
   EXPECT_EQ(verdict(asked("separated", 1, 0)), Verdict::wrong_sign);
@@ -131,8 +132,8 @@ TEST(WrongAnswers, OfOtherQuantitiesHaveTheirOwnSignAndTheirOwnTables) {
   const WrongStudy study = wrong_answers({asked("depth", 0.1, 0.1), answer("fcl_libccd", "near", 0, 2, 2)});
   const std::vector<Table> tables = wrong_answers_tables(study);
   ASSERT_EQ(tables.size(), 4U);
-  EXPECT_EQ(tables[0].title, "Who is wrong at tolerance 1e-06");
-  EXPECT_EQ(tables[2].title, "Who is wrong, quantity depth at tolerance 1e-06");
+  EXPECT_EQ(tables[0].title, "Who is wrong at tolerance 1e-6");
+  EXPECT_EQ(tables[2].title, "Who is wrong, quantity depth at tolerance 1e-6");
   EXPECT_EQ(tables[3].header[0].size(), 3U) << "the methods that answer it";
 }
 
