@@ -2,12 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/bullet_method.h"
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include <BulletCollision/CollisionShapes/btConeShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/CollisionShapes/btCylinderShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -16,88 +10,16 @@
 #include <memory>
 #include <utility>
 
+#include "baselines/bullet_shapes.h"
 #include "baselines/pair_method.h"
-#include "baselines/rigid_body.h"
 
 namespace raygauge {
 namespace {
 
-using Shape = std::unique_ptr<btConvexShape>;
-using Kind = RigidBody::Kind;
-
-btVector3 bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform bullet(const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix3d R = pose.linear();
-  return btTransform(
-      btMatrix3x3(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-      bullet(Eigen::Vector3d(pose.translation())));
-}
-
-/// h(u) = |(a_i u_i)|, the support point (a_i^2 u_i)/h(u).
-class Ellipsoid final : public btConvexInternalShape {
- public:
-  explicit Ellipsoid(const btVector3& semi_axes) : semi_axes_(semi_axes) {
-    m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
-  }
-
-  btVector3 localGetSupportingVertexWithoutMargin(const btVector3& u) const override {
-    const btVector3 scaled = semi_axes_ * u;
-    const btScalar h = scaled.length();
-    return h > 0 ? semi_axes_ * scaled / h : btVector3(semi_axes_.x(), 0, 0);
-  }
-
-  void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* u, btVector3* points,
-                                                         int count) const override {
-    for (int i = 0; i < count; ++i) points[i] = localGetSupportingVertexWithoutMargin(u[i]);
-  }
-
-  void calculateLocalInertia(btScalar /*mass*/, btVector3& inertia) const override { inertia.setZero(); }
-  const char* getName() const override { return "ellipsoid"; }
-
- private:
-  btVector3 semi_axes_;
-};
-
-Shape hull_of(const RigidBody& body) {
-  auto hull = std::make_unique<btConvexHullShape>();
-  for (const Eigen::Vector3d& vertex : body.vertices) hull->addPoint(bullet(vertex), false);
-  hull->recalcLocalAabb();
-  return hull;
-}
-
-Shape shape_of(const RigidBody& body, double margin) {
-  Shape shape;
-  switch (body.kind) {
-    case Kind::ball:  // the margin of these two is their radius
-      return std::make_unique<btSphereShape>(body.radius);
-    case Kind::capsule:
-      return std::make_unique<btCapsuleShapeZ>(body.radius, body.height);
-    case Kind::box:
-      shape = std::make_unique<btBoxShape>(bullet(body.half));
-      break;
-    case Kind::ellipsoid:
-      shape = std::make_unique<Ellipsoid>(bullet(body.half));
-      break;
-    case Kind::cylinder:
-      shape = std::make_unique<btCylinderShapeZ>(btVector3(body.radius, body.radius, 0.5 * body.height));
-      break;
-    case Kind::cone:
-      shape = std::make_unique<btConeShapeZ>(body.radius, body.height);
-      break;
-    case Kind::frustum:
-    case Kind::hull:
-      shape = hull_of(body);
-      break;
-  }
-  shape->setMargin(margin);
-  return shape;
-}
-
 class BulletPair final : public BodyPair {
  public:
   BulletPair(const RigidBody& first, const RigidBody& second, double margin)
-      : first_(shape_of(first, margin)), second_(shape_of(second, margin)) {
+      : first_(bullet_shape(first, margin)), second_(bullet_shape(second, margin)) {
     input_.m_transformA = bullet(first.frame);
     input_.m_transformB = bullet(second.frame);
   }
@@ -117,7 +39,7 @@ class BulletPair final : public BodyPair {
   }
 
  private:
-  Shape first_, second_;
+  std::unique_ptr<btConvexShape> first_, second_;
   btGjkPairDetector::ClosestPointInput input_;
 };
 

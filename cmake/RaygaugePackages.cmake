@@ -1,5 +1,5 @@
 # The manual, and what `cpack -G DEB` makes: libraygauge0.2, libraygauge-dev, libraygauge-results, libraygauge-friction,
-# raygauge, raygauge-mpi, raygauge-siconos, python3-raygauge.
+# raygauge, raygauge-mpi, raygauge-siconos, raygauge-bullet, raygauge-ode, raygauge-mujoco, python3-raygauge.
 
 # The manual and the completion are made from the program's own help, where help2man is installed.
 find_program(RAYGAUGE_HELP2MAN help2man)
@@ -51,6 +51,10 @@ set(CPACK_COMPONENT_RESULTS_DESCRIPTION "results files of sweeps, for C++ progra
 set(CPACK_COMPONENT_FRICTION_DESCRIPTION "friction of simulations, for C++ programs")
 set(CPACK_COMPONENT_MPI_DESCRIPTION "runs of many MPI ranks")
 set(CPACK_COMPONENT_SICONOS_DESCRIPTION "friction between bodies that react")
+foreach(_engine bullet ode mujoco)
+  string(TOUPPER ${_engine} _upper)
+  set(CPACK_COMPONENT_${_upper}_DESCRIPTION "simulations by another engine, ${_engine}")
+endforeach()
 get_property(_modules GLOBAL PROPERTY RAYGAUGE_MODULES)
 foreach(_module IN LISTS _modules)
   string(TOUPPER ${_module} _upper)

@@ -271,6 +271,11 @@ int explain(const SceneArguments& arguments) {
       text += "  " + language::printable(line) + "\n";
       json["dynamics"].push_back(line);
     }
+    for (const std::string& engine : source.engines) {
+      if (engine == kOwnEngine) continue;
+      text += "  engine " + engine + ": each step once; the least signed distance of its motion is proven\n";
+      json["engines"].push_back(engine);
+    }
   }
   for (std::size_t q = 0; q < source.scene.queries.size(); ++q) {
     const SceneQuery& asked = source.scene.queries[q];

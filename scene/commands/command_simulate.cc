@@ -25,6 +25,7 @@
 #include "results/text/language.h"
 #include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"
+#include "scene/engines/loaded_engine.h"
 #include "scene/file/scene_writer.h"
 #include "scene/file/simulated_tables.h"
 #include "scene/file/simulation_store.h"
@@ -37,7 +38,7 @@ namespace {
 struct SimulateArguments {
   SceneInput input;
   std::string output;
-  std::string steps, tolerances;
+  std::string steps, tolerances, engines;
   bool resume = false;
   bool force = false;
   bool quiet = false;
@@ -47,7 +48,25 @@ SceneInput input_of(const SimulateArguments& arguments) {
   SceneInput input = arguments.input;
   if (!arguments.steps.empty()) input.overrides.push_back("dynamics.step=" + arguments.steps);
   if (!arguments.tolerances.empty()) input.overrides.push_back("dynamics.tolerance=" + arguments.tolerances);
+  if (!arguments.engines.empty()) input.overrides.push_back("dynamics.engine=" + arguments.engines);
   return input;
+}
+
+/// What is to be simulated: other engines take each step once, with the finest tolerance.
+struct Wanted {
+  std::string engine;
+  SimulationAccuracy accuracy;
+};
+
+std::vector<Wanted> wanted_of(const SceneSource& source) {
+  std::vector<Wanted> all;
+  const double finest = source.accuracies.back().tolerance;
+  for (const std::string& engine : source.engines) {
+    for (const SimulationAccuracy& one : source.accuracies) {
+      if (engine == kOwnEngine || one.tolerance == finest) all.push_back({engine, one});
+    }
+  }
+  return all;
 }
 
 SceneSource source_to_simulate(const SimulateArguments& arguments) {
@@ -81,7 +100,8 @@ class SimulateJob {
     if (!arguments.quiet) print_notes(source_.notes);
     path_ = arguments.output.empty() ? "out/" + source_.scene.name + ".h5" : arguments.output;
     output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
-    if (source_.dynamics->has_friction()) friction_ = loaded_friction();
+    const bool own = source_.engines.back() == kOwnEngine;
+    if (own && source_.dynamics->has_friction()) friction_ = loaded_friction();
     SceneFile head = head_of(source_, plan_scene(source_.scene));
     head.sessions.push_back(describe_session(Experiment(), 1, {}));
     const RunMode usual = arguments.force ? RunMode::force : RunMode::create;
@@ -107,17 +127,15 @@ class SimulateJob {
     ProgressDisplay display(stderr, 0);
     SimulationTables tables;
     Scene moved;
-    const auto count = static_cast<std::int32_t>(source_.accuracies.size());
-    for (std::int32_t number = 0; number < count; ++number) {
+    for (std::int32_t number = 0; number < static_cast<std::int32_t>(wanted_.size()); ++number) {
+      const Wanted& wanted = wanted_[static_cast<std::size_t>(number)];
       Dynamics dynamics = *source_.dynamics;
-      dynamics.step = source_.accuracies[static_cast<std::size_t>(number)].step;
-      dynamics.tolerance = source_.accuracies[static_cast<std::size_t>(number)].tolerance;
-      const auto begin = std::chrono::steady_clock::now();
-      const std::vector<SimulationPart> before = store_->parts_of(number);
-      Simulation found =
-          simulate(source_.scene, dynamics, friction_.get(), hooks_of(display, number), before);
+      dynamics.step = wanted.accuracy.step;
+      dynamics.tolerance = wanted.accuracy.tolerance;
+      double seconds = 0;
+      Simulation found = simulate_one(dynamics, wanted.engine, number, hooks_of(display, number), seconds);
       if (found.stopped) return false;
-      add_simulation(found, dynamics, store_->seconds_of(number) + seconds_since(begin), tables);
+      add_simulation(found, dynamics, seconds, wanted.engine, tables);
       moved = std::move(found.scene);
     }
     compare_with_finest(tables);
@@ -125,6 +143,24 @@ class SimulateJob {
     plan_ = plan_scene(source_.scene);
     writer_->set_simulated(std::move(tables), drawing_of(source_.scene), plan_.cells.size());
     return true;
+  }
+
+  // Steps of other engines are taken anew by a session that goes on.
+  Simulation simulate_one(const Dynamics& dynamics, const std::string& engine, std::int32_t number,
+                          SimulationHooks hooks, double& seconds) {
+    if (engine != kOwnEngine) {
+      EngineSteps steps(engine, source_.scene, dynamics);
+      hooks.store = nullptr;
+      hooks.advance = [&steps](double end, std::vector<BodyState>& bodies) { steps.advance(end, bodies); };
+      Simulation found = simulate(source_.scene, dynamics, nullptr, hooks);
+      seconds = steps.seconds();
+      return found;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<SimulationPart> before = store_->parts_of(number);
+    Simulation found = simulate(source_.scene, dynamics, friction_.get(), hooks, before);
+    seconds = store_->seconds_of(number) + seconds_since(begin);
+    return found;
   }
 
   bool answer() {
@@ -139,7 +175,7 @@ class SimulateJob {
     hooks.due = [this] { return store_->due(); };
     hooks.store = [this, number](const SimulationPart& part) { store_->store(number, part); };
     if (arguments_.quiet) return hooks;
-    const auto count = static_cast<double>(source_.accuracies.size());
+    const auto count = static_cast<double>(wanted_.size());
     hooks.progress = [this, &display, number, count](double share) {
       constexpr std::uint64_t kParts = 1000;
       const double seconds = seconds_since(begin_), done = (number + share) / count;
@@ -167,6 +203,7 @@ class SimulateJob {
 
   const SimulateArguments& arguments_;
   SceneSource source_;
+  std::vector<Wanted> wanted_ = wanted_of(source_);
   std::string path_;
   std::filesystem::path target_;
   std::unique_ptr<FrictionSolver> friction_;
@@ -198,6 +235,11 @@ void add_simulate_command(Command& scene, int& status) {
       .add_option("--tolerance", arguments->tolerances,
                   "How deep bodies may overlap, relative to the smallest one, in place of dynamics.tolerance")
       .type_name("D");
+  command
+      .add_option("--engine", arguments->engines,
+                  "raygauge, bullet, ode, mujoco, or a list of them, in place of dynamics.engine; of other "
+                  "engines' motions the least signed distance is proven")
+      .type_name("NAME");
   const Option resume =
       command.add_flag("--resume", arguments->resume, "Continue a simulation that was killed or interrupted");
   command.add_flag("--force", arguments->force, "Replace an existing results file of a scene")

@@ -170,6 +170,8 @@ std::string table_of(const SimulationTables& tables) {
         text += short_text(*number);
       else if (const auto* count = std::get_if<std::int64_t>(&value))
         text += std::to_string(*count);
+      else if (const auto* name = std::get_if<std::string>(&value))
+        text += language::csv(language::printable(*name));
       else
         text += std::to_string(std::get<std::int32_t>(value));
     }
@@ -191,6 +193,8 @@ std::string simulations_text(const SimulationTables& tables, bool contact) {
   if (contact) text += "  proven     no pair closer than " + short_text(row.least_distance) + " at any time";
   if (contact && row.unproven > 0) text += ", but for " + counted(row.unproven, "step");
   if (contact) text += "\n";
+  if (std::isnan(row.residual))
+    return text + "  residual   not known of " + language::printable(row.engine) + "\n";
   char residual[32];
   std::snprintf(residual, sizeof residual, "%.2g", row.residual);
   return text + "  residual   " + residual + " at most\n";

@@ -33,7 +33,7 @@ SimulationRow row_of(const Simulation& simulation, const Dynamics& dynamics, dou
     row.cuts += step.substeps - 1;
     row.impacts += step.impacts;
     row.contacts += step.contacts;
-    row.residual = std::max(row.residual, step.residual);
+    if (!(step.residual <= row.residual)) row.residual = step.residual;  // also what is not known
     const bool proven = std::isfinite(step.least_distance);
     row.unproven += proven ? 0 : 1;
     if (proven) row.least_distance = std::min(row.least_distance, step.least_distance);
@@ -48,10 +48,11 @@ SimulationRow row_of(const Simulation& simulation, const Dynamics& dynamics, dou
 }  // namespace
 
 void add_simulation(const Simulation& simulation, const Dynamics& dynamics, double seconds,
-                    SimulationTables& tables) {
+                    const std::string& engine, SimulationTables& tables) {
   const auto number = static_cast<std::int32_t>(tables.simulations.size());
   tables.simulations.push_back(row_of(simulation, dynamics, seconds));
   tables.simulations.back().simulation = number;
+  tables.simulations.back().engine = engine;
   for (const double t : simulation.scene.instants) {
     std::int32_t body = 0;
     for (const Body& one : simulation.scene.bodies)

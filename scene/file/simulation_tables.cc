@@ -46,11 +46,12 @@ const std::vector<Column<SimulationRow>>& simulation_columns() {
     column("impacts", "1", "laws of impact evaluated", &Row::impacts),
     column("contacts", "1", "points of contact problems", &Row::contacts),
     column("unproven", "1", "steps without a proven distance", &Row::unproven),
-    column("residual", "1", "largest relative residual", &Row::residual),
+    column("residual", "1", "largest relative residual; NaN: not known", &Row::residual),
     column("least_distance", "1", "proven, but for unproven steps; at most 0", &Row::least_distance),
     column("energy_change", "1", "at the end less at the start", &Row::energy_change),
     column("energy_rise", "1", "most by which it rose between two steps", &Row::energy_rise),
     column("error", "1", "farthest that a body is from where the finest has it", &Row::error),
+    later(column("engine", "", "whose motion it is", &Row::engine), std::string("raygauge")),
   };
   return kColumns;
 }

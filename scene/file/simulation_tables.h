@@ -10,12 +10,14 @@
 
 namespace raygauge {
 
-/// A row of /simulations: one for each combination of dynamics.step and dynamics.tolerance, the finest last.
+/// A row of /simulations: one for each step of other engines, then one for each combination of dynamics.step
+/// and dynamics.tolerance, the finest last.
 struct SimulationRow {
   std::int32_t simulation = 0;
   double step = 0, tolerance = 0, delta = 0, seconds = 0;
   std::int64_t steps = 0, cuts = 0, impacts = 0, contacts = 0, unproven = 0;
   double residual = 0, least_distance = 0, energy_change = 0, energy_rise = 0, error = 0;
+  std::string engine;
 };
 
 /// A row of /states: where a body is at an instant. In the plane z and the spins but wz are 0.

@@ -10,6 +10,7 @@
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
 #include "engine/numerics/floating_point.h"
+#include "scene/input/scene_source.h"
 
 namespace raygauge::cli {
 namespace {
@@ -70,7 +71,7 @@ PairLaw read_pair(const toml::node& node, const BodiesNamed& bodies_named) {
 }  // namespace
 
 std::map<std::string, std::vector<std::string>> dynamics_keys() {
-  return {{"dynamics", {"gravity", "contact", "damping", "step", "tolerance", "pair"}},
+  return {{"dynamics", {"gravity", "contact", "damping", "step", "tolerance", "pair", "engine"}},
           {"dynamics.contact", {"friction", "restitution"}},
           {"dynamics.damping", {"linear", "angular"}},
           {"dynamics.pair", {"between", "friction", "restitution"}}};
@@ -114,6 +115,23 @@ std::vector<SimulationAccuracy> read_accuracies(const toml::table& table) {
   if (const toml::node* node = table.get("tolerance"))
     tolerances = read_reals(*node, "dynamics.tolerance", {1e-9, 0.1});
   return accuracies_of(std::move(steps), std::move(tolerances));
+}
+
+std::vector<std::string> read_engines(const toml::table& table) {
+  static const std::vector<std::string> kKnown = {"bullet", "ode", "mujoco", kOwnEngine};
+  const toml::node* node = table.get("engine");
+  if (node == nullptr) return {kOwnEngine};
+  std::vector<std::string> named;
+  if (!node->is_array()) named.push_back(read_text(*node, "dynamics.engine"));
+  for (std::size_t k = 0; node->is_array() && k < node->as_array()->size(); ++k)
+    named.push_back(read_text((*node->as_array())[k], "dynamics.engine"));
+  std::vector<std::string> engines;
+  for (const std::string& one : kKnown) {
+    if (std::erase(named, one) > 0) engines.push_back(one);
+  }
+  if (!named.empty() || engines.empty())
+    refuse(*node, "dynamics.engine must name raygauge, bullet, ode or mujoco");
+  return engines;
 }
 
 Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesNamed& bodies_named) {

@@ -28,7 +28,10 @@ using BodiesNamed = std::function<const std::vector<int>&(const std::string&, co
 /// Each combination of dynamics.step and dynamics.tolerance. Throws Error, with file and line.
 std::vector<SimulationAccuracy> read_accuracies(const toml::table& table);
 
-/// [dynamics], but for the bodies and the accuracies. Throws Error, with file and line.
+/// dynamics.engine: names of engines, "raygauge" the last. Throws Error, with file and line.
+std::vector<std::string> read_engines(const toml::table& table);
+
+/// [dynamics], but for the bodies, the engines and the accuracies. Throws Error, with file and line.
 Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesNamed& bodies_named);
 
 }  // namespace raygauge::cli

@@ -76,6 +76,10 @@ void add_dynamics(const SceneSource& source, std::ostringstream& text) {
   if (dynamics.damping) text << ' ' << dynamics.damping->linear << ' ' << dynamics.damping->angular;
   text << "\naccuracies =";
   for (const SimulationAccuracy& one : source.accuracies) text << ' ' << one.step << '/' << one.tolerance;
+  if (source.engines != std::vector<std::string>{kOwnEngine}) {
+    text << "\nengines =";
+    for (const std::string& engine : source.engines) text << ' ' << engine;
+  }
   text << '\n';
 }
 

@@ -260,6 +260,7 @@ class SceneReader {
                           return bodies_named(name, at);
                         });
       set_accuracies(source_, read_accuracies(*node->as_table()));
+      source_.engines = read_engines(*node->as_table());
     }
     for (const auto& [table, how] : reactions_) {
       if (source_.dynamics) source_.dynamics->bodies.push_back(how);

@@ -14,13 +14,16 @@
 
 namespace raygauge::cli {
 
+inline constexpr const char* kOwnEngine = "raygauge";
+
 /// A scene as its file has it.
 struct SceneSource {
   Scene scene;
   std::optional<Dynamics> dynamics;  ///< of [dynamics], as fine as the last of ...
   std::vector<SimulationAccuracy>
-      accuracies;    ///< ... each combination of its steps and tolerances, from coarse to fine
-  std::string text;  ///< the TOML source
+      accuracies;  ///< ... each combination of its steps and tolerances, from coarse to fine
+  std::vector<std::string> engines;  ///< dynamics.engine; kOwnEngine is the last, where it is asked for
+  std::string text;                  ///< the TOML source
   std::vector<std::string> metrics;  ///< by query: "euclidean", or the shape of the unit ball
   std::vector<std::string> notes;    ///< what is worth knowing of robots and meshes, one line each
   std::optional<PlanTable> plan;     ///< [plan], where there is one

@@ -123,7 +123,8 @@ json simulations_of(const SceneFile& file) {
   json list = json::array();
   if (!file.simulation) return list;
   for (const SimulationRow& row : file.simulation->simulations) {
-    list.push_back({{"step", number(row.step)},
+    list.push_back({{"engine", row.engine},
+                    {"step", number(row.step)},
                     {"tolerance", number(row.tolerance)},
                     {"seconds", number(row.seconds)},
                     {"steps", row.steps},

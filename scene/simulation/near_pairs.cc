@@ -205,6 +205,53 @@ double NearPairs::proven_until(double t, double end) {
   return proven;
 }
 
+double NearPairs::least_distance(double t, double end) {
+  constexpr int kMostHalvings = 12;
+  hand_motions();
+  sweep(t, end - t, 0);
+  double least = 0;
+  for (const Candidate* const met : may_meet_) {
+    ++counters_.motion_proofs;
+    const double band = scales_.delta + swept_[static_cast<std::size_t>(met->part_a)].travel +
+                        swept_[static_cast<std::size_t>(met->part_b)].travel;
+    const TimedLook first{t, look_at(*met, t, band)}, last{end, look_at(*met, end, band)};
+    least = std::min(least, least_of(*met, first, last, least, kMostHalvings));
+  }
+  return least;
+}
+
+PartContact NearPairs::look_at(const Candidate& candidate, double t, double band) {
+  PartContact contact;
+  look(candidate, part(candidate.part_a).body.motion->at(t), part(candidate.part_b).body.motion->at(t), band,
+       contact);
+  return contact;
+}
+
+// By planes across the normals at both ends and by those that turn from one to the other; by halves where
+// that leaves much. Bounds of at least `enough` are not improved.
+double NearPairs::least_of(const Candidate& candidate, const TimedLook& first, const TimedLook& last,
+                           double enough, int halvings) {
+  const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
+  PartWatch watch(*planes_, a, b, kEuclidean, nullptr);
+  const PairMotion motion(watch, first.time, last.time);
+  const double length = last.time - first.time;
+  const double way = (motion.a.speed(a.reach) + motion.b.speed(b.reach)) * length;
+  if (std::max(first.contact.lower, last.contact.lower) > way * kOutward) return 0;
+  const double least = std::min({0.0, first.contact.lower, last.contact.lower});
+  const double aim = std::min(enough, least - std::max(scales_.delta / 4, -0.01 * least));
+  PlaneSteps steps(watch);
+  const SmallVector u = first.contact.normal.head(n_), w = last.contact.normal.head(n_);
+  double bound = steps.least_along(u, first.time, last.time, motion);
+  if (bound < aim) bound = std::max(bound, steps.least_along(w, last.time, first.time, motion));
+  if (bound < aim) bound = std::max(bound, steps.least_turning(u, w, first.time, last.time, motion));
+  if (bound >= aim || halvings == 0) return bound;
+  const double middle = first.time + length / 2;
+  const TimedLook between{middle, look_at(candidate, middle, scales_.delta + way)};
+  const double before = least_of(candidate, first, between, enough, halvings - 1);
+  const double after = least_of(candidate, between, last, std::min(enough, before), halvings - 1);
+  return std::max(bound, std::min(before, after));
+}
+
 NearPairs::~NearPairs() = default;
 
 // Without a contact up to there, or with one exactly there.

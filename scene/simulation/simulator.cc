@@ -148,6 +148,10 @@ bool Simulator::step(double to) {
   end_of_step_ = to;
   while (t_ < to) {
     if (stop_now()) return false;
+    if (hooks_.advance) {
+      advance(to);
+      continue;
+    }
     const double dt = longest_substep(to);
     follow_motions();
     near_ = &pairs_->find(t_, dt);

@@ -26,6 +26,7 @@ class Simulator {
   void make_parts();
   void refuse_overlaps();
   bool step(double to);
+  void advance(double to);
   double longest_substep(double to) const;
   void follow_motions();
   void choose_roles(double dt);

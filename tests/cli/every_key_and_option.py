@@ -71,7 +71,7 @@ PAIRED = REACTING.replace("[[body]]", '[[dynamics.pair]]\nbetween = ["a", "b"]\n
 DYNAMICS_KEYS = {
     "dynamics": {"gravity": "gravity = [0, 0, -5]", "contact": "contact = { restitution = 0.5, friction = 0.5 }",
                  "damping": "damping = { linear = 1, angular = 2 }", "step": "step = 1e-2", "tolerance": "tolerance = 1e-3",
-                 "pair": ""},
+                 "pair": "", "engine": 'engine = "bullet"'},
     "dynamics.pair": {"between": 'between = ["b", "b"]', "friction": "friction = 0.5", "restitution": "restitution = 1"},
 }
 
@@ -278,6 +278,7 @@ OPTIONS = {
         "--skip-missing-meshes": (["scene", "simulate", "meshes.toml", "-o", "x.h5", "--skip-missing-meshes"], 0, says("note: ")),
         "--step": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--step", "0.25"], 0, says("2 steps")),
         "--tolerance": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--tolerance", "2"], NO_EFFECT, says("tolerance")),
+        "--engine": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--engine", "havok"], NO_EFFECT, says("raygauge, bullet")),
         "--force": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--force"], 0, says("500 steps")),
         "--resume": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--resume"], 0, says("500 steps")),
         "--quiet": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--quiet"], 0, silent),

@@ -59,7 +59,8 @@ class Packages(unittest.TestCase):
         self.assertRegex(field(self.packages["raygauge"], "Depends"), r"libhdf5.*libstdc\+\+6")
         self.assertIn("libgomp1", field(self.packages["libraygauge0.2"], "Depends"))
         self.assertNotRegex(field(self.packages["raygauge"], "Depends"), "mpi|siconos|mumps")
-        for module, library in (("mpi", "libopenmpi"), ("siconos", "libsiconos-numerics")):
+        for module, library in (("mpi", "libopenmpi"), ("siconos", "libsiconos-numerics"), ("bullet", "libbullet"), ("ode", "libode"),
+                                ("mujoco", "libmujoco")):
             if f"raygauge-{module}" in self.packages:
                 self.assertRegex(field(self.packages[f"raygauge-{module}"], "Depends"), rf"raygauge \(= .*{library}")
         self.assertEqual("raygauge-siconos" in self.packages, "libraygauge-friction" in self.packages)

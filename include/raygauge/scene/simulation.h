@@ -31,7 +31,7 @@ struct StepRecord {
   std::int64_t substeps = 0;  ///< 1 + how often it was cut
   std::int64_t impacts = 0;   ///< impact laws evaluated
   std::int64_t contacts = 0;  ///< points of contact problems solved
-  double residual = 0;        ///< the largest of those problems, see friction_residual()
+  double residual = 0;        ///< the largest of those problems, see friction_residual(); NaN: not known
   double least_distance = 0;  ///< proven: no pair came closer at any time of the step; -infinity: unproven
   double kinetic = 0, potential = 0;
   Eigen::Vector3d momentum, angular_momentum;  ///< of all bodies that react, about the origin
@@ -60,12 +60,24 @@ struct Simulation {
 
 struct SimulationPart;  // scene/simulation/simulation_part.h
 
+/// Where a body is, by its centre of mass, and how it moves. In the plane vectors have zeros behind them.
+struct BodyState {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();  ///< angular velocity, in space
+};
+
 struct SimulationHooks {
   std::function<bool()> stop;                  ///< true: end here; a step that is not done is taken back
   std::function<void(double share)> progress;  ///< of the time that is done
   std::function<bool()> due;                   ///< after a step: whether to call `store` now
   std::function<void(const SimulationPart& part)>
       store;  ///< what happened since its last call; also at the end
+  /// Another engine: it takes a step until `end`, and sets the states of the bodies that react, of all bodies
+  /// in the order of the scene. Between the ends of a step each moves and turns evenly. Of this motion the
+  /// least signed distance is proven, and no limit is kept.
+  std::function<void(double end, std::vector<BodyState>& bodies)> advance;
 };
 
 /// Lets the bodies of the scene react, from its first instant to its last, in steps of at most dynamics.step.

@@ -86,15 +86,15 @@ page.startSimulations = () => {
     const x = page.logScale(drawn.map((s) => s.seconds), left + 20, right - 20), y = page.logScale(drawn.map((s) => s.error), bottom, top);
     for (const s of drawn) {
       page.svg('circle', { cx: x.at(s.seconds), cy: y.at(s.error), r: 4, fill: 'var(--line)' }, picture);
-      page.svg('text', { x: x.at(s.seconds), y: y.at(s.error) - 8, 'text-anchor': 'middle' }, picture, page.digits(s.step));
+      page.svg('text', { x: x.at(s.seconds), y: y.at(s.error) - 8, 'text-anchor': 'middle' }, picture, s.engine === 'raygauge' ? page.digits(s.step) : `${s.engine} ${page.digits(s.step)}`);
     }
-    page.axes(picture, x.at, y.at, x.ticks, y.ticks, { x: 'seconds', y: 'distance from the finest' });
+    page.axes(picture, x.at, y.at, x.ticks, y.ticks, { x: 'seconds', y: 'distance from the finest / m' });
     figure.append(page.element('figcaption', {}, 'Each mark is a simulation, with its step in seconds.'));
     section.append(figure);
   }
-  const head = ['step', 'tolerance', 'time', 'steps', 'cuts', 'unproven', 'proven overlap', 'residual', 'energy change', 'energy rise', 'from the finest'];
-  section.append(page.fillTable(page.element('table', { id: 'simulation-table' }), head, list.map((s) => [page.digits(s.step), page.digits(s.tolerance),
-    page.duration(s.seconds), s.steps, s.cuts, s.unproven, page.digits(s.overlap), page.digits(s.residual), page.digits(s.energy_change),
+  const head = ['engine', 'step', 'tolerance', 'time', 'steps', 'cuts', 'unproven', 'proven overlap', 'residual', 'energy change', 'energy rise', 'from the finest'];
+  section.append(page.fillTable(page.element('table', { id: 'simulation-table' }), head, list.map((s) => [s.engine, page.digits(s.step), page.digits(s.tolerance),
+    page.duration(s.seconds), s.steps, s.cuts, s.unproven, page.digits(s.overlap), s.residual === null ? '–' : page.digits(s.residual), page.digits(s.energy_change),
     page.digits(s.energy_rise), s.error === null ? '–' : page.digits(s.error)].map(String))));
 };
 

@@ -420,6 +420,42 @@ class Scenes(unittest.TestCase):
         self.run_raygauge("scene", "simulate", self.scenes / "dynamics" / "bouncing_ball.toml", "-q", "-o", lone, "--step", "1e-2")
         self.assertIn("cost", self.run_raygauge("plot", lone, "--figure", "cost", "-o", self.work / "x.svg", status=2).stderr)
 
+    def test_the_motions_of_other_engines_are_proven_and_compared(self):
+        results, scene = self.work / "engines.h5", self.work / "pile.toml"
+        boxes = "".join(f'[[body]]\nname = "b{k}"\nshape = {{ shape = "box", lower = [-0.2, -0.2, -0.1], upper = [0.2, 0.2, 0.1] }}\n'
+                        f"density = 1000\npose = {{ translation = [{0.05 * k}, 0, {0.15 + 0.25 * k}] }}\n" for k in range(3))
+        scene.write_text('name = "pile"\n[time]\nto = 0.5\ninstants = 6\n[dynamics]\ngravity = [0, 0, -9.81]\ncontact = {}\n'
+                         f'step = [1e-2, 2e-3]\n{boxes}[[body]]\nname = "floor"\nshape = {{ shape = "half_space", normal = [0, 0, 1], offset = 0 }}\n')
+        for engine in ("bullet", "ode", "mujoco"):
+            with self.subTest(engine):
+                done = subprocess.run([self.raygauge, "scene", "simulate", scene, "-o", results, "--force", "--engine", f"raygauge,{engine}"],
+                                      capture_output=True, text=True)
+                if done.returncode != 0:  # a build without it
+                    self.assertRegex(done.stderr, f"apt-get install lib{engine}-dev")
+                    continue
+                rows = self.table(results, "--simulations")
+                self.assertEqual([row["engine"] for row in rows], [engine, engine, "raygauge", "raygauge"])
+                for row in rows:
+                    self.assertEqual(row["unproven"], "0")
+                    self.assertEqual(row["residual"] == "nan", row["engine"] != "raygauge")
+                    if row["engine"] == "raygauge":
+                        self.assertGreaterEqual(float(row["least_distance"]), -float(row["delta"]))
+                    else:  # it sinks, and not through the floor
+                        self.assertLess(float(row["least_distance"]), -float(row["delta"]))
+                        self.assertGreater(float(row["least_distance"]), -0.1)
+                        self.assertLess(float(row["error"]), 0.1)
+                heights = {row["body"]: float(row["z"]) for row in self.table(results) if row["simulation"] == "1" and row["time"] == "0.5"}
+                for k in range(3):
+                    self.assertAlmostEqual(heights[f"b{k}"], 0.1 + 0.2 * k, 1)
+                self.run_raygauge("plot", results, "-o", self.work / "engines.svg", "--figure", "cost")
+                svg = (self.work / "engines.svg").read_text()
+                for words in (engine, "rise of energy / J", "overlap, at most / m"):
+                    self.assertIn(words, svg)
+                self.assertIn(engine, self.run_raygauge("table", results).stdout)
+        cone = scene.read_text().replace('shape = "box", lower = [-0.2, -0.2, -0.1], upper = [0.2, 0.2, 0.1]', 'shape = "cone", base = [0, 0, 0], top = [0, 0, 1], radius = 1')
+        (self.work / "cone.toml").write_text(cone)
+        self.run_raygauge("scene", "simulate", self.work / "cone.toml", "-o", self.work / "cone.h5", "--engine", "ode", status=2)
+
     def heap(self):
         """Boxes that fall on each other: steps are cut, guesses and normals of one step matter in the next."""
         bodies = "".join(
