@@ -55,9 +55,10 @@ int run(int argc, char** argv) {
   app.add_flag("--processor-time", effort.processor_time,
                "the rows high, degenerate, shapes and euclidean in processor time, for machines that other "
                "work keeps busy");
-  app.add_option("--limit", effort.limit,
-                 "seconds a solve of the row degenerate, whose bounds are shown then, without competitors; 0: "
-                 "a minute, with them")
+  app.add_option(
+         "--limit", effort.limit,
+         "seconds a solve of the row degenerate, whose bounds are shown then, without competitors; 0: "
+         "a minute, with them")
       ->check(CLI::Range(0.0, 1e4));
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);

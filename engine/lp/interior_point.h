@@ -27,7 +27,8 @@ class InteriorPoint {
   enum class End : std::uint8_t {
     converged,
     separated,  ///< all of Q is strictly behind the plane of normal(), and A before it
-    failed,     ///< no progress, or the stopwatch
+    late,       ///< the stopwatch leaves no more than the time to prove what weights() are worth
+    failed,     ///< no progress
   };
 
   /// Over the points, from a guess of the normal's direction (n doubles).
@@ -54,6 +55,9 @@ class InteriorPoint {
     double weight;
   };
   void carriers(double unit, std::vector<Carrier>& carriers) const;
+
+  /// All columns with their weights, positive numbers, wherever the last solve ended.
+  void weights(std::vector<Carrier>& weights) const;
 
   /// Whether not just n + 1 columns carry weight.
   bool is_degenerate() const { return columns_with_weight() != n_ + 1; }
@@ -110,7 +114,7 @@ class InteriorPoint {
   int columns_with_weight() const;
 
   int n_ = 0;
-  bool many_ = false;  // points
+  bool many_ = false;                                        // points
   double enough_ = std::numeric_limits<double>::infinity();  // of t
   const Kernels* kernels_ = nullptr;
   std::int64_t iterations_ = 0;

@@ -52,7 +52,7 @@ void OptimalFace::add(const double* column, double cost, double weight, std::int
 
 // By elimination with complete pivoting. Columns count by their weights: the pivots' weights are those that
 // will change.
-void OptimalFace::eliminate(const Stopwatch& stopwatch) {
+void OptimalFace::eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   const auto m = static_cast<std::size_t>(m_);
   const auto count = static_cast<std::size_t>(this->count());
   pivots_.clear();
@@ -68,6 +68,12 @@ void OptimalFace::eliminate(const Stopwatch& stopwatch) {
     for (std::size_t k = 0; k < m; ++k) column[k] *= scale;
     largest_[i] = largest_of(column, m);
     left_.push_back(static_cast<int>(i));
+  }
+  if (std::ssize(left_) > most) {
+    std::nth_element(left_.begin(), left_.begin() + most, left_.end(), [this](int a, int b) {
+      return largest_[static_cast<std::size_t>(a)] > largest_[static_cast<std::size_t>(b)];
+    });
+    left_.resize(static_cast<std::size_t>(most));
   }
   double first = 0;
   while (rank() < m_ && !left_.empty() && !stopwatch.expired()) {
@@ -141,9 +147,9 @@ bool OptimalFace::is_independent_zero(const Stopwatch& stopwatch) {
   return true;
 }
 
-bool OptimalFace::choose(const Stopwatch& stopwatch) {
+bool OptimalFace::choose(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   if (ids_.empty()) return false;
-  eliminate(stopwatch);
+  eliminate(stopwatch, most);
   const int r = rank();
   if (r == 0 || stopwatch.expired()) return false;
   basis_.reset(r, *kernels_);

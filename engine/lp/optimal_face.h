@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/kernels/kernel.h"
@@ -24,8 +26,8 @@ class OptimalFace {
   void add(const double* column, double cost, double weight, std::int64_t id);
   int count() const noexcept { return static_cast<int>(ids_.size()); }
 
-  /// Chooses the pivots. False where there are none.
-  bool choose(const Stopwatch& stopwatch);
+  /// Chooses the pivots, of the `most` columns with the largest weighted entries. False where there are none.
+  bool choose(const Stopwatch& stopwatch, std::ptrdiff_t most = std::numeric_limits<std::ptrdiff_t>::max());
   int rank() const noexcept { return static_cast<int>(pivots_.size()); }
   int pivot_row(int i) const { return pivots_[static_cast<std::size_t>(i)].row; }  ///< i < rank()
 
@@ -58,7 +60,7 @@ class OptimalFace {
     int row;
     int column;
   };
-  void eliminate(const Stopwatch& stopwatch);
+  void eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most);
   void clear_row_of(const double* chosen, int id);
   bool leave_one_out();
   void remove(int i);

@@ -36,10 +36,9 @@ void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions&
   if (separated_ && is_separated()) {
     return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
   }
-  const bool look_inside = interior_.is_degenerate() || ray_.upper() < kInfinity;
-  if (interior_state_ == InteriorState::converged && look_inside && is_complete() &&
-      certify_inside(effects, result)) {
-    return;
+  if (may_be_proven_inside()) {
+    if (certify_inside(effects, result)) return;
+    begin_from_basis();
   }
   run(false, effects, result);
 }
@@ -76,7 +75,9 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   interior_state_ = InteriorState::untried;
   separated_ = false;
   farkas_.clear();
+  basis_is_due_ = false;
   ray_.forget();
+  upper_inside_ = kInfinity;
   pivots_at_zero_ = pivots_at_repair_ = -1;
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
@@ -244,6 +245,7 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
   late = late || stopwatch_->expired();
   if (!restricted) lower = std::max(lower, bound_inside(lower));
   if (n_ >= kLeastToStall && !(upper < kInfinity)) ray_.find(working_A_, working_Q_, n_);
+  upper = std::min(upper, upper_inside_);
   if (ray_.upper() < upper)
     return finish_with_ray(late ? DistanceStatus::time_limit : status_of(end), lower, effects, result);
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);

@@ -50,6 +50,9 @@ class Sifting {
              const Stopwatch& stopwatch);
   void start();
   void start_inside();
+  void start_at_normal();
+  void begin_from_basis();
+  bool may_be_proven_inside() const;
   bool is_separated();
   bool choose_frame();
   int least_for_interior() const;
@@ -67,6 +70,8 @@ class Sifting {
   bool whiten();
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
+  double upper_of_weights();
+  void collect_carriers(bool with_Q);
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_ray(Effects effects, DistanceResult& result);
   void finish_with_ray(DistanceStatus status, double lower, Effects effects, DistanceResult& result);
@@ -134,8 +139,10 @@ class Sifting {
   WhitenedPoints whitened_;
   enum class InteriorState : std::uint8_t { untried, failed, converged };
   InteriorState interior_state_ = InteriorState::untried;
-  bool separated_ = false;  // by interior_, the working sets
+  bool separated_ = false;     // by interior_, the working sets
+  bool basis_is_due_ = false;  // program_ has not begun from the columns of interior_ yet
   CommonRay ray_;
+  double upper_inside_ = 0;  // proven where a limit ended interior_; +infinity otherwise
   OptimalFace face_;
   bool by_face_ = false;                // whether that proved the last upper bound
   std::int64_t pivots_at_zero_ = -1;    // when certify_zero() tried last

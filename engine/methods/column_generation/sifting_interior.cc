@@ -65,7 +65,9 @@ void Sifting::solve_inside(const double* guess) {
   if (end == InteriorPoint::End::failed && interior_.iterations() < kFewIterations && whiten())
     end = interior_.solve_whitened(whitened_, n_, guess, *kernels_, *stopwatch_);
   separated_ = end == InteriorPoint::End::separated;
-  interior_state_ = end == InteriorPoint::End::failed ? InteriorState::failed : InteriorState::converged;
+  const bool converged = separated_ || end == InteriorPoint::End::converged;
+  interior_state_ = converged ? InteriorState::converged : InteriorState::failed;
+  if (end == InteriorPoint::End::late) upper_inside_ = upper_of_weights();
 }
 
 bool Sifting::whiten() {
@@ -118,20 +120,34 @@ void Sifting::finish_with_ray(DistanceStatus status, double lower, Effects effec
   for (int k = 0; k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
 }
 
+// carriers_ into face_, those of A alone or of both sets.
+void Sifting::collect_carriers(bool with_Q) {
+  face_.begin(n_ + 1, *kernels_);
+  std::vector<double> column(static_cast<std::size_t>(n_) + 1);
+  for (const auto& [id, weight] : carriers_) {
+    const bool from_Q = is_from_Q(id);
+    if (from_Q && !with_Q) continue;
+    (from_Q ? working_Q_ : working_A_).copy_point(id / 2, column.data());
+    for (int k = 0; from_Q && k < n_; ++k) column[static_cast<std::size_t>(k)] *= -1;
+    column.back() = from_Q ? 0.0 : 1.0;
+    face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
+  }
+}
+
+// An upper bound from weights that need not be optimal: all are positive, and n + 1 of them take what the
+// equations still miss.
+double Sifting::upper_of_weights() {
+  interior_.weights(carriers_);
+  collect_carriers(true);
+  const std::ptrdiff_t most = n_ + 1 + n_ / 4;
+  return face_.choose(*stopwatch_, most) ? face_.upper(*stopwatch_) : kInfinity;
+}
+
 // The carriers where d is about `distance`, those of A alone where that is 0.
 bool Sifting::certify_carriers(double distance, Effects effects, DistanceResult& result) {
   interior_.carriers(distance > 0 ? distance : 1.0, carriers_);
-  face_.begin(n_ + 1, *kernels_);
+  collect_carriers(distance > 0);
   const std::size_t rows = static_cast<std::size_t>(n_) + 1;
-  std::vector<double> column(rows);
-  for (const auto& [id, weight] : carriers_) {
-    const bool from_Q = is_from_Q(id);
-    if (from_Q && distance == 0) continue;
-    (from_Q ? working_Q_ : working_A_).copy_point(id / 2, column.data());
-    for (int k = 0; from_Q && k < n_; ++k) column[static_cast<std::size_t>(k)] *= -1;
-    column[static_cast<std::size_t>(n_)] = from_Q ? 0.0 : 1.0;
-    face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
-  }
   if (!face_.choose(*stopwatch_)) return false;
   const double upper = face_.upper(*stopwatch_);
   if (!(upper < kInfinity)) return false;
@@ -314,7 +330,10 @@ void Sifting::finish_with_face(double lower, double upper, Effects effects, Dist
   if (upper == 0) {
     result.status = DistanceStatus::contains_origin;
     weights_of_face(result.origin_weights);
-    if (!face_.is_rounded()) find_origin_weights(result.origin_weights);
+    if (!face_.is_rounded()) {
+      begin_from_basis();
+      find_origin_weights(result.origin_weights);
+    }
   }
   double distance = 0;
   for (int i = 0; i < face_.count(); ++i) distance += is_from_Q(face_.id(i)) ? face_.weight(i) : 0.0;

@@ -3,6 +3,7 @@
 // Where sifting begins: the first normal, by a guess or by the interior-point method.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/lp/affords.h"
 #include "engine/methods/column_generation/sifting.h"
@@ -52,6 +53,8 @@ void Sifting::start() {
   if (look) axes_.find(working_Q_.view(), n_);
   if (n_ >= least_for_interior() && !(look && axes_.complete())) {
     solve_inside(guess);
+    basis_is_due_ = may_be_proven_inside();
+    if (basis_is_due_) return start_at_normal();
     if (interior_state_ == InteriorState::converged) return start_inside();
   }
   const double error = guess_error();
@@ -81,6 +84,22 @@ void Sifting::start_inside() {
   if (!separated_ && affords(*stopwatch_, 2 * cube(n_ + 1)) &&
       program_.start_from(working_A_, working_Q_, start_))
     return;
+  start_at_normal();
+}
+
+// Whether what the interior-point method ends with may prove the answer without a basis, whose inverse takes
+// longer than all its other proofs.
+bool Sifting::may_be_proven_inside() const {
+  return interior_state_ == InteriorState::converged && is_complete() && chosen_A_.empty() &&
+         (ray_.upper() < kInfinity || interior_.is_degenerate());
+}
+
+// What start() has put off.
+void Sifting::begin_from_basis() {
+  if (std::exchange(basis_is_due_, false)) start_inside();
+}
+
+void Sifting::start_at_normal() {
   double* guess = direction_.data();
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(interior_.normal()[k]));

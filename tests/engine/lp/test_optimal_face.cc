@@ -63,6 +63,20 @@ TEST(OptimalFace, ProvesTheCostOfItsWeights) {
   }
 }
 
+// Weights that are not optimal, three times as many as rows: any few of the heaviest make up for the error.
+TEST(OptimalFace, ProvesTheCostOfInteriorWeightsByTheHeaviestColumns) {
+  Random random(53);
+  OptimalFace face;
+  const int m = 40, count = 120;
+  const Columns columns = columns_with_solution(m, count, random);
+  face.begin(m, best_kernels());
+  for (int i = 0; i < count; ++i)
+    face.add(columns.M.col(i).eval().data(), i % 2, columns.weights[i] * (i % 3 == 0 ? 1 + 1e-9 : 1), i);
+  ASSERT_TRUE(face.choose(Stopwatch(), m + m / 4));
+  EXPECT_EQ(face.rank(), m);
+  EXPECT_NEAR(face.upper(Stopwatch()), cost_of(columns), 1e-7);
+}
+
 // More columns than their rank: some weights stay as they are, the others make up for it.
 TEST(OptimalFace, ProvesTheCostOfDependentColumns) {
   Random random(52);
