@@ -22,6 +22,7 @@
 #include "cli/output/output_file.h"
 #include "cli/output/terminal.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/half_space.h"
 #include "results/run/output_place.h"
 #include "results/text/language.h"
 #include "scene/commands/collision_journal.h"
@@ -101,6 +102,10 @@ Matrix matrix_of(const CollisionArguments& arguments) {
   for (std::size_t i = 0; i < matrix.robot.links.size(); ++i) {
     const RobotLink& link = matrix.robot.links[i];
     if (link.shapes.empty()) continue;
+    if (as_half_space(*link.shapes.front()) != nullptr) {
+      matrix.robot.left_out.push_back("the plane '" + link.name + "', which is not bounded");
+      continue;
+    }
     model.bodies.push_back({link.name, static_cast<int>(i), link.shapes});
     if (!arguments.srdf.empty()) language::xml_attribute(link.name);  // refused before hours of proofs
   }
