@@ -36,9 +36,6 @@ constexpr double kMostSum = 1e6;
 // each step is lost, and made up for by the next.
 constexpr double kNegligible = 1e-4;
 
-// Of an upper bound from the weights, for n³: the time that a limit must leave for it.
-constexpr double kProof = 4;
-
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
 }  // namespace
@@ -75,8 +72,9 @@ InteriorPoint::End InteriorPoint::solve(const PricedPoints& A, const PricedPoint
   const int limit = many_ ? kIterations : kIterationsOfFew;
   for (iterations_ = 1; iterations_ <= limit; ++iterations_) {
     const double squares = static_cast<double>(n) * n;
-    const double operations = squares * (0.5 * static_cast<double>(count_) + n) + kProof * cube(n);
-    if (stopwatch.expired() || !affords(stopwatch, operations)) return End::late;
+    if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n))) {
+      return End::failed;
+    }
     if (single) single = factor(true);
     if (!single && !factor(false)) return End::failed;
     const double length = step();
@@ -279,14 +277,6 @@ void InteriorPoint::carriers(double unit, std::vector<Carrier>& carriers) const 
       if (!(weight_over_slack(*side, at, unit) > 1)) continue;
       carriers.push_back({side == &A_ ? id_of_A(i) : id_of_Q(i), side->x[at]});
     }
-  }
-}
-
-void InteriorPoint::weights(std::vector<Carrier>& weights) const {
-  weights.clear();
-  for (const Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->points.size; ++i)
-      weights.push_back({side == &A_ ? id_of_A(i) : id_of_Q(i), side->x[static_cast<std::size_t>(i)]});
   }
 }
 

@@ -27,8 +27,7 @@ class InteriorPoint {
   enum class End : std::uint8_t {
     converged,
     separated,  ///< all of Q is strictly behind the plane of normal(), and A before it
-    late,       ///< the stopwatch leaves no more than the time to prove what weights() are worth
-    failed,     ///< no progress
+    failed,     ///< no progress, or the stopwatch
   };
 
   /// Over the points, from a guess of the normal's direction (n doubles).
@@ -55,9 +54,6 @@ class InteriorPoint {
     double weight;
   };
   void carriers(double unit, std::vector<Carrier>& carriers) const;
-
-  /// All columns with their weights, positive numbers, wherever the last solve ended.
-  void weights(std::vector<Carrier>& weights) const;
 
   /// Whether not just n + 1 columns carry weight.
   bool is_degenerate() const { return columns_with_weight() != n_ + 1; }

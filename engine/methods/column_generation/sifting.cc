@@ -77,7 +77,6 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   farkas_.clear();
   basis_is_due_ = false;
   ray_.forget();
-  upper_inside_ = kInfinity;
   pivots_at_zero_ = pivots_at_repair_ = -1;
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
@@ -245,7 +244,6 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
   late = late || stopwatch_->expired();
   if (!restricted) lower = std::max(lower, bound_inside(lower));
   if (n_ >= kLeastToStall && !(upper < kInfinity)) ray_.find(working_A_, working_Q_, n_);
-  upper = std::min(upper, upper_inside_);
   if (ray_.upper() < upper)
     return finish_with_ray(late ? DistanceStatus::time_limit : status_of(end), lower, effects, result);
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);

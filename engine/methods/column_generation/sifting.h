@@ -70,7 +70,6 @@ class Sifting {
   bool whiten();
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
-  double upper_of_weights();
   void collect_carriers(bool with_Q);
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_ray(Effects effects, DistanceResult& result);
@@ -142,7 +141,6 @@ class Sifting {
   bool separated_ = false;     // by interior_, the working sets
   bool basis_is_due_ = false;  // program_ has not begun from the columns of interior_ yet
   CommonRay ray_;
-  double upper_inside_ = 0;  // proven where a limit ended interior_; +infinity otherwise
   OptimalFace face_;
   bool by_face_ = false;                // whether that proved the last upper bound
   std::int64_t pivots_at_zero_ = -1;    // when certify_zero() tried last

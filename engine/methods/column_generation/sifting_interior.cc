@@ -67,7 +67,6 @@ void Sifting::solve_inside(const double* guess) {
   separated_ = end == InteriorPoint::End::separated;
   const bool converged = separated_ || end == InteriorPoint::End::converged;
   interior_state_ = converged ? InteriorState::converged : InteriorState::failed;
-  if (end == InteriorPoint::End::late) upper_inside_ = upper_of_weights();
 }
 
 bool Sifting::whiten() {
@@ -132,15 +131,6 @@ void Sifting::collect_carriers(bool with_Q) {
     column.back() = from_Q ? 0.0 : 1.0;
     face_.add(column.data(), from_Q ? 1.0 : 0.0, weight, id);
   }
-}
-
-// An upper bound from weights that need not be optimal: all are positive, and n + 1 of them take what the
-// equations still miss.
-double Sifting::upper_of_weights() {
-  interior_.weights(carriers_);
-  collect_carriers(true);
-  const std::ptrdiff_t most = n_ + 1 + n_ / 4;
-  return face_.choose(*stopwatch_, most) ? face_.upper(*stopwatch_) : kInfinity;
 }
 
 // The carriers where d is about `distance`, those of A alone where that is 0.
