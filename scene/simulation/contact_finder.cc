@@ -88,6 +88,21 @@ void ContactFinder::find(const Posed& a, const Posed& b, double band, const Eige
   contact.overlap = proven.depth.evaluations > 0 ? std::max(0.0, proven.depth.lower) : 0;
 }
 
+// Corners of a patch may miss the nearest pair of curved bodies by a share of the band: a patch of a narrower
+// one has it.
+void ContactFinder::add_nearest(const Posed& a, const Posed& b, double band, PartContact& contact) {
+  const auto gap_of = [](const auto& one, const auto& two) { return one.gap < two.gap; };
+  if (contact.points.empty()) return;
+  const double least = std::min_element(contact.points.begin(), contact.points.end(), gap_of)->gap;
+  const double narrow = std::max(0.0, contact.lower) + 10 * miss_;
+  if (!(least - contact.lower > miss_ && narrow < band)) return;
+  const ContactPatch& patch = solver_.solve(a, b, narrow);
+  const auto all = patch.contacts();
+  const auto nearest = std::min_element(all.begin(), all.end(), gap_of);
+  if (nearest == all.end() || !(nearest->gap < least)) return;
+  contact.points.push_back({(in_space(nearest->point_1) + in_space(nearest->point_2)) / 2, nearest->gap});
+}
+
 void ContactFinder::find_of_bounded(const Posed& a, const Posed& b, double band,
                                     const Eigen::Vector3d& previous, PartContact& contact) {
   const ContactPatch& patch = solver_.solve(a, b, band);
@@ -99,6 +114,7 @@ void ContactFinder::find_of_bounded(const Posed& a, const Posed& b, double band,
   for (const ContactPoint& point : patch.contacts())
     contact.points.push_back({(in_space(point.point_1) + in_space(point.point_2)) / 2, point.gap});
   straighten(contact.normal, kRounding * patch.error, contact.points);
+  add_nearest(a, b, band, contact);
   if (!contact.points.empty() || contact.lower > band) return;
   // Of bodies that touch to rounding no points may be known; curved ones touch where their support is.
   const bool by_a = a.set.smooth() || !b.set.smooth();

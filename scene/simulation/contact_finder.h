@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "raygauge/queries/contact_patch.h"
@@ -27,6 +28,9 @@ struct PartContact {
 /// Finds contacts of convex parts. One a thread: it owns the workspace.
 class ContactFinder {
  public:
+  /// The nearest or deepest pair of points is among those found, but for `miss` along the normal.
+  explicit ContactFinder(double miss = std::numeric_limits<double>::infinity()) : miss_(miss) {}
+
   /// Points with a gap above `band` are left out. `previous` is a normal to fall back on where the bodies
   /// touch and none is found.
   void find(const Posed& a, const Posed& b, double band, const Eigen::Vector3d& previous,
@@ -36,6 +40,9 @@ class ContactFinder {
   void find_of_bounded(const Posed& a, const Posed& b, double band, const Eigen::Vector3d& previous,
                        PartContact& contact);
 
+  void add_nearest(const Posed& a, const Posed& b, double band, PartContact& contact);
+
+  double miss_;
   ContactPatchSolver solver_;
   ObjectDistanceSolver distances_;  ///< from half-spaces, which have no patch of their own
 };

@@ -34,6 +34,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       scales_(scales),
       counters_(counters),
       n_(scene.dimension()),
+      finder_(scales.delta / 8),
       solver_(n_),
       planes_(std::make_unique<PairSolver>(n_)) {
   std::set<BodyPair> ignored;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions`, `edges` and `scenes`
-// check random pairs of convex sets, posed bodies, bodies at known distances, overlaps, used solvers, depths,
-// moving bodies, edges of robots and scenes: docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions`, `edges`, `scenes`
+// and `simulations` check random pairs of convex sets, posed bodies, bodies at known distances, overlaps,
+// used solvers, depths, moving bodies, edges of robots, scenes and simulations: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -20,6 +20,7 @@
 #include "tests/soak/random_edges.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
+#include "tests/soak/random_simulations.h"
 #include "tests/soak/run.h"
 #include "tests/soak/set_pairs.h"
 #include "tests/soak/used_solvers.h"
@@ -176,6 +177,8 @@ int main(int count, char** arguments) {
       app, "edges", "Edges of random robots, 10 a robot, against distances at 41 moments.", asked_pairs);
   const CLI::App* scenes = raygauge::soak::declare(
       app, "scenes", "Random scenes with every effect, against brute force.", asked_pairs);
+  const CLI::App* simulations = raygauge::soak::declare(
+      app, "simulations", "Random scenes of bodies that react: proofs, depths and energy.", asked_pairs);
   CLI11_PARSE(app, count, arguments);
   std::signal(SIGINT, raygauge::soak::note_interrupt);
   std::signal(SIGTERM, raygauge::soak::note_interrupt);
@@ -189,6 +192,7 @@ int main(int count, char** arguments) {
     if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
     if (*edges) return raygauge::soak::soak_pairs<raygauge::soak::RandomEdges>(asked_pairs);
     if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);
+    if (*simulations) return raygauge::soak::soak_pairs<raygauge::soak::RandomSimulations>(asked_pairs);
     return raygauge::soak::soak(asked);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raygauge_soak: %s\n", error.what());

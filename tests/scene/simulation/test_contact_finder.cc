@@ -9,6 +9,7 @@
 
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
+#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/half_space.h"
 
 namespace raygauge::test_contact_finder {
@@ -36,6 +37,26 @@ TEST(ContactFinder, a_ball_touches_a_box_in_one_point) {
       EXPECT_LE((contact.points[0].at - (turn * corner + Vector3d(1, 2, 3))).norm(), 1e-6);
       EXPECT_NEAR(contact.points[0].gap, gap, 1e-9);
       EXPECT_LE((contact.normal + turn * u).norm(), 1e-5);
+    }
+  }
+}
+
+// The rim of a cylinder, tilted a little: eight corners of its disc miss the deepest point.
+TEST(ContactFinder, the_deepest_point_of_a_rim_is_among_those_found) {
+  const Cylinder cylinder(Vector3d(0, 0, -0.3), Vector3d(0, 0, 0.3), 0.5);
+  const HalfSpace floor(Vector3d(0, 0, 1), 0);
+  for (const double turn : {0.01, 0.2, 0.39}) {
+    const Eigen::Matrix3d R = (Eigen::AngleAxisd(0.05, Vector3d::UnitX()) * Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
+                                  .toRotationMatrix();
+    for (const double gap : {1e-7, -1e-7}) {
+      const Pose pose(R, Vector3d(0, 0, gap + 0.3 * std::cos(0.05) + 0.5 * std::sin(0.05)));
+      ContactFinder finder(1e-8);
+      PartContact contact;
+      finder.find({cylinder, pose}, {floor}, 0.05, Vector3d::UnitX(), contact);
+      double least = 1;
+      for (const GapPoint& point : contact.points) least = std::min(least, point.gap);
+      EXPECT_NEAR(contact.lower, gap, 1e-12);
+      EXPECT_NEAR(least, gap, 1e-8);
     }
   }
 }
