@@ -23,7 +23,7 @@ MatrixXd lu_inverse(const MatrixXd& M) { return M.partialPivLu().inverse(); }
 
 bool is_invertible(const MatrixXd& M) { return Eigen::FullPivLU<MatrixXd>(M).isInvertible(); }
 
-double determinant(const MatrixXd& M) { return M.determinant(); }
+double lu_determinant(const MatrixXd& M) { return M.determinant(); }
 
 std::optional<MatrixXd> cholesky_factor(const MatrixXd& M) {
   const Eigen::LLT<MatrixXd> factors(M);

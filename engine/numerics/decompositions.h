@@ -16,7 +16,7 @@ Eigen::MatrixXd lu_inverse(const Eigen::MatrixXd& M);
 /// Does a factorisation with full pivoting find a pivot in every row?
 bool is_invertible(const Eigen::MatrixXd& M);
 
-double determinant(const Eigen::MatrixXd& M);
+double lu_determinant(const Eigen::MatrixXd& M);
 
 /// L, lower triangular, with M = L Lᵀ; empty if M (symmetric) is not positive definite.
 std::optional<Eigen::MatrixXd> cholesky_factor(const Eigen::MatrixXd& M);

@@ -72,7 +72,7 @@ NearestRotation nearest_rotation(const std::string& name, const Eigen::Ref<const
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
   const double defect = (R.transpose() * R - one).cwiseAbs().maxCoeff();
   if (!(defect <= kConverges)) refuse_rotation(name, "RᵀR differs from 1", defect);
-  if (determinant(R) < 0) {
+  if (lu_determinant(R) < 0) {
     throw InvalidParameterError(name +
                                 ": the matrix is a reflection (its determinant is -1), not a rotation");
   }
@@ -142,7 +142,7 @@ void Pose::check() {
   if (!(defect_ <= n * kOrthogonality)) return take_nearest_rotation();
   const double handedness = n == 2   ? Eigen::Matrix2d::Map(rotation_data()).determinant()
                             : n == 3 ? Eigen::Matrix3d::Map(rotation_data()).determinant()
-                                     : determinant(rotation());
+                                     : lu_determinant(rotation());
   if (handedness < 0) {
     throw InvalidParameterError("pose: the matrix is a reflection (its determinant is -1), not a rotation");
   }

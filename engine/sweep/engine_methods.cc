@@ -80,7 +80,7 @@ struct MovedObject {
  private:
   static bool is_rotation(const DenseMatrix& M) {
     constexpr double kRigid = 1e-12;
-    return M.rows() > 0 && (M.transpose() * M).isIdentity(kRigid) && determinant(M) > 0;
+    return M.rows() > 0 && (M.transpose() * M).isIdentity(kRigid) && lu_determinant(M) > 0;
   }
 };
 

@@ -121,7 +121,7 @@ TEST(Bodies, HaveThePlantedDepthGrowthAndSeparation) {
   for (const std::string& one : kKinds) {
     for (const std::string& two : kKinds) {
       for (const std::string& place : kPlaces) {
-        for (const std::string& quantity : {"depth", "separated", "growth"}) {
+        for (const std::string quantity : {"depth", "separated", "growth"}) {
           const Instance instance = make(one, two, place, 50, 2, 3, quantity);
           const DistanceResult found = answer_of(instance);
           const bool planted = instance.exact_distance.has_value();
@@ -131,7 +131,8 @@ TEST(Bodies, HaveThePlantedDepthGrowthAndSeparation) {
           const double truth = *instance.exact_distance, slack = instance.exact_distance_rounding * truth;
           EXPECT_LE(found.lower, truth + slack) << one << ' ' << two << ' ' << place << ' ' << quantity;
           EXPECT_GE(found.upper, truth - slack) << one << ' ' << two << ' ' << place << ' ' << quantity;
-          if (place != "far") EXPECT_LE(found.upper - found.lower, 2e-6 * std::max(found.upper, 1.0));
+          if (place == "far") continue;
+          EXPECT_LE(found.upper - found.lower, 2e-6 * std::max(found.upper, 1.0));
         }
       }
     }
