@@ -107,7 +107,7 @@ class OdePair final : public BodyPair {
 
   PairAnswer answer(Quantity quantity, double /*tolerance*/) override {
     start();
-    std::array<dContactGeom, 16> contacts;
+    std::array<dContactGeom, 16> contacts{};
     const int found = dCollide(first_.geometry(), second_.geometry(), static_cast<int>(contacts.size()),
                                contacts.data(), sizeof(dContactGeom));
     if (quantity == Quantity::separated) return {found > 0 ? 0.0 : 1.0};
