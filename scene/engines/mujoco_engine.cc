@@ -3,8 +3,9 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
-#include <cstring>
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <sstream>
@@ -57,7 +58,7 @@ class ModelText {
     const std::size_t bodies = world_.bodies.size(), contacts = 12 * bodies + 100, rows = 4 * contacts,
                       speeds = 6 * bodies;
     Text all;
-    all.out << "<mujoco><compiler balanceinertia=\"false\" boundmass=\"0\"/><size nconmax=\"" << contacts
+    all.out << R"(<mujoco><compiler balanceinertia="false" boundmass="0"/><size nconmax=")" << contacts
             << "\" njmax=\"" << rows << "\" nstack=\"" << 2'000'000 + 40 * speeds * speeds + 400 * rows
             << "\"/><option";
     all.numbers("gravity", {world_.gravity.x(), world_.gravity.y(), world_.gravity.z()});
@@ -96,7 +97,7 @@ class ModelText {
     begin_geom("b" + std::to_string(number) + "p0");
     bodies_.place(plane[3] * n,
                   Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n).toRotationMatrix());
-    bodies_.out << " type=\"plane\" size=\"0 0 1\"/>";
+    bodies_.out << R"( type="plane" size="0 0 1"/>)";
   }
 
   void add_part(const std::string& name, const RigidBody& part) {
@@ -123,7 +124,7 @@ class ModelText {
     for (const Eigen::Vector3d& v : part.vertices)
       assets_.out << v.x() << ' ' << v.y() << ' ' << v.z() << ' ';
     assets_.out << "\"/>";
-    bodies_.out << " type=\"mesh\" mesh=\"" << name << "\"/>";
+    bodies_.out << R"( type="mesh" mesh=")" << name << "\"/>";
   }
 
   void end_geom(const char* type, std::initializer_list<double> sizes) {
@@ -166,7 +167,8 @@ std::unique_ptr<mjModel, Free> model_of(const std::string& text) {
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(text.size()));
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), kName)], text.data(), text.size());
+  std::copy(text.begin(), text.end(),
+            static_cast<char*>(files->filedata[mj_findFileVFS(files.get(), kName)]));
   std::array<char, 500> error{};
   mjModel* model = mj_loadXML(kName, files.get(), error.data(), error.size());
   mj_deleteVFS(files.get());
@@ -191,7 +193,7 @@ class MujocoEngine final : public PhysicsEngine {
   }
 
   void drive(int body, const BodyState& state) override {
-    const int number = model_->body_mocapid[body + 1];
+    const std::ptrdiff_t number = model_->body_mocapid[body + 1];
     const Eigen::Quaterniond q(state.R);
     const double values[] = {q.w(), q.x(), q.y(), q.z()};
     std::copy_n(state.x.data(), 3, data_->mocap_pos + 3 * number);

@@ -166,7 +166,9 @@ class OdeEngine final : public PhysicsEngine {
   }
 
   static void name(dGeomID geom, int number) {
-    dGeomSetData(geom, reinterpret_cast<void*>(static_cast<std::intptr_t>(number)));
+    // An index, never followed.
+    dGeomSetData(geom, reinterpret_cast<void*>(
+                           static_cast<std::intptr_t>(number)));  // NOLINT(performance-no-int-to-ptr)
   }
   static int number_of(dGeomID geom) {
     return static_cast<int>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));

@@ -18,7 +18,7 @@ const std::vector<const char*> kOrientations = {"quat", "axisangle", "euler", "x
 
 std::vector<double> counted_numbers(const XmlNode& node, const char* name, std::size_t least,
                                     std::size_t most) {
-  const std::vector<double> numbers = node.file->numbers(*node.element, name);
+  std::vector<double> numbers = node.file->numbers(*node.element, name);
   if (numbers.size() < least || numbers.size() > most)
     node.refuse(std::string(name) + " has " + std::to_string(numbers.size()) + " numbers, " +
                 std::to_string(least) + (most > least ? " or more" : "") + " are expected");
