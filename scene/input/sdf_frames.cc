@@ -53,7 +53,7 @@ Eigen::Vector3d sdf_vector(const XmlNode& node, const char* name, const Eigen::V
   const XmlElement* child = sdf_child(node, name);
   if (child == nullptr) return otherwise;
   const std::vector<double> numbers = sdf_numbers({node.file, child});
-  const Eigen::Vector3d vector = numbers.size() == 3 ? Eigen::Vector3d(numbers.data()) : otherwise;
+  Eigen::Vector3d vector = numbers.size() == 3 ? Eigen::Vector3d(numbers.data()) : otherwise;
   if (numbers.size() != 3 || !vector.allFinite())
     node.file->refuse(*child, "<" + std::string(name) + "> must be three finite numbers");
   return vector;
