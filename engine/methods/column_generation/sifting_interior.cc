@@ -62,7 +62,8 @@ void Sifting::solve_inside(const double* guess) {
   interior_.end_at((1 - kShareOfTolerance * tolerance_) * ray_.upper());
   InteriorPoint::End end =
       interior_.solve(working_A_.view(), working_Q_.view(), n_, guess, *kernels_, *stopwatch_);
-  if (end == InteriorPoint::End::failed && interior_.iterations() < kFewIterations && whiten())
+  const bool soon = interior_.iterations() < kFewIterations && !stopwatch_->expired();
+  if (end == InteriorPoint::End::failed && soon && whiten())
     end = interior_.solve_whitened(whitened_, n_, guess, *kernels_, *stopwatch_);
   separated_ = end == InteriorPoint::End::separated;
   const bool converged = separated_ || end == InteriorPoint::End::converged;
