@@ -166,9 +166,8 @@ class OdeEngine final : public PhysicsEngine {
   }
 
   static void name(dGeomID geom, int number) {
-    // An index, never followed.
-    dGeomSetData(geom, reinterpret_cast<void*>(
-                           static_cast<std::intptr_t>(number)));  // NOLINT(performance-no-int-to-ptr)
+    const auto index = static_cast<std::intptr_t>(number);
+    dGeomSetData(geom, reinterpret_cast<void*>(index));  // NOLINT(performance-no-int-to-ptr): never followed
   }
   static int number_of(dGeomID geom) {
     return static_cast<int>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
