@@ -8,8 +8,8 @@
 
 #include "raygauge/scene/body.h"
 #include "raygauge/scene/edge_checker.h"
-#include "scene/input/srdf_file.h"
 #include "scene/input/robot_file.h"
+#include "scene/input/srdf_file.h"
 
 namespace raygauge::bench {
 

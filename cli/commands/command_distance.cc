@@ -35,7 +35,8 @@ namespace {
 constexpr const char* kSources =
     "A and Q are each the convex hull of points: a text file with one point a line (commas or blanks, # "
     "comments), - for\n"
-    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply .dae .glb: its vertices), "
+    "standard input, FILE.h5:/DATASET (rows are points), a mesh (.obj .off .stl .ply .dae .glb: its "
+    "vertices), "
     "also "
     "compressed (.gz); or what "
     "a set file\n"

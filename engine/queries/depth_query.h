@@ -22,8 +22,8 @@ double radius_of_ball(const ConvexSet& Q);
 class DepthQuery {
  public:
   /// Of objects that are not proven to be apart. `start`: what a solve of the pair recorded, or nullptr.
-  /// Where it recorded an overlap and its normal proves the objects apart, the result is that of no evaluation.
-  /// `seconds` of the time limit have been spent already, or NaN.
+  /// Where it recorded an overlap and its normal proves the objects apart, the result is that of no
+  /// evaluation. `seconds` of the time limit have been spent already, or NaN.
   void solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
              const std::function<bool()>& stop, const WarmStart* start, double seconds, ObjectDepth& result);
 

@@ -19,8 +19,8 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/joint_gradient.h"
 #include "raygauge/scene/joint_motion.h"
-#include "scene/input/scene_source.h"
 #include "scene/input/robot_file.h"
+#include "scene/input/scene_source.h"
 
 namespace raygauge::python {
 namespace {

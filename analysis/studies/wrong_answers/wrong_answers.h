@@ -64,8 +64,8 @@ enum class Verdict : std::uint8_t {
 /// Of an answer beside what is known. By how much it is off: the distance from the claim to [lower, upper].
 Verdict verdict_on(const Record& record, const KnownDistance& known);
 
-/// By how much the claim of a record is off, in unit_of_errors(), of growth distances above 1 in what is known
-/// of them; NaN without a claim.
+/// By how much the claim of a record is off, in unit_of_errors(), of growth distances above 1 in what is
+/// known of them; NaN without a claim.
 double error_in_sizes(const Record& record, const KnownDistance& known);
 
 /// How often one method is wrong.

@@ -46,8 +46,9 @@ TEST(ContactFinder, the_deepest_point_of_a_rim_is_among_those_found) {
   const Cylinder cylinder(Vector3d(0, 0, -0.3), Vector3d(0, 0, 0.3), 0.5);
   const HalfSpace floor(Vector3d(0, 0, 1), 0);
   for (const double turn : {0.01, 0.2, 0.39}) {
-    const Eigen::Matrix3d R = (Eigen::AngleAxisd(0.05, Vector3d::UnitX()) * Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
-                                  .toRotationMatrix();
+    const Eigen::Matrix3d R =
+        (Eigen::AngleAxisd(0.05, Vector3d::UnitX()) * Eigen::AngleAxisd(turn, Vector3d::UnitZ()))
+            .toRotationMatrix();
     for (const double gap : {1e-7, -1e-7}) {
       const Pose pose(R, Vector3d(0, 0, gap + 0.3 * std::cos(0.05) + 0.5 * std::sin(0.05)));
       ContactFinder finder(1e-8);
