@@ -11,6 +11,7 @@
 #include "raygauge/meshes/mesh_object.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
+#include "tests/results/complaint.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_set_file {
@@ -28,16 +29,7 @@ class SetFiles : public ::testing::Test {
 
   /// What is said of the text, without the folder.
   std::string complaint(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const Error& error) {
-      std::string message = error.what();
-      const std::string folder = folder_.path() + "/";
-      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-        message.erase(at, folder.size());
-      return message;
-    }
-    return "";
+    return testing::complaint_of(folder_, [&] { read(text); });
   }
 
   TemporaryFolder folder_;

@@ -14,6 +14,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/scene/joint_motion.h"
 #include "scene/input/robot_file.h"
+#include "tests/results/complaint.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::testing_robots {
@@ -34,16 +35,7 @@ class RobotReading : public ::testing::Test {
 
   /// What a text is refused with, without the folder.
   std::string complaint(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const Error& error) {
-      std::string message = error.what();
-      const std::string folder = folder_.path() + "/";
-      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-        message.erase(at, folder.size());
-      return message;
-    }
-    return "nothing was thrown";
+    return testing::complaint_of(folder_, [&] { read(text); });
   }
 
   void expect_refusals(const std::vector<std::pair<std::string, std::string>>& refusals) const {

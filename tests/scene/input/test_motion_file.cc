@@ -7,6 +7,7 @@
 #include <string>
 
 #include "raygauge/exceptions.h"
+#include "tests/results/complaint.h"
 #include "tests/results/support.h"
 
 namespace raygauge::cli::test_motion_file {
@@ -26,16 +27,7 @@ class MotionFile : public ::testing::Test {
 
   template <class Call>
   std::string complaint(const Call& call) const {
-    try {
-      call();
-    } catch (const Error& error) {
-      std::string message = error.what();
-      const std::string folder = folder_.path() + "/";
-      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-        message.erase(at, folder.size());
-      return message;
-    }
-    return "nothing was thrown";
+    return testing::complaint_of(folder_, call);
   }
 
   std::string of_poses(const std::string& text, int n = 3) const {
