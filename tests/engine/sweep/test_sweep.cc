@@ -102,14 +102,20 @@ TEST_F(Sweep, SerialTimingSolvesOnOneThread) {
   }
 }
 
-/// Keeps the first thread that comes waiting for a second one; at most a minute.
+/// Before a sweep one thread solves all instances of small_experiment's cell of median cost by both methods.
+int samples_alone(const Experiment& experiment) {
+  return experiment.repetitions * static_cast<int>(experiment.methods.size());
+}
+
+/// Keeps the first thread that comes waiting for a second one.
 class MeetingOfTwo {
  public:
-  void attend() {
+  /// False if there is no second thread within a minute.
+  bool attend() {
     std::unique_lock lock(mutex_);
     present_.insert(std::this_thread::get_id());
     arrived_.notify_all();
-    arrived_.wait_for(lock, std::chrono::minutes(1), [this] { return present_.size() == 2; });
+    return arrived_.wait_for(lock, std::chrono::minutes(1), [this] { return present_.size() == 2; });
   }
 
  private:
@@ -121,18 +127,18 @@ class MeetingOfTwo {
 TEST_F(Sweep, ParallelTimingUsesAllThreadsAndIsCalibrated) {
   Experiment experiment = small_experiment();
   experiment.threads = 2;
-  // Before the sweep one thread solves 3 instances by 2 methods.
-  constexpr int kSamplesAlone = 3 * 2;
   std::atomic<int> samples{0};
+  std::atomic<bool> met{true};
   MeetingOfTwo meeting;
   SweepHooks hooks;
   hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
-    if (++samples > kSamplesAlone) meeting.attend();
+    if (++samples > samples_alone(experiment) && met) met = meeting.attend();
     method.solve(request);
     return TimedSolve{1e-3, 1};
   };
   MemorySink sink;
   const SweepSummary summary = run(experiment, sink, {}, hooks);
+  EXPECT_TRUE(met);
   EXPECT_EQ(summary.threads, 2);
   ASSERT_EQ(summary.calibration.entries.size(), 2u);
   EXPECT_EQ(summary.calibration.entries[0].method, "first");
@@ -154,7 +160,7 @@ TEST_F(Sweep, TheSolvesOfItsFirstCellAreComparedWithThoseMadeAlone) {
   SweepHooks hooks;
   hooks.time = [&](SolveMethod& method, const SolveRequest& request, double) {
     method.solve(request);
-    return TimedSolve{++samples <= 6 ? 0.5 : 1.0, 1};  // 3 instances by 2 methods alone
+    return TimedSolve{++samples <= samples_alone(experiment) ? 0.5 : 1.0, 1};
   };
   MemorySink sink;
   const SweepSummary summary = run(experiment, sink, {}, hooks);
