@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/contact_finder.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +15,8 @@ namespace raygauge {
 namespace {
 
 constexpr double kRounding = 10;  // times the proven error of a point
+constexpr double kNarrower = 8;   // a band whose patch leans away from the bodies
+constexpr int kMostNarrowings = 8;
 
 Eigen::Vector3d in_space(const Vector3& v) { return {v.x, v.y, v.z}; }
 
@@ -106,6 +109,12 @@ void ContactFinder::add_nearest(const Posed& a, const Posed& b, double band, Par
 void ContactFinder::find_of_bounded(const Posed& a, const Posed& b, double band,
                                     const Eigen::Vector3d& previous, PartContact& contact) {
   const ContactPatch& patch = solver_.solve(a, b, band);
+  const double apart = std::max(0.0, patch.lower);
+  // Faces that lean are continued beyond their edges, far from the bodies in a wide band.
+  for (int k = 0; k < kMostNarrowings && patch.error > miss_ && band > apart; ++k) {
+    band = apart + (band - apart) / kNarrower;
+    solver_.solve(a, b, band);
+  }
   contact.lower = patch.lower;
   contact.overlap = std::max(0.0, -patch.upper);
   contact.points.clear();

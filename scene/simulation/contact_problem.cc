@@ -67,25 +67,44 @@ std::map<int, Eigen::Index> columns_of(const std::vector<ContactUnknown*>& conta
 
 }  // namespace
 
-double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies) {
+void push_apart(const ContactUnknown& contact, std::vector<SimulatedBody>& bodies) {
+  SimulatedBody &a = bodies[static_cast<std::size_t>(contact.a)],
+                &b = bodies[static_cast<std::size_t>(contact.b)];
+  if (a.reacts()) a.push(contact.impulse, contact.at);
+  if (b.reacts()) b.push(-contact.impulse, contact.at);
+}
+
+std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknown>& contacts,
+                                                 const std::vector<SimulatedBody>& bodies) {
   Islands islands(bodies.size());
   for (const ContactUnknown& contact : contacts) {
     const auto a = static_cast<std::size_t>(contact.a), b = static_cast<std::size_t>(contact.b);
     if (bodies[a].reacts() && bodies[b].reacts()) islands.join(a, b);
   }
-  std::map<std::size_t, std::vector<ContactUnknown*>> of_island;
-  for (ContactUnknown& contact : contacts) {
-    const auto a = static_cast<std::size_t>(contact.a), b = static_cast<std::size_t>(contact.b);
-    of_island[islands.root(bodies[a].reacts() ? a : b)].push_back(&contact);
+  std::map<std::size_t, std::vector<std::size_t>> of_root;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto a = static_cast<std::size_t>(contacts[c].a), b = static_cast<std::size_t>(contacts[c].b);
+    of_root[islands.root(bodies[a].reacts() ? a : b)].push_back(c);
   }
+  std::vector<std::vector<std::size_t>> all;
+  for (auto& [root, island] : of_root) all.push_back(std::move(island));
+  return all;
+}
+
+double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies) {
   double residual = 0;
-  for (auto& [root, island] : of_island) residual = std::max(residual, solve_island(island, bodies));
+  for (const std::vector<std::size_t>& numbers : islands_of(contacts, bodies)) {
+    std::vector<ContactUnknown*> island;
+    for (const std::size_t c : numbers) island.push_back(&contacts[c]);
+    residual = std::max(residual, solve_island(island, bodies));
+  }
+  for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
   return residual;
 }
 
 // W = J M⁻¹ Jᵀ with J the velocities of a contact, a's less b's, along its frame, by those of the bodies.
 double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
-                                    std::vector<SimulatedBody>& bodies) {
+                                    const std::vector<SimulatedBody>& bodies) {
   const std::map<int, Eigen::Index> column = columns_of(contacts, bodies);
   const auto rows = 3 * static_cast<Eigen::Index>(contacts.size());
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, 6 * static_cast<Eigen::Index>(column.size())), JM = J;
@@ -117,10 +136,6 @@ double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
     ContactUnknown& contact = *contacts[c];
     contact.impulse =
         frame_of(contact.normal, n_).transpose() * r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    SimulatedBody &a = bodies[static_cast<std::size_t>(contact.a)],
-                  &b = bodies[static_cast<std::size_t>(contact.b)];
-    if (a.reacts()) a.push(contact.impulse, contact.at);
-    if (b.reacts()) b.push(-contact.impulse, contact.at);
   }
   return residual;
 }
@@ -135,6 +150,7 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
     const Eigen::MatrixXd normals = W(Eigen::seqN(0, count, 3), Eigen::seqN(0, count, 3));
     const Eigen::VectorXd along = q(Eigen::seqN(0, count, 3));
     const Eigen::VectorXd found = nonnegative_solution(normals, along);
+    r.setZero();  // guesses lean where normals have turned
     r(Eigen::seqN(0, count, 3)) = found;
     return nonnegative_residual(normals, along, found);
   }

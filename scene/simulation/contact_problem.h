@@ -20,6 +20,13 @@ struct ContactUnknown {
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< on a: a first guess, then the result
 };
 
+/// The contacts that belong together, by their numbers: those of bodies that react and meet.
+std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknown>& contacts,
+                                                 const std::vector<SimulatedBody>& bodies);
+
+/// Pushes both bodies of a contact, those that react, by its impulse.
+void push_apart(const ContactUnknown& contact, std::vector<SimulatedBody>& bodies);
+
 /// Contacts of many bodies, an island at a time: one that reacts joins its contacts, others do not. With
 /// friction named for one of them, the problem of the island is that of FrictionSolver; otherwise contacts
 /// have one unknown each.
@@ -32,7 +39,7 @@ class ContactProblem {
   double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
 
  private:
-  double solve_island(std::vector<ContactUnknown*>& contacts, std::vector<SimulatedBody>& bodies);
+  double solve_island(std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies);
   double impulses(const std::vector<ContactUnknown*>& contacts, const Eigen::MatrixXd& W,
                   const Eigen::VectorXd& q, Eigen::VectorXd& r);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/scene/dynamics.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/free_rotation.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace raygauge {

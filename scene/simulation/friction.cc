@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/scene/friction.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 

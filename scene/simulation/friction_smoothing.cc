@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_smoothing.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>

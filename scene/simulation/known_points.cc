@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/known_points.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/sets/hull_3d.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/box.h"
@@ -69,7 +70,7 @@ Points of_inequalities(const HPolytope& S) {
   Points all(n, facets.cols() / n);
   for (Eigen::Index f = 0; f < all.cols(); ++f) {
     const Eigen::MatrixXd facet = facets.middleCols(f * n, n).transpose();
-    all.col(f) = c + facet.partialPivLu().solve(Eigen::VectorXd::Ones(n));
+    all.col(f) = c + lu_inverse(facet) * Eigen::VectorXd::Ones(n);
   }
   return all;
 }

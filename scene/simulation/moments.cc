@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "raygauge/scene/moments.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "engine/numerics/decompositions.h"
 #include "engine/sets/hull_3d.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/affine_image.h"
@@ -113,7 +113,7 @@ std::optional<Moments> of_points(const Eigen::MatrixXd& points) {
   for (Eigen::Index f = 0; f + n <= facets.cols(); f += n) {
     const Eigen::MatrixXd v = facets.middleCols(f, n);
     const Eigen::VectorXd s = v.rowwise().sum();
-    const double part = v.determinant() * factor;
+    const double part = lu_determinant(v) * factor;
     V += part;
     first += part / static_cast<double>(n + 1) * s;
     second += part / static_cast<double>((n + 1) * (n + 2)) * (v * v.transpose() + s * s.transpose());
@@ -131,7 +131,7 @@ std::optional<Moments> find_moments(const ConvexSet& S) {
   }
   if (const auto* ellipsoid = dynamic_cast<const Ellipsoid*>(&S)) {
     const Eigen::MatrixXd L = ellipsoid->factor();
-    const Eigen::VectorXd axes = Eigen::JacobiSVD<Eigen::MatrixXd>(L).singularValues();
+    const Eigen::VectorXd axes = right_singular(L).values;
     return of_ellipsoid(S.center(), L * L.transpose(), axes.size() < L.rows() ? 0.0 : axes.prod());
   }
   if (const auto* ball = dynamic_cast<const PNormBall*>(&S)) return of_p_norm_ball(*ball);
@@ -142,7 +142,7 @@ std::optional<Moments> find_moments(const ConvexSet& S) {
     const std::optional<Moments> inner = find_moments(*image->S());
     if (!inner) return std::nullopt;
     const Eigen::MatrixXd M = image->M();
-    const double size = std::fabs(M.determinant());
+    const double size = std::fabs(lu_determinant(M));
     return Moments{size * inner->measure, M * inner->center + Eigen::VectorXd(image->t()),
                    size * M * inner->covariance * M.transpose()};
   }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include "raygauge/scene/body.h"
 #include "raygauge/scene/dynamics.h"
@@ -11,6 +10,20 @@
 #include "scene/simulation/piecewise_motion.h"
 
 namespace raygauge {
+
+/// A vector of the plane or of space, with zeros behind it.
+inline Eigen::Vector3d in_space(const SmallVector& v) {
+  Eigen::Vector3d all = Eigen::Vector3d::Zero();
+  all.head(v.size()) = v;
+  return all;
+}
+
+/// A rotation of the plane or of space, in space.
+inline Eigen::Matrix3d in_space(const SmallMatrix& R) {
+  Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  all.topLeftCorner(R.rows(), R.cols()) = R;
+  return all;
+}
 
 /// A body of a simulation: its origin is its centre of mass. In the plane vectors have zeros behind them.
 struct SimulatedBody {
@@ -33,6 +46,19 @@ struct SimulatedBody {
     v += inverse_mass * p;
     L += (at - x).cross(p);
     spin = rotor.spin(R, L);
+  }
+
+  /// Those of another state.
+  void take_velocities(const SimulatedBody& other) {
+    v = other.v;
+    L = other.L;
+    spin = other.spin;
+  }
+
+  void scale_velocities(double factor) {
+    v *= factor;
+    L *= factor;
+    spin *= factor;
   }
 
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const { return v + spin.cross(point - x); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/simulator.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,26 +19,7 @@ namespace {
 constexpr int kMostTrials = 12;      // of one substep, shorter each time
 constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
-constexpr double kDeep = 0.25;       // of δ: pairs end a step no deeper, where they did not begin it so
-constexpr double kRecovered = 0.8;   // what is left of the depth of those that did
 constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
-
-Eigen::Vector3d in_space(const SmallVector& v) {
-  Eigen::Vector3d all = Eigen::Vector3d::Zero();
-  all.head(v.size()) = v;
-  return all;
-}
-
-// Made orthonormal again: what a turn by rounded numbers loses, squared.
-Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
-  return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
-}
-
-Eigen::Matrix3d in_space(const SmallMatrix& R) {
-  Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
-  all.topLeftCorner(R.rows(), R.cols()) = R;
-  return all;
-}
 
 Body about_center(const Body& body, const Eigen::Vector3d& center) {
   const int n = body.dimension();
@@ -236,7 +218,12 @@ bool Simulator::bounce() {
   ++bounces_;
   ++row_.impacts;
   ++log_.counters.impact_problems;
+  const std::vector<SimulatedBody> before = bodies_;
   row_.residual = std::max(row_.residual, problem_.solve(contacts, bodies_));
+  std::vector<double> energies(before.size());
+  std::transform(before.begin(), before.end(), energies.begin(),
+                 [](const SimulatedBody& body) { return body.kinetic_energy(); });
+  limit_energy(contacts, before, std::move(energies));
   record_contacts(contacts, true);
   return true;
 }
@@ -259,13 +246,15 @@ bool Simulator::move(double dt) {
     }
     if (!possible) {
       dt /= 2;
+      bodies_ = before;
+      choose_roles(dt);  // what was asked of the longer one is no longer
       continue;
     }
     const double end = end_of(dt);
     const double proven = dynamics_.contact ? pairs_->proven_until(t_, end) : end;
     if (proven >= end) {
       if (!pairs_->nothing_touched()) row_.least_distance = std::min(row_.least_distance, -scales_.delta);
-      commit(end);
+      commit(end, before);
       return true;
     }
     if (proven - t_ < shortest) {
@@ -277,134 +266,13 @@ bool Simulator::move(double dt) {
     choose_roles(dt);
   }
   if (!push_and_move(dt, bodies_ = before)) throw InvalidParameterError("dynamics: a body spins too fast");
-  commit(end_of(dt));
+  commit(end_of(dt), before);
   return false;
-}
-
-// Forces, impulses, then the motions over dt. False where a body turns too far for one.
-bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& before) {
-  for (SimulatedBody& body : bodies_) {
-    if (body.reacts()) accelerate(body, dt);
-  }
-  contacts_.clear();
-  for (const NearPair& pair : *near_) {
-    if (pair.role != PairRole::contact) continue;
-    for (const GapPoint& point : pair.contact.points) {
-      // An overlap is given the time of a whole step to go.
-      const double now = point.gap < 0 ? point.gap / dynamics_.step : point.gap / dt;
-      contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
-                           now + pair.correction / dt, pair.law.friction, guess(pair, point)});
-    }
-  }
-  residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
-  std::vector<bool> pushed(bodies_.size());
-  for (const ContactUnknown& contact : contacts_) {
-    if (contact.impulse.isZero(0)) continue;
-    pushed[static_cast<std::size_t>(contact.a)] = pushed[static_cast<std::size_t>(contact.b)] = true;
-  }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed[b])) return false;
-  }
-  return true;
-}
-
-// The impulse of the substep before at the same point.
-Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) const {
-  const double near = 1e-2 * out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach;
-  for (const ContactUnknown& before : last_) {
-    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
-      return before.impulse;
-  }
-  return Eigen::Vector3d::Zero();
-}
-
-// Damping by the midpoint rule: v' = g - c v.
-void Simulator::accelerate(SimulatedBody& body, double dt) {
-  const Eigen::Vector3d g = dynamics_.gravity.value_or(Eigen::Vector3d::Zero());
-  if (!dynamics_.damping) {
-    body.v += dt * g;
-    return;
-  }
-  ++log_.counters.damped_velocities;
-  const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
-  body.v = ((1 - c) * body.v + dt * g) / (1 + c);
-  body.L *= (1 - d) / (1 + d);
-  body.spin = body.rotor.spin(body.R, body.L);
-}
-
-// A body that was pushed moves at its new velocity, one in flight on its parabola.
-bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
-  TwistMotion::Rates rates;
-  const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
-  const auto spin = n_ == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
-                            : constant_spin(body.rotor, body.R, L, dt);
-  if (!spin) return false;
-  rates.spin = *spin;
-  rates.velocity = SmallVector((pushed ? body.v : before.v).head(n_));
-  if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n_));
-  const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
-  body.motion = std::make_shared<TwistMotion>(first, rates, t_);
-  body.piece = {t_, first, rates};
-  return true;
-}
-
-// Pairs that touch and were thought to separate, but that the impulses of others close: they join the
-// problem.
-bool Simulator::catch_leaving() {
-  bool any = false;
-  for (NearPair& pair : *near_) {
-    if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
-    if (!(closing_speed(pair) > 0)) continue;
-    pair.role = PairRole::contact;
-    any = true;
-  }
-  return any;
-}
-
-// Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
-// more.
-bool Simulator::corrected(double dt) {
-  bool any = false;
-  for (NearPair& pair : *near_) {
-    if (pair.role != PairRole::contact) continue;
-    const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
-                        &b = bodies_[static_cast<std::size_t>(pair.b)];
-    const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
-    const double reach = out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach +
-                         out_.scene.bodies[static_cast<std::size_t>(pair.b)].reach;
-    const bool deep = pair.contact.lower < -kDeep * scales_.delta;
-    if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
-    // Deep ones are to end less deep.
-    const double allowed = std::min(kRecovered * pair.contact.lower, -kDeep * scales_.delta);
-    const double closer = pairs_->closer_than(pair, end_of(dt), allowed);
-    if (closer < 0) pair.correction += closer - kDeep / 2 * scales_.delta;
-    any = any || closer < 0;
-  }
-  return any;
 }
 
 double Simulator::end_of(double dt) const {
   const double end = t_ + dt;
   return end_of_step_ - end < 1e-12 * dynamics_.step ? end_of_step_ : end;
-}
-
-void Simulator::commit(double end) {
-  ++row_.substeps;
-  row_.contacts += static_cast<std::int64_t>(contacts_.size());
-  row_.residual = std::max(row_.residual, residual_);
-  record_contacts(contacts_, false);
-  last_ = contacts_;
-  bounces_ = 0;
-  t_ = end;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    SimulatedBody& body = bodies_[b];
-    if (!body.reacts()) continue;
-    log_.pieces[b].push_back(body.piece);
-    const Placement at = body.motion->at(t_);
-    body.x = in_space(at.t);
-    body.R = polished(in_space(at.R));
-    body.spin = body.rotor.spin(body.R, body.L);
-  }
 }
 
 }  // namespace raygauge

@@ -42,7 +42,10 @@ class Simulator {
   bool catch_leaving();
   bool corrected(double dt);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
-  void commit(double end);
+  bool limit_energy(std::vector<ContactUnknown>& contacts, const std::vector<SimulatedBody>& free,
+                    std::vector<double> allowed);
+  void limit_pushes(double end, const std::vector<SimulatedBody>& before);
+  void commit(double end, const std::vector<SimulatedBody>& before);
   bool stop_now() const { return hooks_.stop && hooks_.stop(); }
   void record_contacts(const std::vector<ContactUnknown>& contacts, bool impact);
   void record_step();
@@ -56,6 +59,7 @@ class Simulator {
   SimulationLog log_;
   SimulationHooks hooks_;
   std::vector<SimulatedBody> bodies_;
+  std::vector<SimulatedBody> free_;  // before the impulses of the substep in work
   std::vector<SimulatedPart> parts_;
   ContactScales scales_;
   std::optional<NearPairs> pairs_;

@@ -100,6 +100,42 @@ TEST(Simulation, with_e_1_the_energy_stays) {
   for (const StepRecord& step : found.steps) EXPECT_NEAR(step.kinetic + step.potential, 2 * 9.81 * 1.1, 1e-9);
 }
 
+// Newton's law and Coulomb's together would give energy to some of these rods.
+TEST(Simulation, friction_and_restitution_add_no_energy) {
+  for (int k = 0; k < 60; ++k) {
+    Reacting scene(0.3);
+    scene.dynamics.step = 1e-2;
+    scene.dynamics.contact = ContactLaw{0.4, 0.95};
+    const double angle = 0.02 + 0.025 * k;
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, v(0, 1, 0)).toRotationMatrix();
+    scene.add(box(0.5, 0.02, 0.02), v(0, 0, 0.6), 1, R);
+    scene.dynamics.bodies[0].velocity = v(k % 2 == 0 ? 3 : -3, 0, -4);
+    scene.add(floor(), v(0, 0, 0), 0);
+    const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
+    EXPECT_GE(found.counters.impact_problems, 1) << k;
+    double before = found.energy_at_start;
+    for (const StepRecord& step : found.steps) {
+      EXPECT_LE(step.kinetic, before * (1 + 1e-9)) << k << " at " << step.time;
+      before = step.kinetic;
+    }
+  }
+}
+
+// The normal turns as one ball slides over the other; what is guessed of the impulse leans.
+TEST(Simulation, contacts_without_friction_push_along_their_normals) {
+  Reacting scene(0.5);
+  scene.dynamics.step = 1e-2;
+  scene.dynamics.gravity = v(0, 0, -9.81);
+  scene.dynamics.contact = ContactLaw{};
+  scene.add(ball(0.3), v(0.1, 0, std::sqrt(0.36 - 0.01)), 1);
+  scene.add(ball(0.3), v(0, 0, 0), 0);
+  const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
+  ASSERT_GE(found.contacts.size(), 10U);
+  for (const ContactRecord& contact : found.contacts)
+    EXPECT_LE(contact.impulse.cross(contact.normal).norm(), 1e-14 * contact.impulse.norm());
+  EXPECT_TRUE(motion_of(found, 0).spin(0.4).isZero(1e-14));
+}
+
 TEST(Simulation, equal_balls_hand_on_their_velocity) {
   Reacting scene(1);
   scene.dynamics.contact = ContactLaw{std::nullopt, 1.0};

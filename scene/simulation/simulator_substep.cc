@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/simulation/energy_limit.h"
+#include "scene/simulation/piecewise_motion.h"
+#include "scene/simulation/simulator.h"
+
+// The work of one substep: forces, impulses and motions, and how its end is corrected and kept.
+namespace raygauge {
+namespace {
+
+constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
+constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
+
+// Made orthonormal again: what a turn by rounded numbers loses, squared.
+Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
+  return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
+}
+
+Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
+  const double size = angle.norm();
+  if (!(size > 0)) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(size, angle / size).toRotationMatrix();
+}
+
+}  // namespace
+
+// Forces, impulses, then the motions over dt. False where a body turns too far for one.
+bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& before) {
+  for (SimulatedBody& body : bodies_) {
+    if (body.reacts()) accelerate(body, dt);
+  }
+  free_ = bodies_;
+  contacts_.clear();
+  for (const NearPair& pair : *near_) {
+    if (pair.role != PairRole::contact) continue;
+    for (const GapPoint& point : pair.contact.points) {
+      // An overlap is given the time of a whole step to go.
+      const double now = point.gap < 0 ? point.gap / dynamics_.step : point.gap / dt;
+      contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
+                           now + pair.correction / dt, pair.law.friction, guess(pair, point)});
+    }
+  }
+  residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
+  std::vector<bool> pushed(bodies_.size());
+  for (const ContactUnknown& contact : contacts_) {
+    if (contact.impulse.isZero(0)) continue;
+    pushed[static_cast<std::size_t>(contact.a)] = pushed[static_cast<std::size_t>(contact.b)] = true;
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed[b])) return false;
+  }
+  return true;
+}
+
+// The impulse of the substep before at the same point.
+Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) const {
+  const double near = 1e-2 * out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach;
+  for (const ContactUnknown& before : last_) {
+    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
+      return before.impulse;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+// Damping by the midpoint rule: v' = g - c v.
+void Simulator::accelerate(SimulatedBody& body, double dt) {
+  const Eigen::Vector3d g = dynamics_.gravity.value_or(Eigen::Vector3d::Zero());
+  if (!dynamics_.damping) {
+    body.v += dt * g;
+    return;
+  }
+  ++log_.counters.damped_velocities;
+  const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
+  body.v = ((1 - c) * body.v + dt * g) / (1 + c);
+  body.L *= (1 - d) / (1 + d);
+  body.spin = body.rotor.spin(body.R, body.L);
+}
+
+// A body that was pushed moves at its new velocity, one in flight on its parabola.
+bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
+  TwistMotion::Rates rates;
+  const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
+  const auto spin = n_ == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
+                            : constant_spin(body.rotor, body.R, L, dt);
+  if (!spin) return false;
+  rates.spin = *spin;
+  rates.velocity = SmallVector((pushed ? body.v : before.v).head(n_));
+  if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n_));
+  const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
+  body.motion = std::make_shared<TwistMotion>(first, rates, t_);
+  body.piece = {t_, first, rates};
+  return true;
+}
+
+// Pairs that touch and were thought to separate, but that the impulses of others close: they join the
+// problem.
+bool Simulator::catch_leaving() {
+  bool any = false;
+  for (NearPair& pair : *near_) {
+    if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
+    if (!(closing_speed(pair) > 0)) continue;
+    pair.role = PairRole::contact;
+    any = true;
+  }
+  return any;
+}
+
+// Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
+// more.
+bool Simulator::corrected(double dt) {
+  bool any = false;
+  for (NearPair& pair : *near_) {
+    if (pair.role != PairRole::contact) continue;
+    const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                        &b = bodies_[static_cast<std::size_t>(pair.b)];
+    const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
+    const double reach = out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach +
+                         out_.scene.bodies[static_cast<std::size_t>(pair.b)].reach;
+    const bool deep = pair.contact.lower < -kDeep * scales_.delta;
+    if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
+    // Deep ones are to end less deep.
+    const double allowed = std::min(kRecovered * pair.contact.lower, -kDeep * scales_.delta);
+    const double closer = pairs_->closer_than(pair, end_of(dt), allowed);
+    if (closer < 0) pair.correction += closer - kDeep / 2 * scales_.delta;
+    any = any || closer < 0;
+  }
+  return any;
+}
+
+// What contacts ask for beyond rest gives bodies no energy above `allowed`; it does move them. False: it
+// would not.
+bool Simulator::limit_energy(std::vector<ContactUnknown>& contacts, const std::vector<SimulatedBody>& free,
+                             std::vector<double> allowed) {
+  const EnergyLimit limit(free, std::move(allowed));
+  if (!limit.is_broken(contacts)) return false;
+  std::vector<ContactUnknown> rest = contacts;
+  for (ContactUnknown& contact : rest) contact.offset = std::max(contact.offset, 0.0);
+  std::vector<SimulatedBody> limited = free;
+  row_.residual = std::max(row_.residual, problem_.solve(rest, limited));
+  limit.keep(contacts, rest);
+  limited = free;
+  for (const ContactUnknown& contact : contacts) push_apart(contact, limited);
+  limit.slow_down(contacts, limited);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].reacts()) bodies_[b].take_velocities(limited[b]);
+  }
+  return true;
+}
+
+// Until the end of a substep a body may have what it had before, and the work of gravity on its way. Where
+// that is less than its motion has, its angular momentum turns with it: so its energy stays.
+void Simulator::limit_pushes(double end, const std::vector<SimulatedBody>& before) {
+  const bool pushes = std::any_of(contacts_.begin(), contacts_.end(), [](const ContactUnknown& contact) {
+    return contact.offset < 0 && !contact.impulse.isZero(0);
+  });
+  if (!pushes) return;
+  std::vector<double> allowed(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    allowed[b] = before[b].kinetic_energy();
+    if (!bodies_[b].reacts() || !dynamics_.gravity) continue;
+    const Eigen::Vector3d way = in_space(bodies_[b].motion->at(end).t) - before[b].x;
+    allowed[b] += before[b].mass * dynamics_.gravity->dot(way);
+  }
+  if (!limit_energy(contacts_, free_, std::move(allowed))) return;
+  for (SimulatedBody& body : bodies_) {
+    if (!body.reacts()) continue;
+    const auto spin = constant_spin(body.rotor, body.R, body.L, end - t_);
+    if (!spin) continue;
+    const Eigen::Matrix3d by_itself = turn_of(*spin * (end - t_)) * body.R;
+    body.L = polished(in_space(body.motion->at(end).R)) * (by_itself.transpose() * body.L);
+  }
+}
+
+void Simulator::commit(double end, const std::vector<SimulatedBody>& before) {
+  limit_pushes(end, before);
+  ++row_.substeps;
+  row_.contacts += static_cast<std::int64_t>(contacts_.size());
+  row_.residual = std::max(row_.residual, residual_);
+  record_contacts(contacts_, false);
+  last_ = contacts_;
+  bounces_ = 0;
+  t_ = end;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    SimulatedBody& body = bodies_[b];
+    if (!body.reacts()) continue;
+    log_.pieces[b].push_back(body.piece);
+    const Placement at = body.motion->at(t_);
+    body.x = in_space(at.t);
+    body.R = polished(in_space(at.R));
+    body.spin = body.rotor.spin(body.R, body.L);
+  }
+}
+
+}  // namespace raygauge
