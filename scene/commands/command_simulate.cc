@@ -77,6 +77,19 @@ SceneSource source_to_simulate(const SimulateArguments& arguments) {
   return source;
 }
 
+// Refuses what cannot begin, before an earlier file goes.
+void check_start(const SceneSource& source, const std::string& path) {
+  Dynamics dynamics = *source.dynamics;
+  dynamics.tolerance = source.accuracies.back().tolerance;
+  SimulationHooks hooks;
+  hooks.stop = [] { return true; };
+  try {
+    simulate(source.scene, dynamics, nullptr, hooks);
+  } catch (const InvalidParameterError& error) {
+    throw InvalidParameterError(path + ": " + error.what());
+  }
+}
+
 std::string resume_command(const SimulateArguments& arguments, const std::string& output) {
   const SceneInput input = input_of(arguments);
   std::string command = language::shell(program_invocation_name) + " scene simulate " +
@@ -100,6 +113,7 @@ class SimulateJob {
     if (!arguments.quiet) print_notes(source_.notes);
     path_ = arguments.output.empty() ? "out/" + source_.scene.name + ".h5" : arguments.output;
     output_place({path_, OutputKind::results, {".h5", ".hdf5"}, {arguments.input.path}, arguments.force});
+    check_start(source_, arguments.input.path);
     const bool own = source_.engines.back() == kOwnEngine;
     if (own && source_.dynamics->has_friction()) friction_ = loaded_friction();
     SceneFile head = head_of(source_, plan_scene(source_.scene));

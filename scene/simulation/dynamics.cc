@@ -19,6 +19,16 @@ bool is_in(const std::vector<int>& group, int body) {
   return std::find(group.begin(), group.end(), body) != group.end();
 }
 
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+constexpr double kLargest = 1e60;  // squares and products of a few stay finite
+
+bool is_ordinary(double x) { return x >= 1 / kLargest && x <= kLargest; }
+
 void check_law(const ContactLaw& law) {
   if (law.friction && !(*law.friction >= 0 && std::isfinite(*law.friction)))
     refuse("friction must be 0 or more, and finite");
@@ -30,23 +40,22 @@ void check_body(const Body& body, const BodyDynamics& how, int n) {
   const std::string name = "body '" + body.name + "'";
   if (!how.reacts()) return;
   if (!body.motion->is_static()) refuse(name + " has a mass and follows a motion; give it one of both");
-  if (!std::isfinite(how.mass) || !how.inertia.allFinite()) refuse(name + ": mass or inertia is not finite");
-  if (!how.velocity.allFinite() || !how.spin.allFinite()) refuse(name + ": a velocity is not finite");
+  if (!is_ordinary(how.mass))
+    refuse(name + ": mass must lie in [1e-60, 1e60], got " + short_number(how.mass));
+  if (!how.inertia.allFinite()) refuse(name + ": inertia is not finite");
+  if (!(how.velocity.norm() <= kLargest && how.spin.norm() <= kLargest))
+    refuse(name + ": velocities must be at most 1e60");
   const Eigen::Matrix3d J =
       n == 2 ? Eigen::Matrix3d(how.inertia(2, 2) * Eigen::Matrix3d::Identity()) : how.inertia;
   if (J != J.transpose()) refuse(name + ": its inertia must be symmetric");
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J).eigenvalues();
   if (!(moments[0] > 0)) refuse(name + ": its inertia must be positive definite");
+  if (!is_ordinary(moments[0]) || !is_ordinary(moments[2]))
+    refuse(name + ": inertia must lie in [1e-60, 1e60], got " + short_number(moments[2]));
 }
 
 std::string counted(std::size_t n, const char* one, const char* more) {
   return std::to_string(n) + " " + (n == 1 ? one : more);
-}
-
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
 }
 
 std::string list_of(const std::vector<SimulationAccuracy>& all, double SimulationAccuracy::*member) {

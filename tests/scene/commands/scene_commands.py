@@ -509,16 +509,22 @@ class Scenes(unittest.TestCase):
 
     def test_a_scene_that_cannot_react_gets_one_line(self):
         good = (self.scenes / "dynamics" / "bouncing_ball.toml").read_text()
+        before = self.work / "before.h5"
+        self.run_raygauge("scene", "simulate", self.scenes / "dynamics" / "bouncing_ball.toml", "-q", "-o", before)
         for old, new, message in (("mass = 1", "mass = 0", "mass"), ("restitution = 0.5", "restitution = 1.5", "restitution"),
                                   ("restitution = 0.5", "friction = -1", "friction"), ("mass = 1", "", "no body reacts"),
                                   ("[0, 0, 1.1]", "[0, 0, 0.05]", "overlap at the start"),
                                   ('mass = 1', 'mass = 1\nmotion = { velocity = [1, 0, 0] }', "follows a motion"),
+                                  ("mass = 1", "mass = 1e300", "[1e-60, 1e60]"), ("mass = 1", "mass = 1e-300", "[1e-60, 1e60]"),
+                                  ("mass = 1", "mass = 1\nvelocity = [0, 0, 1e200]", "at most 1e60"),
                                   ("radius = 0.1", "radius = 0", "volume"), ("gravity", "gravitation", "gravity")):
             with self.subTest(new):
                 (self.work / "bad.toml").write_text(good.replace(old, new, 1))
-                done = self.run_raygauge("scene", "simulate", self.work / "bad.toml", "-o", self.work / "bad.h5", status=2)
+                done = self.run_raygauge("scene", "simulate", self.work / "bad.toml", "-o", before, "--force", status=2)
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertIn(message, done.stderr)
+                self.assertIn("bad.toml", done.stderr)
+                self.assertTrue(before.exists())
         self.run_raygauge("scene", "run", self.scenes / "dynamics" / "bouncing_ball.toml", "-o", self.work / "b.h5", status=2)
 
     def test_a_scene_without_work_has_a_file_of_its_own(self):
