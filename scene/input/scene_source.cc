@@ -11,6 +11,7 @@
 #include "cli/input/mesh_object_file.h"
 #include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
+#include "cli/input/shapes.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_source.h"
 #include "cli/input/toml_values.h"
@@ -180,7 +181,18 @@ class SceneReader {
     return parts;
   }
 
+  // A shape's own keys beside its name are the usual slip.
+  void check_shape_is_no_name(const toml::table& table) const {
+    const auto name = table["shape"].value<std::string>();
+    const auto is_named = [&name](const Shape& shape) { return shape.name == *name; };
+    if (name && !std::filesystem::exists(folder_ / *name) &&
+        std::any_of(shapes().begin(), shapes().end(), is_named))
+      refuse(*table.get("shape"),
+             "body.shape names a set file or is a table: shape = { shape = \"" + *name + "\", ... }");
+  }
+
   void read_body(const toml::table& table) {
+    check_shape_is_no_name(table);
     reject_unknown_keys(table, "[[body]] key", scene_keys().at("body"));
     const std::vector<SetPointer> parts = parts_of(table);
     if (dimension_ == 0) dimension_ = parts.front()->dimension();
@@ -376,22 +388,6 @@ void set_accuracies(SceneSource& source, std::vector<SimulationAccuracy> accurac
   source.accuracies = std::move(accuracies);
   source.dynamics->step = source.accuracies.back().step;
   source.dynamics->tolerance = source.accuracies.back().tolerance;
-}
-
-const std::map<std::string, std::vector<std::string>>& scene_keys() {
-  static const std::map<std::string, std::vector<std::string>> kKeys = {
-      {"",
-       {"name", "description", "dimension", "time", "dynamics", "body", "robot", "plan", "ignore", "query"}},
-      {"time", {"from", "to", "instants"}},
-      {"body",
-       {"name", "group", "shape", "parts", "file", "as", "scale", "pose", "motion", "density", "mass",
-        "inertia", "velocity", "angular_velocity"}},
-      {"robot", robot_keys()},
-      {"plan", plan_keys()},
-      {"query",
-       {"name", "between", "effects", "metric", "metric_body", "within", "nearest", "tolerance", "contact",
-        "clearance_tolerance", "every_instant"}}};
-  return kKeys;
 }
 
 SceneSource read_scene(const std::string& path, const std::vector<std::string>& overrides,

@@ -45,6 +45,8 @@ BAD = {
     "an unknown body": ('effects = ["distance", "closest_points"]', 'effects = ["distance"]\nbetween = ["d"]', "'d'"),
     "an unknown effect": ('"closest_points"', '"closest_point"', "closest_points"),
     "an unknown key": ("instants = 2000", "instant = 2000", "instants"),
+    "a shape's keys beside its name": ('shape = { shape = "ball", center = [4, 0, 0], radius = 0.5 }',
+                                      'shape = "ball"\nradius = 0.5', 'shape = { shape = "ball", ... }'),
     "times that fall": ("to = 1\ninstants = 2000", "instants = [0, 1, 0.5]", "instants must rise"),
     "a quaternion of another length": ('motion = { velocity = [1, 0, 0], spin = [1, 2, 3] }',
                                       'pose = { quaternion = [1, 1, 0, 0] }', "not a rotation"),
