@@ -1,0 +1,25 @@
+# What most modules here that find a package do.
+include(FindPackageHandleStandardArgs)
+
+# raygauge_find(HEADER file [SUFFIX folder] [LIBRARIES names...]) within FindNAME.cmake looks for the header, in folders of
+# that suffix too, and for the libraries, and defines NAME_FOUND, NAME_INCLUDE_DIR and the target NAME::NAME.
+macro(raygauge_find)
+  cmake_parse_arguments(_find "" "HEADER;SUFFIX" "LIBRARIES" ${ARGN})
+  set(_package ${CMAKE_FIND_PACKAGE_NAME})
+  set(_files)
+  foreach(_library IN LISTS _find_LIBRARIES)
+    find_library(${_package}_${_library} ${_library})
+    list(APPEND _files ${_package}_${_library})
+  endforeach()
+  find_path(${_package}_INCLUDE_DIR ${_find_HEADER} PATH_SUFFIXES ${_find_SUFFIX})
+  list(APPEND _files ${_package}_INCLUDE_DIR)
+  mark_as_advanced(${_files})
+  find_package_handle_standard_args(${_package} REQUIRED_VARS ${_files})
+  if(${_package}_FOUND AND NOT TARGET ${_package}::${_package})
+    add_library(${_package}::${_package} INTERFACE IMPORTED)
+    target_include_directories(${_package}::${_package} INTERFACE ${${_package}_INCLUDE_DIR})
+    foreach(_library IN LISTS _find_LIBRARIES)
+      target_link_libraries(${_package}::${_package} INTERFACE ${${_package}_${_library}})
+    endforeach()
+  endif()
+endmacro()
