@@ -85,6 +85,9 @@ void check_start(const SceneSource& source, const std::string& path) {
   hooks.stop = [] { return true; };
   try {
     simulate(source.scene, dynamics, nullptr, hooks);
+    for (const std::string& engine : source.engines) {
+      if (engine != kOwnEngine) EngineSteps(engine, source.scene, dynamics);
+    }
   } catch (const InvalidParameterError& error) {
     throw InvalidParameterError(path + ": " + error.what());
   }

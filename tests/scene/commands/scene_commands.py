@@ -456,7 +456,11 @@ class Scenes(unittest.TestCase):
                 self.assertIn(engine, self.run_raygauge("table", results).stdout)
         cone = scene.read_text().replace('shape = "box", lower = [-0.2, -0.2, -0.1], upper = [0.2, 0.2, 0.1]', 'shape = "cone", base = [0, 0, 0], top = [0, 0, 1], radius = 1')
         (self.work / "cone.toml").write_text(cone)
-        self.run_raygauge("scene", "simulate", self.work / "cone.toml", "-o", self.work / "cone.h5", "--engine", "ode", status=2)
+        earlier = self.work / "cone.h5"
+        self.run_raygauge("scene", "simulate", scene, "-q", "-o", earlier)
+        done = self.run_raygauge("scene", "simulate", self.work / "cone.toml", "-o", earlier, "--force", "--engine", "ode", status=2)
+        self.assertIn("cone.toml", done.stderr)
+        self.assertTrue(earlier.exists())
 
     def heap(self):
         """Boxes that fall on each other: steps are cut, guesses and normals of one step matter in the next."""
