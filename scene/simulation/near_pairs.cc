@@ -20,6 +20,13 @@ constexpr double kUsual = 0.4, kMore = 0.2;  // of δ
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const SceneMetric kEuclidean;
 
+// To a few digits, so that the last bits of a step's length tell no band from another.
+double rounded_up(double band) {
+  int exponent = 0;
+  const double mantissa = std::frexp(band, &exponent);
+  return std::ldexp(std::ceil(mantissa * 16) / 16, exponent);
+}
+
 Placement placement_of(const SimulatedBody& body, int n) {
   return {SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
 }
@@ -46,7 +53,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
           bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
       if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
       if (const auto law = dynamics.law_of(a, b))
-        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1});
+        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, {}});
     }
   }
 }
@@ -131,6 +138,38 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
   finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
 }
 
+bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {
+  return band >= 0 && at_a.t == a.t && at_a.R == a.R && at_b.t == b.t && at_b.R == b.R;
+}
+
+Placement NearPairs::place_of(int number) const {
+  return placement_of(bodies_[static_cast<std::size_t>(part(number).owner)], n_);
+}
+
+// Of bodies that lie still it is known.
+const PartContact& NearPairs::contact_now(Candidate& candidate, double band) {
+  const Placement at_a = place_of(candidate.part_a), at_b = place_of(candidate.part_b);
+  KnownLook& known = candidate.known;
+  if (known.is_of(at_a, at_b) && known.band == band && known.previous == candidate.normal)
+    return known.contact;
+  look(candidate, at_a, at_b, band, known.contact);
+  known.at_a = at_a;
+  known.at_b = at_b;
+  known.previous = candidate.normal;
+  known.band = band;
+  return known.contact;
+}
+
+// Whether both parts lie still within this substep, at a signed distance of `least` or more.
+bool NearPairs::stays(const Candidate& candidate, double least) const {
+  const auto is_still = [this](int number) {
+    return bodies_[static_cast<std::size_t>(part(number).owner)].still;
+  };
+  return is_still(candidate.part_a) && is_still(candidate.part_b) &&
+         candidate.known.is_of(place_of(candidate.part_a), place_of(candidate.part_b)) &&
+         candidate.known.contact.lower >= least;
+}
+
 // Before its step, a body's motion is not known: its travel is that of its velocities.
 std::vector<NearPair>& NearPairs::find(double t, double dt) {
   for (const NearPair& pair : near_) candidate_of(pair.part_a, pair.part_b)->near = -1;
@@ -151,8 +190,7 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
     const double band = 2 * (swept_[static_cast<std::size_t>(pair.part_a)].travel +
                              swept_[static_cast<std::size_t>(pair.part_b)].travel) +
                         scales_.delta;
-    look(candidate, placement_of(bodies_[static_cast<std::size_t>(pair.a)], n_),
-         placement_of(bodies_[static_cast<std::size_t>(pair.b)], n_), band, pair.contact);
+    pair.contact = contact_now(candidate, rounded_up(band));
     if (pair.contact.points.empty()) continue;
     candidate.normal = pair.contact.normal;
     candidate.near = static_cast<int>(near_.size());
@@ -309,12 +347,14 @@ double NearPairs::proven_pair(const Candidate& candidate, double t, double end) 
   constexpr double kInside = 1 - 1e-9;
   const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
   const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
-  if (near == nullptr || near->role == PairRole::apart) return free_until(a, b, t, end, scales_.arrival());
+  if (near == nullptr || near->role == PairRole::apart)
+    return stays(candidate, scales_.arrival()) ? end : free_until(a, b, t, end, scales_.arrival());
   nothing_touched_ = false;
   const Eigen::Vector3d& normal = near->contact.normal;
   const double deep = std::max(0.0, -near->contact.lower);
   // Half of δ is left for pairs that begin deeper than others end.
   const double most = scales_.delta * (deep < kUsual * scales_.delta ? kUsual + kMore : kInside);
+  if (stays(candidate, -most)) return end;
   if (near->role == PairRole::contact) return overlap_until(candidate, normal, t, end, most);
   const double away = std::min(end, t + (kAway * scales_.delta + deep) / std::max(-near->closing, 1e-300));
   const double first = overlap_until(candidate, normal, t, away, most);

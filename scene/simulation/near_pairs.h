@@ -72,11 +72,22 @@ class NearPairs {
   bool nothing_touched() const noexcept { return nothing_touched_; }
 
  private:
+  // What a look() found, and of what.
+  struct KnownLook {
+    Placement at_a, at_b;
+    Eigen::Vector3d previous;  // normal
+    double band = -1;          // nothing is known
+    PartContact contact;
+
+    bool is_of(const Placement& a, const Placement& b) const;
+  };
+
   struct Candidate {
     int part_a, part_b;
     ContactLaw law;
     Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< of the last find(), where it was near
     int near = -1;                                      ///< its number among the near pairs
+    KnownLook known;                                    ///< that of the last find()
   };
 
   struct TimedLook {
@@ -102,6 +113,9 @@ class NearPairs {
   double overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from, double to,
                        double most);
   double proven_pair(const Candidate& candidate, double t, double end);
+  Placement place_of(int number) const;
+  const PartContact& contact_now(Candidate& candidate, double band);
+  bool stays(const Candidate& candidate, double least) const;
   PartContact look_at(const Candidate& candidate, double t, double band);
   double least_of(const Candidate& candidate, const TimedLook& first, const TimedLook& last, double enough,
                   int halvings);

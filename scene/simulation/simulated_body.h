@@ -37,6 +37,8 @@ struct SimulatedBody {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();  ///< angular velocity
   MotionPointer motion;  ///< over the substep in work; of bodies that do not react, all of it
   MotionPiece piece;     ///< the same, of one that reacts
+  double reach = 0;      ///< of its points, from x
+  bool still = false;    ///< its motion over the substep in work is none
 
   bool reacts() const noexcept { return mass > 0; }
   Eigen::Matrix3d inverse_inertia() const { return R * rotor.J_inverse * R.transpose(); }

@@ -57,6 +57,7 @@ void Simulator::add_body(const Body& body, const BodyDynamics& how) {
   Body& own = out_.scene.bodies[bodies_.size()];
   SimulatedBody one;
   one.motion = body.motion;
+  one.still = body.motion->is_static();
   if (how.reacts()) {
     own = about_center(body, how.center);
     const Placement at = own.motion->at(t_);
@@ -71,6 +72,8 @@ void Simulator::add_body(const Body& body, const BodyDynamics& how) {
     one.spin = how.spin;
     one.L = one.R * one.rotor.J * one.R.transpose() * how.spin;
     one.motion = nullptr;
+    one.reach = own.reach;
+    one.still = false;
   }
   bodies_.push_back(std::move(one));
 }

@@ -13,6 +13,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
+constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
 constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
 
 // Made orthonormal again: what a turn by rounded numbers loses, squared.
@@ -90,6 +91,11 @@ bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, do
   rates.spin = *spin;
   rates.velocity = SmallVector((pushed ? body.v : before.v).head(n_));
   if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n_));
+  body.still = pushed && (rates.velocity.norm() + rates.spin.norm() * body.reach) * dt <= kStill * body.reach;
+  if (body.still) {
+    rates.velocity.setZero();
+    rates.spin.setZero();
+  }
   const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
   body.motion = std::make_shared<TwistMotion>(first, rates, t_);
   body.piece = {t_, first, rates};
@@ -188,6 +194,7 @@ void Simulator::commit(double end, const std::vector<SimulatedBody>& before) {
     SimulatedBody& body = bodies_[b];
     if (!body.reacts()) continue;
     log_.pieces[b].push_back(body.piece);
+    if (body.still) continue;
     const Placement at = body.motion->at(t_);
     body.x = in_space(at.t);
     body.R = polished(in_space(at.R));

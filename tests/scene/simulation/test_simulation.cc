@@ -163,6 +163,28 @@ TEST(Simulation, a_box_rests_where_it_stands) {
   }
 }
 
+// What rests is not asked again; a ball that comes after 0.5 s wakes it.
+TEST(Simulation, bodies_at_rest_are_left_alone_until_something_comes) {
+  Reacting scene(0.4);
+  scene.dynamics.step = 1e-3;
+  scene.dynamics.gravity = v(0, 0, -9.81);
+  scene.dynamics.contact = ContactLaw{};
+  scene.add(floor(), v(0, 0, 0), 0);
+  for (int k = 0; k < 3; ++k) scene.add(box(0.1, 0.1, 0.1), v(0, 0, 0.1 + 0.2 * k), 1);
+  const Simulation alone = simulate(scene.scene, scene.dynamics, nullptr);
+  EXPECT_LE(alone.counters.contact_queries, 30);  // in 400 steps
+  EXPECT_LE(alone.counters.motion_proofs, 30);
+  for (std::size_t k = 1; k <= 3; ++k)
+    EXPECT_EQ(motion_of(alone, k).at(0.4).t, scene.scene.bodies[k].motion->at(0).t);
+  scene.scene.instants.back() = 1;
+  scene.add(ball(0.1), v(1.2, 0, 0.5), 1);
+  scene.dynamics.bodies.back().velocity = v(-2, 0, 9.81 * 0.25);  // at the height of the highest at 0.5 s
+  const Simulation hit = simulate(scene.scene, scene.dynamics, nullptr);
+  EXPECT_EQ(motion_of(hit, 3).at(0.4).t, scene.scene.bodies[3].motion->at(0).t);
+  EXPECT_LT(motion_of(hit, 3).at(1).t[0], -0.1);
+  for (const StepRecord& step : hit.steps) EXPECT_GE(step.least_distance, -hit.tolerance);
+}
+
 // A box of 1000 m/s at a plate 1 mm thick: no step size lets it pass.
 TEST(Simulation, nothing_passes_through_a_thin_plate) {
   for (const double step : {1e-2, 1e-3}) {
