@@ -12,15 +12,15 @@ constexpr int kBarWidth = 30;
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(std::FILE* stream, std::uint64_t resumed_cells)
-    : stream_(stream), in_place_(is_terminal(stream)), resumed_cells_(resumed_cells) {}
+ProgressDisplay::ProgressDisplay(std::FILE* stream, std::uint64_t resumed_cells, const char* unit)
+    : stream_(stream), in_place_(is_terminal(stream)), resumed_cells_(resumed_cells), unit_(unit) {}
 
 ProgressDisplay::~ProgressDisplay() { clear(); }
 
 void ProgressDisplay::show(const SweepProgress& progress) {
   const std::uint64_t done = resumed_cells_ + progress.cells_done;
   const std::uint64_t total = resumed_cells_ + progress.cells_total;
-  const std::string text = std::to_string(done) + " of " + counted(total, "cell") + ", " +
+  const std::string text = std::to_string(done) + " of " + counted(total, unit_) + ", " +
                            duration_text(progress.elapsed_seconds) + " so far, about " +
                            duration_text(progress.remaining_seconds) + " left";
   const double fraction = static_cast<double>(done) / static_cast<double>(total);

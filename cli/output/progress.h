@@ -13,8 +13,8 @@ namespace raygauge::cli {
 /// tenth of the cells.
 class ProgressDisplay {
  public:
-  /// `resumed_cells` were done before; the display counts them in.
-  ProgressDisplay(std::FILE* stream, std::uint64_t resumed_cells);
+  /// `resumed_cells` were done before; the display counts them in. `unit`: what is counted.
+  ProgressDisplay(std::FILE* stream, std::uint64_t resumed_cells, const char* unit = "cell");
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -30,6 +30,7 @@ class ProgressDisplay {
   std::FILE* stream_;
   bool in_place_;
   std::uint64_t resumed_cells_;
+  const char* unit_;
   int tenths_shown_ = 0;
   bool bar_on_screen_ = false;
 };

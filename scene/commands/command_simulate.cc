@@ -141,7 +141,7 @@ class SimulateJob {
 
  private:
   bool simulate_all() {
-    ProgressDisplay display(stderr, 0);
+    ProgressDisplay display(stderr, 0, "part");
     SimulationTables tables;
     Scene moved;
     for (std::int32_t number = 0; number < static_cast<std::int32_t>(wanted_.size()); ++number) {
@@ -194,7 +194,7 @@ class SimulateJob {
     if (arguments_.quiet) return hooks;
     const auto count = static_cast<double>(wanted_.size());
     hooks.progress = [this, &display, number, count](double share) {
-      constexpr std::uint64_t kParts = 1000;
+      constexpr std::uint64_t kParts = 100;
       const double seconds = seconds_since(begin_), done = (number + share) / count;
       if (seconds < shown_ + 1) return;
       shown_ = seconds;
