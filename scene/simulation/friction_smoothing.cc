@@ -133,9 +133,10 @@ void solve_at(Smoothed& smoothed, double tau, Eigen::VectorXd& y) {
     const Eigen::VectorXd step = smoothed.step();
     if (!step.allFinite()) return;
     double share = 1, next = size;
-    for (int half = 0; half < kMostHalves; ++half, share /= 2) {
+    for (int half = 0; half < kMostHalves; ++half) {
       next = smoothed.look(y + share * step, tau, false);
       if (next < (1 - share / 4) * size) break;
+      share /= 2;
     }
     if (!(next < size)) return;
     y += share * step;
@@ -153,7 +154,8 @@ double follow_smoothed_friction(const FrictionProblem& problem, double rate, Eig
   Smoothed smoothed(problem);
   Eigen::VectorXd y = smoothed.start();
   double best = friction_residual(problem, r);
-  for (double tau = 1; tau >= kLastTau; tau *= rate) {
+  double tau = 1;
+  while (tau >= kLastTau) {
     solve_at(smoothed, tau, y);
     const Eigen::VectorXd found = smoothed.impulses(y);
     const double residual = friction_residual(problem, found);
@@ -161,6 +163,7 @@ double follow_smoothed_friction(const FrictionProblem& problem, double rate, Eig
       best = residual;
       r = found;
     }
+    tau *= rate;
   }
   return best;
 }
