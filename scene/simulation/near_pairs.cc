@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "raygauge/exceptions.h"
+#include "raygauge/sets/half_space.h"
 #include "scene/queries/plane_steps.h"
 
 namespace raygauge {
@@ -31,6 +32,22 @@ Placement placement_of(const SimulatedBody& body, int n) {
   return {SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
 }
 
+// Around a part of a body that stands, by support points: closer than around the ball, of a wall or a floor.
+std::optional<Eigen::AlignedBox3d> standing_box(const SimulatedPart& part, const SimulatedBody& owner) {
+  const ConvexSet& S = *part.body.parts.front().set;
+  if (owner.reacts() || !owner.motion->is_static() || as_half_space(S) != nullptr) return std::nullopt;
+  const int n = S.dimension();
+  const Placement at = owner.motion->at(0);
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
+  Eigen::VectorXd point(n);
+  for (int k = 0; k < n; ++k) {
+    const Eigen::VectorXd axis = at.R.row(k).transpose(), back = -axis;
+    high[k] = at.t[k] + S.support_unchecked(axis.data(), point.data());
+    low[k] = at.t[k] - S.support_unchecked(back.data(), point.data());
+  }
+  return Eigen::AlignedBox3d(low, high);
+}
+
 }  // namespace
 
 NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
@@ -46,6 +63,8 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       planes_(std::make_unique<PairSolver>(n_)) {
   std::set<BodyPair> ignored;
   for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
+  for (const SimulatedPart& part : parts)
+    standing_.push_back(standing_box(part, bodies[static_cast<std::size_t>(part.owner)]));
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
     for (int j = i + 1; j < static_cast<int>(parts.size()); ++j) {
       const int a = parts[static_cast<std::size_t>(i)].owner, b = parts[static_cast<std::size_t>(j)].owner;
@@ -96,12 +115,15 @@ void NearPairs::sweep(double t, double dt, double beyond) {
     order_[static_cast<std::size_t>(i)] = i;
     one.middle = middle(i);
     one.travel = travel(i, t, dt);
+    const auto& standing = standing_[static_cast<std::size_t>(i)];
+    const double radius = standing ? 0 : part(i).body.ball.radius;
     // With more than the rounding that may_meet() allows for.
-    const double reach =
-        (part(i).body.ball.radius + one.travel + beyond + 1e-11 * one.middle.norm()) * kOutward;
+    const double size = one.middle.norm() + part(i).body.ball.radius;
+    const double reach = (radius + one.travel + beyond + 1e-11 * size) * kOutward;
     const bool bounded = std::isfinite(reach);
-    one.low = bounded ? Eigen::Vector3d(one.middle.array() - reach) : Eigen::Vector3d::Constant(-kInfinity);
-    one.high = bounded ? Eigen::Vector3d(one.middle.array() + reach) : Eigen::Vector3d::Constant(kInfinity);
+    const Eigen::AlignedBox3d box = standing ? *standing : Eigen::AlignedBox3d(one.middle);
+    one.low = bounded ? Eigen::Vector3d(box.min().array() - reach) : Eigen::Vector3d::Constant(-kInfinity);
+    one.high = bounded ? Eigen::Vector3d(box.max().array() + reach) : Eigen::Vector3d::Constant(kInfinity);
   }
   const auto swept = [this](int i) -> const Swept& { return swept_[static_cast<std::size_t>(i)]; };
   std::sort(order_.begin(), order_.end(),

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "raygauge/scene/continuous.h"
@@ -128,11 +130,12 @@ class NearPairs {
   ContactScales scales_;
   SimulationCounters& counters_;
   int n_;
-  std::vector<Candidate> candidates_;    // by their parts
-  std::vector<Swept> swept_;             // of each part
-  std::vector<int> order_;               // of the parts, by where their boxes begin
-  std::vector<Candidate*> may_meet_;     // of the last sweep
-  std::vector<NearPair> near_, before_;  // of the last find(), and of the one before it
+  std::vector<Candidate> candidates_;                         // by their parts
+  std::vector<Swept> swept_;                                  // of each part
+  std::vector<std::optional<Eigen::AlignedBox3d>> standing_;  // around each part that stands
+  std::vector<int> order_;                                    // of the parts, by where their boxes begin
+  std::vector<Candidate*> may_meet_;                          // of the last sweep
+  std::vector<NearPair> near_, before_;                       // of the last find(), and of the one before it
   ContactFinder finder_;
   ContinuousSolver solver_;
   std::unique_ptr<class PairSolver> planes_;
