@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// A file of poses, in space and in the plane: what is accepted is a motion whose poses are rotations and
-// finite.
+// A file of poses, in space and in the plane, or of joint values: what is accepted is a motion whose poses
+// are rotations and finite.
 #include "scene/input/motion_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
@@ -22,6 +22,13 @@ void check_motion_file(std::string_view input) {
       }
     });
   }
+  expect_success_or_error([&] {
+    const auto joints = cli::read_joint_file(file.path(), {"j", "k"}, {{"f", "is fixed"}});
+    require(joints->values.allFinite(), "accepted joint values are finite");
+    require(joints->values.cols() == static_cast<Eigen::Index>(joints->times.size()), "a time has values");
+    for (std::size_t i = 1; i < joints->times.size(); ++i)
+      require(joints->times[i - 1] < joints->times[i], "accepted times rise");
+  });
 }
 
 }  // namespace raygauge::fuzz

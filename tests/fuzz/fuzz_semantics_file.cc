@@ -4,27 +4,13 @@
 #include <algorithm>
 
 #include "scene/input/srdf_file.h"
+#include "tests/fuzz/crew_file.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/scratch_file.h"
 
 namespace raygauge::fuzz {
-namespace {
-
-constexpr const char* kCrew =
-    R"(<robot name="r"><link name="u"/><link name="v"/><link name="w"/>
-<joint name="j" type="revolute"><parent link="u"/><child link="v"/><axis xyz="0 1 0"/><limit lower="-1" upper="1"/></joint>
-<joint name="f" type="fixed"><parent link="v"/><child link="w"/></joint></robot>)";
-
-cli::Robot crew() {
-  const ScratchFile file(".crew.urdf");
-  file.write(kCrew);
-  return cli::read_robot(file.path(), {{}, true});
-}
-
-}  // namespace
-
 void check_semantics_file(std::string_view input) {
-  static const cli::Robot robot = crew();
+  static const cli::Robot robot = cli::read_robot(CrewFile().path(), {{}, true});
   static const ScratchFile file(".srdf");
   file.write(input);
   expect_success_or_error([&] {

@@ -22,7 +22,7 @@ constexpr std::array<const char*, 14> kTokens = {
     "1000000000", "4294967295", "-1", "9223372036854775807",       "1e308", "1e-320", "nan", "inf", "0", "[[",
     "\"",         "=",          "\n", "element vertex 999999999\n"};
 
-/// Changes seeds at random: bytes, numbers, words; cuts, and two seeds in one.
+/// Changes seeds at random: bits, bytes, numbers, words; cuts, pieces twice, and two seeds in one.
 class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed) {}
@@ -46,7 +46,7 @@ class Mutator {
 
   void change(std::string& input, const std::vector<std::string>& seeds) {
     const std::size_t at = below(input.size() + 1);
-    switch (below(6)) {
+    switch (below(8)) {
       case 0:
         if (at < input.size()) input[at] = static_cast<char>(below(256));
         return;
@@ -62,10 +62,21 @@ class Mutator {
       case 4:
         replace_number(input, at);
         return;
+      case 5:
+        if (!input.empty()) input = flipped(input);
+        return;
+      case 6:
+        input.insert(at, line_from(input, at));
+        return;
       default:
         const std::string& other = seeds[below(seeds.size())];
         input = input.substr(0, at) + other.substr(below(other.size() + 1));
     }
+  }
+
+  /// The rest of a line, and its end.
+  static std::string line_from(const std::string& input, std::size_t at) {
+    return input.substr(at, std::min(input.find('\n', at), input.size()) + 1 - at);
   }
 
   /// The number behind `at` becomes another one.

@@ -25,7 +25,11 @@ class ScratchFile {
   ScratchFile& operator=(const ScratchFile&) = delete;
 
   std::string path() const { return path_.string(); }
+
+  /// Anew, for a file that is emptied and written again waits for the disk.
   void write(std::string_view bytes) const {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
     std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
 
