@@ -69,6 +69,7 @@ class Simulator {
   std::vector<NearPair>* near_ = nullptr;
   std::vector<ContactUnknown> contacts_;  // of the substep in work
   std::vector<ContactUnknown> last_;      // of the one before
+  std::vector<bool> pushed_;              // bodies with an impulse of contacts_
   StepRecord row_;
   double residual_ = 0;  // of the contact problem of the substep in work
   int bounces_ = 0;      // at this moment

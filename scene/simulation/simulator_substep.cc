@@ -15,6 +15,7 @@ namespace {
 constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
 constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
 constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
+constexpr double kRounding = 1e-8;  // of δ: gaps below are 0; to close them an arch would wedge its stones in
 
 // Made orthonormal again: what a turn by rounded numbers loses, squared.
 Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
@@ -40,19 +41,20 @@ bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& befor
     if (pair.role != PairRole::contact) continue;
     for (const GapPoint& point : pair.contact.points) {
       // An overlap is given the time of a whole step to go.
-      const double now = point.gap < 0 ? point.gap / dynamics_.step : point.gap / dt;
+      const double gap = std::fabs(point.gap) < kRounding * scales_.delta ? 0 : point.gap;
+      const double now = gap / (gap < 0 ? dynamics_.step : dt);
       contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
                            now + pair.correction / dt, pair.law.friction, guess(pair, point)});
     }
   }
   residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
-  std::vector<bool> pushed(bodies_.size());
+  pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {
     if (contact.impulse.isZero(0)) continue;
-    pushed[static_cast<std::size_t>(contact.a)] = pushed[static_cast<std::size_t>(contact.b)] = true;
+    pushed_[static_cast<std::size_t>(contact.a)] = pushed_[static_cast<std::size_t>(contact.b)] = true;
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed[b])) return false;
+    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed_[b])) return false;
   }
   return true;
 }
@@ -103,12 +105,14 @@ bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, do
 }
 
 // Pairs that touch and were thought to separate, but that the impulses of others close: they join the
-// problem.
+// problem. Bodies in flight may come back within the substep; the proof ends where they do.
 bool Simulator::catch_leaving() {
   bool any = false;
   for (NearPair& pair : *near_) {
     if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
-    if (!(closing_speed(pair) > 0)) continue;
+    const bool flies =
+        !pushed_[static_cast<std::size_t>(pair.a)] && !pushed_[static_cast<std::size_t>(pair.b)];
+    if (flies || !(closing_speed(pair) > 0)) continue;
     pair.role = PairRole::contact;
     any = true;
   }
