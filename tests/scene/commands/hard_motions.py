@@ -5,15 +5,15 @@ what is known of the motion holds.
 
     hard_motions.py --raygauge PROGRAM --scenes FOLDER
 """
-import argparse
 import csv
 import io
 import math
 import pathlib
 import subprocess
 import sys
-import tempfile
-import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from scene_program import SceneProgram, main  # noqa: E402
 
 STEPS = (1e-2, 1e-3, 1e-4)
 G = 9.81
@@ -45,24 +45,9 @@ class Motion:
                    for row in self.rows for place in [(row["x"], row["y"], row["z"])])
 
 
-class HardMotions(unittest.TestCase):
-    raygauge = None
-    scenes = None
-
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.work = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_raygauge(self, *arguments):
-        done = subprocess.run([self.raygauge, *map(str, arguments)], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done.stdout
-
+class HardMotions(SceneProgram):
     def table(self, results, *options):
-        text = self.run_raygauge("export", results, "--csv", "-", *options)
+        text = self.run_raygauge("export", results, "--csv", "-", *options).stdout
         return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(io.StringIO(text))]
 
     def simulated(self, name, *changes):
@@ -218,9 +203,4 @@ class HardMotions(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--raygauge", required=True)
-    parser.add_argument("--scenes", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    HardMotions.raygauge, HardMotions.scenes = arguments.raygauge, arguments.scenes
-    unittest.main(argv=[sys.argv[0], *rest])
+    main()

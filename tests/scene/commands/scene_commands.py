@@ -4,7 +4,6 @@
 
     scene_commands.py --raygauge PROGRAM --scenes FOLDER
 """
-import argparse
 import csv
 import io
 import itertools
@@ -14,11 +13,12 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from scene_program import SceneProgram, main  # noqa: E402
 
 GOOD = """
 [time]
@@ -75,24 +75,12 @@ FILES = {
 }
 
 
-class Scenes(unittest.TestCase):
-    raygauge = None
-    scenes = None
-
+class Scenes(SceneProgram):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.work = pathlib.Path(self.folder.name)
+        super().setUp()
         for name, text in FILES.items():
             (self.work / name).write_text(text)
         (self.work / "good.toml").write_text(GOOD)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def run_raygauge(self, *arguments, status=0):
-        done = subprocess.run([self.raygauge, *map(str, arguments)], capture_output=True, text=True)
-        self.assertEqual(done.returncode, status, done.stderr)
-        return done
 
     def answers(self, results):
         """The records without times: session and seconds are of the run, not of the scene."""
@@ -691,9 +679,4 @@ class Scenes(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--raygauge", required=True)
-    parser.add_argument("--scenes", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    Scenes.raygauge, Scenes.scenes = arguments.raygauge, arguments.scenes
-    unittest.main(argv=[sys.argv[0], *rest])
+    main()
