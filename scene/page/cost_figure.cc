@@ -93,7 +93,8 @@ Drawing draw_costs(const SimulationTables& tables, FigureSize size) {
   drawing.script =
       "set encoding utf8\nset border 3\nset tics nomirror out scale 0.5\nset logscale xy\nset format "
       "'10^{%T}'\n"
-      "set key below center horizontal samplen 1\nset multiplot layout 2,2\nset xlabel 'time / s' offset 0,0.5\n";
+      "set key below center horizontal samplen 1\nset multiplot layout 2,2\nset xlabel 'time / s' offset "
+      "0,0.5\n";
   for (const Panel& panel : kPanels) drawing.script += panel_script(panel, tables);
   drawing.script += "unset multiplot\n";
   return drawing;
