@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
-// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `motions`, `edges`, `scenes`
-// and `simulations` check random pairs of convex sets, posed bodies, bodies at known distances, overlaps,
-// used solvers, depths, moving bodies, edges of robots, scenes and simulations: docs/soak.md.
+// `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `meshes`, `motions`, `edges`,
+// `scenes` and `simulations` check random pairs of convex sets, posed bodies, bodies at known distances, overlaps,
+// used solvers, depths, meshes, moving bodies, edges of robots, scenes and simulations: docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -18,6 +18,7 @@
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_depths.h"
 #include "tests/soak/random_edges.h"
+#include "tests/soak/random_meshes.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/random_simulations.h"
@@ -170,6 +171,10 @@ int main(int count, char** arguments) {
   const CLI::App* depths = raygauge::soak::declare(
       app, "depths", "Depths of overlapping bodies of R^2 and R^3, 20 poses a pair, warm and cold.",
       asked_pairs);
+  const CLI::App* meshes = raygauge::soak::declare(
+      app, "meshes",
+      "Pairs of meshes, 50 poses and 5 motions each, against all pairs of triangles in quadruple precision.",
+      asked_pairs);
   const CLI::App* motions = raygauge::soak::declare(
       app, "motions", "Times of impact of random moving bodies, against distances at single moments.",
       asked_pairs);
@@ -189,6 +194,7 @@ int main(int count, char** arguments) {
     if (*overlaps) return raygauge::soak::soak_pairs<raygauge::soak::Overlaps>(asked_pairs);
     if (*used) return raygauge::soak::soak_pairs<raygauge::soak::UsedSolvers>(asked_pairs);
     if (*depths) return raygauge::soak::soak_pairs<raygauge::soak::RandomDepths>(asked_pairs);
+    if (*meshes) return raygauge::soak::soak_pairs<raygauge::soak::RandomMeshes>(asked_pairs);
     if (*motions) return raygauge::soak::soak_pairs<raygauge::soak::RandomMotions>(asked_pairs);
     if (*edges) return raygauge::soak::soak_pairs<raygauge::soak::RandomEdges>(asked_pairs);
     if (*scenes) return raygauge::soak::soak_pairs<raygauge::soak::RandomScenes>(asked_pairs);

@@ -17,6 +17,7 @@
 #include "tests/soak/posed_bodies.h"
 #include "tests/soak/random_depths.h"
 #include "tests/soak/random_edges.h"
+#include "tests/soak/random_meshes.h"
 #include "tests/soak/random_motions.h"
 #include "tests/soak/random_scenes.h"
 #include "tests/soak/random_simulations.h"
@@ -204,6 +205,16 @@ TEST(Soak, TimesOfImpactAreThoseOfBisectionsAndOfQuadruplePrecision) {
   EXPECT_GT(motions.tally().grazing, 20);
   EXPECT_EQ(motions.tally().exact, 100);
   EXPECT_LT(motions.tally().exact_undecided, 60);  // half of them graze by less than poses can tell
+}
+
+TEST(Soak, MeshesAreAsFarApartAsTheirNearestTriangles) {
+  soak::RandomMeshes meshes(1);
+  for (std::int64_t i = 0; i < 40; ++i) ASSERT_EQ(meshes.check(i).value_or(""), "");
+  EXPECT_GT(meshes.tally().meeting, 200);
+  EXPECT_GT(meshes.tally().inside, 10);
+  EXPECT_GT(meshes.tally().certified, meshes.tally().poses * 9 / 10);
+  EXPECT_GT(meshes.tally().contacts, 20);
+  EXPECT_GT(meshes.tally().free, 20);
 }
 
 TEST(Soak, VerdictsOnEdgesHoldAtEveryMoment) {

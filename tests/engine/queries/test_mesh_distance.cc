@@ -15,7 +15,7 @@
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
-#include "tests/engine/queries/mesh_truth.h"
+#include "tests/mesh_truth.h"
 
 namespace raygauge::test_mesh_distance {
 namespace {

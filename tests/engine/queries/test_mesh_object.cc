@@ -16,10 +16,12 @@
 #include "raygauge/queries/membership.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/pair_batch.h"
+#include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/minkowski_sum.h"
-#include "tests/engine/queries/mesh_truth.h"
+#include "raygauge/sets/point_set.h"
+#include "tests/mesh_truth.h"
 
 namespace raygauge::test_mesh_object {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "raygauge/queries/mesh_distance.h"
-#include "tests/engine/queries/mesh_truth.h"
+#include "tests/mesh_truth.h"
 
 namespace raygauge::test_mesh_pairs {
 namespace {
