@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "raygauge/numerics/quad.h"
@@ -86,11 +87,13 @@ Real to_inside(const Point<Real>& p, const Triangle<Real>& t, const Point<Real>&
   return nn > 0 ? high * high / nn : Real(std::numeric_limits<double>::infinity());
 }
 
-// Whether the segment from p to q meets the triangle away from its plane's directions.
+enum class Way : std::uint8_t { past, touches, crosses };
+
+// How the segment from p to q goes by the triangle; `past` where it lies in its plane.
 template <class Real>
-bool pierces(const Point<Real>& p, const Point<Real>& q, const Triangle<Real>& t, const Point<Real>& normal) {
+Way way_of(const Point<Real>& p, const Point<Real>& q, const Triangle<Real>& t, const Point<Real>& normal) {
   const Real from = dot(p - t[0], normal), to = dot(q - t[0], normal);
-  if ((from > 0 && to > 0) || (from < 0 && to < 0) || from == to) return false;
+  if ((from > 0 && to > 0) || (from < 0 && to < 0) || from == to) return Way::past;
   int positive = 0, negative = 0;
   for (int k = 0; k < 3; ++k) {
     const Point<Real> a = t[static_cast<std::size_t>(k)] - p,
@@ -99,9 +102,11 @@ bool pierces(const Point<Real>& p, const Point<Real>& q, const Triangle<Real>& t
     positive += side > 0 ? 1 : 0;
     negative += side < 0 ? 1 : 0;
   }
-  return positive == 0 || negative == 0;
+  if (positive > 0 && negative > 0) return Way::past;
+  return positive + negative == 3 && from != 0 && to != 0 ? Way::crosses : Way::touches;
 }
 
+// -1 of triangles that cross each other.
 template <class Real>
 Real squared_distance(const Triangle<Real>& s, const Triangle<Real>& t, bool may_cross = true) {
   Real least = std::numeric_limits<double>::infinity();
@@ -112,12 +117,16 @@ Real squared_distance(const Triangle<Real>& s, const Triangle<Real>& t, bool may
     const Point<Real> normal = cross((*to)[1] - (*to)[0], (*to)[2] - (*to)[0]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point<Real>&p = (*from)[k], &q = (*from)[(k + 1) % 3];
-      if (may_cross && pierces(p, q, *to, normal)) return 0;
+      const Way way = may_cross ? way_of(p, q, *to, normal) : Way::past;
+      if (way == Way::crosses) return -1;
+      if (way == Way::touches) take(0);
       take(to_inside(p, *to, normal));
       for (std::size_t m = 0; m < 3; ++m) take(to_segment(p, (*to)[m], (*to)[(m + 1) % 3] - (*to)[m]));
-      for (std::size_t m = 0; m < 3; ++m)
-        take(of_segments(p, q - p, (*to)[m], (*to)[(m + 1) % 3] - (*to)[m]));
     }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t m = 0; m < 3; ++m)
+      take(of_segments(s[k], s[(k + 1) % 3] - s[k], t[m], t[(m + 1) % 3] - t[m]));
   }
   return least;
 }
@@ -178,8 +187,8 @@ std::vector<Candidate> near_pairs(const MeshShape& one, const Pose& at_1, const 
   for (const Candidate& pair : all_pairs(first, second)) {
     if (pair.lower > least + margin) break;
     const auto s = static_cast<std::size_t>(pair.s), t = static_cast<std::size_t>(pair.t);
-    const double d =
-        std::sqrt(squared_distance(corners<double>(one, at_1, s), corners<double>(two, at_2, t)));
+    const double d = std::sqrt(
+        std::max(0.0, squared_distance(corners<double>(one, at_1, s), corners<double>(two, at_2, t))));
     least = std::min(least, d);
     if (d <= least + margin) found.push_back({d, pair.s, pair.t});
   }
@@ -198,10 +207,11 @@ BruteForce brute_force(const MeshShape& one, const Pose& at_1, const MeshShape& 
                                     corners<Quad>(two, at_2, static_cast<std::size_t>(pair.t)),
                                     pair.lower < kSure * size);
     if (d < least) least = d;
-    if (!(least > 0)) break;
+    if (least < 0) break;
   }
   BruteForce found;
-  const auto distance = static_cast<double>(elementary::sqrt(least));
+  found.cross = least < 0;
+  const double distance = found.cross ? 0 : static_cast<double>(elementary::sqrt(least));
   found.meet = distance <= kSame * size;
   found.upper = std::nextafter(distance, std::numeric_limits<double>::infinity());
   found.lower = std::max(0.0, distance - kParallel * size);

@@ -26,7 +26,8 @@ inline Pose random_pose(std::mt19937_64& random, double far) {
 /// The least distance of any two triangles of two surfaces, in quadruple precision.
 struct BruteForce {
   double lower = std::numeric_limits<double>::infinity(), upper = lower;
-  bool meet = false;  ///< two triangles have a common point, to 1e-28 of the size
+  bool cross = false;  ///< an edge goes through the inside of a triangle
+  bool meet = false;   ///< two triangles have a common point, to 1e-28 of the size
 };
 
 /// The surfaces of `one` and `two` in their poses, whose numbers are taken as they are. `upper` is the

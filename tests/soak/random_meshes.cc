@@ -193,7 +193,7 @@ std::string RandomMeshes::pose_error(RandomStream& stream, const DrawnMesh& one,
   ++tally_.poses;
   tally_.meeting += truth.meet ? 1 : 0;
   tally_.inside += inside ? 1 : 0;
-  tally_.touching += !truth.meet && !clear ? 1 : 0;
+  tally_.touching += truth.meet && !truth.cross ? 1 : 0;
   MeshWarmStart* const start = stream.uniform() < 0.5 ? &warm : nullptr;
   const Separation apart = solver_.separation({one.mesh, at_1}, {two.mesh, at_2}, start);
   const DistanceResult& found =

@@ -212,6 +212,7 @@ TEST(Soak, MeshesAreAsFarApartAsTheirNearestTriangles) {
   for (std::int64_t i = 0; i < 40; ++i) ASSERT_EQ(meshes.check(i).value_or(""), "");
   EXPECT_GT(meshes.tally().meeting, 200);
   EXPECT_GT(meshes.tally().inside, 10);
+  EXPECT_GT(meshes.tally().touching, 2);
   EXPECT_GT(meshes.tally().certified, meshes.tally().poses * 9 / 10);
   EXPECT_GT(meshes.tally().contacts, 20);
   EXPECT_GT(meshes.tally().free, 20);
