@@ -9,8 +9,6 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-inline Pack magnitude(Pack v) { return v > -v ? v : -v; }
-
 // Rows of one matrix: packs known at compile time for V > 0, else at most kMostPacks at a time.
 template <int V>
 struct Rows {

@@ -145,6 +145,8 @@ constexpr int gram_columns(int n) {
   return (n + kGramColumnPadding - 1) / kGramColumnPadding * kGramColumnPadding;
 }
 
+struct SeparationLanes;
+
 /// The vector kernels of one instruction set.
 struct Kernels {
   /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
@@ -242,6 +244,12 @@ struct Kernels {
   /// M_k -= s_k v for every column k, all of them unevaluated sums of two doubles.
   void (*subtract_product_twofold)(double* M, double* M_low, std::ptrdiff_t ld, int columns, const double* v,
                                    const double* v_low, const double* s, const double* s_low);
+
+  /// Which pairs of bodies are apart and which meet, proven: of two boxes, of a box and a capsule or a ball,
+  /// of two capsules or balls. See SeparationLanes.
+  void (*separate_boxes)(SeparationLanes* lanes);
+  void (*separate_box_from_capsule)(SeparationLanes* lanes);
+  void (*separate_capsules)(SeparationLanes* lanes);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

@@ -7,6 +7,7 @@
 // of the program.
 #pragma once
 
+#include "engine/kernels/box_separation_kernels.h"
 #include "engine/kernels/certificate_kernels.h"
 #include "engine/kernels/gram_kernels.h"
 #include "engine/kernels/inverse_kernels.h"
@@ -18,10 +19,32 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {
-    price,        best_vertex,     price_lanes, best_of_lanes,    collect,          pivot,
-    simplex_loop, norms,           refine,      refine_twofold,   residual_twofold, duals_twofold,
-    duals,        add_gram,        cholesky,    add_weighted,     products,         project_out,
-    rotate,       back_substitute, invert,      products_twofold, multiply_twofold, subtract_product_twofold};
+const Kernels kKernels = {price,
+                          best_vertex,
+                          price_lanes,
+                          best_of_lanes,
+                          collect,
+                          pivot,
+                          simplex_loop,
+                          norms,
+                          refine,
+                          refine_twofold,
+                          residual_twofold,
+                          duals_twofold,
+                          duals,
+                          add_gram,
+                          cholesky,
+                          add_weighted,
+                          products,
+                          project_out,
+                          rotate,
+                          back_substitute,
+                          invert,
+                          products_twofold,
+                          multiply_twofold,
+                          subtract_product_twofold,
+                          separate_boxes,
+                          separate_box_from_capsule,
+                          separate_capsules};
 
 }  // namespace raygauge::RAYGAUGE_ISA

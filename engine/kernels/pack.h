@@ -74,7 +74,12 @@ inline Vec<float>::Pack floats_of(F f) {
   }
 }
 
+// b where one of them is NaN.
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
+inline Pack minimum(Pack a, Pack b) { return a < b ? a : b; }
+inline Pack magnitude(Pack a) {
+  return reinterpret_cast<Pack>(reinterpret_cast<IndexPack>(a) & broadcast_index(0x7fffffffffffffff));
+}
 inline double absolute(double a) { return __builtin_fabs(a); }
 
 // v's last lane, in all lanes.

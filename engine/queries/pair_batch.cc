@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/queries/separation_bins.h"
 #include "engine/sets/parameters.h"
 #include "engine/threads/chunk_team.h"
 #include "raygauge/exceptions.h"
@@ -55,6 +56,11 @@ void put(std::span<double> out, std::size_t i, GradientKind kind, const Twist& g
   std::copy_n(n == 2 ? &gradient.angular.z : &gradient.angular.x, size - n, to + n);
 }
 
+void put(const SeparationAnswers& answers, std::size_t i, const SeparationResult& r, int n) {
+  answers.outcome[i] = r.outcome;
+  put(answers.normal, i, r.normal, n);
+}
+
 void put(const BatchAnswers& answers, std::size_t i, const PoseGradient& gradient, int n) {
   if (!answers.gradient_kind.empty()) answers.gradient_kind[i] = gradient.kind;
   put(answers.pose_gradients_1, i, gradient.kind, gradient.body_1, n);
@@ -84,8 +90,8 @@ void put(const BatchAnswers& answers, std::size_t i, const ObjectDistance& r, in
   put(answers.normal, i, r.depth.normal, n);
 }
 
-void check_room(const char* name, std::size_t size, std::size_t wanted) {
-  if (size == 0 || size == wanted) return;
+void check_room(const char* name, std::size_t size, std::size_t wanted, bool may_be_empty = true) {
+  if ((size == 0 && may_be_empty) || size == wanted) return;
   throw InvalidParameterError("batch: " + std::string(name) + " has room for " + std::to_string(size) +
                               " numbers, the pairs need " + std::to_string(wanted));
 }
@@ -140,6 +146,7 @@ struct PairBatch::Team {
     std::optional<DistanceSolver> gauge;
     std::optional<ObjectDistanceSolver> distance;
     std::optional<GrowthDistanceSolver> growth;
+    std::optional<SeparationBins> separation;
     WarmStart warm;  // of the pair before, on a path
     std::atomic<bool> taken = false;
   };
@@ -186,6 +193,11 @@ struct PairBatch::Team {
     return *solver;
   }
 
+  // Whether vectors of pairs may answer what the options ask for; see Ladder.
+  bool has_lanes() const {
+    return options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
+  }
+
   // work(first, last) for all chunks of 0 … count - 1, on all threads.
   template <class Work>
   void run(std::ptrdiff_t count, const Work& work) {
@@ -200,10 +212,18 @@ struct PairBatch::Team {
   // Asking 10^4 bodies that are not in the cache for their dimensions takes as long as some of the solves.
   void check_dimensions(std::span<const PosedPair> pairs, int n);
 
-  // solve(member, i, thread) for all pairs i, each by one thread, until `stop`. The first exception ends the
-  // batch and is thrown again, naming its pair.
+  // For all chunks of pairs, each on one thread, until `stop`: begin(member, first, last, thread, at), where
+  // `at` is to say the pair that it has come to, and then solve(member, i, thread) for those pairs i that it
+  // returns true for. The first exception ends the batch and is thrown again, naming its pair.
+  template <class Begin, class Solve>
+  void share(std::size_t pairs, const Begin& begin, const Solve& solve);
+
   template <class Solve>
-  void share(std::size_t pairs, const Solve& solve);
+  void share(std::size_t pairs, const Solve& solve) {
+    const auto all = [](Member& /*member*/, std::size_t /*first*/, std::size_t /*last*/, int /*thread*/,
+                        std::size_t& /*at*/) { return [](std::size_t /*i*/) { return true; }; };
+    share(pairs, all, solve);
+  }
 
   DistanceOptions options;
   std::function<bool()> stop;
@@ -226,27 +246,37 @@ void PairBatch::Team::check_dimensions(std::span<const PosedPair> pairs, int n) 
   }
 }
 
-template <class Solve>
-void PairBatch::Team::share(std::size_t pairs, const Solve& solve) {
+template <class Begin, class Solve>
+void PairBatch::Team::share(std::size_t pairs, const Begin& begin, const Solve& solve) {
   std::mutex mutex;
   std::exception_ptr error;
   std::atomic<bool> ended = false;
-  const auto attempt = [&](const Turn& turn, std::ptrdiff_t i) {
+  // Whether the batch goes on after work(), which may change i.
+  const auto attempt = [&](std::size_t& i, const auto& work) {
     try {
       if (stop && stop()) {
         ended = true;
       } else {
-        solve(turn.member(), static_cast<std::size_t>(i), turn.number());
+        work();
       }
     } catch (...) {
       const std::lock_guard lock(mutex);
-      if (!error) error = named(std::current_exception(), i);
+      if (!error) error = named(std::current_exception(), static_cast<std::ptrdiff_t>(i));
       ended = true;
     }
+    return !ended.load(std::memory_order_relaxed);
   };
-  run(static_cast<std::ptrdiff_t>(pairs), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+  run(static_cast<std::ptrdiff_t>(pairs), [&](std::ptrdiff_t from, std::ptrdiff_t to) {
+    if (ended.load(std::memory_order_relaxed)) return;
     const Turn turn(members);
-    for (std::ptrdiff_t i = first; i < last && !ended.load(std::memory_order_relaxed); ++i) attempt(turn, i);
+    const auto first = static_cast<std::size_t>(from), last = static_cast<std::size_t>(to);
+    std::size_t i = first;
+    std::optional<decltype(begin(turn.member(), first, last, 0, i))> open;
+    const bool begun = attempt(i, [&] { open.emplace(begin(turn.member(), first, last, turn.number(), i)); });
+    bool go_on = begun;
+    for (i = first; i < last && go_on; ++i) {
+      if ((*open)(i)) go_on = attempt(i, [&] { solve(turn.member(), i, turn.number()); });
+    }
   });
   if (error) std::rethrow_exception(error);
 }
@@ -292,6 +322,46 @@ void PairBatch::growth_distances(std::span<const PosedPair> pairs, const BatchAn
     GrowthDistanceSolver& solver = team_->ready(member.growth);
     put(answers, i, solver.solve_about_centers(pairs[i].first, pairs[i].second, start), n);
   });
+}
+
+// What the lanes of a chunk leave undecided is asked one by one.
+template <class Source>
+void PairBatch::separate(std::size_t count, const Source& pairs, int n, const SeparationAnswers& answers) {
+  check_room("outcome", answers.outcome.size(), count, false);
+  check_room("normal", answers.normal.size(), count * static_cast<std::size_t>(n));
+  std::fill(answers.outcome.begin(), answers.outcome.end(), Separation::undecided);
+  std::fill(answers.normal.begin(), answers.normal.end(), std::numeric_limits<double>::quiet_NaN());
+  const auto in_lanes = [&](Team::Member& member, std::size_t first, std::size_t last, int thread,
+                            std::size_t& at) {
+    if (!member.separation) member.separation.emplace(team_->options.instruction_set);
+    member.separation->begin(answers);
+    for (at = first; n == 3 && team_->has_lanes() && at < last; ++at) {
+      const PosedPair& pair = pairs(at, thread);
+      if (pair.first.dimension() == n && pair.second.dimension() == n) member.separation->add(pair, at);
+    }
+    member.separation->finish();
+    return [&answers](std::size_t i) { return answers.outcome[i] == Separation::undecided; };
+  };
+  team_->share(count, in_lanes, [&](Team::Member& member, std::size_t i, int thread) {
+    const PosedPair& pair = pairs(i, thread);
+    check_dimension("batch", "a first body", pair.first.dimension(), n);
+    put(answers, i, team_->ready(member.growth).separation(pair.first, pair.second), n);
+  });
+}
+
+void PairBatch::separations(std::span<const PosedPair> pairs, const SeparationAnswers& answers) {
+  const auto given = [&](std::size_t i, int /*thread*/) -> const PosedPair& {
+    constexpr std::size_t kAhead = 8;
+    if (i + 2 * kAhead < pairs.size()) prefetch_bodies(pairs[i + 2 * kAhead]);
+    if (i + kAhead < pairs.size()) prefetch_numbers(pairs[i + kAhead]);
+    return pairs[i];
+  };
+  separate(pairs.size(), given, pairs.empty() ? 3 : pairs.front().first.dimension(), answers);
+}
+
+void PairBatch::separations(std::size_t count, const PairSource& pairs, int n,
+                            const SeparationAnswers& answers) {
+  separate(count, pairs, n, answers);
 }
 
 void PairBatch::distances(std::size_t count, const PairSource& pairs, const ConvexSet& Q,

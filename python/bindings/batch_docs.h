@@ -77,4 +77,25 @@ Returns ObjectDistances. Raises as distances does.
 array([-1.5, -0.5,  1. ])
 )";
 
+inline constexpr const char* kSeparationBatchDoc =
+    R"(The answers of separations: arrays with one row a problem.
+
+outcome: texts, shape (K,), as in SeparationResult; outcome_code: their numbers, int8. normal: shape (K, n), nan where
+objects are not separated.
+)";
+
+inline constexpr const char* kSeparationsDoc =
+    R"(Whether the objects of K pairs are separated, in one call, on threads; ends each at the first proof.
+
+A1, A2, poses_1, poses_2, threads: as in object_distances; tolerance, method, time_limit: as in separation, whose outcomes
+these are. Boxes, balls and capsules of R^3 are tested several at a time.
+Returns Separations. Raises as distances does.
+
+>>> import numpy as np
+>>> poses = np.tile(np.eye(4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0.5, 1.5, 3]  # one unit ball in three places, against another
+>>> rg.separations(rg.Ball([0, 0, 0]), rg.Ball([0, 0, 0]), poses_2=poses).outcome.tolist()
+['intersecting', 'intersecting', 'separated']
+)";
+
 }  // namespace raygauge::python

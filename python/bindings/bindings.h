@@ -18,5 +18,6 @@ void bind_simulations(pybind11::module_& module);
 void bind_edges(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);
 void bind_object_batches(pybind11::module_& module);
+void bind_separation_batches(pybind11::module_& module);
 
 }  // namespace raygauge::python

@@ -15,6 +15,7 @@ PYBIND11_MODULE(_raygauge, module) {
   raygauge::python::bind_queries(module);
   raygauge::python::bind_batches(module);
   raygauge::python::bind_object_batches(module);
+  raygauge::python::bind_separation_batches(module);
   raygauge::python::bind_scenes(module);
   raygauge::python::bind_simulations(module);
   raygauge::python::bind_edges(module);

@@ -266,6 +266,8 @@ std::vector<std::string> status_names() {
   return names;
 }
 
+std::vector<std::string> outcome_names() { return {kOutcomeNames.begin(), kOutcomeNames.end()}; }
+
 py::object status_object(DistanceStatus status) {
   return py::reinterpret_borrow<py::object>(status_members()[static_cast<std::size_t>(status)]);
 }
@@ -273,7 +275,7 @@ py::object status_object(DistanceStatus status) {
 void bind_results(py::module_& module) {
   const std::vector<std::string> names = status_names();
   keep_members(text_enum(module, "Status", names, kStatusDoc), names, status_members());
-  const std::vector<std::string> outcomes(kOutcomeNames.begin(), kOutcomeNames.end());
+  const std::vector<std::string> outcomes = outcome_names();
   keep_members(text_enum(module, "Separation", outcomes, kSeparationDoc), outcomes, outcome_members());
   bind_counters(module);
   bind_distance(module);

@@ -16,4 +16,7 @@ pybind11::object status_object(DistanceStatus status);
 /// The names of the statuses, by their numbers.
 std::vector<std::string> status_names();
 
+/// The names of the outcomes of separation tests, by their numbers.
+std::vector<std::string> outcome_names();
+
 }  // namespace raygauge::python

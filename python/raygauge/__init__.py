@@ -43,6 +43,7 @@ from ._raygauge import (
     PreparedSet,
     Separation,
     SeparationResult,
+    Separations,
     Simplex,
     Status,
     SupportMappingSet,
@@ -65,6 +66,7 @@ from ._raygauge import (
     object_distances,
     origin_in_interior,
     separation,
+    separations,
 )
 from . import plot
 from .components import Answer, generator, method
@@ -128,6 +130,7 @@ __all__ = [
     "SceneFile",
     "Separation",
     "SeparationResult",
+    "Separations",
     "Simplex",
     "Simulation",
     "Status",
@@ -161,5 +164,6 @@ __all__ = [
     "prove_path",
     "run",
     "separation",
+    "separations",
     "simulate",
 ]

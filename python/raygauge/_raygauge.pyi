@@ -320,6 +320,15 @@ class SeparationResult:
     @property
     def counters(self) -> Counters: ...
 
+class Separations:
+    @property
+    def outcome(self) -> NDArray[np.str_]: ...
+    @property
+    def outcome_code(self) -> NDArray[np.int8]: ...
+    @property
+    def normal(self) -> Array: ...
+    def __len__(self) -> int: ...
+
 class Distances:
     @property
     def distance(self) -> Array: ...
@@ -402,6 +411,17 @@ def object_distances(
     time_limit: float = ...,
     threads: int = 0,
 ) -> ObjectDistances: ...
+def separations(
+    A1: SetLike | Sequence[SetLike],
+    A2: SetLike | Sequence[SetLike],
+    tolerance: float = 1e-6,
+    method: Method = "newton",
+    *,
+    poses_1: ArrayLike | None = None,
+    poses_2: ArrayLike | None = None,
+    time_limit: float = ...,
+    threads: int = 0,
+) -> Separations: ...
 def contact_patch(
     A1: SetLike,
     A2: SetLike,

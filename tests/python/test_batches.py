@@ -179,5 +179,37 @@ class ObjectBatches(unittest.TestCase):
             rg.object_distances(rg.Ball([0, 0]), rg.Ball([0, 0]), rg.Ball([0, 0]))
 
 
+class SeparationBatches(unittest.TestCase):
+    def test_outcomes_are_those_of_single_tests_and_normals_are_planes_between(self):
+        generator = np.random.default_rng(4)
+        poses = np.tile(np.eye(4), (60, 1, 1))
+        poses[:, :3, :3] = rotations(generator, 60)
+        poses[:, :3, 3] = generator.normal(size=(60, 3))
+        bodies = [rg.Box([-1, -0.5, -0.2], [1, 0.5, 0.2]), rg.Ball([0.1, 0, 0], 0.4),
+                  rg.Capsule([0, 0, -1], [0, 0, 1], 0.3), generator.normal(size=(9, 3))]
+        first = [bodies[k % 4] for k in range(60)]
+        for threads in (1, 3):
+            batch = rg.separations(first, bodies[0], poses_1=poses, threads=threads)
+            self.assertEqual(len(batch), 60)
+            self.assertEqual(set(batch.outcome), {"separated", "intersecting"})
+            for k, pose in enumerate(poses):
+                outcome = rg.separation(first[k], bodies[0], pose_1=pose).outcome
+                self.assertEqual(batch.outcome[k], outcome)
+                if outcome != "separated":
+                    self.assertTrue(np.isnan(batch.normal[k]).all())
+                    continue
+                u = batch.normal[k]
+                body = rg.PointSet(first[k]) if isinstance(first[k], np.ndarray) else first[k]
+                least = u @ pose[:3, 3] - body.support_function(-pose[:3, :3].T @ u)
+                self.assertLess(bodies[0].support_function(u), least)
+
+    def test_operands_that_do_not_fit_are_named(self):
+        with self.assertRaisesRegex(rg.DimensionMismatchError, "A1 has n = 2, A2 has n = 3"):
+            rg.separations([rg.Ball([0, 0])], rg.Ball([0, 0, 0]))
+        with self.assertRaisesRegex(rg.NonFiniteError, "problem 1"):
+            rg.separations(rg.Ball([0, 0, 0]), rg.Ball([0, 0, 0]),
+                           poses_1=np.array([np.eye(4), np.diag([1, 1, np.nan, 1])]))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -10,6 +10,7 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
+#include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/warm_start.h"
 #include "raygauge/sets/convex_set.h"
@@ -40,6 +41,12 @@ struct BatchAnswers {
   std::span<GradientKind> gradient_kind;  ///< distances in R^2 and R^3 alone: ObjectDistance::pose_gradient
   std::span<double> pose_gradients_1;     ///< 3 n - 3 numbers a pair: of its Twist what counts in R^n
   std::span<double> pose_gradients_2;
+};
+
+/// Output arrays of separations, of the caller: entry i is for pair i.
+struct SeparationAnswers {
+  std::span<Separation> outcome;
+  std::span<double> normal;  ///< empty, or n numbers a pair: as SeparationResult::normal, NaN without
 };
 
 /// The largest number of threads of a batch.
@@ -73,6 +80,15 @@ class PairBatch {
   void growth_distances(std::span<const PosedPair> pairs, const BatchAnswers& answers,
                         std::span<WarmStart> warm = {});
 
+  /// Whether the bodies of each pair are separated, as GrowthDistanceSolver::separation proves it; pairs that
+  /// a stop left out are `undecided`. Boxes, balls and capsules of R^3 are first asked in vectors of several
+  /// pairs, in doubles: their normals are other ones than those of single tests, each proven. All bodies live
+  /// in one space; throws as distances(), but pairs before the one in error may have their answers.
+  void separations(std::span<const PosedPair> pairs, const SeparationAnswers& answers);
+
+  /// The same of `count` pairs in R^n. A pair that the vectors leave open is asked for again.
+  void separations(std::size_t count, const PairSource& pairs, int n, const SeparationAnswers& answers);
+
   /// The distance of each of `count` pairs in the metric of Q; with ObjectEffects::depth, of bodies that
   /// meet, minus the depth with its bounds, normal and points. Throws as above and what `pairs` throws.
   void distances(std::size_t count, const PairSource& pairs, const ConvexSet& Q, const BatchAnswers& answers,
@@ -85,6 +101,9 @@ class PairBatch {
 
  private:
   struct Team;
+  template <class Source>
+  void separate(std::size_t count, const Source& pairs, int n, const SeparationAnswers& answers);
+
   std::unique_ptr<Team> team_;
 };
 
