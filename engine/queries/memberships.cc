@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
+#include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/proof/certificate.h"
 #include "engine/queries/membership_options.h"
@@ -29,8 +30,9 @@ namespace {
 using Points = Eigen::Ref<const Eigen::MatrixXd>;
 using Indices = std::vector<std::size_t>;
 
-constexpr std::size_t kBlock = 4096;         // points after which new normals are kept
-constexpr std::ptrdiff_t kMostNormals = 32;  // kept: a normal costs 2 n operations a point, a solve some 1e4
+constexpr std::size_t kFirstBlock = 256, kBlock = 4096;  // points after which new normals are kept
+constexpr std::ptrdiff_t kMostNormals = 1024;            // kept, and half as many as S has points: a solve
+                                                         // takes some ten passes over S
 
 // Bounds of the gauges of S at single points, in the numbers of X that are asked for. The batch keeps its
 // solvers.
@@ -86,6 +88,7 @@ class KnownHull {
     shifted_.emplace(shifted);
     gauges_.emplace(*shifted_, options);
     measure_axes();
+    take_sample(4);
   }
 
   // Decides `which` points where it can; the others are left in `which`.
@@ -95,23 +98,13 @@ class KnownHull {
       if (is_deep(x)) return note(answers[i], Membership::inside);
       return is_beyond(x) && note(answers[i], Membership::outside);
     });
-    if (which.empty() || !(per_residual_ < kInfinity)) return;
-    const int n = S_->dimension();
-    Eigen::MatrixXd seen(n, std::ssize(which));
-    for (std::size_t i = 0; i < which.size(); ++i)
-      seen.col(static_cast<Eigen::Index>(i)) = X.col(static_cast<Eigen::Index>(which[i])) - c_;
-    Indices all(which.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    gauges_->solve(seen, all, nullptr, true);
-    std::size_t k = 0;
-    drop(which, [&](std::size_t i) {
-      const std::size_t at = k++;
-      const auto x = seen.col(static_cast<Eigen::Index>(at));
-      if (is_at_most_one(gauges_->upper[at], x)) return note(answers[i], Membership::inside);
-      if (!(gauges_->lower[at] > 1)) return false;
-      const Vector w = -Vector::Map(gauges_->normal.data() + at * static_cast<std::size_t>(n), n);
-      return separates(w, X.col(static_cast<Eigen::Index>(i))) && note(answers[i], Membership::outside);
-    });
+    if (!(per_residual_ < kInfinity)) return;
+    if (sample_gauges_) {
+      const std::size_t asked = which.size();
+      ask(*sample_gauges_, X, which, answers);
+      if (sample_every_ * which.size() > asked) take_sample(sample_every_ / 2);
+    }
+    ask(*gauges_, X, which, answers);
   }
 
  private:
@@ -122,6 +115,42 @@ class KnownHull {
       if (!decided(i)) rest.push_back(i);
     }
     which = std::move(rest);
+  }
+
+  // By single solves for all points of S' or for some.
+  void ask(PointGauges& gauges, const Points& X, Indices& which, std::vector<Membership>& answers) {
+    const int n = S_->dimension();
+    Eigen::MatrixXd seen(n, std::ssize(which));
+    for (std::size_t i = 0; i < which.size(); ++i)
+      seen.col(static_cast<Eigen::Index>(i)) = X.col(static_cast<Eigen::Index>(which[i])) - c_;
+    Indices all(which.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    gauges.solve(seen, all, nullptr, true);
+    std::size_t k = 0;
+    drop(which, [&](std::size_t i) {
+      const std::size_t at = k++;
+      const auto x = seen.col(static_cast<Eigen::Index>(at));
+      if (is_at_most_one(gauges.upper[at], x)) return note(answers[i], Membership::inside);
+      if (!(gauges.lower[at] > 1)) return false;
+      const Vector w = -Vector::Map(gauges.normal.data() + at * static_cast<std::size_t>(n), n);
+      return separates(w, X.col(static_cast<Eigen::Index>(i))) && note(answers[i], Membership::outside);
+    });
+  }
+
+  // Every fourth point, or every other: what is in their hull is in that of all, and is proven in half the
+  // time or two thirds. A sample is kept as long as it leaves at most a quarter of the points open, or half
+  // of them.
+  void take_sample(std::size_t every) {
+    constexpr std::ptrdiff_t kLeast = 16;  // points a dimension
+    const std::ptrdiff_t size = S_->size() / static_cast<std::ptrdiff_t>(every);
+    sample_every_ = every;
+    sample_gauges_.reset();
+    if (every == 1 || size < kLeast * S_->dimension()) return;
+    Eigen::MatrixXd sample(S_->dimension(), size);
+    for (std::ptrdiff_t j = 0; j < size; ++j)
+      shifted_->copy_point(static_cast<std::ptrdiff_t>(every) * j, sample.col(j).data());
+    sample_.emplace(sample);
+    sample_gauges_.emplace(*sample_, options_);
   }
 
   static bool note(Membership& answer, Membership proven) {
@@ -170,11 +199,31 @@ class KnownHull {
     return w.dot(x) - 1.01 * (static_cast<double>(w.size()) + 2) * kUnitRoundoff * size - kUnderflow;
   }
 
+  // Of the plane w·x = h that x is farthest beyond, by w·x/h.
   template <class Column>
   bool is_beyond(const Column& x) const {
-    return std::any_of(planes_.begin(), planes_.end(), [&](const std::pair<Vector, double>& plane) {
-      return least_product(plane.first, x) > plane.second;
-    });
+    if (planes_.empty()) return false;
+    const auto blocks = static_cast<std::ptrdiff_t>(planes_.size() + PointSet::kLanes - 1) / PointSet::kLanes;
+    std::ptrdiff_t best = 0;
+    best_kernels().price(shares_.data(), blocks, S_->dimension(), x.data(), &best);
+    if (best >= std::ssize(planes_)) return false;
+    const auto& [w, above] = planes_[static_cast<std::size_t>(best)];
+    return least_product(w, x) > above;
+  }
+
+  // Planes with h > 0, with w/h in blocks of PointSet; lanes beyond are 0.
+  void keep(const Vector& w, double above) {
+    constexpr std::size_t kLanes = PointSet::kLanes;
+    const auto n = static_cast<std::size_t>(w.size());
+    if (!(above > 0) || std::ssize(planes_) >= std::min(kMostNormals, S_->size() / 2)) return;
+    const std::size_t at = planes_.size(), block = at / kLanes * n * kLanes;
+    if (at % kLanes == 0) {
+      shares_.reserve(block + n * kLanes);
+      std::fill_n(shares_.data() + block, n * kLanes, 0.0);
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      shares_[block + k * kLanes + at % kLanes] = w[static_cast<Eigen::Index>(k)] / above;
+    planes_.emplace_back(w, above);
   }
 
   // Whether w·x > h_S(w). What does is kept, while there is room.
@@ -183,19 +232,21 @@ class KnownHull {
     const SupportValue h = support_value(best_kernels(), *S_, w.data());
     const double above = h.above() + 2 * kUnitRoundoff * std::fabs(h.value);
     if (!(least_product(w, x) > above)) return false;
-    if (std::ssize(planes_) < kMostNormals) planes_.emplace_back(w, above);
+    keep(w, above);
     return true;
   }
 
   const PointSet* S_;
   const PointsOptions& options_;
   Vector c_;
-  std::optional<PointSet> shifted_;
-  std::optional<PointGauges> gauges_;
+  std::optional<PointSet> shifted_, sample_;
+  std::optional<PointGauges> gauges_, sample_gauges_;
+  std::size_t sample_every_ = 1;
   double rounding_ = 0;              // of any coordinate of S'
   double per_residual_ = kInfinity;  // G
   Vector axis_gauge_;
   std::vector<std::pair<Vector, double>> planes_;  // w, and at least h_S(w)
+  AlignedBuffer<double> shares_;                   // of both
 };
 
 void check_points(const char* query, const ConvexSet& S, const Points& X, const PointsOptions& options) {
@@ -204,11 +255,23 @@ void check_points(const char* query, const ConvexSet& S, const Points& X, const 
   const PairBatch checked(options_of_membership(S, options.tolerance), options.threads);
 }
 
-Indices block_from(std::size_t first, std::size_t count) {
-  Indices which(std::min(kBlock, count - first));
-  std::iota(which.begin(), which.end(), first);
-  return which;
-}
+// Consecutive numbers, one block after the other: the first ones are short, so that later ones profit.
+class Blocks {
+ public:
+  explicit Blocks(std::size_t count) : count_(count) {}
+
+  bool next(Indices& which) {
+    const std::size_t size = std::min(size_, count_ - first_);
+    which.resize(size);
+    std::iota(which.begin(), which.end(), first_);
+    first_ += size;
+    size_ = std::min(2 * size_, kBlock);
+    return size > 0;
+  }
+
+ private:
+  std::size_t count_, first_ = 0, size_ = kFirstBlock;
+};
 
 }  // namespace
 
@@ -218,9 +281,9 @@ std::vector<GaugeBounds> gauges(const ConvexSet& S, const Points& X, const Point
   std::vector<GaugeBounds> bounds(count, {0, kInfinity});
   PointGauges solver(S, options);
   Vector normal(S.dimension());
-  for (std::size_t first = 0; first < count; first += kBlock) {
+  Blocks blocks(count);
+  for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;
-    const Indices which = block_from(first, count);
     solver.solve(X, which, nullptr, false);
     for (std::size_t k = 0; k < which.size(); ++k) {
       GaugeBounds& b = bounds[which[k]];
@@ -244,9 +307,9 @@ std::vector<Membership> memberships(const ConvexSet& S, const Points& X, const P
   std::optional<KnownHull> known;
   if (const PointSet* points = as_point_set(S); points != nullptr && X.cols() > 4 * X.rows())
     known.emplace(*points, options);
-  for (std::size_t first = 0; first < count; first += kBlock) {
+  Blocks blocks(count);
+  for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;
-    Indices which = block_from(first, count);
     if (known) known->decide(X, which, answers);
     if (which.empty()) continue;
     solver.solve(X, which, &from_center, false);

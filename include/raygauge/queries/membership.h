@@ -48,8 +48,9 @@ std::vector<GaugeBounds> gauges(const ConvexSet& S, const Eigen::Ref<const Eigen
                                 const PointsOptions& options = {});
 
 /// contains() of each column of X; `undecided` of one that `stop` left out. Of a point set S most points are
-/// answered by what others proved: x is outside where an earlier point's normal w has w·x > h_S(w), and
-/// inside where Σ |x - c|_k max(gauge_{S-c}(e_k), gauge_{S-c}(-e_k)) <= 1. Throws as gauges().
+/// answered by what others proved. x is outside where an earlier point's normal w has w·x > h_S(w). It is
+/// inside where Σ |x - c|_k max(gauge_{S-c}(e_k), gauge_{S-c}(-e_k)) <= 1, or in the hull of a few of S's
+/// points. Throws as gauges().
 std::vector<Membership> memberships(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
                                     const PointsOptions& options = {});
 

@@ -103,6 +103,40 @@ TEST(Memberships, AreRightNextToTheFacesOfACube) {
   }
 }
 
+// Many points, of which a sample may or may not have the corners: the hull is a cube, in numbers without
+// rounding.
+TEST(Memberships, OfAHullOfManyPointsAreRightOnAnyNumberOfThreads) {
+  Random random(8);
+  const auto eighths = [&](int from, int to) {
+    return 0.125 *
+           static_cast<double>(from + static_cast<int>(random() % static_cast<unsigned>(to - from + 1)));
+  };
+  for (const bool corners_first : {true, false}) {
+    Eigen::MatrixXd P(3, 608), X(3, 3000);
+    for (double& x : P.reshaped()) x = eighths(0, 16);
+    for (Eigen::Index j = 0; j < 8; ++j)
+      P.col(corners_first ? 4 * j : 600 + j) =
+          2 * Vector{{double(j & 1), double(j >> 1 & 1), double(j >> 2)}};
+    for (double& x : X.reshaped()) x = eighths(-6, 22);
+    const PointSet cube(P);
+    const std::vector<Membership> found = memberships(cube, X);
+    int inside = 0, decided = 0;
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      const Membership answer = found[static_cast<std::size_t>(i)];
+      const bool is_in = X.col(i).minCoeff() >= 0 && X.col(i).maxCoeff() <= 2;
+      const bool at_face = is_in && (X.col(i).minCoeff() == 0 || X.col(i).maxCoeff() == 2);
+      EXPECT_NE(answer, is_in ? Membership::outside : Membership::inside) << X.col(i).transpose();
+      EXPECT_TRUE(answer != Membership::undecided || at_face) << X.col(i).transpose();
+      inside += is_in ? 1 : 0;
+      decided += answer != Membership::undecided ? 1 : 0;
+    }
+    EXPECT_GT(inside, 300);
+    EXPECT_LT(inside, 2700);
+    EXPECT_GT(decided, 2500);
+    EXPECT_EQ(memberships(cube, X, {1e-6, 3, {}}), found);
+  }
+}
+
 TEST(Memberships, EndWhenAskedTo) {
   const Eigen::MatrixXd X = Eigen::MatrixXd::Random(3, 100);
   const std::vector<Membership> found =
