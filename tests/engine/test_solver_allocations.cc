@@ -11,6 +11,7 @@
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/pair_batch.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
@@ -342,6 +343,24 @@ TEST(RepeatedMeshObject, AllocatesNothing) {
   for (int repetition = 0; repetition < 3; ++repetition) {
     const long before = allocations;
     solver.solve(floor, object, metric, kAll, &warm);
+    EXPECT_TRUE(repetition == 0 || allocations == before);
+  }
+}
+
+TEST(RepeatedSeparations, AllocateNothing) {
+  const Box box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+  const Ball ball(Vector(Eigen::Vector3d(0.1, 0.2, 3)), 1), far(Vector(Eigen::Vector3d(9, 0, 0)), 1);
+  const TruncatedCone cone(Vector{{0, 0, 0}}, 1, Vector{{0, 0, 1}}, 0.5);
+  std::vector<PosedPair> pairs;
+  for (int i = 0; i < 50; ++i) {
+    for (const ConvexSet* other : std::initializer_list<const ConvexSet*>{&box, &ball, &cone, &far})
+      pairs.push_back({box, *other});
+  }
+  std::vector<Separation> outcome(pairs.size());
+  PairBatch batch((DistanceOptions()));
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const long before = allocations;
+    batch.separations(pairs, {outcome, {}});
     EXPECT_TRUE(repetition == 0 || allocations == before);
   }
 }
