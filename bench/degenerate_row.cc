@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,13 +30,13 @@ const std::vector<Variant>& families() {
     return parameters;
   };
   static const std::vector<Variant> all = {{"ties", "hard_planted_ties", few},
-                                           {"ties, sheared", "hard_planted_unimodular", sheared},
+                                           {"ties sheared", "hard_planted_unimodular", sheared},
                                            {"origin on a face", "hard_planted_origin", none},
-                                           {"on a face, sheared", "hard_planted_origin", sheared},
+                                           {"on a face sheared", "hard_planted_origin", sheared},
                                            {"origin inside", "hard_planted_origin", inside(none)},
-                                           {"inside, sheared", "hard_planted_origin", inside(sheared)},
+                                           {"inside sheared", "hard_planted_origin", inside(sheared)},
                                            {"unreachable", "hard_planted_unreachable", none},
-                                           {"unreachable, sheared", "hard_planted_unreachable", sheared}};
+                                           {"unreachable sheared", "hard_planted_unreachable", sheared}};
   return all;
 }
 
@@ -49,34 +51,31 @@ double solve_seconds(SolveMethod& method, Clock clock, double limit = kTimeLimit
   return seconds_of([&] { method.solve({1e-6, limit}); }, clock);
 }
 
-// upper / lower - 1; 0 where nothing is left to say.
-double relative_gap(const DistanceResult& result) {
-  return result.lower == result.upper ? 0 : result.upper / result.lower - 1;
-}
-
 // What is known of each instance of a cell when a limit ends the solve. Returns the longest overrun.
-double print_cell_in_time(const Variant& family, int n, int N, const Effort& effort) {
+double print_cell_in_time(const Variant& family, int n, int N, const Effort& effort, double limit) {
   const std::unique_ptr<SolveMethod> ours = make_method("column_generation");
   int right = 0, bounded = 0;
-  double longest = 0;
-  std::vector<double> gaps;
+  double longest = 0, least_lower = INFINITY;
+  std::vector<double> uppers;
   for (int repetition = 0; repetition < effort.instances; ++repetition) {
     const Instance instance = make_instance(family, n, N, repetition);
     ours->load(instance);
-    longest = std::max(longest, solve_seconds(*ours, Clock::wall, effort.limit));
+    longest = std::max(longest, solve_seconds(*ours, Clock::wall, limit));
     const DistanceResult result = ours->result();
     const double truth = instance.exact_distance.value_or(NAN);
+    if (!(result.lower <= truth && truth <= result.upper)) throw std::runtime_error("a false bound");
     right += is_right(result, truth) ? 1 : 0;
     bounded += result.upper < INFINITY || std::isinf(truth) ? 1 : 0;
-    gaps.push_back(relative_gap(result));
+    least_lower = std::min(least_lower, result.lower);
+    uppers.push_back(result.upper);
   }
   std::printf(
-      "%-22s n = %3d  N = %4d  certified %2d of %2d, bounded above %2d  gap: median %8.2g, worst %8.2g  "
-      "longest %6.2f s\n",
-      family.name.c_str(), n, N, right, effort.instances, bounded, sample_median(gaps),
-      *std::max_element(gaps.begin(), gaps.end()), longest);
+      "%-20s n = %3d  N = %4d  limit %4.2g s: certified %2d of %2d, bounded above %2d, least lower %8.3g, "
+      "upper: median %8.3g, worst %8.3g, longest %6.3f s\n",
+      family.name.c_str(), n, N, limit, right, effort.instances, bounded, least_lower, sample_median(uppers),
+      *std::max_element(uppers.begin(), uppers.end()), longest);
   std::fflush(stdout);
-  return longest - effort.limit;
+  return longest - limit;
 }
 
 // All instances of one cell. Returns the largest ratio.
@@ -112,22 +111,43 @@ double print_cell(const Variant& family, int n, int N, const Effort& effort) {
   return worst;
 }
 
-}  // namespace
-
-void print_degenerate(const Variant& /*variant*/, const Effort& effort) {
+// Of all cells that `print` shows: the largest number that it returns.
+double print_cells(const Effort& effort, const std::function<double(const Variant&, int, int)>& print) {
   std::vector<int> dimensions = {50, 100, 120};
   if (!effort.quick) dimensions.insert(dimensions.end(), {200, 500});
   if (!effort.dimensions.empty()) dimensions = effort.dimensions;
-  double worst = 0;
+  double worst = -INFINITY;
   for (const int n : dimensions) {
     for (const Variant& family : families()) {
-      for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
-        const auto print = effort.limit > 0 ? print_cell_in_time : print_cell;
-        worst = std::max(worst, print(family, n, N, effort));
-      }
+      const auto& asked = effort.families;
+      if (!asked.empty() && std::find(asked.begin(), asked.end(), family.name) == asked.end()) continue;
+      const std::vector<int> own = {n + 2, 3 * n / 2, 2 * n};
+      for (const int N : effort.points.empty() ? own : effort.points)
+        worst = std::max(worst, print(family, n, N));
     }
   }
-  std::printf(effort.limit > 0 ? "longest overrun %.4g s\n" : "worst of all %.4g\n", worst);
+  return worst;
+}
+
+}  // namespace
+
+std::vector<std::string> degenerate_families() {
+  std::vector<std::string> names;
+  for (const Variant& family : families()) names.push_back(family.name);
+  return names;
+}
+
+void print_degenerate(const Variant& /*variant*/, const Effort& effort) {
+  for (const double limit : effort.limits) {
+    const double overrun = print_cells(effort, [&](const Variant& family, int n, int N) {
+      return print_cell_in_time(family, n, N, effort, limit);
+    });
+    std::printf("longest overrun %.4g s\n", overrun);
+  }
+  if (!effort.limits.empty()) return;
+  std::printf("worst of all %.4g\n", print_cells(effort, [&](const Variant& family, int n, int N) {
+                return print_cell(family, n, N, effort);
+              }));
 }
 
 }  // namespace raygauge::bench

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bench/workload.h"
@@ -14,7 +15,10 @@ struct Effort {
   int instances = 20;           ///< per cell
   bool processor_time = false;  ///< of the rows high, degenerate, shapes, euclidean, instead of wall time
   std::vector<int> dimensions;  ///< of the rows `high` and `degenerate`; none: their own
-  double limit = 0;             ///< seconds a solve of the row `degenerate`, and no competitor; 0: a minute
+  /// Of the row `degenerate`; none: all.
+  std::vector<std::string> families;
+  std::vector<int> points;     ///< of the row `degenerate`; none: its own
+  std::vector<double> limits;  ///< seconds a solve of the row `degenerate`; none: a minute, with competitors
 };
 
 /// Each prints one row of the table of speed targets to standard output: its cells, geometric mean and worst
@@ -37,6 +41,7 @@ void print_shapes(const Variant& variant, const Effort& effort);
 /// Planted integer instances with degenerate optima at n = 50 … 500, N = n + 2 … 2 n: how many are proven,
 /// and column_generation / Clp one by one. Instances of its own, whatever the variant.
 void print_degenerate(const Variant& variant, const Effort& effort);
+std::vector<std::string> degenerate_families();                 ///< the names of its families
 void print_n100(const Variant& variant, const Effort& effort);  ///< column_generation / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10

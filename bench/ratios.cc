@@ -55,11 +55,19 @@ int run(int argc, char** argv) {
   app.add_flag("--processor-time", effort.processor_time,
                "the rows high, degenerate, shapes and euclidean in processor time, for machines that other "
                "work keeps busy");
-  app.add_option(
-         "--limit", effort.limit,
-         "seconds a solve of the row degenerate, whose bounds are shown then, without competitors; 0: "
-         "a minute, with them")
-      ->check(CLI::Range(0.0, 1e4));
+  app.add_option("--limit", effort.limits,
+                 "limits in seconds, separated by commas: the row degenerate shows the bounds of solves that "
+                 "end there, without competitors; none: a minute, with them")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-3, 1e4));
+  app.add_option("--families", effort.families,
+                 "families of the row degenerate, separated by commas; none: all of them")
+      ->delimiter(',')
+      ->check(CLI::IsMember(degenerate_families()));
+  app.add_option("--points", effort.points,
+                 "points of the row degenerate, separated by commas; none: n + 2, 1.5 n, 2 n")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 100000));
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;

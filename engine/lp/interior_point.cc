@@ -24,6 +24,11 @@ constexpr double kDecided = 1e-5;
 constexpr double kConverged = 1e-11;
 // x·s per unit of t down to which products in single precision suffice.
 constexpr double kCoarse = 1e-2;
+// Where both sets have magnitude 1: a t, and x·s, that may be those of the distance 0; a t that may be on its
+// way to infinity, and how much farther it goes between two pauses.
+constexpr double kNearZero = 1e-5;
+constexpr double kFar = 1e5;
+constexpr double kFarther = 100;
 constexpr double kShortest = 1e-6;  // a step below makes no progress
 constexpr double kFirstSupport = 0.5;
 // Points of both sets for each dimension, from which on Q hardly fails to reach A. Of fewer the question is
@@ -44,51 +49,92 @@ InteriorPoint::End InteriorPoint::solve_whitened(const WhitenedPoints& points, i
                                                  const Kernels& kernels, const Stopwatch& stopwatch) {
   std::vector<double> turned(guess, guess + n);
   points.turn(turned.data());
-  const End end = solve(points.A(), points.Q(), n, turned.data(), kernels, stopwatch);
-  points.turn_back(y_.data());
-  return VectorMap(y_.data(), n).allFinite() ? end : End::failed;
+  begin(points.A(), points.Q(), n, turned.data(), kernels);
+  whitened_ = &points;
+  return run(stopwatch);
 }
 
 InteriorPoint::End InteriorPoint::solve(const PricedPoints& A, const PricedPoints& Q, int n,
                                         const double* guess, const Kernels& kernels,
                                         const Stopwatch& stopwatch) {
+  begin(A, Q, n, guess, kernels);
+  whitened_ = nullptr;
+  return run(stopwatch);
+}
+
+InteriorPoint::End InteriorPoint::go_on(const Stopwatch& stopwatch) { return run(stopwatch); }
+
+void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, const double* guess,
+                          const Kernels& kernels) {
   n_ = n;
   kernels_ = &kernels;
   iterations_ = 0;
+  paused_at_zero_ = false;
+  next_pause_ = kFar;
   bind(A_, A, 1.0);
   bind(Q_, Q, -1.0);
   count_ = A_.points.size + Q_.points.size;
   many_ = count_ >= kManyPoints * n;
+  single_ = many_;
   ranked_.reserve(static_cast<std::size_t>(A_.count + Q_.count));
   const auto size = static_cast<std::size_t>(n);
   y_.reserve(size + 1);
+  duals_.reserve(size + 1);
   dy_.reserve(size + 1);
   border_.reserve(2 * size);
   direction_.reserve(size);
   matrix_.reserve(static_cast<std::size_t>(gram_rows(n)) * static_cast<std::size_t>(gram_columns(n)));
   scratch_.reserve(static_cast<std::size_t>(gram_rows(n) + gram_columns(n)) * kGramPoints);
   start(guess);
-  bool single = many_;
+}
+
+InteriorPoint::End InteriorPoint::run(const Stopwatch& stopwatch) {
+  const End end = iterate(stopwatch);
+  std::copy_n(y_.data(), n_ + 1, duals_.data());
+  if (whitened_ == nullptr) return end;
+  whitened_->turn_back(duals_.data());
+  return VectorMap(duals_.data(), n_).allFinite() ? end : End::failed;
+}
+
+InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
+  const double& t = y_[static_cast<std::size_t>(n_)];
   const int limit = many_ ? kIterations : kIterationsOfFew;
-  for (iterations_ = 1; iterations_ <= limit; ++iterations_) {
-    const double squares = static_cast<double>(n) * n;
-    if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n))) {
+  while (iterations_ < limit) {
+    ++iterations_;
+    const double squares = static_cast<double>(n_) * n_;
+    if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n_))) {
       return End::failed;
     }
-    if (single) single = factor(true);
-    if (!single && !factor(false)) return End::failed;
+    if (single_) single_ = factor(true);
+    if (!single_ && !factor(false)) {
+      const bool close = t > 0 && complementarity(0, 0) <= kDecided * t;
+      return close ? End::converged : End::failed;
+    }
     const double length = step();
-    if (!(length > kShortest) || !(y_[size] < kInfinity)) return End::failed;
+    if (!(length > kShortest) || !(t < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
-    if (y_[size] >= enough_) return End::converged;
+    if (t >= enough_) return End::converged;
     const double gap = complementarity(0, 0);
-    single = single && gap > kCoarse * std::fabs(y_[size]);
-    const double scale = std::fabs(y_[size]);
-    if (gap <= kConverged * scale || (gap <= kDecided * scale && columns_with_weight() == n + 1)) {
+    const double scale = std::fabs(t);
+    single_ = single_ && gap > kCoarse * scale;
+    if (gap <= kConverged * scale || (gap <= kDecided * scale && columns_with_weight() == n_ + 1)) {
       return End::converged;
     }
+    if (may_pause_ && pauses(gap)) return End::paused;
   }
   return End::failed;
+}
+
+// Whether the iterate is close to zero, for the first time, or has come so far that no distance may exist.
+bool InteriorPoint::pauses(double gap) {
+  const double t = y_[static_cast<std::size_t>(n_)];
+  if (t >= next_pause_) {
+    while (t >= next_pause_) next_pause_ *= kFarther;
+    return true;
+  }
+  if (paused_at_zero_ || !(std::fabs(t) + gap < kNearZero)) return false;
+  paused_at_zero_ = true;
+  return true;
 }
 
 void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {

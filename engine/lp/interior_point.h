@@ -27,6 +27,7 @@ class InteriorPoint {
   enum class End : std::uint8_t {
     converged,
     separated,  ///< all of Q is strictly behind the plane of normal(), and A before it
+    paused,     ///< t is close to zero or far, and a proof of 0 or of infinity may do: go_on() is next
     failed,     ///< no progress, or the stopwatch
   };
 
@@ -39,13 +40,19 @@ class InteriorPoint {
   End solve_whitened(const WhitenedPoints& points, int n, const double* guess, const Kernels& kernels,
                      const Stopwatch& stopwatch);
 
+  /// The last solve after End::paused, from where it is. It pauses at zero only once.
+  End go_on(const Stopwatch& stopwatch);
+
+  /// Whether the next solves may end as paused.
+  void may_pause(bool may) noexcept { may_pause_ = may; }
+
   /// The next solves may end as converged where t reaches `distance`, a known upper bound less a tolerance.
   void end_at(double distance) noexcept { enough_ = distance; }
 
-  const double* normal() const noexcept { return y_.data(); }  ///< u
+  const double* normal() const noexcept { return duals_.data(); }  ///< u
 
   /// The duals (u, t) that maximise t: n + 1 numbers.
-  const double* duals() const noexcept { return y_.data(); }
+  const double* duals() const noexcept { return duals_.data(); }
 
   /// The columns that carry weight, compared with their slacks in units where d is about `unit`: those of an
   /// optimal face, however many.
@@ -81,6 +88,11 @@ class InteriorPoint {
     AlignedBuffer<double> weight;
   };
 
+  void begin(const PricedPoints& A, const PricedPoints& Q, int n, const double* guess,
+             const Kernels& kernels);
+  End run(const Stopwatch& stopwatch);
+  End iterate(const Stopwatch& stopwatch);
+  bool pauses(double gap);
   void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
   double central_weight() const;
@@ -113,11 +125,17 @@ class InteriorPoint {
   bool many_ = false;                                        // points
   double enough_ = std::numeric_limits<double>::infinity();  // of t
   const Kernels* kernels_ = nullptr;
+  const WhitenedPoints* whitened_ = nullptr;  // whose points these are, if so
+  bool single_ = false;                       // products in single precision suffice
+  bool may_pause_ = false;
+  bool paused_at_zero_ = false;
+  double next_pause_ = 0;  // t that is far
   std::int64_t iterations_ = 0;
   std::ptrdiff_t count_ = 0;  // of points
   Side A_;
   Side Q_;
   AlignedBuffer<double> y_;
+  AlignedBuffer<double> duals_;  // y_, of the points before the map
   AlignedBuffer<double> dy_;
   AlignedBuffer<double> kept_dy_;
   AlignedBuffer<double> matrix_;   // Σ d p pᵀ, then its factor

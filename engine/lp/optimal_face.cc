@@ -16,9 +16,10 @@ namespace {
 constexpr double kIndependent = 1e-11;  // the least pivot, relative to the first: where ranks end
 constexpr double kLeastScale = 1e-4;    // of columns by their weights
 constexpr int kSteps = 3;               // of refinement
+constexpr int kRounds = 16;             // of so many steps, by an inverse with a larger residual_share()
+constexpr double kAccurateInverse = 1e-5;
+constexpr double kWorthARound = 0.25;  // of the bound before
 constexpr double kRoundedUp = 1.02;
-constexpr double kNoWeight = 1e-12;  // relative to the heaviest column
-constexpr int kMostDependent = 8;    // columns to leave out, each by an elimination
 
 // max |x_k|: four at a time, which the compiler may not do by itself.
 double largest_of(const double* x, std::size_t count) {
@@ -105,48 +106,6 @@ void OptimalFace::clear_row_of(const double* chosen, int id) {
   }
 }
 
-// z with M_P z = M_j of the first column j that is no pivot: x_P grows by z for each unit that x_j loses.
-bool OptimalFace::leave_one_out() {
-  if (count() == rank()) return false;
-  is_pivot_.assign(ids_.size(), false);
-  for (const Pivot& pivot : pivots_) is_pivot_[static_cast<std::size_t>(pivot.column)] = true;
-  const auto j = static_cast<int>(std::find(is_pivot_.begin(), is_pivot_.end(), false) - is_pivot_.begin());
-  const BasisView& view = basis_.view();
-  std::vector<double> z(pivots_.size());
-  for (int k = 0; k < rank(); ++k) {
-    const double entry = column(j)[pivot_row(k)];
-    for (int i = 0; i < rank(); ++i)
-      z[static_cast<std::size_t>(i)] += view.R[static_cast<std::ptrdiff_t>(k) * view.P + i] * entry;
-  }
-  double step = weight(j);
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (z[i] < 0) step = std::min(step, weight(pivots_[i].column) / -z[i]);
-  }
-  for (std::size_t i = 0; i < z.size(); ++i)
-    weights_[static_cast<std::size_t>(pivots_[i].column)] += step * z[i];
-  weights_[static_cast<std::size_t>(j)] -= step;
-  const double least = kNoWeight * *std::max_element(weights_.begin(), weights_.end());
-  for (int i = count() - 1; i >= 0; --i) {
-    if (!(weight(i) > least)) remove(i);
-  }
-  return true;
-}
-
-void OptimalFace::remove(int i) {
-  const auto first = columns_.begin() + static_cast<std::ptrdiff_t>(i) * m_;
-  columns_.erase(first, first + m_);
-  costs_.erase(costs_.begin() + i);
-  weights_.erase(weights_.begin() + i);
-  ids_.erase(ids_.begin() + i);
-}
-
-bool OptimalFace::is_independent_zero(const Stopwatch& stopwatch) {
-  do {
-    if (!choose(stopwatch) || count() - rank() > kMostDependent || upper(stopwatch) != 0) return false;
-  } while (leave_one_out());
-  return true;
-}
-
 bool OptimalFace::choose(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   if (ids_.empty()) return false;
   eliminate(stopwatch, most);
@@ -187,13 +146,22 @@ double OptimalFace::set_right_hand_side() {
   return error;
 }
 
-// A bound on |R (b - B (x + x_low_))|∞ of the solution for the right-hand side b, from x on.
+// A bound on |R (b - B (x + x_low_))|∞ of the solution for the right-hand side b, from x on. A step
+// multiplies the error by less than residual_share(): where that is much, steps go on as long as the bound
+// falls.
 double OptimalFace::refine(Basis& basis) {
   BasisView& view = basis.view();
   std::fill_n(x_low_.data(), view.P, 0.0);
-  for (int step = 0; step < kSteps; ++step)
-    kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), true);
-  return kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), false);
+  const int rounds = basis.residual_share() < kAccurateInverse ? 1 : kRounds;
+  double bound = kInfinity;
+  for (int round = 0; round < rounds; ++round) {
+    for (int step = 0; step < kSteps; ++step)
+      kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), true);
+    const double before = bound;
+    bound = kernels_->refine_twofold(&view, basis.right_hand_side(), x_low_.data(), false);
+    if (!(bound < kWorthARound * before)) break;
+  }
+  return bound;
 }
 
 // A bound on the error of x + x_low_, for a right-hand side + b_low_ of which every entry is known to

@@ -36,7 +36,7 @@ class OptimalFace {
   double upper(const Stopwatch& stopwatch);
 
   /// Whether Σ c_i x_i is proven to be 0, with columns that are independent: of those that are not, some are
-  /// left out. Their weights are the solution then, to a double.
+  /// left out, unless the stopwatch leaves no time for it. Their weights are the solution then, to a double.
   bool is_independent_zero(const Stopwatch& stopwatch);
 
   /// After upper(): whether the weights of the pivots are proven to be those of the solution as they round.
@@ -62,8 +62,9 @@ class OptimalFace {
   };
   void eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most);
   void clear_row_of(const double* chosen, int id);
-  bool leave_one_out();
-  void remove(int i);
+  bool leave_others_out();
+  void leave_out(int j);
+  void keep_heavier_than(double least);
   bool may_solve(double error) const;
   bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
   double enclose(Basis& basis, double error_of_b);

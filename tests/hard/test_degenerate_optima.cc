@@ -114,5 +114,46 @@ TEST(DegenerateOptima, LeaveWeightsThatCombineToTheOrigin) {
   }
 }
 
+// One basis change proves nothing. No clock is involved: the limit is the same on every machine.
+TEST(DegenerateOptima, AreBoundedFromAboveWhereALimitEndsTheSimplexAtOnce) {
+  DistanceOptions options;
+  options.max_iterations = 1;
+  DistanceSolver solver(options);
+  for (const auto& [generator, parameters] : families()) {
+    for (const int n : {30, 60, 120}) {
+      for (const int N : {n + 2, 3 * n / 2, 2 * n}) {
+        const Instance instance = generate(generator, {1, n, N, 0}, parameters);
+        const double truth = instance.exact_distance.value();
+        const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+        EXPECT_LE(result.lower, truth);
+        EXPECT_GE(result.upper, truth);
+        EXPECT_EQ(std::isinf(result.upper), std::isinf(truth))
+            << generator << " " << to_string(parameters) << ", n = " << n << ", N = " << N;
+      }
+    }
+  }
+}
+
+// So many columns carry weight at 0 that a face of dependent points is found first, and some are left out.
+TEST(DegenerateOptima, TheOriginInsideManyPointsIsProvenByTheInteriorPointMethod) {
+  DistanceSolver solver;
+  for (const std::int64_t entry : {1, 1000}) {
+    const Parameters inside = {{"ties", 0.05}, {"entry", entry}, {"place", std::string("interior")}};
+    for (const int N : {262, 390, 450}) {
+      const Instance instance = generate("hard_planted_origin", {1, 260, N, 0}, inside);
+      const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+      EXPECT_EQ(result.status, DistanceStatus::contains_origin);
+      EXPECT_EQ(result.counters.pivots, 0);
+      EXPECT_LE(result.origin_weights.size(), 261u);
+      double sum = 0;
+      for (const PointWeight& weight : result.origin_weights) {
+        EXPECT_GT(weight.weight, 0);
+        sum += weight.weight;
+      }
+      EXPECT_NEAR(sum, 1, 1e-14);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_degenerate_optima

@@ -37,7 +37,7 @@ void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions&
     return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
   }
   if (may_be_proven_inside()) {
-    if (certify_inside(effects, result)) return;
+    if (certify_on_the_way(effects, result)) return;
     begin_from_basis();
   }
   run(false, effects, result);
@@ -244,6 +244,7 @@ void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, do
   late = late || stopwatch_->expired();
   if (!restricted) lower = std::max(lower, bound_inside(lower));
   if (n_ >= kLeastToStall && !(upper < kInfinity)) ray_.find(working_A_, working_Q_, n_);
+  if (!(std::min(upper, ray_.upper()) < kInfinity) && certify_by_last_look(effects, result)) return;
   if (ray_.upper() < upper)
     return finish_with_ray(late ? DistanceStatus::time_limit : status_of(end), lower, effects, result);
   finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);

@@ -71,6 +71,10 @@ class Sifting {
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
   void collect_carriers(bool with_Q);
+  double farthest_of_Q(const double* u);
+  void note_inside(InteriorPoint::End end);
+  bool certify_on_the_way(Effects effects, DistanceResult& result);
+  bool certify_by_last_look(Effects effects, DistanceResult& result);
   bool certify_inside(Effects effects, DistanceResult& result);
   bool certify_ray(Effects effects, DistanceResult& result);
   void finish_with_ray(DistanceStatus status, double lower, Effects effects, DistanceResult& result);
@@ -79,6 +83,7 @@ class Sifting {
   double upper_of_face();
   bool collect_face(double least, bool with_Q = true);
   void find_origin_weights(std::vector<PointWeight>& weights);
+  void round_weights_of_face(std::vector<PointWeight>& weights);
   void weights_of_face(std::vector<PointWeight>& weights) const;
   bool certify_by_plane(Effects effects, DistanceResult& result);
   bool certify_by_plane(double near, Effects effects, DistanceResult& result);
@@ -136,7 +141,7 @@ class Sifting {
   TwofoldSimplex twofold_;
   InteriorPoint interior_;
   WhitenedPoints whitened_;
-  enum class InteriorState : std::uint8_t { untried, failed, converged };
+  enum class InteriorState : std::uint8_t { untried, failed, paused, converged };
   InteriorState interior_state_ = InteriorState::untried;
   bool separated_ = false;     // by interior_, the working sets
   bool basis_is_due_ = false;  // program_ has not begun from the columns of interior_ yet

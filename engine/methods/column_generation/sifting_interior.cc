@@ -20,7 +20,7 @@ constexpr double kNearlyZero = 1e-6;
 
 // An interior-point method that fails so soon fails for the condition of the points, not of the problem.
 constexpr std::int64_t kFewIterations = 12;
-constexpr double kWhitening = 10;  // operations for each point and n², in those of kernels
+constexpr double kWhitening = 3;  // operations for each point and n², in those of kernels
 
 // A weight above carries, others are zero but for rounding: of most bases, and of those that a shear has left
 // so ill-conditioned that weights of 1e-4 are rounding.
@@ -31,6 +31,10 @@ constexpr double kShareOfTolerance = 0.25;
 
 // That exact arithmetic may take for weights that other arithmetic has as good.
 constexpr double kSecondsForWeights = 1e-3;
+
+// Of points of Q with -u·q <= 1, which all are, those with |u·q| up to here may lie in the plane of u on its
+// way to infinity.
+constexpr double kNearPlane = 30;
 
 // Points of Q so close to the plane of a direction, relative to the farthest, may lie in it.
 constexpr double kMaybeInPlane[] = {1e-6, 1e-9};
@@ -50,7 +54,7 @@ bool Sifting::finish_inside(Effects effects, DistanceResult& result) {
     finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
     return true;
   }
-  if (certify_inside(effects, result)) return true;
+  if (certify_on_the_way(effects, result)) return true;
   program_.be_patient();
   if (interior_state_ == InteriorState::converged) start_inside();
   return false;
@@ -59,15 +63,52 @@ bool Sifting::finish_inside(Effects effects, DistanceResult& result) {
 // Runs the interior-point method, from a guess of the normal.
 void Sifting::solve_inside(const double* guess) {
   ray_.find(working_A_, working_Q_, n_);
+  interior_.may_pause(is_complete() && chosen_A_.empty());
   interior_.end_at((1 - kShareOfTolerance * tolerance_) * ray_.upper());
   InteriorPoint::End end =
       interior_.solve(working_A_.view(), working_Q_.view(), n_, guess, *kernels_, *stopwatch_);
   const bool soon = interior_.iterations() < kFewIterations && !stopwatch_->expired();
   if (end == InteriorPoint::End::failed && soon && whiten())
     end = interior_.solve_whitened(whitened_, n_, guess, *kernels_, *stopwatch_);
+  note_inside(end);
+}
+
+void Sifting::note_inside(InteriorPoint::End end) {
   separated_ = end == InteriorPoint::End::separated;
-  const bool converged = separated_ || end == InteriorPoint::End::converged;
-  interior_state_ = converged ? InteriorState::converged : InteriorState::failed;
+  switch (end) {
+    case InteriorPoint::End::failed:
+      interior_state_ = InteriorState::failed;
+      break;
+    case InteriorPoint::End::paused:
+      interior_state_ = InteriorState::paused;
+      break;
+    default:
+      interior_state_ = InteriorState::converged;
+  }
+}
+
+// Where a limit on basis changes ends a solve that knows no upper bound: some steps of the interior-point
+// method, none of which is a basis change.
+bool Sifting::certify_by_last_look(Effects effects, DistanceResult& result) {
+  const bool untried = interior_state_ == InteriorState::untried && n_ >= kLeastToStall;
+  if (!untried || !is_complete() || !chosen_A_.empty()) return false;
+  const std::vector<double> guess(program_.normal(), program_.normal() + n_);
+  solve_inside(guess.data());
+  if (interior_state_ == InteriorState::failed) return false;
+  return certify_on_the_way(effects, result);
+}
+
+// Where the interior-point method has paused and nothing is proven, it goes on.
+bool Sifting::certify_on_the_way(Effects effects, DistanceResult& result) {
+  while (!certify_inside(effects, result)) {
+    if (interior_state_ != InteriorState::paused) return false;
+    note_inside(interior_.go_on(*stopwatch_));
+    if (separated_ && is_separated()) {
+      finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+      return true;
+    }
+  }
+  return true;
 }
 
 bool Sifting::whiten() {
@@ -96,7 +137,14 @@ bool Sifting::certify_inside(Effects effects, DistanceResult& result) {
   if (certify_carriers(distance, effects, result)) return true;
   if (distance < 1 / kMaybeZero) return false;
   farkas_.assign(y, y + n_);
-  return certify_by_plane(effects, result);
+  return certify_by_plane(kNearPlane / farthest_of_Q(y), effects, result) ||
+         certify_by_plane(effects, result);
+}
+
+// max u·q.
+double Sifting::farthest_of_Q(const double* u) {
+  const double* products = products_with(working_Q_, u);
+  return *std::max_element(products, products + working_Q_.size());
 }
 
 // The point of A on a ray with one of Q, where the normal proves that there is no better one.
@@ -198,6 +246,15 @@ bool Sifting::collect_face(double least, bool with_Q) {
     face_.add(program_.basis().column(i), is_from_Q(view.id[i]) ? 1.0 : 0.0, weight, view.id[i]);
   }
   return face_.count() > 0;
+}
+
+// Where the enclosure does not tell how the weights round: by exact arithmetic, if that takes no time.
+void Sifting::round_weights_of_face(std::vector<PointWeight>& weights) {
+  start_.clear();
+  for (const PointWeight& weight : weights) start_.push_back(id_of_A(weight.index));
+  const ExactSimplex::End end =
+      exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_, kSecondsForWeights);
+  if (end == ExactSimplex::End::solved && exact_.distance().above == 0) exact_.weights_of_A(weights);
 }
 
 void Sifting::weights_of_face(std::vector<PointWeight>& weights) const {
@@ -321,10 +378,7 @@ void Sifting::finish_with_face(double lower, double upper, Effects effects, Dist
   if (upper == 0) {
     result.status = DistanceStatus::contains_origin;
     weights_of_face(result.origin_weights);
-    if (!face_.is_rounded()) {
-      begin_from_basis();
-      find_origin_weights(result.origin_weights);
-    }
+    if (!face_.is_rounded()) round_weights_of_face(result.origin_weights);
   }
   double distance = 0;
   for (int i = 0; i < face_.count(); ++i) distance += is_from_Q(face_.id(i)) ? face_.weight(i) : 0.0;

@@ -90,8 +90,10 @@ void Sifting::start_inside() {
 // Whether what the interior-point method ends with may prove the answer without a basis, whose inverse takes
 // longer than all its other proofs.
 bool Sifting::may_be_proven_inside() const {
-  return interior_state_ == InteriorState::converged && is_complete() && chosen_A_.empty() &&
-         (ray_.upper() < kInfinity || interior_.is_degenerate());
+  if (!is_complete() || !chosen_A_.empty()) return false;
+  return interior_state_ == InteriorState::paused ||
+         (interior_state_ == InteriorState::converged &&
+          (ray_.upper() < kInfinity || interior_.is_degenerate()));
 }
 
 // What start() has put off.
