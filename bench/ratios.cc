@@ -31,6 +31,22 @@ const Rows kRows = {{"grid", print_grid},
                     {"memory", print_memory},
                     {"growth", print_growth}};
 
+void add_degenerate_options(CLI::App& app, Effort& effort) {
+  app.add_option("--limit", effort.limits,
+                 "limits in seconds, separated by commas: the row degenerate shows the bounds of solves that "
+                 "end there, without competitors; none: a minute, with them")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-3, 1e4));
+  app.add_option("--families", effort.families,
+                 "families of the row degenerate, separated by commas; none: all of them")
+      ->delimiter(',')
+      ->check(CLI::IsMember(degenerate_families()));
+  app.add_option("--points", effort.points,
+                 "points of the row degenerate, separated by commas; none: n + 2, 1.5 n, 2 n")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 100000));
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> row_names;
   std::vector<std::string> variant_names;
@@ -55,19 +71,7 @@ int run(int argc, char** argv) {
   app.add_flag("--processor-time", effort.processor_time,
                "the rows high, degenerate, shapes and euclidean in processor time, for machines that other "
                "work keeps busy");
-  app.add_option("--limit", effort.limits,
-                 "limits in seconds, separated by commas: the row degenerate shows the bounds of solves that "
-                 "end there, without competitors; none: a minute, with them")
-      ->delimiter(',')
-      ->check(CLI::Range(1e-3, 1e4));
-  app.add_option("--families", effort.families,
-                 "families of the row degenerate, separated by commas; none: all of them")
-      ->delimiter(',')
-      ->check(CLI::IsMember(degenerate_families()));
-  app.add_option("--points", effort.points,
-                 "points of the row degenerate, separated by commas; none: n + 2, 1.5 n, 2 n")
-      ->delimiter(',')
-      ->check(CLI::Range(2, 100000));
+  add_degenerate_options(app, effort);
   app.add_flag("--quick", effort.quick, "fewer cells, and 5 instances unless --instances is given");
   CLI11_PARSE(app, argc, argv);
   if (effort.quick && app.count("--instances") == 0) effort.instances = 5;
