@@ -29,15 +29,15 @@ const std::vector<Variant>& families() {
     parameters["place"] = std::string("interior");
     return parameters;
   };
-  static const std::vector<Variant> all = {{"ties", "hard_planted_ties", few},
-                                           {"ties sheared", "hard_planted_unimodular", sheared},
-                                           {"origin on a face", "hard_planted_origin", none},
-                                           {"on a face sheared", "hard_planted_origin", sheared},
-                                           {"origin inside", "hard_planted_origin", inside(none)},
-                                           {"inside sheared", "hard_planted_origin", inside(sheared)},
-                                           {"unreachable", "hard_planted_unreachable", none},
-                                           {"unreachable sheared", "hard_planted_unreachable", sheared}};
-  return all;
+  static const std::vector<Variant> kAll = {{"ties", "hard_planted_ties", few},
+                                            {"ties sheared", "hard_planted_unimodular", sheared},
+                                            {"origin on a face", "hard_planted_origin", none},
+                                            {"on a face sheared", "hard_planted_origin", sheared},
+                                            {"origin inside", "hard_planted_origin", inside(none)},
+                                            {"inside sheared", "hard_planted_origin", inside(sheared)},
+                                            {"unreachable", "hard_planted_unreachable", none},
+                                            {"unreachable sheared", "hard_planted_unreachable", sheared}};
+  return kAll;
 }
 
 // Whether the result proves what the instance was planted with.
