@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 // Solves random variants of every hard family and checks every certificate against a distance known exactly;
 // `raygauge_soak sets`, `bodies`, `placed`, `overlaps`, `used`, `depths`, `meshes`, `motions`, `edges`,
-// `scenes` and `simulations` check random pairs of convex sets, posed bodies, bodies at known distances, overlaps,
-// used solvers, depths, meshes, moving bodies, edges of robots, scenes and simulations: docs/soak.md.
+// `scenes` and `simulations` check random pairs of convex sets, posed bodies, bodies at known distances,
+// overlaps, used solvers, depths, meshes, moving bodies, edges of robots, scenes and simulations:
+// docs/soak.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
