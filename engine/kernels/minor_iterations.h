@@ -104,7 +104,7 @@ struct ColumnsOfSet {
 template <int V, int N>
 struct Entering {
   static constexpr int kPacks = V * kRowPadding / kWidth;
-  static constexpr int P = V * kRowPadding;
+  static constexpr int kStride = V * kRowPadding;
   // For a row that was found in single precision.
   static constexpr double kSafePivot = 0x1p-10;
   static constexpr double kMuchLarger = 1.5;
@@ -118,7 +118,7 @@ struct Entering {
     Pack sum[2][kPacks] = {};
     double product = 0;  // summed as in a pass, so that both agree on what prices out
 #pragma GCC unroll 16
-    for (int k = 0; k < N; ++k, R += P) {
+    for (int k = 0; k < N; ++k, R += kStride) {
       const double p = point[k * kLanes];
       for (int t = 0; t < kPacks; ++t) sum[k % 2][t] += broadcast(p) * load(R + t * kWidth);
       product += p * y[k];
@@ -158,10 +158,10 @@ struct Entering {
     }
     double* R = basis->R;
     double* y = basis->y;
-    double* B = basis->B + r * P;
+    double* B = basis->B + r * kStride;
     const double theta = basis->x()[r] * inverse;
 #pragma GCC unroll 16
-    for (int k = 0; k <= N + 1; ++k, R += P) {
+    for (int k = 0; k <= N + 1; ++k, R += kStride) {
       const double share = R[r];
       if (k <= N) y[k] += step * share;
       for (int t = 0; t < kPacks; ++t)

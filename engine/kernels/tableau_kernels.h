@@ -10,8 +10,8 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-// W = R C and the reduced costs d = c - yᵀC of the columns C of two shortlists, in rows of L lanes: those
-// of A, those of Q; only the last lane is none of them but the basic solution x.
+// W = R C and the reduced costs d = c - yᵀC of the columns C of two shortlists, in rows of kColumns lanes:
+// those of A, those of Q; only the last lane is none of them but the basic solution x.
 //
 // It proposes basis changes by the fall of the objective, |d_j| min_i x_i / W_ij, which takes a fifth fewer
 // of them than the reduced costs alone, and is updated after each. The column that enters is computed again
@@ -22,14 +22,14 @@ struct Tableau {
   using F = Vec<float>;
   static constexpr int kRows = N + 1;
   static constexpr int kOfSet = Vec<Real>::kPoints;
-  static constexpr int L = 2 * kOfSet;
-  static constexpr int kPacks = L / F::kCount;
+  static constexpr int kColumns = 2 * kOfSet;
+  static constexpr int kPacks = kColumns / F::kCount;
 
-  alignas(64) float row[kRows + 1][L];  // W, then d
-  alignas(64) float column[kRows][L];   // C; its last row is 1 for points of A, 0 for those of Q
-  alignas(64) float limit[L];           // reduced costs below it are no rounding
-  alignas(64) int most[L];              // bits of max_i W_ij / x_i, marked with i
-  alignas(64) typename Vec<Real>::Integer offset[L];  // of the points among the numbers of their sets
+  alignas(64) float row[kRows + 1][kColumns];  // W, then d
+  alignas(64) float column[kRows][kColumns];   // C; its last row is 1 for points of A, 0 for those of Q
+  alignas(64) float limit[kColumns];           // reduced costs below it are no rounding
+  alignas(64) int most[kColumns];              // bits of max_i W_ij / x_i, marked with i
+  alignas(64) typename Vec<Real>::Integer offset[kColumns];  // of the points among the numbers of their sets
 };
 
 // A basis change that the tableau proposes.
@@ -79,7 +79,7 @@ template <int N, class Real>
 inline Proposal propose(Tableau<N, Real>* tableau, const RatioTests<N, Real>& tests, bool dantzig) {
   using F = Vec<float>;
   constexpr int kRows = Tableau<N, Real>::kRows;
-  constexpr int L = Tableau<N, Real>::L;
+  constexpr int kColumns = Tableau<N, Real>::kColumns;
   constexpr int kNoMark = ~RatioTests<N, Real>::kRowMask;
   const F::Index unbounded = bits_of_all(1e-20F) & kNoMark;  // where no row blocks, row 0 stands in
   F::Index best{};
@@ -90,11 +90,11 @@ inline Proposal propose(Tableau<N, Real>* tableau, const RatioTests<N, Real>& te
     const F::Pack fall = dantzig ? -d : -d / reinterpret_cast<F::Pack>(most);
     const F::Pack worth = d < load(tableau->limit + t * F::kCount) ? fall : F::Pack{};
     const F::Index lanes = lane_numbers<F::Index>() + t * F::kCount;
-    best = larger(marked(worth, L - 1, lanes), best);
+    best = larger(marked(worth, kColumns - 1, lanes), best);
   }
   const int winner = largest_lane(best);
-  if (winner < L) return {};
-  const int column = winner % L;
+  if (winner < kColumns) return {};
+  const int column = winner % kColumns;
   return {column, tableau->most[column] & RatioTests<N, Real>::kRowMask};
 }
 
@@ -118,13 +118,13 @@ inline Proposal form(Tableau<N, Real>* tableau, const BasisView& basis, bool dan
   using F = Vec<float>;
   constexpr int kRows = Tableau<N, Real>::kRows;
   constexpr int kPacks = Tableau<N, Real>::kPacks;
-  constexpr int L = Tableau<N, Real>::L;
-  constexpr int P = V * kRowPadding;
+  constexpr int kColumns = Tableau<N, Real>::kColumns;
+  constexpr int kStride = V * kRowPadding;
   typedef float Half __attribute__((vector_size(kWidth * 4), aligned(kWidth * 4), may_alias));
-  alignas(64) float R[kRows + 1][P];  // and x
+  alignas(64) float R[kRows + 1][kStride];  // and x
   for (int k = 0; k <= kRows; ++k) {
-    for (int p = 0; p < P; p += kWidth) {
-      *reinterpret_cast<Half*>(R[k] + p) = __builtin_convertvector(load(basis.R + k * P + p), Half);
+    for (int p = 0; p < kStride; p += kWidth) {
+      *reinterpret_cast<Half*>(R[k] + p) = __builtin_convertvector(load(basis.R + k * kStride + p), Half);
     }
   }
   for (int t = 0; t < kPacks; ++t) {
@@ -135,7 +135,7 @@ inline Proposal form(Tableau<N, Real>* tableau, const BasisView& basis, bool dan
 #pragma GCC unroll 16
       for (int i = 0; i < kRows; ++i) W[i] += broadcast(R[k][i]) * c;
     }
-    const F::Index is_x = lane_numbers<F::Index>() + at == F::Index{} + (L - 1);
+    const F::Index is_x = lane_numbers<F::Index>() + at == F::Index{} + (kColumns - 1);
 #pragma GCC unroll 16
     for (int i = 0; i < kRows; ++i) {
       *reinterpret_cast<F::Pack*>(tableau->row[i] + at) = is_x ? broadcast(R[kRows][i]) : W[i];
@@ -267,7 +267,7 @@ inline void set_limits(Tableau<N, Real>* tableau, const Candidates& worth) {
     const F::Index lane = lane_numbers<F::Index>() + t * F::kCount;
     const F::Pack limit = lane < F::Index{} + T::kOfSet ? F::Pack{} + of_A : F::Pack{} + of_Q;
     *reinterpret_cast<F::Pack*>(tableau->limit + t * F::kCount) =
-        lane == F::Index{} + (T::L - 1) ? F::Pack{} - __builtin_inff() : limit;
+        lane == F::Index{} + (T::kColumns - 1) ? F::Pack{} - __builtin_inff() : limit;
   }
 }
 
