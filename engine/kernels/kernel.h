@@ -217,11 +217,14 @@ struct Kernels {
   void (*products)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values);
 
   /// p -= Q Qᵀp for `count` orthonormal columns Q, by modified Gram-Schmidt; Qᵀp is added to `coefficients`.
-  /// Columns and p have ld = padded_rows(·) entries, padding zero, here and in rotate.
+  /// Columns and p have ld = padded_rows(·) entries, padding zero, here, in rotate and in add_multiple.
   void (*project_out)(const double* Q, std::ptrdiff_t ld, int count, double* p, double* coefficients);
 
   /// (a, b) becomes (c a + s b, c b - s a): a Givens rotation of two vectors.
   void (*rotate)(double* a, double* b, std::ptrdiff_t length, double cosine, double sine);
+
+  /// v += s w; the largest |v_k| afterwards.
+  double (*add_multiple)(double* v, const double* w, std::ptrdiff_t length, double s);
 
   /// Solves R x = x for an upper triangular R of `count` rows, kept by rows of ld entries, zeros left of the
   /// diagonal.

@@ -49,6 +49,17 @@ void rotate(double* a, double* b, std::ptrdiff_t length, double cosine, double s
   }
 }
 
+double add_multiple(double* v, const double* w, std::ptrdiff_t length, double s) {
+  const Pack share = broadcast(s);
+  Pack largest{};
+  for (std::ptrdiff_t r = 0; r < length; r += kWidth) {
+    const Pack x = multiply_add(load(w + r), share, load(v + r));
+    store(v + r, x);
+    largest = maximum(magnitude(x), largest);
+  }
+  return largest_lane(largest);
+}
+
 // R in rows, zero left of the diagonal, so that a row may be read from the block that holds its diagonal on.
 void back_substitute(const double* R, std::ptrdiff_t ld, int count, double* x) {
   const std::ptrdiff_t end = (count + kLanes - 1) / kLanes * kLanes;

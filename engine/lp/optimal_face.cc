@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/lp/affords.h"
 #include "engine/lp/exact_rank.h"
@@ -57,17 +58,19 @@ void OptimalFace::eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   const auto m = static_cast<std::size_t>(m_);
   const auto count = static_cast<std::size_t>(this->count());
   pivots_.clear();
-  work_ = columns_;
+  eliminated_.reserve(count * static_cast<std::size_t>(padded_rows(m_)));
   largest_.assign(count, 0.0);
   left_.clear();
   const double heaviest = *std::max_element(weights_.begin(), weights_.end());
   for (std::size_t i = 0; i < count; ++i) {
-    double* column = work_.data() + i * m;
-    const double largest = largest_of(column, m);
+    const double* given = columns_.data() + i * m;
+    const double largest = largest_of(given, m);
     if (!(largest > 0)) continue;
     const double scale = std::max(weights_[i] / heaviest, kLeastScale) / largest;
-    for (std::size_t k = 0; k < m; ++k) column[k] *= scale;
-    largest_[i] = largest_of(column, m);
+    double* scaled = eliminated(static_cast<int>(i));
+    for (std::size_t k = 0; k < m; ++k) scaled[k] = scale * given[k];
+    std::fill(scaled + m, scaled + padded_rows(m_), 0.0);
+    largest_[i] = largest_of(scaled, m);
     left_.push_back(static_cast<int>(i));
   }
   if (std::ssize(left_) > most) {
@@ -85,24 +88,23 @@ void OptimalFace::eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most) {
     if (pivots_.empty()) first = largest_[at];
     if (!(largest_[at] > kIndependent * first)) return;
     left_.erase(best);
-    clear_row_of(work_.data() + at * m, static_cast<int>(at));
+    clear_row_of(static_cast<int>(at));
   }
 }
 
 // A step of the elimination: the largest entry of the column is the pivot of the others that are left.
-void OptimalFace::clear_row_of(const double* chosen, int id) {
-  const auto m = static_cast<std::size_t>(m_);
+void OptimalFace::clear_row_of(int id) {
+  double* chosen = eliminated(id);
   const double largest = largest_[static_cast<std::size_t>(id)];
   std::size_t row = 0;
   while (std::fabs(chosen[row]) != largest) ++row;
   pivots_.push_back({static_cast<int>(row), id});
+  const double pivot = std::exchange(chosen[row], 0.0);
   for (const int i : left_) {
-    double* column = work_.data() + static_cast<std::size_t>(i) * m;
-    const double factor = column[row] / chosen[row];
+    double* column = eliminated(i);
+    const double factor = std::exchange(column[row], 0.0) / pivot;
     if (factor == 0) continue;
-    for (std::size_t k = 0; k < m; ++k) column[k] -= factor * chosen[k];
-    column[row] = 0;
-    largest_[static_cast<std::size_t>(i)] = largest_of(column, m);
+    largest_[static_cast<std::size_t>(i)] = kernels_->add_multiple(column, chosen, padded_rows(m_), -factor);
   }
 }
 

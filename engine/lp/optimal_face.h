@@ -61,7 +61,8 @@ class OptimalFace {
     int column;
   };
   void eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most);
-  void clear_row_of(const double* chosen, int id);
+  double* eliminated(int i) noexcept { return eliminated_.data() + std::ptrdiff_t{i} * padded_rows(m_); }
+  void clear_row_of(int id);
   bool leave_others_out();
   void leave_out(int j);
   void keep_heavier_than(double least);
@@ -79,9 +80,10 @@ class OptimalFace {
   std::vector<Pivot> pivots_;
   std::vector<bool> is_pivot_;  // of columns
   std::vector<double> work_;
-  std::vector<double> largest_;  // entry of each column of work_
-  std::vector<int> left_;        // columns of work_ that are no pivots yet
-  std::vector<double> b_low_;    // of the right-hand side at hand
+  AlignedBuffer<double> eliminated_;  // columns, padded
+  std::vector<double> largest_;       // entry of each of them
+  std::vector<int> left_;             // of them: those that are no pivots yet
+  std::vector<double> b_low_;         // of the right-hand side at hand
   bool rounded_ = false;
   Basis basis_;       // M_RP
   Basis transposed_;  // its transpose

@@ -188,6 +188,28 @@ struct Inverted {
   double padding = 0;
 };
 
+// Whole numbers, of which no operation rounds.
+TEST_P(EveryInstructionSet, AddsAMultipleAndFindsTheLargestEntry) {
+  Random random(7);
+  std::uniform_int_distribution<int> number(-1000, 1000);
+  for (const int m : {1, 2, 7, 8, 9, 33, 501}) {
+    const int length = padded_rows(m);
+    AlignedBuffer<double> v, w;
+    v.reserve(static_cast<std::size_t>(length));
+    w.reserve(static_cast<std::size_t>(length));
+    Vector sum = Vector::Zero(length);
+    for (int k = 0; k < length; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      v[i] = k < m ? number(random) : 0;
+      w[i] = k < m ? number(random) : 0;
+      sum[k] = v[i] - 3 * w[i];
+    }
+    const double largest = kernels().add_multiple(v.data(), w.data(), length, -3);
+    EXPECT_EQ(Vector::Map(v.data(), length), sum);
+    EXPECT_EQ(largest, sum.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST_P(EveryInstructionSet, InvertsWithExchangesOfRows) {
   Random random(12);
   for (const int m : {1, 2, 3, 7, 8, 9, 16, 17, 31, 50, 64, 101, 203}) {
