@@ -105,18 +105,30 @@ void duals(BasisView* basis) {
   transposed_multiply(basis->R, P, basis->m, residual, y);
 }
 
+// Of the sums over k in I - R B: so many terms are added up before they join the others. An entry is then in
+// error by less than (kTerms + m / kTerms + 4) u of the sum of its terms' magnitudes, where a sum of m terms
+// in a row would have m + 2.
+constexpr int kTerms = 32;
+
 // |I - R B| over kPacks packs of rows from `first` and kColumns columns from j, added to sum.
 template <int kPacks, int kColumns>
 inline void add_residual_tile(const BasisView& basis, int first, int j, Pack* sum) {
   const double* B = basis.B + static_cast<std::ptrdiff_t>(j) * basis.P;
   const double* R = basis.R + first * kWidth;
   Pack product[kColumns][kPacks] = {};
-  for (int k = 0; k < basis.m; ++k, R += basis.P) {
-    Pack r[kPacks];
-    for (int p = 0; p < kPacks; ++p) r[p] = load(R + p * kWidth);
+  for (int k = 0; k < basis.m;) {
+    const int end = basis.m - k < kTerms ? basis.m : k + kTerms;
+    Pack part[kColumns][kPacks] = {};
+    for (; k < end; ++k, R += basis.P) {
+      Pack r[kPacks];
+      for (int p = 0; p < kPacks; ++p) r[p] = load(R + p * kWidth);
+      for (int c = 0; c < kColumns; ++c) {
+        const Pack b = broadcast(B[c * static_cast<std::ptrdiff_t>(basis.P) + k]);
+        for (int p = 0; p < kPacks; ++p) part[c][p] += r[p] * b;
+      }
+    }
     for (int c = 0; c < kColumns; ++c) {
-      const Pack b = broadcast(B[c * static_cast<std::ptrdiff_t>(basis.P) + k]);
-      for (int p = 0; p < kPacks; ++p) product[c][p] += r[p] * b;
+      for (int p = 0; p < kPacks; ++p) product[c][p] += part[c][p];
     }
   }
   for (int c = 0; c < kColumns; ++c) {
@@ -150,16 +162,24 @@ inline void norms_of_rows(const BasisView& basis, int first, double* sum_E, doub
   }
 }
 
-// Of many rows: tiles in registers, so that R and B are not read once for every column.
+// Tiles in registers, so that R and B are not read once for every column.
 MatrixNorms norms_in_tiles(BasisView* basis) {
+  const int P = basis->P;
+  const int m = basis->m;
   double* sum_E = basis->scratch;
-  double* sum_R = sum_E + basis->P;
-  double* sum_B = sum_R + basis->P;
-  const int total = basis->P / kWidth;
+  double* sum_R = sum_E + P;
+  double* sum_B = sum_R + P;
+  const int total = P / kWidth;
   int first = 0;
   for (; first + 2 <= total; first += 2) norms_of_rows<2>(*basis, first, sum_E, sum_R, sum_B);
   for (; first < total; ++first) norms_of_rows<1>(*basis, first, sum_E, sum_R, sum_B);
-  return {largest_entry(sum_E, basis->P), largest_entry(sum_R, basis->P), largest_entry(sum_B, basis->P)};
+  const double norm_of_R = largest_entry(sum_R, P);
+  // What rounding may have hidden, row by row: in |R| |B| of ones, where the norms' product is far more.
+  const double gamma = 1.01 * (kTerms + m / kTerms + 4) * 0x1p-53;
+  double* magnitudes = sum_R;
+  multiply<0>(basis->R, P, m, sum_B, magnitudes, magnitude);
+  for (int p = 0; p < P; p += kWidth) store(sum_E + p, load(sum_E + p) + gamma * load(magnitudes + p));
+  return {1.01 * largest_entry(sum_E, P), norm_of_R};
 }
 
 MatrixNorms norms(BasisView* basis) {

@@ -129,9 +129,8 @@ struct BestVertex {
 };
 
 struct MatrixNorms {
-  double residual = 0;  ///< ‖I - R B‖∞
+  double residual = 0;  ///< at least ‖I - R B‖∞: every rounding error is in it
   double R = 0;         ///< ‖R‖∞
-  double B = 0;         ///< ‖B‖∞
 };
 
 /// Layout of the matrix of Kernels::add_gram in R^n: column-major, gram_rows(n) rows and gram_columns(n)
@@ -178,7 +177,7 @@ struct Kernels {
   /// of Q after each pricing. Basis rows: n coordinates, then convexity; m = n + 1.
   LoopEnd (*simplex_loop)(BasisView* basis, SimplexLoop* loop);
 
-  /// ‖I - R B‖∞ (computed, rounding not included), and with it ‖R‖∞ and ‖B‖∞.
+  /// A bound on ‖I - R B‖∞, and ‖R‖∞ as computed.
   MatrixNorms (*norms)(BasisView* basis);
 
   /// One step of iterative refinement of x = R b by r = b - B x. With `correct`, x += R r. Without it,

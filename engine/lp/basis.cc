@@ -100,9 +100,7 @@ double Basis::drift() const {
 
 double Basis::residual_share() {
   if (share_pivots_ == view_.pivots) return share_;
-  // As computed, and at most (m + 2) u ‖R‖ ‖B‖ of rounding in it; 1.01 covers the rounding of these bounds.
-  const MatrixNorms norms = kernels_->norms(&view_);
-  share_ = 1.01 * (norms.residual + (view_.m + 2) * kUnitRoundoff * norms.R * norms.B);
+  share_ = kernels_->norms(&view_).residual;
   share_pivots_ = view_.pivots;
   return share_;
 }

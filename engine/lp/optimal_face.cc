@@ -111,8 +111,14 @@ void OptimalFace::clear_row_of(int id) {
 bool OptimalFace::choose(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   if (ids_.empty()) return false;
   eliminate(stopwatch, most);
+  if (rank() == 0 || stopwatch.expired()) return false;
+  take_pivots();
+  return true;
+}
+
+// M_RP into basis_.
+void OptimalFace::take_pivots() {
   const int r = rank();
-  if (r == 0 || stopwatch.expired()) return false;
   basis_.reset(r, *kernels_);
   work_.resize(static_cast<std::size_t>(r));
   for (int i = 0; i < r; ++i) {
@@ -121,7 +127,6 @@ bool OptimalFace::choose(const Stopwatch& stopwatch, std::ptrdiff_t most) {
       work_[static_cast<std::size_t>(k)] = column(from)[pivots_[static_cast<std::size_t>(k)].row];
     basis_.set_column(i, work_.data(), costs_[static_cast<std::size_t>(from)], i);
   }
-  return true;
 }
 
 // (b - M x)_R over the columns that are no pivots, and b_low_. Returns a bound on its rounding error in any

@@ -61,11 +61,13 @@ class OptimalFace {
     int column;
   };
   void eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most);
+  void take_pivots();
   double* eliminated(int i) noexcept { return eliminated_.data() + std::ptrdiff_t{i} * padded_rows(m_); }
   void clear_row_of(int id);
   bool leave_others_out();
   void leave_out(int j);
   void keep_heavier_than(double least);
+  bool is_zero_as_chosen(const Stopwatch& stopwatch);
   bool may_solve(double error) const;
   bool spans(bool with_right_hand_side, const Stopwatch& stopwatch);
   double enclose(Basis& basis, double error_of_b);

@@ -63,28 +63,39 @@ void OptimalFace::leave_out(int j) {
 }
 
 void OptimalFace::keep_heavier_than(double least) {
+  std::vector<int> place(ids_.size(), -1);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (!(weights_[i] > least)) continue;
     std::copy_n(column(static_cast<int>(i)), m_, columns_.data() + kept * static_cast<std::size_t>(m_));
     costs_[kept] = costs_[i];
     weights_[kept] = weights_[i];
-    ids_[kept++] = ids_[i];
+    ids_[kept] = ids_[i];
+    place[i] = static_cast<int>(kept++);
   }
   columns_.resize(kept * static_cast<std::size_t>(m_));
   costs_.resize(kept);
   weights_.resize(kept);
   ids_.resize(kept);
+  for (Pivot& pivot : pivots_) pivot.column = place[static_cast<std::size_t>(pivot.column)];
+}
+
+// Of the pivots at hand, which are all columns that are left. False where one of them has lost its weight.
+bool OptimalFace::is_zero_as_chosen(const Stopwatch& stopwatch) {
+  if (std::any_of(pivots_.begin(), pivots_.end(), [](const Pivot& pivot) { return pivot.column < 0; }))
+    return false;
+  take_pivots();
+  return upper(stopwatch) == 0;
 }
 
 bool OptimalFace::is_independent_zero(const Stopwatch& stopwatch) {
   const auto some = static_cast<std::ptrdiff_t>(kShareOfPivots * m_);
-  do {
-    const bool by_some = count() > some && choose(stopwatch, some) && upper(stopwatch) == 0;
-    if (!by_some && (!choose(stopwatch) || upper(stopwatch) != 0)) return false;
-    if (!affords(stopwatch, kSecondChoice * cube(m_))) return true;
-  } while (leave_others_out());
-  return true;
+  bool proven = count() > some && choose(stopwatch, some) && upper(stopwatch) == 0;
+  for (;;) {
+    if (!proven && (!choose(stopwatch) || upper(stopwatch) != 0)) return false;
+    if (!affords(stopwatch, kSecondChoice * cube(m_)) || !leave_others_out()) return true;
+    proven = is_zero_as_chosen(stopwatch);
+  }
 }
 
 }  // namespace raygauge

@@ -155,5 +155,24 @@ TEST(DegenerateOptima, TheOriginInsideManyPointsIsProvenByTheInteriorPointMethod
   }
 }
 
+// As many digits lost in the inverse of a basis as in 1e11: it took the simplex 20000 basis changes, or never
+// ended.
+TEST(DegenerateOptima, TheOriginInsideShearedPointsOfR500IsProvenWithoutBasisChanges) {
+  DistanceOptions options;
+  options.time_limit = 20;
+  DistanceSolver solver(options);
+  const Parameters inside = {
+      {"ties", 0.05}, {"entry", std::int64_t{1000}}, {"place", std::string("interior")}};
+  const std::vector<InstanceKey> keys = {
+      {1, 500, 502, 0}, {1, 500, 502, 1}, {1, 500, 502, 3}, {1, 500, 750, 2}, {1, 500, 750, 6}};
+  for (const InstanceKey& key : keys) {
+    const Instance instance = generate("hard_planted_origin", key, inside);
+    const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+    EXPECT_EQ(result.status, DistanceStatus::contains_origin) << key.N << ", " << key.repetition;
+    EXPECT_EQ(result.counters.pivots, 0) << key.N << ", " << key.repetition;
+    EXPECT_LE(result.origin_weights.size(), 501u);
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_degenerate_optima
