@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// How long does it take to prove whether two primitives are separated: in a batch, by each instruction set,
+// How long does it take to prove whether two primitives or small hulls are separated: in a batch, by each instruction set,
 // and by single tests?
 #include <benchmark/benchmark.h>
 
@@ -91,6 +91,8 @@ const bool kRegistered = [] {
   for (const std::string place : {"apart", "overlap", "both", "parallel"}) {
     for (const std::string& kind : all) add(kind, {kind}, place);
     add("all", all, place);
+    for (const std::string hull : {"hull8", "points20"}) add(hull, {hull}, place);
+    add("hull and others", {"hull8", "box", "ball", "capsule"}, place);
   }
   return true;
 }();

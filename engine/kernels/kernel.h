@@ -145,6 +145,7 @@ constexpr int gram_columns(int n) {
 }
 
 struct SeparationLanes;
+struct HullLanes;
 
 /// The vector kernels of one instruction set.
 struct Kernels {
@@ -248,10 +249,11 @@ struct Kernels {
                                    const double* v_low, const double* s, const double* s_low);
 
   /// Which pairs of bodies are apart and which meet, proven: of two boxes, of a box and a capsule or a ball,
-  /// of two capsules or balls. See SeparationLanes.
+  /// of two capsules or balls, of hulls. See PairLanes.
   void (*separate_boxes)(SeparationLanes* lanes);
   void (*separate_box_from_capsule)(SeparationLanes* lanes);
   void (*separate_capsules)(SeparationLanes* lanes);
+  void (*separate_hulls)(HullLanes* lanes);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

@@ -10,6 +10,7 @@
 #include "engine/kernels/box_separation_kernels.h"
 #include "engine/kernels/certificate_kernels.h"
 #include "engine/kernels/gram_kernels.h"
+#include "engine/kernels/hull_separation_kernels.h"
 #include "engine/kernels/inverse_kernels.h"
 #include "engine/kernels/orthogonal_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
@@ -46,6 +47,7 @@ const Kernels kKernels = {price,
                           subtract_product_twofold,
                           separate_boxes,
                           separate_box_from_capsule,
-                          separate_capsules};
+                          separate_capsules,
+                          separate_hulls};
 
 }  // namespace raygauge::RAYGAUGE_ISA

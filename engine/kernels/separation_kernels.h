@@ -59,8 +59,8 @@ inline Triple lanes_at(const SeparationLanes::Row* rows, int at) {
 }
 
 // A vector of body i's frame in the world.
-inline Triple turned(const SeparationLanes& lanes, int i, const Triple& v, int at) {
-  const SeparationLanes::Row* R = lanes.rotation[i];
+inline Triple turned(const PairLanes& lanes, int i, const Triple& v, int at) {
+  const PairLanes::Row* R = lanes.rotation[i];
   return lanes_at(R, at) * v.x + lanes_at(R + 3, at) * v.y + lanes_at(R + 6, at) * v.z;
 }
 
@@ -84,12 +84,12 @@ struct Placed {
   unsigned in_range;  // not of a NaN
 };
 
-inline void note(SeparationLanes* lanes, int at, unsigned are_apart, unsigned do_meet) {
+inline void note(PairLanes* lanes, int at, unsigned are_apart, unsigned do_meet) {
   lanes->are_apart |= are_apart << at;
   lanes->do_meet |= do_meet << at;
 }
 
-inline void note_normal(SeparationLanes* lanes, int at, const Triple& normal) {
+inline void note_normal(PairLanes* lanes, int at, const Triple& normal) {
   store(lanes->normal[0] + at, normal.x);
   store(lanes->normal[1] + at, normal.y);
   store(lanes->normal[2] + at, normal.z);

@@ -11,8 +11,9 @@
 
 namespace raygauge {
 
-/// Collects pairs of boxes, balls and capsules of R^3, those of one kind to a vector, and decides eight of
-/// them at a time: what the lanes prove is the answer, everything else is left undecided.
+/// Collects pairs of boxes, balls, capsules and hulls of few points of R^3, those of one kind to a vector,
+/// and decides eight of them at a time: what the lanes prove is the answer, everything else is left
+/// undecided.
 class SeparationBins {
  public:
   explicit SeparationBins(InstructionSet isa) : kernels_(&kernels_for(isa)) {}
@@ -27,20 +28,32 @@ class SeparationBins {
   void finish();
 
  private:
+  template <class Lanes>
   struct Bin {
-    SeparationLanes lanes{};
-    void (*Kernels::*separate)(SeparationLanes*) = nullptr;
-    std::array<std::size_t, SeparationLanes::kCount> pair{};
-    std::array<bool, SeparationLanes::kCount> swapped{};
+    Lanes lanes{};
+    void (*Kernels::*separate)(Lanes*) = nullptr;
+    std::array<std::size_t, PairLanes::kCount> pair{};
+    std::array<bool, PairLanes::kCount> swapped{};
     int count = 0;
   };
+  using Points = std::array<std::array<int, PairLanes::kCount>, 2>;
 
-  void decide(Bin& bin);
-  void put_normal(const Bin& bin, std::size_t lane);
+  template <class Lanes>
+  void begin(Bin<Lanes>& bin, void (*Kernels::*separate)(Lanes*));
+  template <class Lanes>
+  void place(Bin<Lanes>& bin, const Posed& one, const Posed& two, double radius, bool swapped, std::size_t i);
+  void add_hulls(const PosedPair& pair, std::size_t i);
+  void fill_up();
+  template <class Lanes>
+  void decide(Bin<Lanes>& bin);
+  template <class Lanes>
+  void put_normal(const Bin<Lanes>& bin, std::size_t lane);
 
   const Kernels* kernels_;
   SeparationAnswers answers_;
-  std::array<Bin, 3> bins_{};  // of pairs with 0, 1 and 2 boxes
+  std::array<Bin<SeparationLanes>, 3> bins_{};  // of pairs with 0, 1 and 2 boxes
+  Bin<HullLanes> hulls_{};                      // of pairs with a hull
+  Points points_{};                             // of both bodies of each of these
 };
 
 /// Asks for the cache lines that SeparationBins::add reads of a pair: of sets and poses, and then, when these

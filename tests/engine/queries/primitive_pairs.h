@@ -14,30 +14,37 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
+#include "raygauge/sets/point_set.h"
+#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge {
 
-/// {R x + t : x in the sum of the box of corners p <= q, or of the segment from p to q, and a ball}.
+/// {R x + t : x in the sum of the box of corners p <= q, or of the segment from p to q, or of the hull of
+/// points, and a ball}.
 struct Primitive {
-  enum class Kind : unsigned char { box, ball, capsule };
-  static constexpr int kKinds = 3;
+  enum class Kind : unsigned char { box, ball, capsule, hull };
+  static constexpr int kKinds = 4;
 
   Kind kind = Kind::box;
-  Eigen::Vector3d p, q;  ///< the same for a ball
-  double radius = 0;     ///< 0 for a box
+  Eigen::Vector3d p, q;     ///< the same for a ball
+  Eigen::Matrix3Xd points;  ///< of a hull
+  double radius = 0;        ///< 0 for a box or a hull
   Pose pose{3};
 
   std::shared_ptr<const ConvexSet> set() const {
     if (kind == Kind::box) return std::make_shared<Box>(p, q);
     if (kind == Kind::ball) return std::make_shared<Ball>(p, radius);
+    if (kind == Kind::hull && points.cols() % 2 == 0) return std::make_shared<PreparedSet>(points);
+    if (kind == Kind::hull) return std::make_shared<PointSet>(points);
     return std::make_shared<Capsule>(p, q, radius);
   }
 };
 
 /// max u·x over the body, in quadruple precision: with v = Rᵀu, of the box Σ max(v_k p_k, v_k q_k), of the
-/// segment max(v·p, v·q), and r|v| + u·t.
+/// segment max(v·p, v·q), of a hull the largest v·x, and r|v| + u·t.
 inline Quad height_of(const Primitive& body, const double* u, int sign) {
   Quad v[3], square = 0, height = 0, at_p = 0, at_q = 0;
+  const bool hull = body.kind == Primitive::Kind::hull;
   for (int k = 0; k < 3; ++k) {
     v[k] = 0;
     for (int j = 0; j < 3; ++j) v[k] += Quad{sign * u[j]} * body.pose.rotation_data()[3 * k + j];
@@ -46,6 +53,10 @@ inline Quad height_of(const Primitive& body, const double* u, int sign) {
     const Quad low = v[k] * body.p[k], high = v[k] * body.q[k];
     at_p += body.kind == Primitive::Kind::box ? std::max(low, high) : low;
     at_q += body.kind == Primitive::Kind::box ? std::max(low, high) : high;
+  }
+  for (Eigen::Index i = 0; hull && i < body.points.cols(); ++i) {
+    const Quad here = v[0] * body.points(0, i) + v[1] * body.points(1, i) + v[2] * body.points(2, i);
+    at_p = at_q = i == 0 ? here : std::max(at_p, here);
   }
   return height + std::max(at_p, at_q) + body.radius * elementary::sqrt(square);
 }

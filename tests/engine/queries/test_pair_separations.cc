@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "engine/kernels/kernel.h"
@@ -14,7 +15,6 @@
 #include "engine/queries/separation_bins.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/prepared_set.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/queries/primitive_pairs.h"
 
@@ -52,6 +52,23 @@ Pose random_pose(Random& random, double way) {
   return {Eigen::Quaterniond(1, v.x(), v.y(), v.z()).normalized(), way * gaussian(random)};
 }
 
+bool has_ball(const Primitive& body) { return body.kind == Kind::ball || body.kind == Kind::capsule; }
+
+// 1 to 33 points between p and q, one more than the vectors take; some in a plane or in a line, some twice.
+Eigen::Matrix3Xd points_between(const Vector3d& p, const Vector3d& q, Random& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(1 + random() % 33));
+  const auto flat = static_cast<Eigen::Index>(random() % 6);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    Vector3d share(uniform(random), uniform(random), uniform(random));
+    if (flat < 3) share[flat] = 0.5;
+    if (flat == 0) share[1] = 0.5;
+    points.col(i) = p + share.cwiseProduct(q - p);
+    if (i > 0 && random() % 8 == 0) points.col(i) = points.col(i - 1);
+  }
+  return points;
+}
+
 // Of about `size`, and `thin` times as thin across its longest edge; not about the origin of its frame.
 Primitive random_primitive(Random& random, double size, double thin) {
   std::uniform_real_distribution<double> uniform(0.2, 1);
@@ -61,7 +78,8 @@ Primitive random_primitive(Random& random, double size, double thin) {
   const Vector3d center = random() % 2 == 0 ? Vector3d::Zero() : Vector3d(size * gaussian(random));
   body.p = center - half;
   body.q = body.kind == Kind::ball ? body.p : Vector3d(center + half);
-  body.radius = body.kind == Kind::box ? 0 : size * thin * uniform(random);
+  body.points = points_between(body.p, body.q, random);
+  body.radius = has_ball(body) ? size * thin * uniform(random) : 0;
   body.pose = random_pose(random, size);
   return body;
 }
@@ -115,6 +133,16 @@ TEST(PairSeparations, AreThoseOfSingleTestsWithPlanesThatSeparate) {
   }
 }
 
+// Of a box, and some points in it.
+Eigen::Matrix3Xd corners_of(const Primitive& box, Random& random) {
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(8 + random() % 5));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    for (Eigen::Index k = 0; k < 3; ++k)
+      points(k, i) = i >= 8 ? 0.5 * (box.p[k] + box.q[k]) : (i >> k & 1) == 0 ? box.p[k] : box.q[k];
+  }
+  return points;
+}
+
 // A body along the axes, of quarters, which a pose turns by right angles: as an interval of each axis and a
 // ball.
 Primitive lattice_primitive(Random& random) {
@@ -125,9 +153,11 @@ Primitive lattice_primitive(Random& random) {
   body.kind = static_cast<Kind>(random() % Primitive::kKinds);
   body.p = Vector3d(quarter(8), quarter(8), quarter(8));
   body.q = body.p;
-  if (body.kind == Kind::box) body.q += Vector3d(quarter(6), quarter(6), quarter(6));
+  if (body.kind == Kind::box || body.kind == Kind::hull)
+    body.q += Vector3d(quarter(6), quarter(6), quarter(6));
+  if (body.kind == Kind::hull) body.points = corners_of(body, random);
   if (body.kind == Kind::capsule) body.q[static_cast<Eigen::Index>(random() % 3)] += quarter(6);
-  body.radius = body.kind == Kind::box ? 0 : quarter(5);
+  body.radius = has_ball(body) ? quarter(5) : 0;
   constexpr int kTurns[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
   const int* turn = kTurns[random() % 3];
   Eigen::Matrix3d R = Eigen::Matrix3d::Zero();
@@ -217,6 +247,65 @@ TEST(SeparationKernels, ProveNothingFalseNextToContact) {
         check("balls ");
       }
     }
+  }
+}
+
+// The same of hulls: two cubes by their corners.
+TEST(SeparationKernels, ProveNothingFalseOfHullsNextToContact) {
+  for (const InstructionSet isa : instruction_sets_here()) {
+    for (int exponent = -1074; exponent <= 1; ++exponent) {
+      for (const double sign : {-1.0, 0.0, 1.0}) {
+        const double way = 2 + sign * std::ldexp(1.0, exponent);  // exact, or rounded to 2
+        const auto lanes = std::make_unique<HullLanes>();
+        lanes->count[0] = lanes->count[1] = 8;
+        for (int lane = 0; lane < HullLanes::kCount; ++lane) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            lanes->rotation[0][4 * k][lane] = lanes->rotation[1][4 * k][lane] = 1;
+            for (std::size_t i = 0; i < 8; ++i)
+              lanes->point[0][i][k][lane] = lanes->point[1][i][k][lane] = (i >> k & 1) == 0 ? -1 : 1;
+          }
+          lanes->extent[0][lane] = lanes->extent[1][lane] = 3;
+          lanes->apart[lane % 3][lane] = lane < 4 ? way : -way;
+        }
+        kernels_for(isa).separate_hulls(lanes.get());
+        if (!(way > 2)) {
+          EXPECT_EQ(lanes->are_apart, 0U) << exponent << ", " << sign;
+        }
+        if (!(way < 2)) {
+          EXPECT_EQ(lanes->do_meet, 0U) << exponent << ", " << sign;
+        }
+        if (exponent >= -15 && sign != 0) {
+          EXPECT_EQ(sign > 0 ? lanes->are_apart : lanes->do_meet, 0xffU) << exponent << ", " << sign;
+        }
+        lanes->point[0][3][1][2] = std::nan("");
+        lanes->extent[0][2] = std::nan("");
+        lanes->apart[1][5] = 1e31;
+        kernels_for(isa).separate_hulls(lanes.get());
+        EXPECT_EQ((lanes->are_apart | lanes->do_meet) & 0x24U, 0U);
+      }
+    }
+  }
+}
+
+// What the lanes leave open takes ten times as long: few pairs that are neither thin nor near contact do.
+TEST(SeparationKernels, DecideNearlyAllPairsWithHulls) {
+  const PrimitivePairs pairs = random_pairs(6000);
+  for (const InstructionSet isa : instruction_sets_here()) {
+    std::vector<Separation> outcome(pairs.size(), Separation::undecided);
+    SeparationBins bins(isa);
+    bins.begin({outcome, {}});
+    for (std::size_t i = 0; i < pairs.size(); ++i) bins.add(pairs.pairs[i], i);
+    bins.finish();
+    int open = 0, all = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const bool hull = pairs.first[i].kind == Kind::hull || pairs.second[i].kind == Kind::hull;
+      if (!hull || i % 5 == 0 || i % 4 == 0) continue;
+      if (pairs.first[i].points.cols() > 32 || pairs.second[i].points.cols() > 32) continue;
+      ++all;
+      open += outcome[i] == Separation::undecided ? 1 : 0;
+    }
+    EXPECT_GT(all, 1000);
+    EXPECT_LT(open, all / 20) << to_string(isa);
   }
 }
 
