@@ -81,9 +81,10 @@ class PairBatch {
                         std::span<WarmStart> warm = {});
 
   /// Whether the bodies of each pair are separated, as GrowthDistanceSolver::separation proves it; pairs that
-  /// a stop left out are `undecided`. Boxes, balls, capsules and hulls of up to 32 points of R^3 are first asked
-  /// in vectors of several pairs, in doubles: their normals are other ones than those of single tests, each proven. All bodies live
-  /// in one space; throws as distances(), but pairs before the one in error may have their answers.
+  /// a stop left out are `undecided`. Boxes, balls, capsules and hulls of up to 32 points of R^3 are first
+  /// asked in vectors of several pairs, in doubles: their normals are other ones than those of single tests,
+  /// each proven. All bodies live in one space; throws as distances(), but pairs before the one in error may
+  /// have their answers.
   void separations(std::span<const PosedPair> pairs, const SeparationAnswers& answers);
 
   /// The same of `count` pairs in R^n. A pair that the vectors leave open is asked for again.
