@@ -7,30 +7,23 @@
 #include <typeinfo>
 #include <utility>
 
+#include "engine/sets/capability_queries.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/prepared_set.h"
 
 namespace raygauge {
 namespace {
 
 enum class Kind : unsigned char { other, box, ball, capsule, hull };
 
-// Of a hull.
-const PointSet* points_of(const ConvexSet& set) noexcept {
-  const std::type_info* const type = &typeid(set);
-  if (type == &typeid(PointSet)) return static_cast<const PointSet*>(&set);
-  return type == &typeid(PreparedSet) ? &static_cast<const PreparedSet&>(set).points() : nullptr;
-}
-
 // The classes are final. A class that a second copy of the library knows by another address is an `other`.
 Kind kind_of(const ConvexSet& set) noexcept {
   const std::type_info* const type = &typeid(set);
   if (type == &typeid(Box)) return Kind::box;
   if (type == &typeid(Capsule)) return Kind::capsule;
-  if (const PointSet* points = points_of(set))
+  if (const PointSet* points = as_point_set(set))
     return points->size() <= HullLanes::kMost ? Kind::hull : Kind::other;
   return type == &typeid(Ball) ? Kind::ball : Kind::other;
 }
@@ -83,7 +76,7 @@ int put_points(const Posed& body, Kind kind, HullLanes& lanes, std::size_t which
   double& extent = lanes.extent[which][lane];
   extent = 0;
   if (kind == Kind::hull) {
-    const PointSet& points = *points_of(body.set);
+    const PointSet& points = *as_point_set(body.set);
     const auto count = static_cast<std::size_t>(points.size());
     constexpr std::size_t kBlock = PointSet::kLanes;
     for (std::size_t i = 0; i < count; ++i)
