@@ -162,17 +162,25 @@ inline void norms_of_rows(const BasisView& basis, int first, double* sum_E, doub
   }
 }
 
+void subtract_collected(BasisView* basis) { subtract_changes(basis); }
+
 // Tiles in registers, so that R and B are not read once for every column.
-MatrixNorms norms_in_tiles(BasisView* basis) {
+void sum_rows(BasisView* basis, int begin, int end) {
+  double* sum_E = basis->scratch;
+  double* sum_R = sum_E + basis->P;
+  double* sum_B = sum_R + basis->P;
+  const int total = end / kWidth;
+  int first = begin / kWidth;
+  for (; first + 2 <= total; first += 2) norms_of_rows<2>(*basis, first, sum_E, sum_R, sum_B);
+  for (; first < total; ++first) norms_of_rows<1>(*basis, first, sum_E, sum_R, sum_B);
+}
+
+MatrixNorms largest_sums(BasisView* basis) {
   const int P = basis->P;
   const int m = basis->m;
   double* sum_E = basis->scratch;
   double* sum_R = sum_E + P;
   double* sum_B = sum_R + P;
-  const int total = P / kWidth;
-  int first = 0;
-  for (; first + 2 <= total; first += 2) norms_of_rows<2>(*basis, first, sum_E, sum_R, sum_B);
-  for (; first < total; ++first) norms_of_rows<1>(*basis, first, sum_E, sum_R, sum_B);
   const double norm_of_R = largest_entry(sum_R, P);
   // What rounding may have hidden, row by row: in |R| |B| of ones, where the norms' product is far more.
   const double gamma = 1.01 * (kTerms + m / kTerms + 4) * 0x1p-53;
@@ -184,7 +192,8 @@ MatrixNorms norms_in_tiles(BasisView* basis) {
 
 MatrixNorms norms(BasisView* basis) {
   subtract_changes(basis);
-  return norms_in_tiles(basis);
+  sum_rows(basis, 0, basis->P);
+  return largest_sums(basis);
 }
 
 double refine(BasisView* basis, const double* b, bool correct) {

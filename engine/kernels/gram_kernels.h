@@ -9,45 +9,105 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-// A tile of the matrix stays in registers: 2 packs of rows by 6 columns.
+// A tile of the matrix stays in registers: 2 packs of rows by as many columns as there are registers for.
 template <class Real>
 constexpr int kTileRowsOf = 2 * Vec<Real>::kCount;
 constexpr int kTileRows = kTileRowsOf<double>;
-constexpr int kTileColumns = 6;
-constexpr int kGramDepth = 128;  // points at a time, so that their panels stay in the second-level cache
+constexpr int kTileColumns = kWidth == 8 ? 8 : 4;
 
-static_assert(kTileRowsOf<float> <= kGramRowPadding && kGramRowPadding % kTileRowsOf<float> == 0);
-static_assert(kGramColumnPadding == kTileColumns && kGramPoints == kGramDepth);
+static_assert(kGramStripe % kTileRowsOf<float> == 0 && kTileRows % kTileColumns == 0);
+static_assert(kGramColumnPadding % kTileColumns == 0);
 
-// Rows and columns as the tiles read them: panel t holds kTileRowsOf<Real> resp. kTileColumns coordinates of
-// one point after the other; those of the columns are multiplied by the weight.
+// Panels hold kTileRowsOf<Real> coordinates of one point after the other, kGramPoints of them.
 template <class Real>
-struct GramPanels {
-  Real* rows;
-  Real* columns;
-  int depth = 0;
-};
-
-template <class Real>
-inline GramPanels<Real> panels_in(double* scratch, std::ptrdiff_t ld) {
-  Real* rows = reinterpret_cast<Real*>(scratch);
-  return {rows, rows + ld * kGramDepth};
+inline std::ptrdiff_t in_panels(int slot, int k) {
+  constexpr int kRows = kTileRowsOf<Real>;
+  return (static_cast<std::ptrdiff_t>(k / kRows) * kGramPoints + slot) * kRows + k % kRows;
 }
 
-template <int kStride, class Real>
-inline void add_to_panels(GramPanels<Real>* panels, const double* point, int n, double weight) {
-  constexpr int kRows = kTileRowsOf<Real>;
-  const int at = panels->depth++;
-  Real* rows = panels->rows + at * kRows;
-  for (int first = 0; first < n; first += kRows, rows += kRows * kGramDepth) {
-    const int count = n - first < kRows ? n - first : kRows;
-    for (int k = 0; k < count; ++k) rows[k] = static_cast<Real>(point[(first + k) * kStride]);
+inline void place(double* to, Pack v) { store(to, v); }
+inline void place(float* to, Pack v) {
+  typedef float Half __attribute__((vector_size(kWidth * 4), aligned(kWidth * 4), may_alias));
+  *reinterpret_cast<Half*>(to) = __builtin_convertvector(v, Half);
+}
+
+// Lane l of row r changes places with lane r of row l, kWidth rows.
+template <int kCount>
+inline void transpose(Pack* row) {
+  const auto exchange = [row](int apart, auto low, auto high) {
+    for (int r = 0; r < kCount; ++r) {
+      if ((r & apart) != 0) continue;
+      const auto a = row[r];
+      const auto b = row[r + apart];
+      row[r] = low(a, b);
+      row[r + apart] = high(a, b);
+    }
+  };
+  if constexpr (kCount == 8) {
+    exchange(
+        1, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); });
+    exchange(
+        2, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); });
+    exchange(
+        4, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15); });
+  } else if constexpr (kCount == 4) {
+    exchange(
+        1, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 4, 2, 6); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 1, 5, 3, 7); });
+    exchange(
+        2, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); });
+  } else {
+    exchange(
+        1, [](auto a, auto b) { return __builtin_shufflevector(a, b, 0, 2); },
+        [](auto a, auto b) { return __builtin_shufflevector(a, b, 1, 3); });
   }
-  Real* columns = panels->columns + at * kTileColumns;
-  for (int first = 0; first < n; first += kTileColumns, columns += kTileColumns * kGramDepth) {
-    const int count = n - first < kTileColumns ? n - first : kTileColumns;
-    for (int k = 0; k < count; ++k) columns[k] = static_cast<Real>(weight * point[(first + k) * kStride]);
+}
+
+// Zeros in the rows of the last stripe that no coordinate fills, from a whole pack on.
+template <class Real>
+inline void clear_padding(Real* panels, int slot, int first, int n) {
+  for (int k = first; k < gram_rows(n); k += kWidth) place(panels + in_panels<Real>(slot, k), Pack{});
+}
+
+// The points of one block in slots first … last - 1.
+template <class Real>
+inline void pack_block(const double* block, int n, const GramPoint* points, int first, int last,
+                       Real* panels) {
+  alignas(64) Pack row[kWidth];
+  for (int k = 0; k < n; k += kWidth) {
+    for (int part = 0; part < kPacksPerBlock; ++part) {
+      for (int r = 0; r < kWidth; ++r)
+        row[r] = k + r < n ? load(block + (k + r) * kLanes + part * kWidth) : Pack{};
+      transpose<kWidth>(row);
+      for (int slot = first; slot < last; ++slot) {
+        const auto lane = static_cast<int>(points[slot].index % kLanes);
+        if (lane / kWidth != part) continue;
+        place(panels + in_panels<Real>(slot, k), row[lane % kWidth] * broadcast(points[slot].factor));
+      }
+    }
   }
+  const int filled = (n + kWidth - 1) / kWidth * kWidth;
+  for (int slot = first; slot < last; ++slot) clear_padding(panels, slot, filled, n);
+}
+
+template <class Real>
+inline void pack_in(const double* blocks, int n, const GramPoint* points, int first, int last, Real* panels) {
+  int end = first;
+  for (int slot = first; slot < last; slot = end) {
+    const std::ptrdiff_t block = points[slot].index / kLanes;
+    while (end < last && points[end].index / kLanes == block) ++end;
+    pack_block(blocks + block * n * kLanes, n, points, slot, end, panels);
+  }
+}
+
+void pack_points(const double* blocks, int n, const GramPoint* points, int first, int last, bool single,
+                 double* panels) {
+  if (single) return pack_in(blocks, n, points, first, last, reinterpret_cast<float*>(panels));
+  pack_in(blocks, n, points, first, last, panels);
 }
 
 // a b + c in one rounding where the machine can: nothing is proven from this matrix.
@@ -70,81 +130,68 @@ inline Vec<float>::Pack multiply_add(Vec<float>::Pack a, Vec<float>::Pack b, Vec
 #endif
 }
 
-inline void add_to_column(double* M, Vec<double>::Pack sum) { store(M, load(M) + sum); }
-inline void add_to_column(double* M, Vec<float>::Pack sum) {
+inline void add_to_column(double* M, Vec<double>::Pack sum, double sign) {
+  store(M, multiply_add(sum, broadcast(sign), load(M)));
+}
+inline void add_to_column(double* M, Vec<float>::Pack sum, double sign) {
   typedef float Half __attribute__((vector_size(kWidth * 4), aligned(kWidth * 4), may_alias));
   alignas(64) float values[Vec<float>::kCount];
   *reinterpret_cast<Vec<float>::Pack*>(values) = sum;
   for (int half = 0; half < 2; ++half) {
     const Half part = *reinterpret_cast<const Half*>(values + half * kWidth);
-    add_to_column(M + half * kWidth, __builtin_convertvector(part, Pack));
+    add_to_column(M + half * kWidth, __builtin_convertvector(part, Pack), sign);
   }
 }
 
+// Both are panels: rows, and the first of the columns in theirs.
 template <class Real>
-inline void add_tile(const Real* rows, const Real* columns, int depth, double* M, std::ptrdiff_t ld) {
+inline void add_tile(const Real* rows, const Real* columns, int depth, double sign, double* M,
+                     std::ptrdiff_t ld) {
   using V = Vec<Real>;
+  constexpr int kRows = kTileRowsOf<Real>;
   typename V::Pack sum[kTileColumns][2] = {};
   for (int p = 0; p < depth; ++p) {
-    const auto low = load(rows + p * kTileRowsOf<Real>);
-    const auto high = load(rows + p * kTileRowsOf<Real> + V::kCount);
-#pragma GCC unroll 6
+    const auto low = load(rows + p * kRows);
+    const auto high = load(rows + p * kRows + V::kCount);
+#pragma GCC unroll 8
     for (int j = 0; j < kTileColumns; ++j) {
-      const auto c = broadcast(columns[p * kTileColumns + j]);
+      const auto c = broadcast(columns[p * kRows + j]);
       sum[j][0] = multiply_add(low, c, sum[j][0]);
       sum[j][1] = multiply_add(high, c, sum[j][1]);
     }
   }
   for (int j = 0; j < kTileColumns; ++j) {
-    add_to_column(M + j * ld, sum[j][0]);
-    add_to_column(M + j * ld + V::kCount, sum[j][1]);
+    add_to_column(M + j * ld, sum[j][0], sign);
+    add_to_column(M + j * ld + V::kCount, sum[j][1], sign);
   }
 }
 
-// The tiles that meet the lower triangle of the first n rows.
+// The tiles of rows first … last - 1 that meet the lower triangle of the first n rows: a panel of rows stays
+// in the first-level cache while those of the columns stream by.
 template <class Real>
-inline void flush(GramPanels<Real>* panels, int n, double* M, std::ptrdiff_t ld) {
+inline void add_tiles(const Real* panels, int depth, int n, int first, int last, double sign, double* M,
+                      std::ptrdiff_t ld) {
   constexpr int kRows = kTileRowsOf<Real>;
-  for (int j = 0; j < n; j += kTileColumns) {
-    for (int i = j / kRows * kRows; i < n; i += kRows) {
-      add_tile(panels->rows + static_cast<std::ptrdiff_t>(i) * kGramDepth,
-               panels->columns + static_cast<std::ptrdiff_t>(j) * kGramDepth, panels->depth, M + j * ld + i,
+  for (int i = first; i < last && i < n; i += kRows) {
+    const int columns = i + kRows < n ? i + kRows : n;
+    for (int j = 0; j < columns; j += kTileColumns) {
+      add_tile(panels + in_panels<Real>(0, i), panels + in_panels<Real>(0, j), depth, sign, M + j * ld + i,
                ld);
     }
   }
-  panels->depth = 0;
 }
 
-template <class Real>
-inline void add_gram_in(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
-                        double* scratch, double* M) {
-  const std::ptrdiff_t ld = gram_rows(n);
-  GramPanels<Real> panels = panels_in<Real>(scratch, ld);
-  for (std::ptrdiff_t b = 0; b < block_count; ++b) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const double w = weight[b * kLanes + lane];
-      if (w == 0) continue;
-      add_to_panels<kLanes>(&panels, blocks + b * n * kLanes + lane, n, w);
-      if (panels.depth == kGramDepth) flush(&panels, n, M, ld);
-    }
-  }
-  if (panels.depth > 0) flush(&panels, n, M, ld);
+void add_panels(const double* panels, const GramPart& part, bool single, double sign, double* M) {
+  const auto [depth, n, first, last, ld] = part;
+  if (single) return add_tiles(reinterpret_cast<const float*>(panels), depth, n, first, last, sign, M, ld);
+  add_tiles(panels, depth, n, first, last, sign, M, ld);
 }
 
-void add_gram(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight, bool single,
-              double* scratch, double* M) {
-  if (single) return add_gram_in<float>(blocks, block_count, n, weight, scratch, M);
-  add_gram_in<double>(blocks, block_count, n, weight, scratch, M);
-}
-
-// Columns that are factored one by one before the rest of the matrix is brought up to date: whole tiles.
-constexpr int kCholeskyColumns = 48;
-static_assert(kCholeskyColumns % kTileRows == 0 && kCholeskyColumns % kTileColumns == 0);
-static_assert(kCholeskyColumns <= kGramDepth);
+static_assert(kCholeskyColumns % kTileRows == 0 && kCholeskyColumns <= kGramPoints);
 
 // Columns first … last of the factor, rows down to n, within the columns themselves. False at a pivot that is
 // not positive.
-inline bool factor_columns(double* M, std::ptrdiff_t ld, int n, int first, int last) {
+bool factor_columns(double* M, std::ptrdiff_t ld, int n, int first, int last) {
   for (int j = first; j < last; ++j) {
     double* column = M + j * ld;
     if (!(column[j] > 0)) return false;
@@ -163,28 +210,24 @@ inline bool factor_columns(double* M, std::ptrdiff_t ld, int n, int first, int l
   return true;
 }
 
-bool cholesky(double* M, int n, double* scratch) {
-  const std::ptrdiff_t ld = gram_rows(n);
-  GramPanels<double> panels = panels_in<double>(scratch, ld);
-  for (int first = 0; first < n; first += kCholeskyColumns) {
-    const int last = first + kCholeskyColumns < n ? first + kCholeskyColumns : n;
-    if (!factor_columns(M, ld, n, first, last)) return false;
-    for (int j = first; j < last && last < n; ++j)
-      add_to_panels<1>(&panels, M + j * ld + last, n - last, -1.0);
-    if (last < n) flush(&panels, n - last, M + last * ld + last, ld);
+// `count` columns of n rows into the slots of the panels.
+void pack_columns(const double* columns, std::ptrdiff_t ld, int count, int n, double* panels) {
+  for (int slot = 0; slot < count; ++slot) {
+    int k = 0;
+    for (; k < n; k += kWidth) place(panels + in_panels<double>(slot, k), load(columns + slot * ld + k));
+    clear_padding(panels, slot, k, n);
   }
-  return true;
 }
 
 // Sums of C blocks at a time, so that each u_k is read once for all of them.
 template <int C>
-inline void add_blocks(const double* blocks, int n, const double* weight, double* sums) {
+inline void add_blocks(const double* blocks, int n, int first, int last, const double* weight, double* sums) {
   Pack w[C][kPacksPerBlock];
   for (int c = 0; c < C; ++c) {
     for (int t = 0; t < kPacksPerBlock; ++t) w[c][t] = load(weight + c * kLanes + t * kWidth);
   }
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
-  for (int k = 0; k < n; ++k) {
+  for (int k = first; k < last; ++k) {
     Pack sum = load(sums + k * kWidth);
     for (int c = 0; c < C; ++c) {
       for (int t = 0; t < kPacksPerBlock; ++t)
@@ -194,14 +237,16 @@ inline void add_blocks(const double* blocks, int n, const double* weight, double
   }
 }
 
-void add_weighted(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
-                  double* scratch, double* sum) {
+void add_weighted(const double* blocks, std::ptrdiff_t block_count, int n, int first, int last,
+                  const double* weight, double* scratch, double* sum) {
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
-  for (int k = 0; k < n * kWidth; ++k) scratch[k] = 0;
+  for (int k = first * kWidth; k < last * kWidth; ++k) scratch[k] = 0;
   std::ptrdiff_t b = 0;
-  for (; b + 4 <= block_count; b += 4) add_blocks<4>(blocks + b * stride, n, weight + b * kLanes, scratch);
-  for (; b < block_count; ++b) add_blocks<1>(blocks + b * stride, n, weight + b * kLanes, scratch);
-  for (int k = 0; k < n; ++k)
+  for (; b + 4 <= block_count; b += 4)
+    add_blocks<4>(blocks + b * stride, n, first, last, weight + b * kLanes, scratch);
+  for (; b < block_count; ++b)
+    add_blocks<1>(blocks + b * stride, n, first, last, weight + b * kLanes, scratch);
+  for (int k = first; k < last; ++k)
     sum[k] += reduce_lanes(load(scratch + k * kWidth), [](Pack a, Pack c) { return a + c; })[0];
 }
 

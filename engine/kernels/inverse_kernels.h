@@ -11,8 +11,6 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-constexpr int kPivotsAtOnce = 8;
-
 inline void exchange(double* column, int p, int q) {
   const double kept = column[p];
   column[p] = column[q];
@@ -55,8 +53,8 @@ inline void add_all_columns(const double* W, std::ptrdiff_t ld, const double (*f
 }
 
 // Eliminates columns first … last - 1 within themselves. False at a pivot that is not above `smallest`.
-inline bool eliminate_panel(double* M, std::ptrdiff_t ld, int m, int first, int last, double smallest,
-                            int* exchanged) {
+bool eliminate_panel(double* M, std::ptrdiff_t ld, int m, int first, int last, double smallest,
+                     int* exchanged) {
   for (int q = first; q < last; ++q) {
     double* column = M + q * ld;
     exchanged[q] = largest_row(column, q, m);
@@ -86,8 +84,8 @@ inline void take_rows(double* column, int first, int last, const int* exchanged,
   }
 }
 
-inline void apply_panel(double* M, std::ptrdiff_t ld, int first, int last, const int* exchanged, int begin,
-                        int end) {
+void apply_panel(double* M, std::ptrdiff_t ld, int first, int last, const int* exchanged, int begin,
+                 int end) {
   constexpr int kTogether = 4;
   const double* W = M + first * ld;
   double f[kTogether][kPivotsAtOnce];
@@ -102,13 +100,7 @@ inline void apply_panel(double* M, std::ptrdiff_t ld, int first, int last, const
   }
 }
 
-bool invert(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged) {
-  for (int first = 0; first < m; first += kPivotsAtOnce) {
-    const int last = first + kPivotsAtOnce < m ? first + kPivotsAtOnce : m;
-    if (!eliminate_panel(M, ld, m, first, last, smallest, exchanged)) return false;
-    apply_panel(M, ld, first, last, exchanged, 0, first);
-    apply_panel(M, ld, first, last, exchanged, last, m);
-  }
+void undo_exchanges(double* M, std::ptrdiff_t ld, int m, const int* exchanged) {
   for (int q = m - 1; q >= 0; --q) {
     if (exchanged[q] == q) continue;
     double* one = M + q * ld;
@@ -119,7 +111,6 @@ bool invert(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged
       store(other + r, kept);
     }
   }
-  return true;
 }
 
 }  // namespace

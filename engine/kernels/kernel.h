@@ -133,16 +133,36 @@ struct MatrixNorms {
   double R = 0;         ///< ‖R‖∞
 };
 
-/// Layout of the matrix of Kernels::add_gram in R^n: column-major, gram_rows(n) rows and gram_columns(n)
-/// columns, of which the lower triangle of the first n is written. Its scratch holds gram_rows(n) +
-/// gram_columns(n) numbers for each of kGramPoints points.
-constexpr int kGramRowPadding = 32;
-constexpr int kGramColumnPadding = 6;
+/// Layout of the matrix of SharedGram in R^n: column-major, gram_rows(n) rows and gram_columns(n) columns, of
+/// which the lower triangle of the first n is written, by stripes of kGramStripe rows. Panels hold
+/// gram_rows(n) numbers for each of kGramPoints points.
+constexpr int kGramStripe = 32;
+constexpr int kGramColumnPadding = 8;
 constexpr int kGramPoints = 128;
-constexpr int gram_rows(int n) { return (n + kGramRowPadding - 1) / kGramRowPadding * kGramRowPadding; }
+constexpr int kCholeskyColumns = 48;  ///< that are factored one by one before the rest is brought up to date
+constexpr int gram_stripes(int n) { return (n + kGramStripe - 1) / kGramStripe; }
+constexpr int gram_rows(int n) { return gram_stripes(n) * kGramStripe; }
 constexpr int gram_columns(int n) {
   return (n + kGramColumnPadding - 1) / kGramColumnPadding * kGramColumnPadding;
 }
+
+/// A point of a blocked set, and by what it is multiplied.
+struct GramPoint {
+  std::ptrdiff_t index = 0;
+  double factor = 0;
+};
+
+/// Rows first … last - 1, whole stripes, of a matrix with n rows and leading dimension ld, and how many slots
+/// of the panels are filled.
+struct GramPart {
+  int depth = 0;
+  int n = 0;
+  int first = 0;
+  int last = 0;
+  std::ptrdiff_t ld = 0;
+};
+
+constexpr int kPivotsAtOnce = 8;  ///< of an inverse
 
 struct SeparationLanes;
 struct HullLanes;
@@ -181,6 +201,12 @@ struct Kernels {
   /// A bound on ‖I - R B‖∞, and ‖R‖∞ as computed.
   MatrixNorms (*norms)(BasisView* basis);
 
+  /// The same in parts: the collected changes first; then rows begin … end - 1, multiples of kRowPadding, in
+  /// any order, by any thread; at last the largest of all rows.
+  void (*subtract_collected)(BasisView* basis);
+  void (*sum_rows)(BasisView* basis, int begin, int end);
+  MatrixNorms (*largest_sums)(BasisView* basis);
+
   /// One step of iterative refinement of x = R b by r = b - B x. With `correct`, x += R r. Without it,
   /// returns max_i (|R r|_i + (|R| (γ (|b| + |B||x|) + γ |r|))_i): a bound on what is left of R (b - B x),
   /// rounding included.
@@ -198,20 +224,26 @@ struct Kernels {
   /// yᵀ = c_Bᵀ R, corrected once by the residual c_B - Bᵀ y.
   void (*duals)(BasisView* basis);
 
-  /// M += Σ weight_i p_i p_iᵀ over the points of `block_count` blocks in R^n, as many weights as lanes;
-  /// points of weight 0 cost nothing. With `single` the products are in single precision, in half the time.
-  /// Layout: gram_rows.
-  void (*add_gram)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight, bool single,
-                   double* scratch, double* M);
+  /// factor_s p_s of the points s = first … last - 1 into the slots of the panels; with `single` in single
+  /// precision.
+  void (*pack_points)(const double* blocks, int n, const GramPoint* points, int first, int last, bool single,
+                      double* panels);
 
-  /// The lower triangle of M, laid out and with the scratch of add_gram, becomes its Cholesky factor. False
-  /// where M is not positive definite.
-  bool (*cholesky)(double* M, int n, double* scratch);
+  /// M += sign Σ_s v_s v_sᵀ over what the panels hold, in the lower triangle of some rows. Layout: gram_rows.
+  /// The same numbers however the rows are divided.
+  void (*add_panels)(const double* panels, const GramPart& part, bool single, double sign, double* M);
 
-  /// sum += Σ weight_i p_i over the points of `block_count` blocks in R^n, as many weights as lanes. 8 n
-  /// numbers of scratch.
-  void (*add_weighted)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
-                       double* scratch, double* sum);
+  /// `count` columns of n rows, aligned, into the slots of the panels.
+  void (*pack_columns)(const double* columns, std::ptrdiff_t ld, int count, int n, double* panels);
+
+  /// Columns first … last - 1 of M, of which the earlier ones are subtracted, become those of its Cholesky
+  /// factor, down to row n. False at a pivot that is not positive.
+  bool (*factor_columns)(double* M, std::ptrdiff_t ld, int n, int first, int last);
+
+  /// sum_k += Σ weight_i p_ik, k = first … last - 1, over the points of `block_count` blocks in R^n, as many
+  /// weights as lanes. 8 n numbers of scratch, of which 8 first … 8 last are used.
+  void (*add_weighted)(const double* blocks, std::ptrdiff_t block_count, int n, int first, int last,
+                       const double* weight, double* scratch, double* sum);
 
   /// values_i = u·p_i over `block_count` blocks in R^n, as many values as lanes.
   void (*products)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values);
@@ -230,10 +262,16 @@ struct Kernels {
   /// diagonal.
   void (*back_substitute)(const double* R, std::ptrdiff_t ld, int count, double* x);
 
-  /// M becomes its inverse: m columns of ld = padded_rows(m) entries, padding zero. Gauss-Jordan elimination
-  /// with exchanges of rows, noted in `exchanged` (m entries). False at a pivot that is not above `smallest`;
-  /// M is lost then.
-  bool (*invert)(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged);
+  /// M becomes its inverse, m columns of ld = padded_rows(m) entries, padding zero, by Gauss-Jordan
+  /// elimination, kPivotsAtOnce columns first … last - 1 at a time: they are eliminated within themselves,
+  /// with exchanges of rows, noted in `exchanged` (m entries); false at a pivot that is not above `smallest`,
+  /// and M is lost then. Then all other columns, begin … end - 1, by any thread. At last columns are
+  /// exchanged back.
+  bool (*eliminate_panel)(double* M, std::ptrdiff_t ld, int m, int first, int last, double smallest,
+                          int* exchanged);
+  void (*apply_panel)(double* M, std::ptrdiff_t ld, int first, int last, const int* exchanged, int begin,
+                      int end);
+  void (*undo_exchanges)(double* M, std::ptrdiff_t ld, int m, const int* exchanged);
 
   /// values_i = (u + u_low)·p_i over `block_count` blocks in R^n, as many values as lanes, as if in 106 bits:
   /// |error| <= 2⁻⁵³ |value| + 4 (n + 4)² 2⁻¹⁰⁶ Σ|u_k p_k|, barring underflow.

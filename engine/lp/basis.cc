@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -14,6 +15,10 @@ namespace {
 
 // A pivot of the equilibrated column below this makes the matrix numerically singular.
 constexpr double kSingular = 1e-14;
+
+// Columns and rows that a thread takes at a time.
+constexpr int kTogether = 64;
+int parts_of(int count) { return (count + kTogether - 1) / kTogether; }
 
 }  // namespace
 
@@ -76,7 +81,20 @@ bool Basis::invert() {
   factor_.reserve(size);
   exchanged_.reserve(static_cast<std::size_t>(view_.m));
   std::copy_n(view_.B, size, factor_.data());
-  if (!kernels_->invert(factor_.data(), view_.P, view_.m, kSingular, exchanged_.data())) return false;
+  double* M = factor_.data();
+  const int m = view_.m;
+  const std::ptrdiff_t P = view_.P;
+  for (int first = 0; first < m; first += kPivotsAtOnce) {
+    const int last = std::min(m, first + kPivotsAtOnce);
+    if (!kernels_->eliminate_panel(M, P, m, first, last, kSingular, exchanged_.data())) return false;
+    helpers_.run(parts_of(m), static_cast<double>(P) * m * kPivotsAtOnce, [&](int part) {
+      const int begin = part * kTogether;
+      const int end = std::min(m, begin + kTogether);
+      kernels_->apply_panel(M, P, first, last, exchanged_.data(), begin, std::min(end, first));
+      kernels_->apply_panel(M, P, first, last, exchanged_.data(), std::max(begin, last), end);
+    });
+  }
+  kernels_->undo_exchanges(M, P, m, exchanged_.data());
   std::copy_n(factor_.data(), size, view_.R);
   return true;
 }
@@ -100,7 +118,11 @@ double Basis::drift() const {
 
 double Basis::residual_share() {
   if (share_pivots_ == view_.pivots) return share_;
-  share_ = kernels_->norms(&view_).residual;
+  kernels_->subtract_collected(&view_);
+  helpers_.run(parts_of(view_.P), cube(view_.m), [&](int part) {
+    kernels_->sum_rows(&view_, part * kTogether, std::min(view_.P, (part + 1) * kTogether));
+  });
+  share_ = kernels_->largest_sums(&view_).residual;
   share_pivots_ = view_.pivots;
   return share_;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/aligned_buffer.h"
+#include "engine/threads/helpers.h"
 
 namespace raygauge {
 
@@ -22,6 +23,9 @@ class Basis {
  public:
   /// Prepares an empty basis of m columns; everything is zero afterwards. Allocates only when m grows.
   void reset(int m, const Kernels& kernels);
+
+  /// Threads that share an inversion and a proof of it; their number does not change a bit.
+  void share_with(const Helpers& helpers) noexcept { helpers_ = helpers; }
 
   /// Puts `column` (m entries) at position i without touching the inverse; call refactor() when all are set.
   void set_column(int i, const double* column, double cost, std::int64_t id);
@@ -56,6 +60,7 @@ class Basis {
 
   BasisView view_;
   const Kernels* kernels_ = nullptr;
+  Helpers helpers_;
   AlignedBuffer<double> memory_;
   AlignedBuffer<std::int64_t> ids_;
   AlignedBuffer<double> b_;

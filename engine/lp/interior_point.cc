@@ -38,10 +38,19 @@ constexpr double kSpread = 4;
 constexpr double kLeastSum = 1.0;
 constexpr double kMostSum = 1e6;
 // Columns that weigh less than this share of the (n + 1)st heaviest are left out of the matrix: a little of
-// each step is lost, and made up for by the next.
-constexpr double kNegligible = 1e-4;
+// each step is lost, and made up for by the next. Where steps become short, more is kept.
+constexpr double kNegligible = 1e-3;
+constexpr double kLeastNegligible = 1e-5;
+constexpr double kShortStep = 0.3;
+constexpr double kMoreKept = 0.1;
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
+
+// Of a pass that threads share: a chunk has so many coordinates, and a part of the coordinates of all points
+// at least so many of each.
+constexpr double kChunkNumbers = 1 << 15;
+constexpr std::ptrdiff_t kMostChunks = 32;
+constexpr std::ptrdiff_t kLeastCoordinates = 16;
 
 }  // namespace
 
@@ -76,6 +85,7 @@ void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, c
   count_ = A_.points.size + Q_.points.size;
   many_ = count_ >= kManyPoints * n;
   single_ = many_;
+  negligible_ = kNegligible;
   ranked_.reserve(static_cast<std::size_t>(A_.count + Q_.count));
   const auto size = static_cast<std::size_t>(n);
   y_.reserve(size + 1);
@@ -83,8 +93,7 @@ void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, c
   dy_.reserve(size + 1);
   border_.reserve(2 * size);
   direction_.reserve(size);
-  matrix_.reserve(static_cast<std::size_t>(gram_rows(n)) * static_cast<std::size_t>(gram_columns(n)));
-  scratch_.reserve(static_cast<std::size_t>(gram_rows(n) + gram_columns(n)) * kGramPoints);
+  scratch_.reserve(PointSet::kLanes * size);
   start(guess);
 }
 
@@ -111,6 +120,7 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
       return close ? End::converged : End::failed;
     }
     const double length = step();
+    if (length < kShortStep) negligible_ = std::max(kLeastNegligible, kMoreKept * negligible_);
     if (!(length > kShortest) || !(t < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
     if (t >= enough_) return End::converged;
@@ -153,10 +163,27 @@ void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
   side.weight.reserve(count);
 }
 
+double InteriorPoint::numbers_of(std::ptrdiff_t blocks) const {
+  return static_cast<double>(blocks) * n_ * kLanes;
+}
+
+// Of a pass over so many blocks, at most so many.
+int InteriorPoint::chunks_of(std::ptrdiff_t blocks, std::ptrdiff_t most) const {
+  const auto wanted = static_cast<std::ptrdiff_t>(numbers_of(blocks) / kChunkNumbers);
+  return static_cast<int>(
+      std::clamp<std::ptrdiff_t>(wanted, 1, std::clamp<std::ptrdiff_t>(most, 1, kMostChunks)));
+}
+
 // u·p for every point.
 // NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
 void InteriorPoint::price(Side& side, const double* u, double* products) {
-  kernels_->products(side.points.blocks, side.points.block_count, n_, u, products);
+  const PricedPoints& points = side.points;
+  const int chunks = chunks_of(points.block_count, points.block_count);
+  helpers_.run(chunks, numbers_of(points.block_count), [&](int chunk) {
+    const std::ptrdiff_t first = points.block_count * chunk / chunks;
+    const std::ptrdiff_t last = points.block_count * (chunk + 1) / chunks;
+    kernels_->products(points.blocks + first * n_ * kLanes, last - first, n_, u, products + first * kLanes);
+  });
 }
 
 // s = c - Aᵀy.
@@ -241,7 +268,7 @@ void InteriorPoint::leave_out_negligible(double unit) {
   double* nth = ranked_.data() + std::min<std::ptrdiff_t>(n_, ranks - ranked_.data() - 1);
   std::nth_element(ranked_.data(), nth, ranks, std::greater<>());
   for (Side* side : {&A_, &Q_}) {
-    const double least = kNegligible * *nth / (side == &A_ ? unit : 1.0);
+    const double least = negligible_ * *nth / (side == &A_ ? unit : 1.0);
     for (std::ptrdiff_t i = 0; i < side->count; ++i) {
       double& weight = side->weight[static_cast<std::size_t>(i)];
       if (weight < least) weight = 0;
@@ -251,21 +278,21 @@ void InteriorPoint::leave_out_negligible(double unit) {
 
 // sum += Σ weight_i p_i.
 void InteriorPoint::add_weighted(const Side& side, double* sum) {
-  kernels_->add_weighted(side.points.blocks, side.points.block_count, n_, side.weight.data(), scratch_.data(),
-                         sum);
+  const PricedPoints& points = side.points;
+  const int chunks = chunks_of(points.block_count, n_ / kLeastCoordinates);
+  helpers_.run(chunks, numbers_of(points.block_count), [&](int chunk) {
+    kernels_->add_weighted(points.blocks, points.block_count, n_, n_ * chunk / chunks,
+                           n_ * (chunk + 1) / chunks, side.weight.data(), scratch_.data(), sum);
+  });
 }
 
 // G = Σ d p pᵀ over both sets by Cholesky; the convexity row borders it.
 bool InteriorPoint::factor(bool single) {
-  const int ld = gram_rows(n_);
-  std::fill_n(matrix_.data(), static_cast<std::size_t>(ld) * static_cast<std::size_t>(gram_columns(n_)), 0.0);
+  gram_.begin(n_, *kernels_, helpers_);
   weigh();
-  for (Side* side : {&A_, &Q_}) {
-    kernels_->add_gram(side->points.blocks, side->points.block_count, n_, side->weight.data(), single,
-                       scratch_.data(), matrix_.data());
-  }
-  if (!kernels_->cholesky(matrix_.data(), n_, scratch_.data())) return false;
-  const Matrix G(matrix_.data(), n_, n_, Eigen::OuterStride<>(ld));
+  for (Side* side : {&A_, &Q_}) gram_.add(side->points, side->weight.data(), single);
+  if (!gram_.factor()) return false;
+  const Matrix G(gram_.data(), n_, n_, Eigen::OuterStride<>(gram_.rows()));
   double* g = border_.data();
   std::fill_n(g, n_, 0.0);
   add_weighted(A_, g);
@@ -283,7 +310,7 @@ bool InteriorPoint::factor(bool single) {
 
 // rhs (n + 1 numbers) becomes M⁻¹ rhs.
 void InteriorPoint::solve_for(double* rhs) {
-  const Matrix G(matrix_.data(), n_, n_, Eigen::OuterStride<>(gram_rows(n_)));
+  const Matrix G(gram_.data(), n_, n_, Eigen::OuterStride<>(gram_.rows()));
   VectorMap v(rhs, n_);
   const VectorMap solved(border_.data() + n_, n_);
   const double last = (rhs[n_] - solved.dot(v)) / pivot_;

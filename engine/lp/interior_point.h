@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
+#include "engine/lp/shared_gram.h"
 #include "engine/lp/whitened_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
+#include "engine/threads/helpers.h"
 
 namespace raygauge {
 
@@ -42,6 +44,9 @@ class InteriorPoint {
 
   /// The last solve after End::paused, from where it is. It pauses at zero only once.
   End go_on(const Stopwatch& stopwatch);
+
+  /// Threads that share the work of the next solves; their number does not change a bit of what is found.
+  void share_with(const Helpers& helpers) noexcept { helpers_ = helpers; }
 
   /// Whether the next solves may end as paused.
   void may_pause(bool may) noexcept { may_pause_ = may; }
@@ -96,6 +101,8 @@ class InteriorPoint {
   void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
   double central_weight() const;
+  double numbers_of(std::ptrdiff_t blocks) const;
+  int chunks_of(std::ptrdiff_t blocks, std::ptrdiff_t most) const;
   void price(Side& side, const double* y, double* products);
   void slacks(Side& side, double cost);
   bool factor(bool single);
@@ -125,7 +132,9 @@ class InteriorPoint {
   bool many_ = false;                                        // points
   double enough_ = std::numeric_limits<double>::infinity();  // of t
   const Kernels* kernels_ = nullptr;
+  Helpers helpers_;
   const WhitenedPoints* whitened_ = nullptr;  // whose points these are, if so
+  double negligible_ = 0;                     // share of a weight that may be left out
   bool single_ = false;                       // products in single precision suffice
   bool may_pause_ = false;
   bool paused_at_zero_ = false;
@@ -138,7 +147,7 @@ class InteriorPoint {
   AlignedBuffer<double> duals_;  // y_, of the points before the map
   AlignedBuffer<double> dy_;
   AlignedBuffer<double> kept_dy_;
-  AlignedBuffer<double> matrix_;   // Σ d p pᵀ, then its factor
+  SharedGram gram_;                // Σ d p pᵀ, then its factor
   AlignedBuffer<double> scratch_;  // of the kernel
   AlignedBuffer<double> border_;   // Σ d_A a, and M⁻¹ of it
   double corner_ = 0;              // Σ d_A

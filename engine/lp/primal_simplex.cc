@@ -17,8 +17,7 @@ namespace {
 // inverse and of the points passed over, some 10 ms.
 constexpr std::int64_t kPivotsBetweenLooks = 512;
 constexpr double kEntriesBetweenLooks = 2e7;
-constexpr double kFeasible = 1e-11;  // how negative a weight may be in a first basis
-constexpr int kCostRaises = 14;      // 8^14 = 2^42: beyond, the first phase decides
+constexpr int kCostRaises = 14;  // 8^14 = 2^42: beyond, the first phase decides
 constexpr double kLargeCost = 0x1p42;
 constexpr int kRepairs = 3;
 constexpr int kIdlePivots = 32;  // that an impatient solve allows, and half as many more as there are rows
@@ -116,23 +115,6 @@ bool PrimalSimplex::enter(const ColumnPool& pool, std::int64_t id, double reduce
   }
   if (is_artificial(left)) --loop_.artificials;
   return true;
-}
-
-bool PrimalSimplex::start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids) {
-  if (std::ssize(ids) != n_ + 1) return false;
-  basis_.reset(n_ + 1, *kernels_);
-  basis_.right_hand_side()[n_] = 1.0;
-  for (int i = 0; i <= n_; ++i) {
-    const std::int64_t id = ids[static_cast<std::size_t>(i)];
-    form_column(is_from_Q(id) ? Q : A, id);
-    basis_.set_column(i, column_.data(), is_from_Q(id) ? 1.0 : 0.0, id);
-  }
-  ++refactorisations_;
-  loop_.artificials = 0;
-  loop_.first_A.count = 0;
-  if (!basis_.refactor()) return false;
-  const double* x = basis_.view().x();
-  return std::all_of(x, x + n_ + 1, [](double weight) { return weight >= -kFeasible; });
 }
 
 // B = [F S, a; 0, 1] with the signs S: R = [S F⁻¹, -S F⁻¹ a; 0, 1], whose last column is x. F = I without a

@@ -63,9 +63,10 @@ class PrimalSimplex {
   void start(const ColumnPool& A, const ColumnPool& Q, const double* guess, double guess_error,
              const Frame* frame = nullptr, const AxisPoints* axes = nullptr);
 
-  /// First basis of these n + 1 columns. False where they are none, or where a weight is negative: start()
-  /// then.
-  bool start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids);
+  /// First basis of these n + 1 columns; where weights are negative, of those that some dual simplex steps
+  /// lead to. False where there is none: start() then.
+  bool start_from(const ColumnPool& A, const ColumnPool& Q, std::span<const std::int64_t> ids,
+                  const Stopwatch& stopwatch);
 
   /// Continues from the basis at hand. Working sets may have grown since, but not changed.
   End solve(const ColumnPool& A, const ColumnPool& Q, const Stopwatch& stopwatch);
@@ -147,6 +148,14 @@ class PrimalSimplex {
   void place_axis_points(const AxisPoints& axes);
   void set_artificial_costs(const double* guess, double guess_error, const Frame* frame);
   void form_column(const ColumnPool& pool, std::int64_t id);
+  struct Entering {
+    std::int64_t id = -1;  // none
+    double ratio = std::numeric_limits<double>::infinity();
+    double pivot = 0;
+    double least_pivot = 0;
+  };
+  bool exchange(const ColumnPool& A, const ColumnPool& Q, int row);
+  void look_for_entering(const ColumnPool& pool, const double* row, bool of_Q, Entering& best);
   void bind(const ColumnPool& A, const ColumnPool& Q);
   bool look_after_basis();
   bool gains(double before) const;

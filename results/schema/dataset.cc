@@ -8,6 +8,7 @@
 
 #include "results/exceptions.h"
 #include "results/hdf5/hdf5_library.h"
+#include "results/schema/open_dataset.h"
 
 namespace raygauge {
 namespace {
@@ -20,15 +21,6 @@ bool exists(const H5::Group& root, const std::string& dataset) {
     if (!root.nameExists(parent) || root.childObjType(parent) != H5O_TYPE_GROUP) return false;
   }
   return dataset.size() > 1 && root.nameExists(dataset);
-}
-
-H5::DataSet open_numeric(const H5::Group& root, const std::string& dataset, const std::string& place) {
-  if (!exists(root, dataset)) throw ResultsError(place + ": no such dataset");
-  if (root.childObjType(dataset) != H5O_TYPE_DATASET) throw ResultsError(place + ": not a dataset");
-  H5::DataSet opened = root.openDataSet(dataset);
-  const H5T_class_t type = opened.getTypeClass();
-  if (type != H5T_FLOAT && type != H5T_INTEGER) throw ResultsError(place + ": not numeric");
-  return opened;
 }
 
 void require_not_larger(const H5::DataSet& dataset, std::uint64_t most_packed_bytes,
@@ -83,6 +75,15 @@ herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, vo
 }
 
 }  // namespace
+
+H5::DataSet open_numeric(const H5::Group& root, const std::string& dataset, const std::string& place) {
+  if (!exists(root, dataset)) throw ResultsError(place + ": no such dataset");
+  if (root.childObjType(dataset) != H5O_TYPE_DATASET) throw ResultsError(place + ": not a dataset");
+  H5::DataSet opened = root.openDataSet(dataset);
+  const H5T_class_t type = opened.getTypeClass();
+  if (type != H5T_FLOAT && type != H5T_INTEGER) throw ResultsError(place + ": not numeric");
+  return opened;
+}
 
 std::vector<std::string> point_datasets(const std::string& file) {
   std::vector<std::string> names;

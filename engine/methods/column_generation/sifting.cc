@@ -80,6 +80,8 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   pivots_at_zero_ = pivots_at_repair_ = -1;
   violators_A_ = violators_Q_ = {};
   scaling_.compute(A, Q);
+  interior_.share_with({team_, threads_});
+  program_.basis().share_with({team_, threads_});
   program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_, n_ >= kLeastToStall);
   direction_.reserve(2 * static_cast<std::size_t>(n_));
 }

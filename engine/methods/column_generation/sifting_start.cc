@@ -82,7 +82,7 @@ double Sifting::guess_error() const {
 void Sifting::start_inside() {
   interior_.columns(start_);
   if (!separated_ && affords(*stopwatch_, 2 * cube(n_ + 1)) &&
-      program_.start_from(working_A_, working_Q_, start_))
+      program_.start_from(working_A_, working_Q_, start_, *stopwatch_))
     return;
   start_at_normal();
 }

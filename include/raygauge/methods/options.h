@@ -59,9 +59,9 @@ struct DistanceOptions {
   /// reading returns its answer.
   double time_limit = std::numeric_limits<double>::infinity();
 
-  /// OpenMP threads of one solve, 1 … kMostThreads. They share the passes of `column_generation` over point
-  /// sets of 2^15 coordinates and more; everything else is done by the caller's thread. Leave it at 1 where
-  /// other solves keep the cores busy.
+  /// Threads of one solve, 1 … kMostThreads. They share the passes of `column_generation` over point sets of
+  /// 2^15 coordinates and more, and its interior-point method and inverses of bases in many dimensions;
+  /// everything else is done by the caller's thread. Leave it at 1 where other solves keep the cores busy.
   int threads = 1;
 
   /// Kernels to run; anything but `automatic` throws InvalidParameterError where the machine lacks the

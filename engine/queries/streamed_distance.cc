@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/queries/streamed_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/proof/bounds.h"
+#include "engine/proof/certificate.h"
+#include "raygauge/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+// Points so little below the best known ones, relative, are the next to price out.
+constexpr double kReach = 0.05;
+// Of the tolerance: the gap of a solve of working sets, and what a point of either set may gain.
+constexpr double kShare = 0.25;
+// Of a plane that leaves a set behind, how much nearer points may come.
+constexpr double kShareOfPlane = 0.5;
+// Far more than any problem needs.
+constexpr int kMostPasses = 50;
+
+bool is_concluded(DistanceStatus status) {
+  return status != DistanceStatus::optimal && status != DistanceStatus::unreachable &&
+         status != DistanceStatus::precision_limit;
+}
+
+}  // namespace
+
+StreamedDistance::StreamedDistance(const Source& A, const Source& Q, const DistanceOptions& options)
+    : options_(options) {
+  const Source* sources[] = {&A, &Q};
+  for (int t = 0; t < 2; ++t) {
+    side_[t].set = sources[t]->set;
+    side_[t].sign = t == 0 ? 1.0 : -1.0;
+    if (sources[t]->stream == nullptr) continue;
+    side_[t].streamed = std::make_unique<StreamedSet>(*sources[t]->stream);
+    side_[t].set = side_[t].streamed->working_set();
+  }
+  const int n_A = side_[0].set->dimension(), n_Q = side_[1].set->dimension();
+  if (n_A != n_Q) {
+    throw DimensionMismatchError("A and Q must have the same dimension: A has n = " + std::to_string(n_A) +
+                                 ", Q has n = " + std::to_string(n_Q));
+  }
+}
+
+const DistanceResult& StreamedDistance::solve(Effects effects) {
+  effects_ = effects;
+  passes_ = 0;
+  points_priced_ = 0;
+  stopwatch_.start(options_.time_limit);
+  resolve();
+  bool again = !is_concluded(result_.status);
+  while (again) {
+    ++passes_;
+    bool turned = false;
+    for (Side& side : side_) turned = (side.streamed != nullptr && pass(side)) || turned;
+    if (is_concluded(result_.status)) break;
+    if (!turned) prove();
+    again = turned && passes_ < kMostPasses;
+    if (turned && !again) result_.status = DistanceStatus::iteration_limit;
+  }
+  // Of the working sets alone nothing is known from below.
+  if (is_concluded(result_.status)) result_.lower = 0;
+  if (result_.upper == 0) result_.status = DistanceStatus::contains_origin;
+  result_.counters.outer_iterations = passes_;
+  result_.counters.points_priced = points_priced_;
+  return result_;
+}
+
+// Of the working sets as they are now.
+void StreamedDistance::resolve() {
+  DistanceOptions options = options_;
+  options.tolerance *= kShare;
+  if (stopwatch_.limited()) options.time_limit = std::max(stopwatch_.remaining(), 1e-3);
+  for (Side& side : side_) {
+    if (side.streamed != nullptr) side.set = side.streamed->working_set();
+  }
+  DistanceSolver solver(options);
+  result_ = solver.solve(*side_[0].set, *side_[1].set, effects_);
+  for (PointWeight& weight : result_.origin_weights) {
+    if (side_[0].streamed != nullptr) weight.index = side_[0].streamed->number_of(weight.index);
+  }
+  for (Side& side : side_) aim(side);
+}
+
+void StreamedDistance::aim(Side& side) const {
+  side.direction = side.sign * result_.normal;
+  side.level = side.set->support_function(side.direction);
+  const bool is_plane = result_.status == DistanceStatus::unreachable;
+  side.slack = (is_plane ? kShareOfPlane : kShare * options_.tolerance) * std::fabs(side.level);
+}
+
+// Whether the normal has changed meanwhile.
+bool StreamedDistance::pass(Side& side) {
+  bool turned = false;
+  side.h.value = -std::numeric_limits<double>::infinity();
+  side.streamed->stream().pass([&](const StreamedPoints& part) {
+    for (;;) {
+      const double reach = kReach * std::fabs(side.level);
+      const double value = side.streamed->look(part, side.direction.data(), side.level, reach);
+      points_priced_ += part.count;
+      side.h.value = std::max(side.h.value, value);
+      if (stopwatch_.expired()) result_.status = DistanceStatus::time_limit;
+      if (is_concluded(result_.status)) return false;
+      if (!(value > side.level + side.slack)) return true;
+      if (!std::isfinite(value)) return false;  // proves nothing
+      resolve();
+      turned = true;
+    }
+  });
+  return turned;
+}
+
+// h of what the last pass has not gone through.
+void StreamedDistance::measure_known(Side& side) const {
+  if (side.streamed != nullptr) {
+    side.h.error = side.streamed->rounding(side.direction.data());
+    return;
+  }
+  Vector magnitude(side.set->dimension());
+  side.set->magnitude_unchecked(magnitude.data());
+  side.h.value = side.level;
+  side.h.error = ConvexSet::rounding_error(side.set->dimension()) * side.direction.cwiseAbs().dot(magnitude) *
+                     (1 + 1e-9) +
+                 std::numeric_limits<double>::min();
+}
+
+void StreamedDistance::prove() {
+  for (Side& side : side_) measure_known(side);
+  const double lower = lower_bound(side_[0].h, side_[1].h);
+  if (result_.status == DistanceStatus::unreachable && lower == std::numeric_limits<double>::infinity())
+    return;
+  if (result_.status == DistanceStatus::unreachable) {
+    result_.lower = 0;
+    result_.status = DistanceStatus::precision_limit;
+    return;
+  }
+  result_.lower = std::min(lower, result_.upper);
+  result_.distance = std::clamp(result_.distance, result_.lower, result_.upper);
+  const bool close = Bounds(lower, result_.upper).close(options_.tolerance);
+  result_.status = close ? DistanceStatus::optimal : DistanceStatus::precision_limit;
+}
+
+}  // namespace raygauge
