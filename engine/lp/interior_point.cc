@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 
@@ -22,8 +23,11 @@ constexpr int kIterationsOfFew = 35;  // separates by then, if at all sooner tha
 // x·s per unit of t where the solve ends: if just n + 1 columns carry weight, and at the latest.
 constexpr double kDecided = 1e-5;
 constexpr double kConverged = 1e-11;
+// The same where a few columns stay undecided: one for so many dimensions.
+constexpr double kNearlyConverged = 1e-8;
+constexpr int kForEachTie = 200;
 // x·s per unit of t down to which products in single precision suffice.
-constexpr double kCoarse = 1e-2;
+constexpr double kCoarse = 1e-3;
 // Where both sets have magnitude 1: a t, and x·s, that may be those of the distance 0; a t that may be on its
 // way to infinity, and how much farther it goes between two pauses.
 constexpr double kNearZero = 1e-5;
@@ -41,7 +45,7 @@ constexpr double kMostSum = 1e6;
 // each step is lost, and made up for by the next. Where steps become short, more is kept.
 constexpr double kNegligible = 1e-3;
 constexpr double kLeastNegligible = 1e-5;
-constexpr double kShortStep = 0.3;
+constexpr double kShortStep = 0.1;
 constexpr double kMoreKept = 0.1;
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
@@ -127,13 +131,19 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     const double gap = complementarity(0, 0);
     const double scale = std::fabs(t);
     single_ = single_ && gap > kCoarse * scale;
-    if (gap <= kConverged * scale || (gap <= kDecided * scale && columns_with_weight() == n_ + 1)) {
+    if (gap <= kConverged * scale) return End::converged;
+    if (gap <= kDecided * scale && undecided() <= (gap <= kNearlyConverged * scale ? most_undecided() : 0))
       return End::converged;
-    }
     if (may_pause_ && pauses(gap)) return End::paused;
   }
   return End::failed;
 }
+
+// How many columns more or fewer than n + 1 carry weight.
+int InteriorPoint::undecided() const { return std::abs(columns_with_weight() - (n_ + 1)); }
+
+// As many may be near ties, which dual simplex steps decide.
+int InteriorPoint::most_undecided() const { return many_ ? n_ / kForEachTie : 0; }
 
 // Whether the iterate is close to zero, for the first time, or has come so far that no distance may exist.
 bool InteriorPoint::pauses(double gap) {

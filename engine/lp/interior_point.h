@@ -67,8 +67,8 @@ class InteriorPoint {
   };
   void carriers(double unit, std::vector<Carrier>& carriers) const;
 
-  /// Whether not just n + 1 columns carry weight.
-  bool is_degenerate() const { return columns_with_weight() != n_ + 1; }
+  /// Whether not just n + 1 columns carry weight, nor nearly so many.
+  bool is_degenerate() const { return undecided() > most_undecided(); }
 
   /// The n + 1 columns with the most weight at the end (identities as in PrimalSimplex): the optimal basis,
   /// if that is unique and not degenerate.
@@ -97,6 +97,8 @@ class InteriorPoint {
              const Kernels& kernels);
   End run(const Stopwatch& stopwatch);
   End iterate(const Stopwatch& stopwatch);
+  int undecided() const;
+  int most_undecided() const;
   bool pauses(double gap);
   void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFeasible = 1e-11;  // how negative a weight may be in a first basis
 // Of near ties the interior-point method may name a few wrong columns; where so many are, the basis is none
 // of an optimum.
-constexpr int kMostExchanges = 100;
+constexpr int kMostExchanges = 40;
 constexpr double kLeastPivot = 1e-9;  // of a row, relative to its largest entry
 
 double largest_of(const double* row, int n) {

@@ -12,6 +12,7 @@ namespace {
 
 // Points that a thread copies at a time: two blocks at least, whose lanes are turned together.
 constexpr int kCopied = 2 * static_cast<int>(PointSet::kLanes);
+constexpr int kBadStride = 128;
 // Operations for a coordinate that is copied, in those of products.
 constexpr double kCopying = 8;
 
@@ -21,10 +22,10 @@ void SharedGram::begin(int n, const Kernels& kernels, const Helpers& helpers) {
   n_ = n;
   kernels_ = &kernels;
   helpers_ = helpers;
-  const auto rows = static_cast<std::size_t>(gram_rows(n));
-  const std::size_t size = rows * static_cast<std::size_t>(gram_columns(n));
+  rows_ = gram_rows(n) % kBadStride == 0 ? gram_rows(n) + kRowPadding : gram_rows(n);
+  const std::size_t size = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(gram_columns(n));
   matrix_.reserve(size);
-  panels_.reserve(rows * kGramPoints);
+  panels_.reserve(static_cast<std::size_t>(gram_rows(n)) * kGramPoints);
   std::fill_n(matrix_.data(), size, 0.0);
 }
 

@@ -28,13 +28,14 @@ class SharedGram {
   /// Column-major, the lower triangle of n columns of rows() entries.
   const double* data() const noexcept { return matrix_.data(); }
   double* data() noexcept { return matrix_.data(); }
-  int rows() const noexcept { return gram_rows(n_); }
+  int rows() const noexcept { return rows_; }
 
  private:
   void add_batch(const double* blocks, const GramPoint* points, int count, bool single);
   void add_panels(int n, int depth, bool single, double sign, double* M);
 
   int n_ = 0;
+  int rows_ = 0;  // of the matrix: no power of two, for columns that far apart share the cache badly
   const Kernels* kernels_ = nullptr;
   Helpers helpers_;
   AlignedBuffer<double> matrix_;

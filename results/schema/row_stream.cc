@@ -39,17 +39,6 @@ class OpenFile {
   int descriptor_;
 };
 
-// Whether other bytes come before those of HDF5. Taken to be so where it does not tell.
-bool has_user_block(const H5::Group& root) {
-  const hid_t file = H5Iget_file_id(root.getId());
-  const hid_t list = H5Fget_create_plist(file);
-  hsize_t bytes = 1;
-  H5Pget_userblock(list, &bytes);
-  H5Pclose(list);
-  H5Fclose(file);
-  return bytes != 0;
-}
-
 // As `numbers` of `size` bytes, one after the other.
 bool is_plain(const H5::DataSet& dataset, hsize_t numbers, std::size_t size) {
   const H5::DSetCreatPropList list = dataset.getCreatePlist();
@@ -74,9 +63,7 @@ std::optional<StoredRows> find_stored_rows(const DatasetReference& reference) {
     found.single = type == H5::PredType::NATIVE_FLOAT;
     if (!found.single && !(type == H5::PredType::NATIVE_DOUBLE)) return;
     const std::size_t size = found.single ? sizeof(float) : sizeof(double);
-    if (extent[0] == 0 || extent[1] == 0 || has_user_block(root) ||
-        !is_plain(dataset, extent[0] * extent[1], size))
-      return;
+    if (extent[0] == 0 || extent[1] == 0 || !is_plain(dataset, extent[0] * extent[1], size)) return;
     found.rows = static_cast<std::ptrdiff_t>(extent[0]);
     found.columns = static_cast<int>(extent[1]);
     found.offset = dataset.getOffset();

@@ -21,11 +21,8 @@ using namespace testing;  // NOLINT(google-build-using-namespace): the helpers o
 class Rows : public ::testing::Test {
  protected:
   using Setting = void (*)(H5::DSetCreatPropList&);
-  void write(hsize_t rows, hsize_t columns, const H5::DataType& type, Setting set = nullptr,
-             hsize_t user_block = 0) {
-    H5::FileCreatPropList of_file;
-    of_file.setUserblock(user_block);
-    H5::H5File file(path_, H5F_ACC_TRUNC, of_file);
+  void write(hsize_t rows, hsize_t columns, const H5::DataType& type, Setting set = nullptr) {
+    H5::H5File file(path_, H5F_ACC_TRUNC);
     const std::array<hsize_t, 2> extent = {rows, columns};
     H5::DSetCreatPropList list;
     if (set != nullptr) set(list);
@@ -72,8 +69,6 @@ TEST_F(Rows, AreNotTakenForWhatIsStoredOtherwise) {
   write(100, 2, H5::PredType::IEEE_F64LE);
   EXPECT_TRUE(find_stored_rows({path_, "/A"}));
   write(100, 2, H5::PredType::IEEE_F64LE, in_chunks);
-  EXPECT_FALSE(find_stored_rows({path_, "/A"}));
-  write(100, 2, H5::PredType::IEEE_F64LE, nullptr, 512);
   EXPECT_FALSE(find_stored_rows({path_, "/A"}));
   write(100, 2, H5::PredType::IEEE_F64BE);
   EXPECT_FALSE(find_stored_rows({path_, "/A"}));
