@@ -113,5 +113,16 @@ void undo_exchanges(double* M, std::ptrdiff_t ld, int m, const int* exchanged) {
   }
 }
 
+bool invert(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged) {
+  for (int first = 0; first < m; first += kPivotsAtOnce) {
+    const int last = first + kPivotsAtOnce < m ? first + kPivotsAtOnce : m;
+    if (!eliminate_panel(M, ld, m, first, last, smallest, exchanged)) return false;
+    apply_panel(M, ld, first, last, exchanged, 0, first);
+    apply_panel(M, ld, first, last, exchanged, last, m);
+  }
+  undo_exchanges(M, ld, m, exchanged);
+  return true;
+}
+
 }  // namespace
 }  // namespace raygauge::RAYGAUGE_ISA

@@ -262,11 +262,13 @@ struct Kernels {
   /// diagonal.
   void (*back_substitute)(const double* R, std::ptrdiff_t ld, int count, double* x);
 
-  /// M becomes its inverse, m columns of ld = padded_rows(m) entries, padding zero, by Gauss-Jordan
-  /// elimination, kPivotsAtOnce columns first … last - 1 at a time: they are eliminated within themselves,
-  /// with exchanges of rows, noted in `exchanged` (m entries); false at a pivot that is not above `smallest`,
-  /// and M is lost then. Then all other columns, begin … end - 1, by any thread. At last columns are
-  /// exchanged back.
+  /// M becomes its inverse: m columns of ld = padded_rows(m) entries, padding zero. Gauss-Jordan elimination
+  /// with exchanges of rows, noted in `exchanged` (m entries). False at a pivot that is not above `smallest`;
+  /// M is lost then.
+  bool (*invert)(double* M, std::ptrdiff_t ld, int m, double smallest, int* exchanged);
+
+  /// The same in parts, kPivotsAtOnce columns first … last - 1 after the other: they are eliminated within
+  /// themselves; then all other columns, begin … end - 1, by any thread. At last columns are exchanged back.
   bool (*eliminate_panel)(double* M, std::ptrdiff_t ld, int m, int first, int last, double smallest,
                           int* exchanged);
   void (*apply_panel)(double* M, std::ptrdiff_t ld, int first, int last, const int* exchanged, int begin,

@@ -80,22 +80,29 @@ bool Basis::invert() {
   const std::size_t size = static_cast<std::size_t>(view_.m) * static_cast<std::size_t>(view_.P);
   factor_.reserve(size);
   exchanged_.reserve(static_cast<std::size_t>(view_.m));
-  std::copy_n(view_.B, size, factor_.data());
   double* M = factor_.data();
+  std::copy_n(view_.B, size, M);
+  const bool regular = view_.m <= kTogether
+                           ? kernels_->invert(M, view_.P, view_.m, kSingular, exchanged_.data())
+                           : invert_together(M, exchanged_.data());
+  if (regular) std::copy_n(M, size, view_.R);
+  return regular;
+}
+
+bool Basis::invert_together(double* M, int* exchanged) const {
   const int m = view_.m;
   const std::ptrdiff_t P = view_.P;
   for (int first = 0; first < m; first += kPivotsAtOnce) {
     const int last = std::min(m, first + kPivotsAtOnce);
-    if (!kernels_->eliminate_panel(M, P, m, first, last, kSingular, exchanged_.data())) return false;
+    if (!kernels_->eliminate_panel(M, P, m, first, last, kSingular, exchanged)) return false;
     helpers_.run(parts_of(m), static_cast<double>(P) * m * kPivotsAtOnce, [&](int part) {
       const int begin = part * kTogether;
       const int end = std::min(m, begin + kTogether);
-      kernels_->apply_panel(M, P, first, last, exchanged_.data(), begin, std::min(end, first));
-      kernels_->apply_panel(M, P, first, last, exchanged_.data(), std::max(begin, last), end);
+      kernels_->apply_panel(M, P, first, last, exchanged, begin, std::min(end, first));
+      kernels_->apply_panel(M, P, first, last, exchanged, std::max(begin, last), end);
     });
   }
-  kernels_->undo_exchanges(M, P, m, exchanged_.data());
-  std::copy_n(factor_.data(), size, view_.R);
+  kernels_->undo_exchanges(M, P, m, exchanged);
   return true;
 }
 
@@ -116,13 +123,17 @@ double Basis::drift() const {
   return largest;
 }
 
-double Basis::residual_share() {
-  if (share_pivots_ == view_.pivots) return share_;
+MatrixNorms Basis::norms_together() {
   kernels_->subtract_collected(&view_);
   helpers_.run(parts_of(view_.P), cube(view_.m), [&](int part) {
     kernels_->sum_rows(&view_, part * kTogether, std::min(view_.P, (part + 1) * kTogether));
   });
-  share_ = kernels_->largest_sums(&view_).residual;
+  return kernels_->largest_sums(&view_);
+}
+
+double Basis::residual_share() {
+  if (share_pivots_ == view_.pivots) return share_;
+  share_ = (view_.m <= kTogether ? kernels_->norms(&view_) : norms_together()).residual;
   share_pivots_ = view_.pivots;
   return share_;
 }

@@ -57,6 +57,8 @@ class Basis {
 
  private:
   bool invert();
+  bool invert_together(double* M, int* exchanged) const;  // with helpers, of many columns
+  MatrixNorms norms_together();
 
   BasisView view_;
   const Kernels* kernels_ = nullptr;
