@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/kernels/kernel.h"
+#include "engine/lp/affords.h"
+#include "engine/lp/centred_points.h"
 #include "engine/lp/column_pool.h"
 #include "engine/lp/gauge_bound.h"
 #include "engine/lp/scaling.h"
@@ -16,12 +18,20 @@
 namespace raygauge {
 namespace {
 
-// Two linear programs that prove it for most sets with the origin inside. False says nothing.
+// Dimensions from which on weights are looked for before linear programs, which take longer.
+constexpr int kManyDimensions = 64;
+
+// Weights by Newton steps or two linear programs that prove it for most sets with the origin inside. False
+// says nothing.
 bool surrounds_origin(const PointSet& Q, const Stopwatch& stopwatch) {
   Scaling scaling;
   scaling.compute(Q, Q);
   ColumnPool points;
   points.choose(Q, scaling.factor_Q(), scaling.trivial_Q(), true);
+  const double n = Q.dimension();
+  if (n >= kManyDimensions && affords(stopwatch, n * n * (static_cast<double>(points.size()) + n))) {
+    if (are_centred(points.view(), Q.dimension(), best_kernels(), stopwatch)) return true;
+  }
   GaugeBound bound;
   return bound.compute(points, Q.dimension(), best_kernels(), stopwatch) < kInfinity;
 }
