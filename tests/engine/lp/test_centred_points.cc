@@ -50,6 +50,23 @@ TEST(CentredPoints, AreNoneThatADirectionLeavesBehind) {
   }
 }
 
+// Integers whose last coordinate is the sum of the others, each with its mirror image: the sum of all is
+// zero, and their matrix is singular, though rounding may not show it.
+TEST(CentredPoints, AreNoneInAPlane) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const int n = 3 + static_cast<int>(seed % 20);
+    Random random(seed);
+    Eigen::MatrixXd half = (1000 * gaussian_points(n, 10 * n, random)).array().round();
+    half.row(n - 1) = half.topRows(n - 1).colwise().sum();
+    Eigen::MatrixXd points(n, 20 * n);
+    points << half, -half;
+    EXPECT_FALSE(centred(points)) << "seed " << seed;
+    points(n - 1, 0) += 1000;  // out of it, and its mirror image to the other side
+    points(n - 1, 10 * n) -= 1000;
+    EXPECT_TRUE(centred(points)) << "seed " << seed;
+  }
+}
+
 // The margin by which points lie on one side of the origin, relative to their size, down to nothing.
 TEST(CentredPoints, AreNotProvenByRounding) {
   const int n = 5;
