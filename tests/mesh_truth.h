@@ -23,6 +23,21 @@ inline Pose random_pose(std::mt19937_64& random, double far) {
   return {q.normalized(), far * Eigen::Vector3d(normal(random), normal(random), normal(random))};
 }
 
+/// So many turns by right angles, exactly, each about the axis that draw() names.
+template <class Draw>
+Eigen::Matrix3d right_turns(int turns, const Draw& draw) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  for (; turns > 0; --turns) {
+    const int k = draw();
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+    turn(k, k) = 1;
+    turn((k + 1) % 3, (k + 2) % 3) = -1;
+    turn((k + 2) % 3, (k + 1) % 3) = 1;
+    R = turn * R;
+  }
+  return R;
+}
+
 /// The least distance of any two triangles of two surfaces, in quadruple precision.
 struct BruteForce {
   double lower = std::numeric_limits<double>::infinity(), upper = lower;

@@ -166,6 +166,10 @@ constexpr int kPivotsAtOnce = 8;  ///< of an inverse
 
 struct SeparationLanes;
 struct HullLanes;
+struct BoxLanes;
+struct PlacedBox;
+struct TriangleBlock;
+struct TriangleLanes;
 
 /// The vector kernels of one instruction set.
 struct Kernels {
@@ -294,6 +298,18 @@ struct Kernels {
   void (*separate_box_from_capsule)(SeparationLanes* lanes);
   void (*separate_capsules)(SeparationLanes* lanes);
   void (*separate_hulls)(HullLanes* lanes);
+
+  /// lower_l is at most the distance of `box` and box l, but for what rounding adds: less than 2⁻¹⁶ of the
+  /// sum of what coordinates, halves and distances reach; where they overlap it is negative, by how
+  /// much. Bit l of the answer: lower_l < beyond. Squares of lengths must be in the range of single
+  /// precision.
+  unsigned (*bound_boxes)(const BoxLanes* boxes, const PlacedBox* box, float beyond, float* lower);
+
+  /// The same of `box` and the triangles of a block.
+  unsigned (*bound_block)(const TriangleBlock* block, const PlacedBox* box, float beyond, float* lower);
+
+  /// See TriangleLanes; the first `count` lanes at least.
+  void (*bound_triangles)(TriangleLanes* lanes, int count);
 };
 
 /// The kernels for `isa`; `automatic` is the best that this machine runs. Throws InvalidParameterError if the

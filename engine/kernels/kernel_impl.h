@@ -12,6 +12,7 @@
 #include "engine/kernels/gram_kernels.h"
 #include "engine/kernels/hull_separation_kernels.h"
 #include "engine/kernels/inverse_kernels.h"
+#include "engine/kernels/mesh_kernels.h"
 #include "engine/kernels/orthogonal_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
 #include "engine/kernels/twofold_basis_kernels.h"
@@ -56,6 +57,9 @@ const Kernels kKernels = {price,
                           separate_boxes,
                           separate_box_from_capsule,
                           separate_capsules,
-                          separate_hulls};
+                          separate_hulls,
+                          bound_boxes,
+                          bound_block,
+                          bound_triangles};
 
 }  // namespace raygauge::RAYGAUGE_ISA

@@ -19,8 +19,6 @@ float up(double x) {
 
 double coordinate(const Vector3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
 
-Vector3 vector_of(const float* v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
-
 void set_axis(BoxNode& box, int k, const Vector3& v) {
   for (int i = 0; i < 3; ++i) box.axis[k][i] = static_cast<float>(coordinate(v, i));
 }
@@ -104,12 +102,6 @@ std::ptrdiff_t leaves_of(std::ptrdiff_t triangles) {
 
 }  // namespace
 
-/// A triangle by its centre, for sorting.
-struct BoxTree::Item {
-  float center[3];
-  std::int32_t number;
-};
-
 /// Items [begin, end) and the place of their node.
 struct BoxTree::Span {
   std::ptrdiff_t begin, end;
@@ -158,21 +150,23 @@ BoxTree::BoxTree(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<c
   triangles_.resize(count);
   number_.resize(count);
   nodes_.resize(static_cast<std::size_t>(2 * leaves_of(size()) - 1));
-  std::vector<Item> items(count);
+  std::vector<SplitItem> items(count);
   double square = 0;
 #pragma omp parallel for num_threads(threads) default(none) shared(triangles, items) reduction(max : square)
   for (std::ptrdiff_t i = 0; i < size(); ++i) {
-    const MeshTriangle& t = triangles[static_cast<std::size_t>(i)];
-    Vector3 sum;
-    for (const std::int32_t corner : t) {
+    Limits limits;
+    for (const std::int32_t corner : triangles[static_cast<std::size_t>(i)]) {
       const double* p = vertices_ + corner * stride_;
       const Vector3 v{p[0], p[1], p[2]};
       square = std::max(square, dot(v, v));
-      sum = sum + v * (1.0 / 3);
+      limits.add(v);
     }
-    items[static_cast<std::size_t>(i)] = {
-        {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)},
-        static_cast<std::int32_t>(i)};
+    SplitItem& item = items[static_cast<std::size_t>(i)];
+    for (int k = 0; k < 3; ++k) {
+      item.center[k] = static_cast<float>(0.5 * (limits.low[k] + limits.high[k]));
+      item.half[k] = static_cast<float>(0.5 * (limits.high[k] - limits.low[k]));
+    }
+    item.number = static_cast<std::int32_t>(i);
   }
   extent_ = std::sqrt(square) * (1 + 1e-15);
   const int levels = threads > 1 ? std::bit_width(static_cast<unsigned>(threads)) + 2 : 0;
@@ -181,28 +175,22 @@ BoxTree::BoxTree(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<c
   build(items, {0, size(), 0}, levels);
   given_ = {};
   vertices_ = nullptr;
+  wide_.build(nodes_, triangles_);
 }
 
-BoxTree::Limits BoxTree::build(std::vector<Item>& items, const Span& span, int parallel_levels) {
+BoxTree::Limits BoxTree::build(std::vector<SplitItem>& items, const Span& span, int parallel_levels) {
   if (span.size() <= kLeaf) return fill_leaf(items, span);
-  float low[3], high[3];
-  std::fill_n(low, 3, std::numeric_limits<float>::infinity());
-  std::fill_n(high, 3, -std::numeric_limits<float>::infinity());
   const auto first = items.begin() + span.begin, last = items.begin() + span.end;
-  for (auto item = first; item != last; ++item) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], item->center[k]);
-      high[k] = std::max(high[k], item->center[k]);
-    }
-  }
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-  }
-  const std::ptrdiff_t leaves = leaves_of(span.size()) / 2, middle = span.begin + leaves * kLeaf;
-  std::nth_element(first, items.begin() + middle, last,
-                   [axis](const Item& a, const Item& b) { return a.center[axis] < b.center[axis]; });
-  const auto second = static_cast<std::int32_t>(span.node + 2 * leaves);
+  const std::span<const SplitItem> here{first, last};
+  const std::ptrdiff_t unit = span.size() > WideTree::kBlock ? WideTree::kBlock : kLeaf;
+  const BoxSplit split = span.size() > WideTree::kBlock && span.size() <= kSearched
+                             ? best_split(here, unit)
+                             : middle_split(here, unit);
+  const std::ptrdiff_t middle = span.begin + split.first;
+  std::nth_element(first, items.begin() + middle, last, [&](const SplitItem& a, const SplitItem& b) {
+    return a.center[split.axis] < b.center[split.axis];
+  });
+  const auto second = static_cast<std::int32_t>(span.node + 2 * leaves_of(split.first));
   const Span one{span.begin, middle, span.node + 1}, other{middle, span.end, second};
   Limits limits, of_other;
   if (parallel_levels > 0 && span.size() > kLeast) {
@@ -234,7 +222,7 @@ void BoxTree::bound(const Span& span, const Limits& limits) {
   if (measure_of(oriented) < measure_of(box)) box = oriented;
 }
 
-BoxTree::Limits BoxTree::fill_leaf(const std::vector<Item>& items, const Span& span) {
+BoxTree::Limits BoxTree::fill_leaf(const std::vector<SplitItem>& items, const Span& span) {
   Limits limits;
   for (std::ptrdiff_t i = span.begin; i < span.end; ++i) {
     const std::int32_t number = items[static_cast<std::size_t>(i)].number;
@@ -253,10 +241,18 @@ BoxTree::Limits BoxTree::fill_leaf(const std::vector<Item>& items, const Span& s
   return limits;
 }
 
+TriangleRange BoxTree::triangles_of(std::int32_t node_number) const noexcept {
+  std::int32_t first = node_number, last = node_number;
+  while (!node(first).is_leaf()) ++first;
+  while (!node(last).is_leaf()) last = node(last).next;
+  return {node(first).next, node(last).next + node(last).count};
+}
+
 std::ptrdiff_t BoxTree::memory() const noexcept {
   return static_cast<std::ptrdiff_t>(nodes_.capacity() * sizeof(BoxNode) +
                                      triangles_.capacity() * sizeof(TriangleCorners) +
-                                     number_.capacity() * sizeof(std::int32_t) + sizeof(*this));
+                                     number_.capacity() * sizeof(std::int32_t) + sizeof(*this)) +
+         wide_.memory();
 }
 
 }  // namespace raygauge

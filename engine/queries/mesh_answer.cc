@@ -60,6 +60,18 @@ void MeshSearch::ask(const Mesh& solid, const Vector3& point) {
   if (inside == Inside::unknown) lower_ = 0;
 }
 
+void MeshSearch::keep_nearest(MeshWarmStart* warm) const {
+  if (warm == nullptr || nearest_1_ < 0) return;
+  warm->triangle_1 = nearest_1_;
+  warm->triangle_2 = nearest_2_;
+}
+
+Separation MeshSearch::separation_found(MeshWarmStart* warm) const {
+  keep_nearest(warm);
+  if (meets_) return Separation::intersecting;
+  return std::min(lower_, upper_) > 0 ? Separation::separated : Separation::undecided;
+}
+
 const ObjectDistance& MeshSearch::finish(ObjectEffects effects, MeshWarmStart* warm) {
   DistanceResult& distance = result_.distance;
   if (meets_) lower_ = upper_ = 0;
@@ -82,10 +94,7 @@ const ObjectDistance& MeshSearch::finish(ObjectEffects effects, MeshWarmStart* w
     distance.normal << n.x, n.y, n.z;
   }
   write_points(effects);
-  if (warm != nullptr && nearest_1_ >= 0) {
-    warm->triangle_1 = nearest_1_;
-    warm->triangle_2 = nearest_2_;
-  }
+  keep_nearest(warm);
   return result_;
 }
 

@@ -14,10 +14,12 @@ namespace raygauge {
 namespace {
 
 constexpr double kSmallest = 1e-70,
-                 kLargest = 1e71;            // of what is squared and multiplied up to the fourth power
+                 kLargest = 1e71;  // of what is squared and multiplied up to the fourth power
+constexpr double kSmallestSingle = 1e-6,
+                 kLargestSingle = 1e8;       // of what is so in single precision
+constexpr double kOfSingle = 0x1p-16;        // see Kernels::bound_boxes
 constexpr double kRounding = 256 * 0x1p-53;  // as of SpatialPair
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
-constexpr std::int64_t kLooksPerReading = 64;  // of the clock: a look takes at most some microseconds
 constexpr std::size_t kFirstRoom = 1024;
 
 void read(const Pose* pose, Matrix3& R, Vector3& t) {
@@ -31,18 +33,6 @@ void read(const Pose* pose, Matrix3& R, Vector3& t) {
 
 double defect_of(const Pose* pose) { return pose == nullptr ? 0 : pose->defect(); }
 
-// Wide enough for axes that are orthonormal to BoxNode::kAxisError.
-constexpr double kOfAxes = 1 - 4 * BoxNode::kAxisError;
-
-Vector3 vector_of(const float* v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
-
-double size_of(const BoxNode& box) { return double{std::max({box.half[0], box.half[1], box.half[2]})}; }
-
-Separation separation_of(const ObjectDistance& answer) {
-  if (answer.distance.status == DistanceStatus::contains_origin) return Separation::intersecting;
-  return answer.distance.lower > 0 ? Separation::separated : Separation::undecided;
-}
-
 constexpr double kApart = std::numeric_limits<double>::min();
 
 DistanceOptions general_options(const DistanceOptions& options) {
@@ -54,8 +44,12 @@ DistanceOptions general_options(const DistanceOptions& options) {
 }  // namespace
 
 MeshSearch::MeshSearch(const DistanceOptions& options)
-    : options_(options), ball_(Vector::Zero(3), 1.0), general_(general_options(options)) {
+    : options_(options),
+      kernels_(kernels_for(options.instruction_set)),
+      ball_(Vector::Zero(3), 1.0),
+      general_(general_options(options)) {
   open_.reserve(kFirstRoom);
+  wide_open_.reserve(kFirstRoom);
   general_.set_stop([this] { return watch_.expired(); });
 }
 
@@ -79,14 +73,14 @@ Separation MeshSearch::separation(const PosedMesh& A1, const PosedMesh& A2, Mesh
   begin(A1, A2.pose);
   set_other(A2.mesh);
   search(kApart, warm);
-  return separation_of(finish(ObjectEffects::none, warm));
+  return separation_found(warm);
 }
 
 Separation MeshSearch::separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm) {
   begin(A1, A2.pose);
   set_other(A2.set);
   search(kApart, warm);
-  return separation_of(finish(ObjectEffects::none, warm));
+  return separation_found(warm);
 }
 
 void MeshSearch::begin(const PosedMesh& A1, const Pose* pose_2) {
@@ -119,6 +113,8 @@ void MeshSearch::measure(double size_of_second) {
   const double size = first_->tree().extent() + size_of_second + length(t_) + radii_;
   margin_ = size * (kRounding + 2 * (defect_of(pose_1_) + defect_of(pose_2_)));
   in_range_ = size > kSmallest && size < kLargest;
+  single_slack_ = size * kOfSingle + radii_;
+  in_single_range_ = size > kSmallestSingle && size < kLargestSingle;
 }
 
 void MeshSearch::set_other(const ConvexSet& body) {
@@ -169,71 +165,22 @@ void MeshSearch::place() {
   t_ = W_.transposed_times(t - w_);
 }
 
-// The distance of two boxes is at least that of one and of a box along its axes around the other.
-double MeshSearch::box_distance(const BoxNode& one, const BoxNode& two) const noexcept {
-  const Vector3 d = R_ * vector_of(two.center) + t_ - vector_of(one.center);
-  const Vector3 e = R_.transposed_times(d);
-  double wide_1[3] = {0, 0, 0}, wide_2[3] = {double{two.half[0]}, double{two.half[1]}, double{two.half[2]}};
-  double apart_1[3], apart_2[3];
-  Vector3 turned[3];
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 axis = vector_of(two.axis[k]);
-    turned[k] = R_ * axis;
-    apart_2[k] = std::fabs(dot(axis, e));
-  }
-  for (int j = 0; j < 3; ++j) {
-    const Vector3 axis = vector_of(one.axis[j]);
-    const double half = double{one.half[j]};
-    apart_1[j] = std::fabs(dot(axis, d));
-    wide_1[j] = half;
-    for (int k = 0; k < 3; ++k) {
-      const double share = std::fabs(dot(axis, turned[k]));
-      wide_1[j] += share * double{two.half[k]};
-      wide_2[k] += share * half;
-    }
-  }
-  double square_1 = 0, square_2 = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double gap_1 = std::max(apart_1[k] - wide_1[k], 0.0), gap_2 = std::max(apart_2[k] - wide_2[k], 0.0);
-    square_1 += gap_1 * gap_1;
-    square_2 += gap_2 * gap_2;
-  }
-  return std::sqrt(std::max(square_1, square_2)) * kOfAxes - radii_;
-}
-
-double MeshSearch::plane_distance(const BoxNode& one) const noexcept {
-  if (!has_plane_) return -kInfinity;
-  double top = dot(plane_, vector_of(one.center));
-  for (int k = 0; k < 3; ++k) top += std::fabs(dot(plane_, vector_of(one.axis[k]))) * double{one.half[k]};
-  return plane_of_ - top - radius_1_;
-}
-
 void MeshSearch::search(double enough, MeshWarmStart* warm) {
-  open_.clear();
   if (!in_range_) {
     lower_ = 0;
     return;
   }
   enough_ = target_ = std::max(enough, 2 * kClearMargins * margin_);
   look_around(warm);
-  push(0, 0);
-  while (!open_.empty() && !meets_) {
-    const OpenPair pair = open_.back();
-    open_.pop_back();
-    if (is_beyond(pair.lower)) {
-      passed_over_ = true;
-      continue;
-    }
-    if (++looks_ % kLooksPerReading == 0 && watch_.expired()) {
-      out_of_time_ = true;
-      lower_ = std::min(lower_, std::max(0.0, pair.lower - margin_));
-      for (const OpenPair& other : open_) lower_ = std::min(lower_, std::max(0.0, other.lower - margin_));
-      break;
-    }
-    expand(pair);
-  }
+  other_.tree != nullptr&& in_single_range_ ? search_wide() : search_boxes();
   if (passed_over_) lower_ = std::min(lower_, target_);
   if (!meets_) locate();
+}
+
+// With pairs at least so far apart left open.
+void MeshSearch::note_out_of_time(double lower) {
+  out_of_time_ = true;
+  lower_ = std::min(lower_, std::max(0.0, lower - margin_));
 }
 
 // The nearest triangles of the last solve.
@@ -246,40 +193,6 @@ void MeshSearch::look_around(MeshWarmStart* warm) {
   look_at(warm->triangle_1, warm->triangle_2);
 }
 
-void MeshSearch::push(std::int32_t one, std::int32_t two) {
-  ++counters_.box_pairs;
-  const BoxNode &a = first_->tree().node(one), &b = other_.node(two);
-  const double lower = std::max(other_.is_half_space ? -kInfinity : box_distance(a, b), plane_distance(a));
-  if (is_beyond(lower)) {
-    passed_over_ = true;
-    return;
-  }
-  open_.push_back({one, two, lower});
-}
-
-// The larger box is opened; of its halves the nearer one is taken first.
-void MeshSearch::expand(const OpenPair& pair) {
-  const BoxNode &a = first_->tree().node(pair.one), &b = other_.node(pair.two);
-  if (a.is_leaf() && b.is_leaf()) return look_at_leaves(a, b);
-  const std::size_t before = open_.size();
-  if (b.is_leaf() || (!a.is_leaf() && size_of(a) > size_of(b))) {
-    push(pair.one + 1, pair.two);
-    push(a.next, pair.two);
-  } else {
-    push(pair.one, pair.two + 1);
-    push(pair.one, b.next);
-  }
-  if (open_.size() == before + 2 && open_[before].lower < open_[before + 1].lower)
-    std::swap(open_[before], open_[before + 1]);
-}
-
-void MeshSearch::look_at_leaves(const BoxNode& one, const BoxNode& two) {
-  for (std::int32_t k = two.next; k < two.next + two.count; ++k) {
-    turn_second(k);
-    for (std::int32_t i = one.next; i < one.next + one.count && !meets_; ++i) look_at(i, k);
-  }
-}
-
 // Into the first frame.
 void MeshSearch::turn_second(std::int32_t two) {
   if (other_.tree == nullptr) return;
@@ -290,16 +203,16 @@ void MeshSearch::turn_second(std::int32_t two) {
 // After turn_second().
 void MeshSearch::look_at(std::int32_t one, std::int32_t two) {
   ++counters_.triangle_pairs;
-  other_.tree != nullptr ? look_at_triangles(one, two) : look_at_body(one);
+  if (other_.tree == nullptr) return look_at_body(one);
+  Vector3 from = normal_;
+  if (!(dot(from, from) > 0)) from = turned_.corner[0] - first_->tree().triangle(one).corner[0];
+  look_at_triangles(one, two, from);
 }
 
-void MeshSearch::look_at_triangles(std::int32_t one, std::int32_t two) {
+void MeshSearch::look_at_triangles(std::int32_t one, std::int32_t two, const Vector3& from) {
   const TriangleCorners &a = first_->tree().triangle(one), &b = turned_;
-  Vector3 from = normal_;
-  if (!(dot(from, from) > 0)) from = b.corner[0] - a.corner[0];
-  if (!(dot(from, from) > 0)) from = {1, 0, 0};
-  const TriangleDistance found =
-      triangle_distance(a, b, from, options_.tolerance * 0.5, target_ + margin_ + radii_);
+  const TriangleDistance found = triangle_distance(a, b, dot(from, from) > 0 ? from : Vector3{1, 0, 0},
+                                                   options_.tolerance * 0.5, target_ + margin_ + radii_);
   if (is_beyond(found.lower - radii_)) {
     passed_over_ = true;
     return;

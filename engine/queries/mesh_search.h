@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/kernels/kernel.h"
 #include "engine/meshes/box_tree.h"
 #include "engine/meshes/triangle_set.h"
 #include "engine/numerics/stopwatch.h"
@@ -16,7 +17,8 @@ namespace raygauge {
 
 /// The search for the nearest two triangles of two meshes, or for the triangle of a mesh that is nearest to a
 /// body or a half-space, in the frame of the first mesh. Pairs of boxes are taken depth first, the nearer one
-/// first.
+/// first: of two meshes eight at once, in single precision, as are pairs of triangles; what is not beyond the
+/// target then is looked at again.
 class MeshSearch {
  public:
   explicit MeshSearch(const DistanceOptions& options);
@@ -57,6 +59,18 @@ class MeshSearch {
     double lower;
   };
 
+  /// The same of boxes that are opened eight at once, as WideNode has them.
+  struct WidePair {
+    std::int32_t one, two, wide_one, wide_two;
+    float lower;
+  };
+
+  /// A triangle of a block, and how far it is from the box of another, at least.
+  struct BlockLane {
+    int lane;
+    float lower;
+  };
+
   void measure(double size_of_second);
   void begin(const PosedMesh& A1, const Pose* pose_2);
   void set_other(const Mesh& mesh);
@@ -64,6 +78,18 @@ class MeshSearch {
   void set_half_space(const HalfSpace& half_space);
   void place();
   void search(double enough, MeshWarmStart* warm);
+  void search_boxes();
+  void search_wide();
+  void note_out_of_time(double lower);
+  void open(const WidePair& pair);
+  void push_near(const WidePair& pair, const WideNode& node, unsigned lanes, const float* lower,
+                 bool of_first);
+  const PlacedBox& place_first(std::int32_t one);
+  const PlacedBox& place_second(std::int32_t two);
+  void look_at_blocks(const WidePair& pair);
+  int near_of_block(const WidePair& pair, bool of_first, BlockLane* near);
+  void add_lane(const TriangleBlock& one, int i, const TriangleBlock& two, int k);
+  void look_at_lanes();
   void look_around(MeshWarmStart* warm);
   void expand(const OpenPair& pair);
   void push(std::int32_t one, std::int32_t two);
@@ -73,7 +99,7 @@ class MeshSearch {
   void turn_second(std::int32_t two);
   void look_at(std::int32_t one, std::int32_t two);
   bool is_beyond(double lower) const noexcept { return lower - margin_ >= target_; }
-  void look_at_triangles(std::int32_t one, std::int32_t two);
+  void look_at_triangles(std::int32_t one, std::int32_t two, const Vector3& from);
   void look_at_body(std::int32_t one);
   void solve_precisely(std::int32_t one, std::int32_t two, const ConvexSet& second);
   void solve_generally(std::int32_t one, std::int32_t two, const ConvexSet& second);
@@ -84,6 +110,8 @@ class MeshSearch {
   void ask_points_of_second();
   void ask_points_of_first();
   void ask(const Mesh& solid, const Vector3& point);
+  void keep_nearest(MeshWarmStart* warm) const;
+  Separation separation_found(MeshWarmStart* warm) const;
   const ObjectDistance& finish(ObjectEffects effects, MeshWarmStart* warm);
   void write_points(ObjectEffects effects);
 
@@ -109,9 +137,22 @@ class MeshSearch {
   Matrix3 W_, R_;                    // first frame to world, second frame to first
   Vector3 w_, t_;
   double margin_ = 0;  // what is computed of lengths is within this of the truth
-  bool in_range_ = false;
+  bool in_range_ = false, in_single_range_ = false;
 
   std::vector<OpenPair> open_;
+  std::vector<WidePair> wide_open_;
+  const Kernels& kernels_;
+  Matrix3 back_R_;  // first frame to second
+  Vector3 back_t_;
+  double single_slack_ = 0;  // what is computed of boxes in single precision is less this
+  struct Placed {
+    std::int32_t node = -1;
+    PlacedBox box{};
+  };
+  Placed placed_[2];       // the last boxes of both meshes that others were compared with
+  TriangleLanes lanes_{};  // pairs of triangles that are to be looked at ...
+  std::int32_t lane_one_[TriangleLanes::kCount], lane_two_[TriangleLanes::kCount];  // ... their numbers
+  int lane_count_ = 0;
   double enough_ = 0;
   double target_ = 0;  // pairs at least this far apart are not looked at
   double lower_ = 0, upper_ = 0;

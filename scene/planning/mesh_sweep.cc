@@ -15,11 +15,7 @@ namespace {
 constexpr std::size_t kKept = 6;     // planes
 constexpr double kTolerance = 1e-2;  // of a distance of which the direction alone is used
 
-Vector3 vector_of(const float* v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
-
 Vector3 center_of(const BoxNode& box) { return vector_of(box.center); }
-
-double size_of(const BoxNode& box) { return double{std::max({box.half[0], box.half[1], box.half[2]})}; }
 
 double radius_of(const BoxNode& box) {
   const double x = double{box.half[0]}, y = double{box.half[1]}, z = double{box.half[2]};
@@ -103,7 +99,7 @@ bool MeshSweep::apart(const SweepMoments& moments, const Sagging& sagging, doubl
 
 void MeshSweep::open(const NodePair& pair) {
   const BoxNode &one = a_.node(pair.one), &two = b_.node(pair.two);
-  if (two.is_leaf() || (!one.is_leaf() && size_of(one) > size_of(two))) {
+  if (two.is_leaf() || (!one.is_leaf() && one.size() > two.size())) {
     open_.push_back({one.next, pair.two});
     open_.push_back({pair.one + 1, pair.two});
   } else {

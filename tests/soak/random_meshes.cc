@@ -131,17 +131,9 @@ DrawnMesh draw_mesh(RandomStream& stream) {
 
 Eigen::Matrix3d draw_rotation(RandomStream& stream) {
   const double kind = stream.uniform();
-  if (kind < 0.4) {  // by right angles, exactly
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    for (auto turns = stream.integer(0, 3); turns > 0; --turns) {
-      const auto k = stream.integer(0, 2);
-      Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-      turn(k, k) = 1;
-      turn((k + 1) % 3, (k + 2) % 3) = -1;
-      turn((k + 2) % 3, (k + 1) % 3) = 1;
-      R = turn * R;
-    }
-    return R;
+  if (kind < 0.4) {
+    return testing::right_turns(static_cast<int>(stream.integer(0, 3)),
+                                [&stream] { return static_cast<int>(stream.integer(0, 2)); });
   }
   const Vector3d axis = draw_direction(stream, 3);
   const double angle = kind < 0.5 ? std::pow(10.0, -between(stream, 1, 15)) : between(stream, 0, 6);

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <random>
 
 #include "raygauge/exceptions.h"
@@ -15,6 +16,7 @@
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
+#include "tests/engine/instruction_sets.h"
 #include "tests/mesh_truth.h"
 
 namespace raygauge::test_mesh_distance {
@@ -190,6 +192,36 @@ TEST(MeshDistance, AgreesWithThatOfConvexObjectsOfEveryKind) {
     EXPECT_EQ(r.status, truth.status);
     const Separation apart = solver.separation({mesh, at_1}, {body, at_2});
     EXPECT_EQ(apart == Separation::intersecting, truth.status == DistanceStatus::contains_origin);
+  }
+}
+
+// The search in single precision and the one for sizes beyond it.
+TEST(MeshDistance, OfEverySizeAndInstructionSetIsTheSame) {
+  std::mt19937_64 random(19);
+  const MeshShape torus = torus_shape(1, 0.3, 14, 9), box = box_shape(-kOne, kOne, 5);
+  for (int trial = 0; trial < 30; ++trial) {
+    const Pose at_1 = random_pose(random, 1), at_2 = random_pose(random, trial % 3 == 0 ? 3 : 1.2);
+    const BruteForce truth = brute_force(torus, at_1, box, at_2);
+    for (const InstructionSet isa : instruction_sets_here()) {
+      DistanceOptions options;
+      options.instruction_set = isa;
+      MeshDistanceSolver solver(options);
+      for (const int exponent : {-60, -21, -16, 0, 16, 23, 60}) {
+        const double scale = std::ldexp(1.0, exponent);
+        const auto scaled = [&](const MeshShape& shape) {
+          return Mesh(shape.vertices * scale, shape.triangles);
+        };
+        const auto moved = [&](const Pose& at) { return Pose(at.rotation(), at.translation() * scale); };
+        const Mesh one = scaled(torus), two = scaled(box);
+        const Pose there_1 = moved(at_1), there_2 = moved(at_2);
+        ObjectDistance answer = solver.solve({one, there_1}, {two, there_2});
+        answer.distance.lower /= scale;
+        answer.distance.upper /= scale;
+        expect_agreement(answer, truth);
+        const Separation apart = solver.separation({one, there_1}, {two, there_2});
+        EXPECT_EQ(apart, truth.meet ? Separation::intersecting : Separation::separated) << exponent;
+      }
+    }
   }
 }
 

@@ -54,16 +54,7 @@ Block draw_block() {
 }
 
 Eigen::Matrix3d draw_axes() {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  for (int turns = *rc::gen::inRange(0, 4); turns > 0; --turns) {
-    const int k = *rc::gen::inRange(0, 3);
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-    turn(k, k) = 1;
-    turn((k + 1) % 3, (k + 2) % 3) = -1;
-    turn((k + 2) % 3, (k + 1) % 3) = 1;
-    R = turn * R;
-  }
-  return R;
+  return right_turns(*rc::gen::inRange(0, 4), [] { return *rc::gen::inRange(0, 3); });
 }
 
 /// A turn about the axes, so that faces are coplanar and edges touch; or any turn.
