@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/sets/point_set.h"
@@ -40,7 +41,7 @@ class Centre {
     for (int step = 0; step < kSteps; ++step) {
       const Eigen::VectorXd r = sum();
       if (r.norm() <= kCentred * sum_of_lengths_) return true;
-      if (stopwatch.expired() || !improve(r)) return false;
+      if (stopwatch.expired() || !affords(stopwatch, operations()) || !improve(r)) return false;
       measure();
     }
     return false;
@@ -59,6 +60,12 @@ class Centre {
   }
 
  private:
+  // Of a step, in those that affords() counts: matrix kernels take a quarter of the time.
+  double operations() const {
+    constexpr double kQuarter = 0.25;
+    return kQuarter * n_ * n_ * (0.5 * static_cast<double>(points_.size) + n_);
+  }
+
   Eigen::VectorXd sum() {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(n_);
     kernels_.add_weighted(points_.blocks, points_.block_count, n_, 0, n_, weight_.data(), scratch_.data(),
@@ -77,7 +84,7 @@ class Centre {
     for (std::ptrdiff_t j = 0; j < points_.size; ++j) {
       const double* p = points_.blocks + j / PointSet::kLanes * n_ * PointSet::kLanes + j % PointSet::kLanes;
       double square = 0;
-      for (int k = 0; k < n_; ++k) square += p[k * PointSet::kLanes] * p[k * PointSet::kLanes];
+      for (std::ptrdiff_t k = 0; k < n_; ++k) square += p[k * PointSet::kLanes] * p[k * PointSet::kLanes];
       const double length = kRoundedUp * std::sqrt(square);
       sum_of_lengths_ += weight_[static_cast<std::size_t>(j)] * length;
       sum_of_squares_ += weight_[static_cast<std::size_t>(j)] * length * length;
@@ -93,7 +100,8 @@ class Centre {
     if (!gram_.factor()) return false;
     const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> G(gram_.data(), n_, n_,
                                                                        Eigen::OuterStride<>(gram_.rows()));
-    Eigen::VectorXd step = r;
+    Eigen::VectorXd step(n_);
+    step = r;
     G.triangularView<Eigen::Lower>().solveInPlace(step);
     G.triangularView<Eigen::Lower>().transpose().solveInPlace(step);
     const double change = largest_product(step);

@@ -80,15 +80,15 @@ inline bool CommonRay::are_on_one_ray(const std::vector<double>& a, double lengt
 
 // Of the first coordinate that is not zero, and the quotients of those after it by that one.
 inline std::vector<std::uint64_t> CommonRay::heads_of(const PricedPoints& points, int n) {
-  constexpr int kLooks = 4;
+  constexpr std::ptrdiff_t kLooks = 4;
   std::vector<std::uint64_t> heads(static_cast<std::size_t>(points.size));
   for (std::ptrdiff_t i = 0; i < points.size; ++i) {
     const double* p = points.blocks + i / PointSet::kLanes * n * PointSet::kLanes + i % PointSet::kLanes;
-    int first = 0;
+    std::ptrdiff_t first = 0;
     while (first < n - 1 && p[first * PointSet::kLanes] == 0) ++first;
     const double length = std::fabs(p[first * PointSet::kLanes]);
-    std::uint64_t key = mixed(kOdd, first);
-    for (int k = first; k < std::min(n, first + kLooks); ++k)
+    std::uint64_t key = mixed(kOdd, static_cast<double>(first));
+    for (std::ptrdiff_t k = first; k < std::min<std::ptrdiff_t>(n, first + kLooks); ++k)
       key = mixed(key, p[k * PointSet::kLanes] / length + 0.0);  // -0 becomes 0
     heads[static_cast<std::size_t>(i)] = key;
   }
