@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-// How long does it take to prove whether two primitives or small hulls are separated: in a batch, by each instruction set,
-// and by single tests?
+// How long does it take to prove whether two primitives or small hulls are separated: in a batch, by each
+// instruction set, and by single tests?
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

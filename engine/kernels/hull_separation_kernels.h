@@ -27,10 +27,10 @@
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
 
-constexpr double kFlatError = 0x1p-45;     // 256 u
-constexpr double kLeastSquare = 0x1p-700;  // of a direction: nothing that counts underflows
-constexpr double kNearOrigin = 0x1p-10;    // a v_0 nearer than so many S is no place to look from
-constexpr double kStraight = 0x1p-60;      // a square of a normal, in S⁴, is no direction
+constexpr double kFlatError = 0x1p-45;        // 256 u
+constexpr double kLeastDirection = 0x1p-700;  // of a direction: nothing that counts underflows
+constexpr double kNearOrigin = 0x1p-10;       // a v_0 nearer than so many S is no place to look from
+constexpr double kStraight = 0x1p-60;         // a square of a normal, in S⁴, is no direction
 constexpr int kRounds = 16;
 
 using Mask = decltype(Pack{} > Pack{});
@@ -79,7 +79,7 @@ class HullPair {
     constexpr double kUp = 1 + 0x1p-46;
     const Pack square = dot(n, n) * broadcast(kUp);
     const Mask apart =
-        (below * below > beyond_ * beyond_ * square * broadcast(kUp)) & (square > broadcast(kLeastSquare));
+        (below * below > beyond_ * beyond_ * square * broadcast(kUp)) & (square > broadcast(kLeastDirection));
     const unsigned new_ones = bits_of_lanes(apart) & ~are_apart_;
     if (lanes_->with_normals && new_ones != 0) normal_ = choose(apart & ~known_, -n, normal_);
     known_ |= apart;

@@ -24,12 +24,13 @@ using Eigen::Vector3d;
 
 constexpr int kLanes = BoxLanes::kCount;
 
-class EveryInstructionSet : public ::testing::TestWithParam<InstructionSet> {
+class MeshKernelsOnEveryInstructionSet : public ::testing::TestWithParam<InstructionSet> {
  protected:
   const Kernels& kernels() const { return kernels_for(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Machine, EveryInstructionSet, ::testing::ValuesIn(instruction_sets_here()),
+INSTANTIATE_TEST_SUITE_P(Machine, MeshKernelsOnEveryInstructionSet,
+                         ::testing::ValuesIn(instruction_sets_here()),
                          [](const auto& instance) { return std::string(to_string(instance.param)); });
 
 double number(std::mt19937_64& random) { return std::normal_distribution<double>()(random); }
@@ -107,7 +108,7 @@ double distance(const Box& one, const Box& two, const Pose& at_2) {
   return distance(one, shape_of(two), at_2);
 }
 
-TEST_P(EveryInstructionSet, BoundsTheDistancesOfBoxes) {
+TEST_P(MeshKernelsOnEveryInstructionSet, BoundsTheDistancesOfBoxes) {
   std::mt19937_64 random(5);
   int exact = 0;
   for (int round = 0; round < 150; ++round) {
@@ -139,7 +140,7 @@ TEST_P(EveryInstructionSet, BoundsTheDistancesOfBoxes) {
   EXPECT_GT(exact, 200);
 }
 
-TEST_P(EveryInstructionSet, SeesHowDeepBoxesOverlap) {
+TEST_P(MeshKernelsOnEveryInstructionSet, SeesHowDeepBoxesOverlap) {
   BoxLanes lanes{};
   Box other{{0, 0, 0}, {1, 1, 1}, Matrix3d::Identity()};
   for (int l = 0; l < kLanes; ++l) {
@@ -168,7 +169,7 @@ MeshShape random_triangle(std::mt19937_64& random, double size) {
   return shape;
 }
 
-TEST_P(EveryInstructionSet, BoundsTheDistancesOfBoxesAndTriangles) {
+TEST_P(MeshKernelsOnEveryInstructionSet, BoundsTheDistancesOfBoxesAndTriangles) {
   std::mt19937_64 random(7);
   int apart = 0, known = 0;
   for (int round = 0; round < 150; ++round) {
@@ -209,7 +210,7 @@ TEST_P(EveryInstructionSet, BoundsTheDistancesOfBoxesAndTriangles) {
 }
 
 // A plane across the triangle alone is between it and the box.
-TEST_P(EveryInstructionSet, SeparatesATriangleFromABoxAcrossIt) {
+TEST_P(MeshKernelsOnEveryInstructionSet, SeparatesATriangleFromABoxAcrossIt) {
   TriangleBlock block{};
   for (int l = 0; l < kLanes; ++l) {
     for (int c = 0; c < 3; ++c) {
@@ -263,7 +264,7 @@ struct Pairs {
   TriangleLanes lanes{};
 };
 
-TEST_P(EveryInstructionSet, BoundsTheDistancesOfTriangles) {
+TEST_P(MeshKernelsOnEveryInstructionSet, BoundsTheDistancesOfTriangles) {
   std::mt19937_64 random(11);
   int apart = 0, exact = 0;
   for (int round = 0; round < 400; ++round) {
@@ -284,7 +285,7 @@ TEST_P(EveryInstructionSet, BoundsTheDistancesOfTriangles) {
 }
 
 // One lane alone needs no other one; the last lanes are looked at when they are asked for.
-TEST_P(EveryInstructionSet, LooksAtTheFirstLanesOnly) {
+TEST_P(MeshKernelsOnEveryInstructionSet, LooksAtTheFirstLanesOnly) {
   std::mt19937_64 random(13);
   Pairs all(random);
   TriangleLanes few = all.lanes;
