@@ -183,7 +183,8 @@ MatrixNorms largest_sums(BasisView* basis) {
   double* sum_B = sum_R + P;
   const double norm_of_R = largest_entry(sum_R, P);
   // What rounding may have hidden, row by row: in |R| |B| of ones, where the norms' product is far more.
-  const double gamma = 1.01 * (kTerms + m / kTerms + 4) * 0x1p-53;
+  const int additions = kTerms + m / kTerms + 4;
+  const double gamma = 1.01 * additions * 0x1p-53;
   double* magnitudes = sum_R;
   multiply<0>(basis->R, P, m, sum_B, magnitudes, magnitude);
   for (int p = 0; p < P; p += kWidth) store(sum_E + p, load(sum_E + p) + gamma * load(magnitudes + p));

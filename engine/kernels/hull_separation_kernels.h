@@ -139,7 +139,7 @@ class HullPair {
 
   HullLanes* lanes_;
   int at_;
-  Triple apart_, normal_{};
+  Triple apart_{}, normal_{};
   Pack radius_, size_, error_, beyond_, inside_square_;
   Mask known_{};
   unsigned in_range_ = 0, are_apart_ = 0, do_meet_ = 0;
@@ -187,7 +187,7 @@ class PortalLanes {
 
  private:
   HullPair* pair_;
-  Triple v0_, v1_, v2_, v3_, n_;
+  Triple v0_, v1_{}, v2_{}, v3_{}, n_{};
   Mask portal_{};
 };
 
