@@ -155,6 +155,21 @@ TEST(DegenerateOptima, TheOriginInsideManyPointsIsProvenByTheInteriorPointMethod
   }
 }
 
+// A direction that has not come close enough to the plane that holds 37 points of Q: they are those below the
+// widest gap. It was open after 16000 basis changes.
+TEST(DegenerateOptima, PlanesOfPointsThatCannotBeReachedAreFoundByTheWidestGap) {
+  DistanceOptions options;
+  options.time_limit = 20;
+  DistanceSolver solver(options);
+  for (const std::int64_t entry : {1, 1000}) {
+    const Instance instance =
+        generate("hard_planted_unreachable", {1, 500, 750, 5}, {{"ties", 0.05}, {"entry", entry}});
+    const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
+    EXPECT_EQ(result.status, DistanceStatus::unreachable) << entry;
+    EXPECT_EQ(result.counters.pivots, 0) << entry;
+  }
+}
+
 // As many digits lost in the inverse of a basis as in 1e11: it took the simplex 20000 basis changes, or never
 // ended.
 TEST(DegenerateOptima, TheOriginInsideShearedPointsOfR500IsProvenWithoutBasisChanges) {

@@ -72,6 +72,7 @@ class Sifting {
   double bound_inside(double lower);
   void collect_carriers(bool with_Q);
   double farthest_of_Q(const double* u);
+  double widest_gap(const double* u);
   void note_inside(InteriorPoint::End end);
   bool certify_on_the_way(Effects effects, DistanceResult& result);
   bool certify_by_last_look(Effects effects, DistanceResult& result);
