@@ -35,7 +35,7 @@ void Basis::reset(int m, const Kernels& kernels) {
   std::memset(memory_.data(), 0, total * sizeof(double));
   std::memset(b_.data(), 0, static_cast<std::size_t>(P) * sizeof(double));
   view_ = {};
-  share_pivots_ = -1;
+  norms_pivots_ = -1;
   view_.m = m;
   view_.P = P;
   double* next = memory_.data();
@@ -59,7 +59,7 @@ void Basis::set_column(int i, const double* column, double cost, std::int64_t id
 }
 
 bool Basis::refactor() {
-  share_pivots_ = -1;
+  norms_pivots_ = -1;
   view_.pending = 0;
   if (!invert()) return false;
   const int m = view_.m;
@@ -131,11 +131,11 @@ MatrixNorms Basis::norms_together() {
   return kernels_->largest_sums(&view_);
 }
 
-double Basis::residual_share() {
-  if (share_pivots_ == view_.pivots) return share_;
-  share_ = (view_.m <= kTogether ? kernels_->norms(&view_) : norms_together()).residual;
-  share_pivots_ = view_.pivots;
-  return share_;
+const MatrixNorms& Basis::norms() {
+  if (norms_pivots_ == view_.pivots) return norms_;
+  norms_ = view_.m <= kTogether ? kernels_->norms(&view_) : norms_together();
+  norms_pivots_ = view_.pivots;
+  return norms_;
 }
 
 Enclosure Basis::enclose(bool refine) {

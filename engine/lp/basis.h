@@ -47,7 +47,10 @@ class Basis {
 
   /// ‖I - R B‖∞, every rounding error in it bounded. Below 1, B is proven regular. Computed once for an
   /// inverse.
-  double residual_share();
+  double residual_share() { return norms().residual; }
+
+  /// ‖R‖∞ as computed, at the price of residual_share().
+  double norm_of_inverse() { return norms().R; }
 
   BasisView& view() noexcept { return view_; }
   const BasisView& view() const noexcept { return view_; }
@@ -58,6 +61,7 @@ class Basis {
  private:
   bool invert();
   bool invert_together(double* M, int* exchanged) const;  // with helpers, of many columns
+  const MatrixNorms& norms();
   MatrixNorms norms_together();
 
   BasisView view_;
@@ -68,8 +72,8 @@ class Basis {
   AlignedBuffer<double> b_;
   AlignedBuffer<double> factor_;
   AlignedBuffer<int> exchanged_;
-  double share_ = 0;                // residual_share(),
-  std::int64_t share_pivots_ = -1;  // after so many basis changes; -1: of no inverse
+  MatrixNorms norms_;               // norms(),
+  std::int64_t norms_pivots_ = -1;  // after so many basis changes; -1: of no inverse
 };
 
 }  // namespace raygauge

@@ -196,7 +196,7 @@ double OptimalFace::enclose(Basis& basis, double error_of_b) {
     residual += 0x1p-100 * size;
   }
   if (!(share < 0.5) || !std::isfinite(residual)) return kInfinity;
-  const double norm = error_of_b > 0 ? kernels_->norms(&view).R : 0;
+  const double norm = error_of_b > 0 ? basis.norm_of_inverse() : 0;
   return kRoundedUp * (residual + norm * error_of_b) / (1 - share);
 }
 

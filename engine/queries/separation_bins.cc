@@ -189,7 +189,14 @@ void SeparationBins::place(Bin<Lanes>& bin, const Posed& one, const Posed& two, 
 void SeparationBins::add(const PosedPair& pair, std::size_t i) {
   const Kind kind_1 = kind_of(pair.first), kind_2 = kind_of(pair.second);
   if (kind_1 == Kind::other || kind_2 == Kind::other) return;
-  if (kind_1 == Kind::hull || kind_2 == Kind::hull) return add_hulls(pair, i);
+  if (kind_1 == Kind::hull || kind_2 == Kind::hull) {
+    const auto lane = static_cast<std::size_t>(hulls_.count);
+    points_[0][lane] = put_points(pair.first, kind_1, hulls_.lanes, 0, lane);
+    points_[1][lane] = put_points(pair.second, kind_2, hulls_.lanes, 1, lane);
+    if (hulls_.count + 1 == PairLanes::kCount) fill_up();
+    const double radius = radius_of(pair.first.set, kind_1) + radius_of(pair.second.set, kind_2);
+    return place(hulls_, pair.first, pair.second, radius, false, i);
+  }
   const bool box_1 = kind_1 == Kind::box, box_2 = kind_2 == Kind::box, swap = box_2 && !box_1;
   auto& bin = bins_[static_cast<std::size_t>(box_1) + static_cast<std::size_t>(box_2)];
   const Posed &one = swap ? pair.second : pair.first, &two = swap ? pair.first : pair.second;
@@ -197,16 +204,6 @@ void SeparationBins::add(const PosedPair& pair, std::size_t i) {
   const double radius_1 = put(one, swap ? kind_2 : kind_1, bin.lanes, 0, lane);
   const double radius_2 = put(two, swap ? kind_1 : kind_2, bin.lanes, 1, lane);
   place(bin, one, two, radius_1 + radius_2, swap, i);
-}
-
-void SeparationBins::add_hulls(const PosedPair& pair, std::size_t i) {
-  const Kind kind_1 = kind_of(pair.first), kind_2 = kind_of(pair.second);
-  const auto lane = static_cast<std::size_t>(hulls_.count);
-  points_[0][lane] = put_points(pair.first, kind_1, hulls_.lanes, 0, lane);
-  points_[1][lane] = put_points(pair.second, kind_2, hulls_.lanes, 1, lane);
-  if (hulls_.count + 1 == PairLanes::kCount) fill_up();
-  place(hulls_, pair.first, pair.second,
-        radius_of(pair.first.set, kind_1) + radius_of(pair.second.set, kind_2), false, i);
 }
 
 // Lanes with fewer points than others repeat their first one.

@@ -42,7 +42,6 @@ class SeparationBins {
   void begin(Bin<Lanes>& bin, void (*Kernels::*separate)(Lanes*));
   template <class Lanes>
   void place(Bin<Lanes>& bin, const Posed& one, const Posed& two, double radius, bool swapped, std::size_t i);
-  void add_hulls(const PosedPair& pair, std::size_t i);
   void fill_up();
   template <class Lanes>
   void decide(Bin<Lanes>& bin);

@@ -205,6 +205,16 @@ TEST(PairSeparations, AreRightOnALatticeWhereBodiesTouch) {
   }
 }
 
+// What the lanes leave open is undecided.
+std::vector<Separation> decided_in_lanes(const PrimitivePairs& pairs, InstructionSet isa) {
+  std::vector<Separation> outcome(pairs.size(), Separation::undecided);
+  SeparationBins bins(isa);
+  bins.begin({outcome, {}});
+  for (std::size_t i = 0; i < pairs.size(); ++i) bins.add(pairs.pairs[i], i);
+  bins.finish();
+  return outcome;
+}
+
 // Lanes alone: bodies that are a few rounding units apart, or in each other, or touch.
 TEST(SeparationKernels, ProveNothingFalseNextToContact) {
   for (const InstructionSet isa : instruction_sets_here()) {
@@ -291,11 +301,7 @@ TEST(SeparationKernels, ProveNothingFalseOfHullsNextToContact) {
 TEST(SeparationKernels, DecideNearlyAllPairsWithHulls) {
   const PrimitivePairs pairs = random_pairs(6000);
   for (const InstructionSet isa : instruction_sets_here()) {
-    std::vector<Separation> outcome(pairs.size(), Separation::undecided);
-    SeparationBins bins(isa);
-    bins.begin({outcome, {}});
-    for (std::size_t i = 0; i < pairs.size(); ++i) bins.add(pairs.pairs[i], i);
-    bins.finish();
+    const std::vector<Separation> outcome = decided_in_lanes(pairs, isa);
     int open = 0, all = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const bool hull = pairs.first[i].kind == Kind::hull || pairs.second[i].kind == Kind::hull;
@@ -357,11 +363,7 @@ TEST(SeparationKernels, DecideNearlyAllBoxesThatStandUpright) {
   }
   GrowthDistanceSolver alone(options_for(1));
   for (const InstructionSet isa : instruction_sets_here()) {
-    std::vector<Separation> outcome(pairs.size(), Separation::undecided);
-    SeparationBins bins(isa);
-    bins.begin({outcome, {}});
-    for (std::size_t i = 0; i < pairs.size(); ++i) bins.add(pairs.pairs[i], i);
-    bins.finish();
+    const std::vector<Separation> outcome = decided_in_lanes(pairs, isa);
     int open[3] = {0, 0, 0};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       open[i % 3] += outcome[i] == Separation::undecided ? 1 : 0;
