@@ -5,53 +5,77 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/affords.h"
 #include "engine/numerics/decompositions.h"
 
 namespace raygauge {
 namespace {
 
-constexpr double kSpan = 1e-15;  // the least entry of the diagonal of R, relative to the largest
+using Eigen::MatrixXd;
 
-// Rows first … first + size of W, in blocks; the last one is repeated where the last block has room.
-std::ptrdiff_t place(const Eigen::MatrixXd& W, Eigen::Index first, Eigen::Index size,
-                     AlignedBuffer<double>& out) {
+constexpr double kSpan = 1e-15;     // the least entry of the diagonal of R, relative to the largest
+constexpr double kSample = 1.5;     // points for each dimension that R is of
+constexpr Eigen::Index kTurn = 64;  // points that are turned between two looks at the clock
+
+// The points of both pools as columns.
+MatrixXd gathered(const ColumnPool& A, const ColumnPool& Q, int n) {
+  MatrixXd points(n, A.size() + Q.size());
+  for (Eigen::Index i = 0; i < A.size(); ++i) A.copy_point(i, points.col(i).data());
+  for (Eigen::Index i = 0; i < Q.size(); ++i) Q.copy_point(i, points.col(A.size() + i).data());
+  return points;
+}
+
+// `count` of the points, evenly spread, as rows.
+MatrixXd sample(const MatrixXd& points, Eigen::Index count) {
+  MatrixXd rows(count, points.rows());
+  for (Eigen::Index i = 0; i < count; ++i) rows.row(i) = points.col(i * points.cols() / count);
+  return rows;
+}
+
+// R of `count` of the points; empty where they do not span R^n, or nearly so, or there is no time.
+MatrixXd triangle(const MatrixXd& points, Eigen::Index count, const Stopwatch& stopwatch) {
+  const auto n = static_cast<double>(points.rows());
+  if (!affords(stopwatch, static_cast<double>(count) * n * n)) return {};
+  MatrixXd R = qr_triangle(sample(points, count));
+  const Eigen::VectorXd diagonal = R.diagonal().cwiseAbs();
+  if (!(diagonal.minCoeff() > kSpan * diagonal.maxCoeff())) return {};
+  return R / std::sqrt(static_cast<double>(count));
+}
+
+// Columns first … first + size of W, in blocks; the last one is repeated where the last block has room.
+std::ptrdiff_t place(const MatrixXd& W, Eigen::Index first, Eigen::Index size, AlignedBuffer<double>& out) {
   constexpr Eigen::Index kLanes = PointSet::kLanes;
-  const Eigen::Index blocks = (size + kLanes - 1) / kLanes, n = W.cols();
+  const Eigen::Index blocks = (size + kLanes - 1) / kLanes, n = W.rows();
   out.reserve(static_cast<std::size_t>(blocks * n * kLanes));
   for (Eigen::Index i = 0; i < blocks * kLanes; ++i) {
-    const Eigen::Index row = first + std::min(i, size - 1);
+    const Eigen::Index column = first + std::min(i, size - 1);
     double* lane = out.data() + i / kLanes * n * kLanes + i % kLanes;
-    for (Eigen::Index k = 0; k < n; ++k) lane[k * kLanes] = W(row, k);
+    for (Eigen::Index k = 0; k < n; ++k) lane[k * kLanes] = W(k, column);
   }
   return blocks;
 }
 
 }  // namespace
 
-bool WhitenedPoints::compute(const ColumnPool& A, const ColumnPool& Q, int n) {
+bool WhitenedPoints::compute(const ColumnPool& A, const ColumnPool& Q, int n, const Stopwatch& stopwatch) {
   n_ = n;
   size_A_ = A.size();
   size_Q_ = Q.size();
-  const Eigen::Index rows = size_A_ + size_Q_;
-  if (rows < n) return false;
-  Eigen::MatrixXd P(rows, n);
-  Eigen::VectorXd point(n);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    if (i < size_A_) {
-      A.copy_point(i, point.data());
-    } else {
-      Q.copy_point(i - size_A_, point.data());
-    }
-    P.row(i) = point;
+  const Eigen::Index all = size_A_ + size_Q_;
+  if (all < n) return false;
+  MatrixXd points = gathered(A, Q, n);
+  const Eigen::Index few = std::min(all, static_cast<Eigen::Index>(std::ceil(kSample * n)));
+  MatrixXd R = triangle(points, few, stopwatch);
+  if (R.size() == 0 && few < all) R = triangle(points, all, stopwatch);
+  if (R.size() == 0) return false;
+  for (Eigen::Index i = 0; i < all; i += kTurn) {
+    if (stopwatch.expired()) return false;
+    auto some = points.middleCols(i, std::min(kTurn, all - i));
+    R.transpose().triangularView<Eigen::Lower>().solveInPlace(some);
   }
-  const auto triangle = orthonormalise(P, kSpan);
-  if (!triangle) return false;
-  const double size = std::sqrt(static_cast<double>(rows));
-  R_.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-  Eigen::Map<Eigen::MatrixXd>(R_.data(), n, n) = *triangle / size;
-  P *= size;
-  blocks_A_ = place(P, 0, size_A_, A_);
-  blocks_Q_ = place(P, size_A_, size_Q_, Q_);
+  R_.assign(R.data(), R.data() + R.size());
+  blocks_A_ = place(points, 0, size_A_, A_);
+  blocks_Q_ = place(points, size_A_, size_Q_, Q_);
   return true;
 }
 

@@ -8,17 +8,17 @@
 #include "engine/kernels/kernel.h"
 #include "engine/lp/column_pool.h"
 #include "engine/numerics/aligned_buffer.h"
+#include "engine/numerics/stopwatch.h"
 
 namespace raygauge {
 
-/// The points of two pools after a linear map that makes Σ p pᵀ over both of them a multiple of the unit
-/// matrix: a shear of both sets leaves the distance as it is, and normal equations without digits. With the
-/// points as the rows of P = W R, W with orthogonal columns (Householder), the rows of W are the points here,
-/// and u·p = (R u)·w.
+/// The points of two pools after a linear map that makes them round: a shear of both sets leaves the distance
+/// as it is, and normal equations without digits. With evenly chosen points, 1.5 for each dimension, as the
+/// rows of W R, W with orthogonal columns (Householder), the points here are w = R⁻ᵀ p, and u·p = (R u)·w.
 class WhitenedPoints {
  public:
-  /// False where the points do not span R^n, or nearly so.
-  bool compute(const ColumnPool& A, const ColumnPool& Q, int n);
+  /// False where the points do not span R^n, or nearly so, and where the time is over.
+  bool compute(const ColumnPool& A, const ColumnPool& Q, int n, const Stopwatch& stopwatch);
 
   /// Until the next compute().
   PricedPoints A() const noexcept { return {A_.data(), blocks_A_, nullptr, 0, size_A_}; }

@@ -13,10 +13,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-MatrixXd triangle_of(const Eigen::HouseholderQR<MatrixXd>& qr) {
-  return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
-}
-
 }  // namespace
 
 MatrixXd lu_inverse(const MatrixXd& M) { return M.partialPivLu().inverse(); }
@@ -35,15 +31,9 @@ double least_eigenvalue(const MatrixXd& M) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-MatrixXd qr_triangle(const MatrixXd& M) { return triangle_of(Eigen::HouseholderQR<MatrixXd>(M)); }
-
-std::optional<MatrixXd> orthonormalise(MatrixXd& M, double span) {
+MatrixXd qr_triangle(const MatrixXd& M) {
   const Eigen::HouseholderQR<MatrixXd> qr(M);
-  const Eigen::VectorXd diagonal = qr.matrixQR().diagonal().cwiseAbs();
-  if (!(diagonal.minCoeff() > span * diagonal.maxCoeff())) return {};
-  M.setIdentity();
-  M.applyOnTheLeft(qr.householderQ());
-  return triangle_of(qr);
+  return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
 }
 
 RightSingular right_singular(const MatrixXd& M) {

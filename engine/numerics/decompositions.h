@@ -27,10 +27,6 @@ double least_eigenvalue(const Eigen::MatrixXd& M);
 /// R, upper triangular, of M = W R by Householder reflections, M with at least as many rows as columns.
 Eigen::MatrixXd qr_triangle(const Eigen::MatrixXd& M);
 
-/// M becomes the W of M = W R, and R is returned; empty, with M as it was, unless min |R_ii| > span · max
-/// |R_ii|.
-std::optional<Eigen::MatrixXd> orthonormalise(Eigen::MatrixXd& M, double span);
-
 /// M = U diag(σ) Vᵀ, σ falling.
 struct RightSingular {
   Eigen::VectorXd values;   ///< σ

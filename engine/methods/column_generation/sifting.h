@@ -67,7 +67,6 @@ class Sifting {
   bool is_complete() const noexcept { return working_A_.is_complete() && working_Q_.is_complete(); }
   bool interior_may_help(PrimalSimplex::End end) const noexcept;
   void solve_inside(const double* guess);
-  bool whiten();
   bool finish_inside(Effects effects, DistanceResult& result);
   double bound_inside(double lower);
   void collect_carriers(bool with_Q);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/lp/affords.h"
 #include "engine/methods/column_generation/sifting.h"
 #include "engine/numerics/floating_point.h"
 
@@ -20,7 +19,6 @@ constexpr double kNearlyZero = 1e-6;
 
 // An interior-point method that fails so soon fails for the condition of the points, not of the problem.
 constexpr std::int64_t kFewIterations = 12;
-constexpr double kWhitening = 3;  // operations for each point and n², in those of kernels
 
 // A weight above carries, others are zero but for rounding: of most bases, and of those that a shear has left
 // so ill-conditioned that weights of 1e-4 are rounding.
@@ -65,7 +63,7 @@ void Sifting::solve_inside(const double* guess) {
   InteriorPoint::End end =
       interior_.solve(working_A_.view(), working_Q_.view(), n_, guess, *kernels_, *stopwatch_);
   const bool soon = interior_.iterations() < kFewIterations && !stopwatch_->expired();
-  if (end == InteriorPoint::End::failed && soon && whiten())
+  if (end == InteriorPoint::End::failed && soon && whitened_.compute(working_A_, working_Q_, n_, *stopwatch_))
     end = interior_.solve_whitened(whitened_, n_, guess, *kernels_, *stopwatch_);
   note_inside(end);
 }
@@ -106,11 +104,6 @@ bool Sifting::certify_on_the_way(Effects effects, DistanceResult& result) {
     }
   }
   return true;
-}
-
-bool Sifting::whiten() {
-  const auto points = static_cast<double>(working_A_.size() + working_Q_.size());
-  return affords(*stopwatch_, kWhitening * points * n_ * n_) && whitened_.compute(working_A_, working_Q_, n_);
 }
 
 // The lower bound of the interior-point method's normal where that is better than `lower`, the one of the
