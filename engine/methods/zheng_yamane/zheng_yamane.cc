@@ -14,11 +14,12 @@ constexpr int kAttemptsToClose = 8;  // outer iterations that pass the published
 constexpr int kPatience = 3;  // outer iterations that do not raise the bound: rounding has the last word
 // A ray is left where a bound so many times its η turns up: a quarter of the iterations on the grid of the
 // paper, half of them at n = 50 to 200, where shorter rays would be left too often. Where that happens so
-// often in a row, no multiple of Q may reach A, and there is a Farkas direction to be found.
+// often in a row, or with such an η, no multiple of Q may reach A: a Farkas direction is to be found.
 constexpr double kOvertakingInFew = 1.3;  // of point sets
 constexpr double kOvertakingInMany = 2;
 constexpr int kManyDimensions = 16;
 constexpr int kMostOvertaken = 16;
+constexpr double kFarthest = 1e3;  // of sets of magnitude 1
 // The first ray, at an η far from the distance, is shot this loosely: its end would be left at the next η
 // anyway.
 constexpr double kFirstRayTolerance = 0.03;
@@ -102,7 +103,8 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
     return Step::done;
   }
   overtaken_ = end == RayShooter::End::overtaken ? overtaken_ + 1 : 0;
-  if (overtaken_ > 0) return overtaken_ > kMostOvertaken ? Step::give_up : Step::go_on;
+  if (overtaken_ > 0)
+    return overtaken_ > kMostOvertaken || eta_next_ > kFarthest ? Step::give_up : Step::go_on;
   if (end != RayShooter::End::hit) {
     status_ =
         end == RayShooter::End::time_limit ? DistanceStatus::time_limit : DistanceStatus::iteration_limit;
