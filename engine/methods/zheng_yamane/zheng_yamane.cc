@@ -19,7 +19,7 @@ constexpr double kOvertakingInFew = 1.3;  // of point sets
 constexpr double kOvertakingInMany = 2;
 constexpr int kManyDimensions = 16;
 constexpr int kMostOvertaken = 16;
-constexpr double kFarthest = 1e3;  // of sets of magnitude 1
+constexpr double kFarthest = 1e9;  // of sets of magnitude 1
 // The first ray, at an η far from the distance, is shot this loosely: its end would be left at the next η
 // anyway.
 constexpr double kFirstRayTolerance = 0.03;
