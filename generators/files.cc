@@ -44,14 +44,28 @@ struct FilePair::Kept {
 FilePair::FilePair(std::shared_ptr<FileAccess> files, Parameters parameters)
     : files_(std::move(files)), parameters_(std::move(parameters)), kept_(std::make_shared<Kept>()) {}
 
+FileFormat FilePair::format() const {
+  return {boolean_parameter(parameters_, "skip_header"), boolean_parameter(parameters_, "stream")};
+}
+
 SetFacts FilePair::facts(const std::string& role) const {
-  return files_->facts(string_parameter(parameters_, role), boolean_parameter(parameters_, "skip_header"));
+  return files_->facts(string_parameter(parameters_, role), format());
+}
+
+bool FilePair::is_moved(const std::string& role) const {
+  return real_parameter(parameters_, "scale_" + role) != 1 ||
+         boolean_parameter(parameters_, "center_" + role) ||
+         !string_parameter(parameters_, "pose_" + role).empty();
 }
 
 void FilePair::check() const {
   for (const std::string role : {"A", "Q"}) {
     const std::string pose = string_parameter(parameters_, "pose_" + role);
-    if (!pose.empty()) files_->pose(pose, facts(role).n);
+    const SetFacts known = facts(role);
+    if (!pose.empty()) files_->pose(pose, known.n);
+    if (known.streamed && is_moved(role))
+      throw InvalidParameterError("'" + string_parameter(parameters_, role) +
+                                  "' is streamed and stays where it is: no scale, centre or pose");
   }
   const int n_A = facts_of_A().n;
   const int n_Q = facts_of_Q().n;
@@ -62,13 +76,12 @@ void FilePair::check() const {
 }
 
 std::shared_ptr<const ConvexSet> FilePair::placed(const std::string& role) const {
-  std::shared_ptr<const ConvexSet> S =
-      files_->read(string_parameter(parameters_, role), boolean_parameter(parameters_, "skip_header"));
+  std::shared_ptr<const ConvexSet> S = files_->read(string_parameter(parameters_, role), format());
   const int n = S->dimension();
+  if (!is_moved(role)) return S;
   const double scale = real_parameter(parameters_, "scale_" + role);
   const bool centred = boolean_parameter(parameters_, "center_" + role);
   const std::string pose_text = string_parameter(parameters_, "pose_" + role);
-  if (scale == 1 && !centred && pose_text.empty()) return S;
   const Pose pose = pose_text.empty() ? Pose(n) : files_->pose(pose_text, n);
   const Eigen::MatrixXd M = scale * pose.rotation();
   const Vector centre = centred ? S->center() : Vector::Zero(n);
@@ -102,7 +115,8 @@ Instance FilePair::generate(const InstanceKey& key) const {
 Component<Generator> files_generator(std::shared_ptr<FileAccess> files) {
   std::vector<ParameterInfo> parameters = {
       {"pair", std::string(), {}, {}, "name of the pair", {}},
-      {"skip_header", false, {}, {}, "the first line of a text file is a heading", {}}};
+      {"skip_header", false, {}, {}, "the first line of a text file is a heading", {}},
+      {"stream", false, {}, {}, "datasets are read by passes over them", {}}};
   for (const char* role : {"A", "Q"}) {
     for (ParameterInfo& info : parameters_of(role)) parameters.push_back(std::move(info));
   }

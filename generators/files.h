@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,6 +18,15 @@ struct SetFacts {
   int n = 0;
   int N = 1;  ///< points; 1 for a set that is none of points
   std::uint64_t digest = 0;
+  bool streamed = false;  ///< not in memory: see StreamedHull
+};
+
+/// How a file of points is read.
+struct FileFormat {
+  bool skip_header = false;  ///< the first line of a text is a heading
+  bool stream = false;       ///< datasets by passes over them, where that can be done
+
+  auto operator<=>(const FileFormat&) const = default;
 };
 
 /// How files are reached: this room reads none. Implementations are shared between threads.
@@ -26,8 +36,8 @@ class FileAccess {
 
   /// These throw Error, with the name of the file, for one that cannot be read or has changed since its facts
   /// were first asked for.
-  virtual SetFacts facts(const std::string& source, bool skip_header) = 0;
-  virtual std::shared_ptr<const ConvexSet> read(const std::string& source, bool skip_header) = 0;
+  virtual SetFacts facts(const std::string& source, FileFormat format) = 0;
+  virtual std::shared_ptr<const ConvexSet> read(const std::string& source, FileFormat format) = 0;
 
   /// The pose of R^n that a text describes.
   virtual Pose pose(const std::string& text, int n) = 0;
@@ -59,7 +69,9 @@ class FilePair final : public Generator {
   void check() const;
 
  private:
+  FileFormat format() const;
   SetFacts facts(const std::string& role) const;
+  bool is_moved(const std::string& role) const;
   std::shared_ptr<const ConvexSet> placed(const std::string& role) const;
   std::shared_ptr<const ConvexSet> kept(const std::string& role,
                                         std::weak_ptr<const ConvexSet>& earlier) const;

@@ -24,6 +24,7 @@
 #include "cli/input/set_file.h"
 #include "cli/input/set_source.h"
 #include "cli/input/shapes.h"
+#include "cli/input/streamed_source.h"
 #include "cli/output/distance_report.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/options.h"
@@ -145,21 +146,6 @@ Instance read_instance(const DistanceArguments& arguments) {
       described(arguments.Q, *instance.Q));
 }
 
-// Where A or Q is a dataset too large for memory.
-std::optional<DistanceReport> run_streamed(const DistanceArguments& arguments) {
-  const std::unique_ptr<PointStream> streams[] = {open_stream(arguments.A), open_stream(arguments.Q)};
-  if (streams[0] == nullptr && streams[1] == nullptr) return std::nullopt;
-  Notes notes;
-  const auto source = [&](const std::string& name, PointStream* stream) {
-    SetPointer set = stream == nullptr ? read_set_source(name, arguments.format, &notes) : nullptr;
-    return StreamedDistance::Source{std::move(set), stream};
-  };
-  const StreamedDistance::Source A = source(arguments.A, streams[0].get());
-  const StreamedDistance::Source Q = source(arguments.Q, streams[1].get());
-  print_notes(notes);
-  return answer_streamed(arguments.query, A, Q);
-}
-
 int exit_status(DistanceStatus status) {
   switch (status) {
     case DistanceStatus::optimal:
@@ -209,8 +195,8 @@ int run(DistanceArguments arguments) {
   check_options(query.options);
   check_sources(arguments);
   if (arguments.between) return run_between(arguments, methods);
-  const std::optional<DistanceReport> by_passes = can_stream(query) ? run_streamed(arguments) : std::nullopt;
-  const DistanceReport report = by_passes ? *by_passes : answer(query, read_instance(arguments), methods);
+  if (may_stream(query)) arguments.format.streamed_from = kStreamedFrom;
+  const DistanceReport report = answer(query, read_instance(arguments), methods);
   const std::string text = arguments.json ? json_text(distance_json(report)) + "\n" : distance_text(report);
   std::fputs(text.c_str(), stdout);
   return exit_status(report.result.status);

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "engine/queries/streamed_hull.h"
 #include "engine/sweep/limited_load.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
-#include "results/schema/row_stream.h"
 
 namespace raygauge::cli {
 namespace {
@@ -74,11 +74,16 @@ OriginInInterior precondition_of(const ConvexSet& Q, const DistanceResult& resul
   using Answer = OriginInInterior::Answer;
   if (result.status == DistanceStatus::unreachable) return {Answer::violated, result.normal};
   if (const PointSet* points = as_point_set(Q)) return origin_in_interior(*points, seconds);
+  if (const StreamedHull* hull = as_streamed_hull(Q)) {
+    const OriginInInterior some = origin_in_interior(hull->beginning(), seconds);
+    return some.answer == Answer::holds ? some : OriginInInterior{Answer::unknown, {}};
+  }
   const Vector origin = Vector::Zero(Q.dimension());
   return {Q.inner_radius_unchecked(origin.data()) > 0 ? Answer::holds : Answer::unknown, {}};
 }
 
 ReportedSet reported(const ConvexSet& set) {
+  if (const StreamedHull* hull = as_streamed_hull(set)) return {set.structure(), hull->size()};
   const PointSet* points = as_point_set(set);
   return {set.structure(), points == nullptr ? 0 : points->size()};
 }
@@ -106,46 +111,8 @@ DistanceReport answer(const DistanceQuery& query, const Instance& instance, cons
   return report;
 }
 
-std::unique_ptr<PointStream> open_stream(const std::string& source) {
-  constexpr double kInMemory = 1 << 28;  // bytes
-  const auto reference = parse_dataset_reference(source);
-  if (!reference) return nullptr;
-  std::optional<StoredRows> rows = find_stored_rows(*reference);
-  if (!rows || static_cast<double>(rows->rows) * rows->columns * sizeof(double) < kInMemory) return nullptr;
-  return std::make_unique<RowStream>(std::move(*rows));
-}
-
-bool can_stream(const DistanceQuery& query) {
-  const bool suits = query.method == to_string(DistanceMethod::automatic) ||
-                     query.method == to_string(DistanceMethod::column_generation);
-  return suits && query.options.max_iterations == 0 && query.options.stop_rule == StopRule::certified_gap;
-}
-
-DistanceReport answer_streamed(const DistanceQuery& query, const StreamedDistance::Source& A,
-                               const StreamedDistance::Source& Q) {
-  DistanceReport report;
-  report.tolerance = query.options.tolerance;
-  report.witness = query.witness;
-  const auto start = std::chrono::steady_clock::now();
-  DistanceOptions options = query.options;
-  if (const auto method = engine_method(query.method)) options.method = *method;
-  StreamedDistance streamed(A, Q, options);
-  report.method = query.method == to_string(DistanceMethod::automatic)
-                      ? std::string(to_string(method_for(*streamed.Q())))
-                      : query.method;
-  report.result = streamed.solve(query.witness ? Effects::witness : Effects::none);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.n = streamed.A()->dimension();
-  const auto described = [](const StreamedDistance::Source& source, const ConvexSet& set) {
-    return source.stream == nullptr ? reported(set)
-                                    : ReportedSet{SupportStructure::polytope, source.stream->size()};
-  };
-  report.A = described(A, *streamed.A());
-  report.Q = described(Q, *streamed.Q());
-  const double seconds = seconds_for_check(query.options.time_limit, report.seconds);
-  report.check_seconds =
-      seconds_of([&] { report.precondition = precondition_of(*streamed.Q(), report.result, seconds); });
-  return report;
+bool may_stream(const DistanceQuery& query) {
+  return query.method == to_string(DistanceMethod::automatic) || engine_method(query.method).has_value();
 }
 
 }  // namespace raygauge::cli

@@ -123,7 +123,7 @@ void check_own_column(const std::string& name, const std::string& place) {
   });
   const bool reserved = name.starts_with("scale_") || name.starts_with("center_") ||
                         name.starts_with("pose_") || name.starts_with("content_") ||
-                        name.starts_with("exact_") || name == "skip_header";
+                        name.starts_with("exact_") || name == "skip_header" || name == "stream";
   if (only_case || reserved) throw UnknownNameError("column", name, known, place);
   if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0 ||
       name.find_first_not_of(kLetters) != std::string::npos)
@@ -279,12 +279,14 @@ std::vector<GeneratorSpec> read_file_pairs(const toml::table& entry, const fs::p
       refuse(*node, std::string("generator 'files' takes ") + axis + " from its files");
   }
   std::vector<std::string> known = kMoves;
-  known.insert(known.end(), {"name", "A", "Q", "files", "pairs", "paired", "skip_header"});
+  known.insert(known.end(), {"name", "A", "Q", "files", "pairs", "paired", "skip_header", "stream"});
   reject_unknown_keys(entry, "key of generator 'files'", known);
   std::vector<Pair> pairs = unmoved_pairs(entry, folder);
-  if (const toml::node* skip = entry.get("skip_header")) {
-    const bool value = read_boolean(*skip, "generator.skip_header");
-    for (Pair& pair : pairs) pair.parameters["skip_header"] = value;
+  for (const std::string key : {"skip_header", "stream"}) {
+    const toml::node* given = entry.get(key);
+    if (given == nullptr) continue;
+    const bool value = read_boolean(*given, "generator." + key);
+    for (Pair& pair : pairs) pair.parameters[key] = value;
   }
   for (const std::string& key : kMoves) {
     if (const toml::node* node = entry.get(key)) pairs = swept(pairs, key, *node);

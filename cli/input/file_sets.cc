@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/file_sets.h"
 
+#include <unistd.h>
+
 #include <cstddef>
 #include <limits>
 
@@ -10,6 +12,7 @@
 #include "cli/input/set_source.h"
 #include "cli/input/toml_keys.h"
 #include "cli/input/toml_values.h"
+#include "engine/queries/streamed_hull.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
 
@@ -22,11 +25,18 @@ constexpr std::size_t kMostRecent = 24;
 SetFacts facts_of(const DigestedSet& read, const std::string& path) {
   SetFacts facts{read.set->dimension(), 1, read.digest};
   const PointSet* points = as_point_set(*read.set);
-  if (points == nullptr) return facts;
-  if (points->size() > std::numeric_limits<int>::max())
+  const StreamedHull* streamed = as_streamed_hull(*read.set);
+  if (points == nullptr && streamed == nullptr) return facts;
+  const std::ptrdiff_t size = points != nullptr ? points->size() : streamed->size();
+  if (size > std::numeric_limits<int>::max())
     throw InvalidParameterError(path + ": more points than a sweep can have");
-  facts.N = static_cast<int>(points->size());
+  facts.N = static_cast<int>(size);
+  facts.streamed = streamed != nullptr;
   return facts;
+}
+
+double half_of_memory() {
+  return 0.5 * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
 std::string number_text(const toml::node& node, const std::string& key) {
@@ -49,7 +59,8 @@ FileSets::Entry& FileSets::load(const Key& key, SetPointer& held) {
   held = entry.set.lock();
   if (held != nullptr) return entry;
   const std::string path = (folder_ / key.first).string();
-  const DigestedSet read = read_digested_set(path, {key.second, "skip_header = true"});
+  const DigestedSet read = read_digested_set(
+      path, {key.second.skip_header, "skip_header = true", key.second.stream ? 0 : half_of_memory()});
   const SetFacts facts = facts_of(read, path);
   const bool known = entry.facts.n > 0;
   if (known && facts.digest != entry.facts.digest)
@@ -61,18 +72,18 @@ FileSets::Entry& FileSets::load(const Key& key, SetPointer& held) {
   return entry;
 }
 
-SetFacts FileSets::facts(const std::string& source, bool skip_header) {
+SetFacts FileSets::facts(const std::string& source, FileFormat format) {
   const std::lock_guard lock(mutex_);
-  const auto known = entries_.find({source, skip_header});
+  const auto known = entries_.find({source, format});
   if (known != entries_.end() && known->second.facts.n > 0) return known->second.facts;
   SetPointer held;
-  return load({source, skip_header}, held).facts;
+  return load({source, format}, held).facts;
 }
 
-std::shared_ptr<const ConvexSet> FileSets::read(const std::string& source, bool skip_header) {
+std::shared_ptr<const ConvexSet> FileSets::read(const std::string& source, FileFormat format) {
   const std::lock_guard lock(mutex_);
   SetPointer held;
-  load({source, skip_header}, held);
+  load({source, format}, held);
   return held;
 }
 

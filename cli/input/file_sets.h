@@ -23,8 +23,8 @@ class FileSets final : public FileAccess {
   /// Relative names start at `folder`.
   explicit FileSets(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  SetFacts facts(const std::string& source, bool skip_header) override;
-  std::shared_ptr<const ConvexSet> read(const std::string& source, bool skip_header) override;
+  SetFacts facts(const std::string& source, FileFormat format) override;
+  std::shared_ptr<const ConvexSet> read(const std::string& source, FileFormat format) override;
   Pose pose(const std::string& text, int n) override;
 
  private:
@@ -32,7 +32,7 @@ class FileSets final : public FileAccess {
     SetFacts facts;
     std::weak_ptr<const ConvexSet> set;
   };
-  using Key = std::pair<std::string, bool>;
+  using Key = std::pair<std::string, FileFormat>;
 
   /// The entry of a set that is in memory, for as long as `held` lives.
   Entry& load(const Key& key, SetPointer& held);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,7 @@ struct PointFormat {
   bool skip_header = false;  ///< the first line with content is a heading, unless it begins with a number
   std::string header_option =
       {};  ///< what skips a heading where the text comes from, for messages; "": nothing
+  double streamed_from = std::numeric_limits<double>::infinity();  ///< bytes of a dataset: see open_streamed
 };
 
 /// The points that a text holds, one a line, as the columns of an n × N matrix.

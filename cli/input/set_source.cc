@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "cli/input/input_file.h"
 #include "cli/input/point_source.h"
 #include "cli/input/set_file.h"
+#include "cli/input/streamed_source.h"
 #include "generators/random.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
@@ -43,6 +45,10 @@ class SetReader {
       throw InvalidParameterError(source + ": more than " + std::to_string(kDeepestSet) +
                                   " set files inside one another");
     if (is_set_file(source)) return read_described(source, open);
+    if (open.empty() && format_.streamed_from < std::numeric_limits<double>::infinity()) {
+      if (SetPointer hull = open_streamed(source, format_.streamed_from))
+        return {hull, digests_ ? digest_of_streamed(*hull) : 0};
+    }
     const Eigen::MatrixXd points = read_point_source(source, format_, notes_);
     return {std::make_shared<PointSet>(points), digests_ ? digest_of(points) : 0};
   }

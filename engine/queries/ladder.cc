@@ -7,6 +7,8 @@
 #include <iterator>
 
 #include "engine/numerics/floating_point.h"
+#include "engine/queries/streamed_distance.h"
+#include "engine/queries/streamed_hull.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/exceptions.h"
@@ -24,6 +26,12 @@ constexpr unsigned kGauge = bits(Question::gauge), kDistance = bits(Question::di
 
 // Whether a rung is due.
 struct Ladder::Due {
+  static bool streamed(const Ladder& /*ladder*/, const Ask& ask) {
+    const auto is = [](const Posed& body) {
+      return body.pose == nullptr && as_streamed_hull(body.set) != nullptr;
+    };
+    return is(ask.first) || is(ask.second);
+  }
   static bool always(const Ladder& /*ladder*/, const Ask& /*ask*/) { return true; }
   static bool open_to_bodies(const Ladder& ladder, const Ask& /*ask*/) {
     return ladder.options_.method != DistanceMethod::zheng_yamane && ladder.options_.max_iterations == 0;
@@ -109,6 +117,8 @@ using Id = MethodId;
 }  // namespace
 
 constexpr Ladder::Rung Ladder::kRungs[] = {
+    {kGauge, Group::bodies, &Due::streamed, &Solve::by_passes,  //
+     "passes", "that of the rungs for working sets", "A or Q is a hull of points that memory does not hold"},
     {kDistance, Group::bodies, &Due::known_overlap, &Solve::depth,  //
      "depth", kBodies, "the depth is asked for, and the solve of the pair before found one"},
     {kDistance, Group::bodies, &Due::body_distance, &Solve::body_distance,  //
@@ -254,6 +264,12 @@ void Ladder::tighten(const Ask& ask) {
   if (higher) result.normal = Vector::Map(ask.proven.normal, ask.first.dimension());
   const DistanceStatus status = bounds.close(options_.tolerance) ? DistanceStatus::optimal : result.status;
   write_bounds(bounds, std::min(result.distance, std::numeric_limits<double>::max()), status, result);
+}
+
+bool Ladder::Solve::by_passes(Ladder& ladder, Ask& ask) {
+  StreamedDistance streamed(ask.first.set, ask.second.set, ladder.options_, &ladder.stop_);
+  ladder.answer_.distance = streamed.solve(ask.effects);
+  return true;
 }
 
 bool Ladder::Solve::body_distance(Ladder& ladder, Ask& ask) {

@@ -118,6 +118,7 @@ class Ladder {
 
 // Each is true where it has answered the question.
 struct Ladder::Solve {
+  static bool by_passes(Ladder& ladder, Ask& ask);
   static bool body_distance(Ladder& ladder, Ask& ask);
   static bool body_growth(Ladder& ladder, Ask& ask);
   static bool mesh(Ladder& ladder, Ask& ask);

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "engine/proof/bounds.h"
 #include "engine/proof/certificate.h"
-#include "raygauge/exceptions.h"
+#include "engine/queries/streamed_hull.h"
 
 namespace raygauge {
 namespace {
@@ -30,28 +29,30 @@ bool is_concluded(DistanceStatus status) {
 
 }  // namespace
 
-StreamedDistance::StreamedDistance(const Source& A, const Source& Q, const DistanceOptions& options)
-    : options_(options) {
-  const Source* sources[] = {&A, &Q};
+StreamedDistance::StreamedDistance(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                                   const std::function<bool()>* stop)
+    : options_(options), stop_(stop) {
+  const ConvexSet* sets[] = {&A, &Q};
   for (int t = 0; t < 2; ++t) {
-    side_[t].set = sources[t]->set;
+    side_[t].set = sets[t];
     side_[t].sign = t == 0 ? 1.0 : -1.0;
-    if (sources[t]->stream == nullptr) continue;
-    side_[t].streamed = std::make_unique<StreamedSet>(*sources[t]->stream);
-    side_[t].set = side_[t].streamed->working_set();
+    if (const StreamedHull* hull = as_streamed_hull(*sets[t]))
+      side_[t].streamed = std::make_unique<StreamedSet>(hull->stream());
+    take_working_set(side_[t]);
   }
-  const int n_A = side_[0].set->dimension(), n_Q = side_[1].set->dimension();
-  if (n_A != n_Q) {
-    throw DimensionMismatchError("A and Q must have the same dimension: A has n = " + std::to_string(n_A) +
-                                 ", Q has n = " + std::to_string(n_Q));
-  }
+}
+
+void StreamedDistance::take_working_set(Side& side) {
+  if (side.streamed == nullptr) return;
+  side.working_set = side.streamed->working_set();
+  side.set = side.working_set.get();
 }
 
 const DistanceResult& StreamedDistance::solve(Effects effects) {
   effects_ = effects;
   passes_ = 0;
   points_priced_ = 0;
-  stopwatch_.start(options_.time_limit);
+  stopwatch_.start(options_.time_limit, stop_);
   resolve();
   bool again = !is_concluded(result_.status);
   while (again) {
@@ -76,10 +77,9 @@ void StreamedDistance::resolve() {
   DistanceOptions options = options_;
   options.tolerance *= kShare;
   if (stopwatch_.limited()) options.time_limit = std::max(stopwatch_.remaining(), 1e-3);
-  for (Side& side : side_) {
-    if (side.streamed != nullptr) side.set = side.streamed->working_set();
-  }
+  for (Side& side : side_) take_working_set(side);
   DistanceSolver solver(options);
+  if (stop_ != nullptr) solver.set_stop(*stop_);
   result_ = solver.solve(*side_[0].set, *side_[1].set, effects_);
   for (PointWeight& weight : result_.origin_weights) {
     if (side_[0].streamed != nullptr) weight.index = side_[0].streamed->number_of(weight.index);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "engine/numerics/stopwatch.h"
@@ -20,26 +21,19 @@ namespace raygauge {
 /// two to four passes.
 class StreamedDistance {
  public:
-  /// A set in memory, or a stream: the other one is nullptr.
-  struct Source {
-    std::shared_ptr<const ConvexSet> set;
-    PointStream* stream = nullptr;
-  };
-
-  /// Throws DimensionMismatchError, NonFiniteError, and what the streams throw.
-  StreamedDistance(const Source& A, const Source& Q, const DistanceOptions& options);
+  /// A StreamedHull is read by passes, every other set is the caller's and stays where it is; both have the
+  /// same dimension. `stop` as of Stopwatch::start. Throws NonFiniteError, and what the streams throw.
+  StreamedDistance(const ConvexSet& A, const ConvexSet& Q, const DistanceOptions& options,
+                   const std::function<bool()>* stop = nullptr);
 
   const DistanceResult& solve(Effects effects = Effects::none);
 
   int passes() const noexcept { return passes_; }
 
-  /// The sets that the answer is of: working sets in place of streams.
-  std::shared_ptr<const ConvexSet> A() const noexcept { return side_[0].set; }
-  std::shared_ptr<const ConvexSet> Q() const noexcept { return side_[1].set; }
-
  private:
   struct Side {
-    std::shared_ptr<const ConvexSet> set;
+    const ConvexSet* set = nullptr;
+    std::shared_ptr<const PointSet> working_set;
     std::unique_ptr<StreamedSet> streamed;  // nullptr: all of it is in `set`
     double sign = 1;                        // of the normal
     Vector direction;
@@ -49,12 +43,14 @@ class StreamedDistance {
   };
 
   void resolve();
+  static void take_working_set(Side& side);
   void aim(Side& side) const;
   bool pass(Side& side);
   void measure_known(Side& side) const;
   void prove();
 
   DistanceOptions options_;
+  const std::function<bool()>* stop_;
   Effects effects_ = Effects::none;
   Stopwatch stopwatch_;
   Side side_[2];

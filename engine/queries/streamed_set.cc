@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "raygauge/exceptions.h"
 
@@ -35,9 +36,9 @@ void require_finite(const Real* points, const StreamedPoints& part, int n) {
 
 }  // namespace
 
-StreamedSet::StreamedSet(PointStream& stream)
-    : stream_(&stream), n_(stream.dimension()), magnitude_(static_cast<std::size_t>(n_), 0.0) {
-  stream.pass([this](const StreamedPoints& part) {
+StreamedSet::StreamedSet(std::unique_ptr<PointStream> stream)
+    : stream_(std::move(stream)), n_(stream_->dimension()), magnitude_(static_cast<std::size_t>(n_), 0.0) {
+  stream_->pass([this](const StreamedPoints& part) {
     const std::ptrdiff_t wanted = std::min(part.count, kFirstPoints + kFirstPerDimension * n_);
     for (std::ptrdiff_t i = 0; i < wanted; ++i) {
       const std::ptrdiff_t number = i * part.count / wanted;

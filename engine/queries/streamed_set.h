@@ -17,7 +17,7 @@ namespace raygauge {
 class StreamedSet {
  public:
   /// Reads the beginning of the stream, for a first working set.
-  explicit StreamedSet(PointStream& stream);
+  explicit StreamedSet(std::unique_ptr<PointStream> stream);
 
   /// Those at hand, in R^n. Valid until the next call; what grow() has found is among them from then on.
   std::shared_ptr<const PointSet> working_set();
@@ -29,6 +29,9 @@ class StreamedSet {
   /// |u·p as computed - u·p| for every point looked at so far: ConvexSet::rounding_error, and the size of the
   /// coordinates.
   double rounding(const double* u) const;
+
+  /// max |p_k| over the points looked at so far, n numbers.
+  const double* magnitude() const noexcept { return magnitude_.data(); }
 
   /// Of a point of the working set, where it is in the stream.
   std::ptrdiff_t number_of(std::ptrdiff_t i) const { return numbers_[static_cast<std::size_t>(i)]; }
@@ -50,7 +53,7 @@ class StreamedSet {
     std::ptrdiff_t at;
   };
 
-  PointStream* stream_;
+  std::unique_ptr<PointStream> stream_;
   int n_;
   std::vector<double> points_;  // of the working set, one after the other
   std::vector<std::ptrdiff_t> numbers_;

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
-"""Datasets of 300 MB, which `raygauge distance` reads by passes: the planted answer, the same at once for a file in single
+"""Datasets of 300 MB, which `raygauge distance` and sweeps read by passes: the planted answer, the same at once for a file in single
 precision, little memory, and errors that name the row.
 
 usage: streamed_datasets.py RAYGAUGE MOST_BYTES"""
 
+import csv
 import json
 import resource
 import subprocess
@@ -20,8 +21,25 @@ RAYGAUGE, MOST_BYTES = sys.argv[1], float(sys.argv[2])
 ROWS = 12_500_000  # of three numbers
 
 
-def ask(*arguments, status=0):
-    answer = subprocess.run([RAYGAUGE, "distance", *map(str, arguments)], capture_output=True, text=True)
+SWEEP = """
+name = "streamed"
+[sweep]
+repetitions = 2
+tolerance = 1e-9
+[[generator]]
+name = "files"
+A = "big.h5:/A"
+Q = "Q.csv"
+stream = true
+[[method]]
+name = "column_generation"
+[[method]]
+name = "zheng_yamane"
+"""
+
+
+def ask(*arguments, status=0, command="distance"):
+    answer = subprocess.run([RAYGAUGE, command, *map(str, arguments)], capture_output=True, text=True)
     assert answer.returncode == status, (answer.returncode, answer.stderr)
     return answer
 
@@ -46,6 +64,20 @@ def check(path, Q):
     assert with_planted["upper"] - with_planted["lower"] <= 1e-9, with_planted
 
 
+def check_sweep(folder):
+    experiment, results = folder / "streamed.toml", folder / "streamed.h5"
+    experiment.write_text(SWEEP)
+    ask(experiment, "--output", results, command="run")
+    records = list(csv.DictReader(ask(results, "--csv", "-", command="export").stdout.splitlines()))
+    assert len(records) == 4, records
+    for record in records:
+        assert record["status"] == "optimal" and record["agrees"] == "true" and record["N"] == str(ROWS), record
+        assert float(record["lower"]) <= 1.25 <= float(record["upper"]), record
+    experiment.write_text(SWEEP.replace("stream = true", "stream = true\nscale_A = 2"))
+    error = ask(experiment, "--output", results, "--force", command="run", status=2).stderr
+    assert error == f"raygauge: {experiment}:8: 'big.h5:/A' is streamed and stays where it is: no scale, centre or pose\n", error
+
+
 def main(folder):
     cube = folder / "Q.csv"
     np.savetxt(cube, 2 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]), delimiter=",")
@@ -53,6 +85,7 @@ def main(folder):
         path = folder / "big.h5"
         fill(path, kind, (2.5, 0.5, 0.25))
         check(f"{path}:/A", cube)
+    check_sweep(folder)
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
     assert peak < MOST_BYTES, peak
     with h5py.File(path, "r+") as file:

@@ -53,9 +53,8 @@ void SupportColumnGeneration::begin(SupportOracle& A, SupportOracle& Q, int n, c
 
 // One support query of each set at u, and the lower bound that comes with it.
 void SupportColumnGeneration::ask(const double* u) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  h_A_ = A_->verify(u, 1.0, kAny, point_A_.data());
-  h_Q_ = Q_->verify(u, -1.0, kAny, point_Q_.data());
+  h_A_ = A_->verify(u, 1.0, -kInfinity, point_A_.data());
+  h_Q_ = Q_->verify(u, -1.0, -kInfinity, point_Q_.data());
   counters_.support_queries += 2;
   ++counters_.ray_iterations;
   const double bound = lower_bound(h_A_, h_Q_);

@@ -115,6 +115,7 @@ SupportValue SupportOracle::verify(const double* u, double sign, double known, d
 
 SupportValue SupportOracle::verify_points(const double* u, double sign, double known, double* point) {
   const int n = set_->dimension();
+  if (known == -kInfinity && !working_.is_complete()) known = query(u, sign, point);
   double* direction = direction_.data();
   for (int k = 0; k < n; ++k) direction[k] = sign * Scaling::direction_component(factor_[k], u[k]);
   if (working_.is_complete()) {

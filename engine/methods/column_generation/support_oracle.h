@@ -41,8 +41,9 @@ class SupportOracle {
   double query_shortlist(const double* u, double sign, double* point);
 
   /// h_S'(sign · u) over the whole set with a bound on its error, the maximiser in `point`. Points of a large
-  /// set that beat `known` join the working set (pass what `query` returned). For a point set the error is
-  /// proven; any other set answers for ConvexSet::magnitude_unchecked: rounding_error(n) Σ|u_k| m_k.
+  /// set that beat `known` join the working set: pass what `query` returned, -infinity where it was not
+  /// asked, +infinity for the value alone. For a point set the error is proven; any other set answers for
+  /// ConvexSet::magnitude_unchecked: rounding_error(n) Σ|u_k| m_k.
   SupportValue verify(const double* u, double sign, double known, double* point);
 
   /// A bound on how far, in any coordinate, a support point is from the nearest point of S': 0 for a point

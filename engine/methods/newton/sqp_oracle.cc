@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
@@ -101,14 +100,13 @@ void SqpOracle<Real>::evaluate_smooth(const Real* u, PieceList<Real>& list) {
 // The vertex is that of the direction v nearest to u in double precision: h(u) <= h(v) + Σ|u_k - v_k| m_k.
 template <class Real>
 void SqpOracle<Real>::evaluate_polytope(const Real* u, PieceList<Real>& list) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
   make_room(list, vertices_kept(n_));
   double astray = 0;
   for (int k = 0; k < n_; ++k) {
     nearest_[static_cast<std::size_t>(k)] = static_cast<double>(u[k]);
     astray += std::fabs(static_cast<double>(u[k] - nearest_[static_cast<std::size_t>(k)]));
   }
-  const SupportValue support = vertices_.verify(nearest_.data(), sign_, kAny, vertex_.data());
+  const SupportValue support = vertices_.verify(nearest_.data(), sign_, -kInfinity, vertex_.data());
   list.support.value = support.value;
   list.support.error = support.error + 2 * astray * vertices_.magnitude();
   remember(vertex_.data());

@@ -103,6 +103,18 @@ TEST_P(GeneralSets, ThatAreHiddenPointSetsGetTheSameAnswer) {
 }
 
 // The linear program scales sets far from magnitude 1: what it answers is in the sets' own units.
+// Of large point sets a sample is solved first, which the points that price out join.
+TEST_P(GeneralSets, BesideThousandsOfPointsAreAsIfAllWerePoints) {
+  Random random(92);
+  for (const int n : {3, 6, 20}) {
+    const Eigen::MatrixXd a = sphere_points(n, 4000, random).colwise() + 3 * Vector::Unit(n, 0);
+    const Eigen::MatrixXd q = sphere_points(n, 4000, random);
+    const double truth = solve(PointSet(a), PointSet(q), 1e-9).distance;
+    expect_result(solve(DisguisedPoints(a), PointSet(q), 1e-6), truth, 1e-6);
+    expect_result(solve(PointSet(a), DisguisedPoints(q), 1e-6), truth, 1e-6);
+  }
+}
+
 TEST_P(GeneralSets, OfAnyMagnitudeHaveNormalsAndContactsInTheirOwnUnits) {
   for (const double unit : {0x1p-40, 1.0, 0x1p20, 0x1p100}) {
     const Vector center = unit * (Vector(3) << 6, 8, 0).finished();
