@@ -99,6 +99,10 @@ Dynamics dynamics_of(const Scene& scene, const py::list& bodies, const py::dict&
     dynamics.pairs.push_back({first, second, law_of(law)});
   dynamics.step = effects["step"].cast<double>();
   dynamics.tolerance = effects["tolerance"].cast<double>();
+  const auto overlap = effects["overlap_at_start"].cast<std::string>();
+  if (overlap != "refuse" && overlap != "resolve")
+    throw InvalidParameterError("overlap_at_start must be 'refuse' or 'resolve', got '" + overlap + "'");
+  if (overlap == "resolve") dynamics.overlap_at_start = StartOverlap::resolved;
   return dynamics;
 }
 

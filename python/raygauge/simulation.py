@@ -53,6 +53,7 @@ def simulate(
     damping: Mapping[str, float] | None = None,
     step: float = 1e-3,
     tolerance: float = 1e-6,
+    overlap_at_start: str = "refuse",
     threads: int = 0,
 ) -> Simulation:
     """Lets the bodies of a scene that have a density or a mass react, from the first instant to the last.
@@ -60,7 +61,8 @@ def simulate(
     What is not named is not computed. gravity: shape (n,). contact: {"friction": μ, "restitution": e}, either left out or both;
     None: bodies pass through each other. pairs: (body or group, another, contact) in place of it. damping: {"linear": c,
     "angular": c}, 1/s. step: the longest step. tolerance: bodies overlap by at most this, relative to the smallest one that
-    reacts; it is proven of every step. threads: for the queries.
+    reacts; it is proven of every step. overlap_at_start: "refuse", or "resolve": bodies are first moved apart. threads: for the
+    queries.
 
     Ctrl-C ends it. Raises InvalidParameterError, DimensionMismatchError, UnknownNameError and what Scene.run raises.
 
@@ -76,6 +78,7 @@ def simulate(
     effects = {
         "gravity": gravity, "contact": checked(contact, "contact", ("friction", "restitution")),
         "damping": checked(damping, "damping", ("linear", "angular")), "step": step, "tolerance": tolerance,
+        "overlap_at_start": overlap_at_start,
         "pairs": [(scene._members(a), scene._members(b), checked(law, "pairs", ("friction", "restitution"))) for a, b, law in pairs],
     }  # fmt: skip
     found = _raygauge.simulation(scene._bodies, scene._instants, scene._ignored, scene._queries, effects, threads)

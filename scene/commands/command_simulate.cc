@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/commands/command_simulate.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -152,6 +153,7 @@ class SimulateJob {
       double seconds = 0;
       Simulation found = simulate_one(dynamics, wanted.engine, number, hooks_of(display, number), seconds);
       if (found.stopped) return false;
+      moved_at_start_ = std::max(moved_at_start_, found.moved_at_start);
       add_simulation(found, dynamics, seconds, wanted.engine, tables);
       moved = std::move(found.scene);
     }
@@ -213,6 +215,8 @@ class SimulateJob {
     const SceneFile& file = writer_->results();
     std::printf("%s: %s", language::printable(file.name).c_str(),
                 simulations_text(*file.simulation, source_.dynamics->contact.has_value()).c_str());
+    if (moved_at_start_ > 0)
+      std::printf("  start      bodies moved apart by %.3g at most\n", moved_at_start_);
     std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path_.c_str(),
                 language::shell(program_invocation_name).c_str(), language::shell(path_).c_str(),
                 language::shell(path_.substr(0, path_.rfind(".h5"))).c_str());
@@ -228,6 +232,7 @@ class SimulateJob {
   std::optional<SimulationStore> store_;
   ScenePlan plan_;
   bool finished_ = false;  ///< before this session
+  double moved_at_start_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double shown_ = 0;  ///< when progress was shown last
 };

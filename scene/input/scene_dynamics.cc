@@ -71,7 +71,8 @@ PairLaw read_pair(const toml::node& node, const BodiesNamed& bodies_named) {
 }  // namespace
 
 std::map<std::string, std::vector<std::string>> dynamics_keys() {
-  return {{"dynamics", {"gravity", "contact", "damping", "step", "tolerance", "pair", "engine"}},
+  return {{"dynamics",
+           {"gravity", "contact", "damping", "step", "tolerance", "overlap_at_start", "pair", "engine"}},
           {"dynamics.contact", {"friction", "restitution"}},
           {"dynamics.damping", {"linear", "angular"}},
           {"dynamics.pair", {"between", "friction", "restitution"}}};
@@ -150,6 +151,13 @@ Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesName
     reject_unknown_keys(damping, "key of dynamics.damping", dynamics_keys().at("dynamics.damping"));
     dynamics.damping = Damping{number_of(damping, "linear", "dynamics.damping", {0, kMost}).value_or(0),
                                number_of(damping, "angular", "dynamics.damping", {0, kMost}).value_or(0)};
+  }
+  if (const toml::node* node = table.get("overlap_at_start")) {
+    const std::string wanted = read_text(*node, "dynamics.overlap_at_start");
+    if (wanted != "refuse" && wanted != "resolve")
+      refuse(*node, "dynamics.overlap_at_start must be \"refuse\" or \"resolve\"");
+    if (!dynamics.contact) refuse(*node, "dynamics.overlap_at_start has no effect without dynamics.contact");
+    if (wanted == "resolve") dynamics.overlap_at_start = StartOverlap::resolved;
   }
   if (const toml::node* node = table.get("pair")) {
     if (!node->is_array()) refuse(*node, "dynamics.pair must be a list of tables, [[dynamics.pair]]");

@@ -74,6 +74,7 @@ void add_dynamics(const SceneSource& source, std::ostringstream& text) {
   }
   text << "\ndamping =";
   if (dynamics.damping) text << ' ' << dynamics.damping->linear << ' ' << dynamics.damping->angular;
+  if (dynamics.overlap_at_start == StartOverlap::resolved) text << "\noverlap_at_start = resolved";
   text << "\naccuracies =";
   for (const SimulationAccuracy& one : source.accuracies) text << ' ' << one.step << '/' << one.tolerance;
   if (source.engines != std::vector<std::string>{kOwnEngine}) {

@@ -81,6 +81,8 @@ std::vector<std::string> explain_contact(const Dynamics& dynamics,
                                              : "friction: never computed; a contact has one unknown");
   lines.emplace_back(dynamics.has_restitution() ? "restitution: Newton's law, at the proven time of impact"
                                                 : "restitution: never computed");
+  if (dynamics.overlap_at_start == StartOverlap::resolved)
+    lines.emplace_back("overlaps at the start: resolved; bodies are first moved apart");
   if (!dynamics.pairs.empty())
     lines.push_back(counted(dynamics.pairs.size(), "exception", "exceptions") + " for pairs of groups");
   return lines;

@@ -87,19 +87,6 @@ void Simulator::make_parts() {
   }
 }
 
-void Simulator::refuse_overlaps() {
-  follow_motions();
-  for (const NearPair& pair : pairs_->find(t_, 0)) {
-    if (!(pair.contact.overlap > scales_.delta)) continue;
-    const auto name = [this](int body) {
-      return "'" + out_.scene.bodies[static_cast<std::size_t>(body)].name + "'";
-    };
-    throw InvalidParameterError("dynamics: bodies " + name(pair.a) + " and " + name(pair.b) +
-                                " overlap at the start, by " + std::to_string(pair.contact.overlap) +
-                                " at least");
-  }
-}
-
 // Until the end of the step, no further than bodies that are driven keep their velocities, and than one turn
 // of a radian of bodies that turn about no principal axis.
 double Simulator::longest_substep(double to) const {

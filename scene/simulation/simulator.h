@@ -24,6 +24,8 @@ class Simulator {
   Simulation result();
   void add_body(const Body& body, const BodyDynamics& how);
   void make_parts();
+  void come_to_start();
+  void resolve_overlaps();
   void refuse_overlaps();
   bool step(double to);
   void advance(double to);

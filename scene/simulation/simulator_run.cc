@@ -12,10 +12,10 @@ namespace raygauge {
 Simulation Simulator::run(const SimulationHooks& hooks, std::span<const SimulationPart> before) {
   hooks_ = hooks;
   const double from = t_, to = out_.scene.instants.back();
+  if (before.empty() || dynamics_.overlap_at_start == StartOverlap::resolved) come_to_start();
   StepRecord start;
   add_energy(start);
   out_.energy_at_start = start.kinetic + start.potential;
-  if (before.empty()) refuse_overlaps();
   if (!before.empty()) go_on(before);
   const auto count = static_cast<std::int64_t>(std::ceil((to - from) / dynamics_.step * (1 - 1e-12)));
   SimulationState ended;

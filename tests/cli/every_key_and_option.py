@@ -71,7 +71,7 @@ PAIRED = REACTING.replace("[[body]]", '[[dynamics.pair]]\nbetween = ["a", "b"]\n
 DYNAMICS_KEYS = {
     "dynamics": {"gravity": "gravity = [0, 0, -5]", "contact": "contact = { restitution = 0.5, friction = 0.5 }",
                  "damping": "damping = { linear = 1, angular = 2 }", "step": "step = 1e-2", "tolerance": "tolerance = 1e-3",
-                 "pair": "", "engine": 'engine = "bullet"'},
+                 "overlap_at_start": 'overlap_at_start = "resolve"', "pair": "", "engine": 'engine = "bullet"'},
     "dynamics.pair": {"between": 'between = ["b", "b"]', "friction": "friction = 0.5", "restitution": "restitution = 1"},
 }
 
@@ -526,6 +526,11 @@ class NothingIsIgnored(unittest.TestCase):
                 if key == "pair":
                     continue
                 with self.subTest(table=table, key=key):
+                    if key == "overlap_at_start":
+                        deeper = text.replace("2.1]", "0.9]")
+                        self.assertIn("overlap at the start", self.motions(deeper))
+                        self.assertIsInstance(self.motions(with_lines(deeper, table, lines)), list)
+                        continue
                     self.assertNotEqual(before, self.motions(with_lines(text, table, lines)))
         for lines in REACTION_KEYS.values():
             with self.subTest(lines):

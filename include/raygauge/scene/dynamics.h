@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ struct PairLaw {
   std::vector<int> group_1, group_2;
   ContactLaw law;
 };
+
+/// What becomes of bodies that overlap by more than δ at the start: an error, or they are first moved apart,
+/// by translations along their shortest ways out, again until none overlaps.
+enum class StartOverlap : std::uint8_t { refused, resolved };
 
 /// Forces -c m v and torques -c L, with c in 1/s.
 struct Damping {
@@ -61,6 +66,7 @@ struct Dynamics {
   std::optional<ContactLaw> contact;  ///< none: bodies pass through each other
   std::vector<PairLaw> pairs;
   std::optional<Damping> damping;
+  StartOverlap overlap_at_start = StartOverlap::refused;
   double step = SimulationAccuracy().step;
   double tolerance = SimulationAccuracy().tolerance;
   std::vector<BodyDynamics> bodies;  ///< of each body of the scene

@@ -55,6 +55,7 @@ struct Simulation {
   SimulationCounters counters;
   double tolerance = 0;        ///< δ, in units of the scene
   double energy_at_start = 0;  ///< kinetic and potential
+  double moved_at_start = 0;   ///< how far the centre of a body was moved at most, of bodies that overlapped
   bool stopped = false;
 };
 
@@ -87,7 +88,7 @@ struct SimulationHooks {
 ///
 /// `friction` solves contact problems with friction that Newton's method does not solve; it may be nullptr.
 /// Throws what check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at
-/// the start.
+/// the start (see StartOverlap).
 ///
 /// `before`: what an earlier call has stored of the same scene and dynamics; this one goes on from there, and
 /// finds bit for bit what one call would have.
