@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "raygauge/sets/pose.h"
 #include "raygauge/sweep/instance.h"
@@ -26,7 +26,9 @@ struct FileFormat {
   bool skip_header = false;  ///< the first line of a text is a heading
   bool stream = false;       ///< datasets by passes over them, where that can be done
 
-  auto operator<=>(const FileFormat&) const = default;
+  bool operator<(const FileFormat& other) const {
+    return std::pair(skip_header, stream) < std::pair(other.skip_header, other.stream);
+  }
 };
 
 /// How files are reached: this room reads none. Implementations are shared between threads.

@@ -155,7 +155,7 @@ Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesName
   if (const toml::node* node = table.get("overlap_at_start")) {
     const std::string wanted = read_text(*node, "dynamics.overlap_at_start");
     if (wanted != "refuse" && wanted != "resolve")
-      refuse(*node, "dynamics.overlap_at_start must be \"refuse\" or \"resolve\"");
+      refuse(*node, R"(dynamics.overlap_at_start must be "refuse" or "resolve")");
     if (!dynamics.contact) refuse(*node, "dynamics.overlap_at_start has no effect without dynamics.contact");
     if (wanted == "resolve") dynamics.overlap_at_start = StartOverlap::resolved;
   }
