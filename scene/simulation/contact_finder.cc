@@ -50,6 +50,15 @@ void straighten(const Eigen::Vector3d& normal, double rounding, std::vector<GapP
   for (Eigen::Index k = 0; k < count; ++k) points[static_cast<std::size_t>(k)].gap = linear[k];
 }
 
+// Onto one plane across the normal, between the bodies still. Points of one pair at different heights would
+// ask for a turn by their gaps and for no slip, which no rigid body does to both: impulses along the line
+// between them would grow to the rim of their cones.
+void flatten(const Eigen::Vector3d& normal, std::vector<GapPoint>& points) {
+  double height = 0;
+  for (const GapPoint& point : points) height += normal.dot(point.at) / static_cast<double>(points.size());
+  for (GapPoint& point : points) point.at += (height - normal.dot(point.at)) * normal;
+}
+
 // What a half-space is to a body near it: a box below its plane, twice as wide and thick as the body.
 // Its half extents and its pose.
 std::pair<Eigen::VectorXd, Pose> box_below(const Posed& half_space, const Posed& body) {
@@ -124,6 +133,7 @@ void ContactFinder::find_of_bounded(const Posed& a, const Posed& b, double band,
     contact.points.push_back({(in_space(point.point_1) + in_space(point.point_2)) / 2, point.gap});
   straighten(contact.normal, kRounding * patch.error, contact.points);
   add_nearest(a, b, band, contact);
+  if (contact.points.size() > 1) flatten(contact.normal, contact.points);
   if (!contact.points.empty() || contact.lower > band) return;
   // Of bodies that touch to rounding no points may be known; curved ones touch where their support is.
   const bool by_a = a.set.smooth() || !b.set.smooth();

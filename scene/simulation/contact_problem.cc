@@ -3,12 +3,14 @@
 #include "scene/simulation/contact_problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "raygauge/numerics/vector3.h"
 #include "scene/simulation/friction_newton.h"
+#include "scene/simulation/friction_passes.h"
 #include "scene/simulation/friction_smoothing.h"
 
 namespace raygauge {
@@ -51,18 +53,27 @@ Eigen::Matrix3d hat(const Eigen::Vector3d& a) {
   return A;
 }
 
-// Where the velocities of the bodies that react stand.
-std::map<int, Eigen::Index> columns_of(const std::vector<ContactUnknown*>& contacts,
-                                       const std::vector<SimulatedBody>& bodies) {
-  std::map<int, Eigen::Index> column;  // of the bodies that react
+// The bodies that react, numbered.
+std::map<int, int> numbers_of(const std::vector<ContactUnknown*>& contacts,
+                              const std::vector<SimulatedBody>& bodies) {
+  std::map<int, int> numbers;
   for (const ContactUnknown* contact : contacts) {
     for (const int body : {contact->a, contact->b}) {
-      if (bodies[static_cast<std::size_t>(body)].reacts()) column.emplace(body, 0);
+      if (bodies[static_cast<std::size_t>(body)].reacts()) numbers.emplace(body, 0);
     }
   }
-  Eigen::Index next = 0;
-  for (auto& [body, at] : column) at = 6 * next++;
-  return column;
+  int next = 0;
+  for (auto& [body, number] : numbers) number = next++;
+  return numbers;
+}
+
+// In the plane nothing moves along the third direction: the numbers there are those of some other problem.
+FrictionProblem plane_or_space(FrictionProblem problem) {
+  const double size = problem.W.diagonal().maxCoeff();
+  for (Eigen::Index k = 2; k < problem.q.size(); k += 3) {
+    if (!(problem.W(k, k) > 0)) problem.W(k, k) = size;
+  }
+  return problem;
 }
 
 }  // namespace
@@ -102,83 +113,86 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   return residual;
 }
 
-// W = J M⁻¹ Jᵀ with J the velocities of a contact, a's less b's, along its frame, by those of the bodies.
-double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
-                                    const std::vector<SimulatedBody>& bodies) {
-  const std::map<int, Eigen::Index> column = columns_of(contacts, bodies);
-  const auto rows = 3 * static_cast<Eigen::Index>(contacts.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, 6 * static_cast<Eigen::Index>(column.size())), JM = J;
-  Eigen::VectorXd q(rows), r(rows);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const ContactUnknown& contact = *contacts[c];
-    const auto row = 3 * static_cast<Eigen::Index>(c);
-    const Eigen::Matrix3d frame = frame_of(contact.normal, n_);
-    const SimulatedBody &a = bodies[static_cast<std::size_t>(contact.a)],
-                        &b = bodies[static_cast<std::size_t>(contact.b)];
-    q.segment<3>(row) = frame * (a.velocity_at(contact.at) - b.velocity_at(contact.at));
-    q[row] += contact.offset;
-    r.segment<3>(row) = frame * contact.impulse;
-    for (const auto& [body, sign] : {std::pair{contact.a, 1.0}, std::pair{contact.b, -1.0}}) {
-      const auto found = column.find(body);
-      if (found == column.end()) continue;
-      const SimulatedBody& one = bodies[static_cast<std::size_t>(body)];
-      const Eigen::Matrix3d turn = -frame * hat(contact.at - one.x);
-      J.block<3, 3>(row, found->second) = sign * frame;
-      J.block<3, 3>(row, found->second + 3) = sign * turn;
-      JM.block<3, 3>(row, found->second) = sign * one.inverse_mass * frame;
-      JM.block<3, 3>(row, found->second + 3) = sign * turn * one.inverse_inertia();
+// By velocities that are scaled by the root of the mass matrix: of the body's six numbers.
+FrictionIsland ContactProblem::island_of(const std::vector<ContactUnknown*>& contacts,
+                                         const std::vector<SimulatedBody>& bodies) const {
+  const std::map<int, int> numbers = numbers_of(contacts, bodies);
+  FrictionIsland island;
+  island.bodies = static_cast<int>(numbers.size());
+  const auto slope = [&](int body, const Eigen::Matrix3d& frame, const Eigen::Vector3d& at, double sign) {
+    const SimulatedBody& one = bodies[static_cast<std::size_t>(body)];
+    ContactSlope A;
+    A.topRows<3>() = sign * std::sqrt(one.inverse_mass) * frame.transpose();
+    A.bottomRows<3>() = sign * one.inverse_inertia_root().transpose() * hat(at - one.x) * frame.transpose();
+    if (n_ == 2) A.col(2).setZero();  // the third direction is not of the plane
+    return A;
+  };
+  for (const ContactUnknown* contact : contacts) {
+    const SimulatedBody &a = bodies[static_cast<std::size_t>(contact->a)],
+                        &b = bodies[static_cast<std::size_t>(contact->b)];
+    const Eigen::Matrix3d frame = frame_of(contact->normal, n_);
+    IslandContact& one = island.contacts.emplace_back();
+    one.mu = contact->mu.value_or(0);
+    one.q = frame * (a.velocity_at(contact->at) - b.velocity_at(contact->at));
+    one.q[0] += contact->offset;
+    if (n_ == 2) one.q[2] = 0;
+    if (a.reacts()) {
+      one.a = numbers.at(contact->a);
+      one.A_a = slope(contact->a, frame, contact->at, 1);
+    }
+    if (b.reacts()) {
+      one.b = numbers.at(contact->b);
+      one.A_b = slope(contact->b, frame, contact->at, -1);
     }
   }
-  const Eigen::MatrixXd product = JM * J.transpose();
-  const Eigen::MatrixXd W = (product + product.transpose()) / 2;
-  const double residual = impulses(contacts, W, q, r);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    ContactUnknown& contact = *contacts[c];
-    contact.impulse =
-        frame_of(contact.normal, n_).transpose() * r.segment<3>(3 * static_cast<Eigen::Index>(c));
-  }
+  return island;
+}
+
+double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
+                                    const std::vector<SimulatedBody>& bodies) {
+  const FrictionIsland island = island_of(contacts, bodies);
+  Eigen::VectorXd r(3 * static_cast<Eigen::Index>(contacts.size()));
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    r.segment<3>(3 * static_cast<Eigen::Index>(c)) = frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
+  const double residual = impulses(contacts, island, r);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    contacts[c]->impulse =
+        frame_of(contacts[c]->normal, n_).transpose() * r.segment<3>(3 * static_cast<Eigen::Index>(c));
   return residual;
 }
 
-double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const Eigen::MatrixXd& W,
-                                const Eigen::VectorXd& q, Eigen::VectorXd& r) {
-  const auto count = static_cast<Eigen::Index>(contacts.size());
+double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
+                                Eigen::VectorXd& r) {
   const bool named =
       std::any_of(contacts.begin(), contacts.end(), [](const ContactUnknown* c) { return c->mu; });
-  if (!named) {
-    ++counters_.frictionless_problems;
-    const Eigen::MatrixXd normals = W(Eigen::seqN(0, count, 3), Eigen::seqN(0, count, 3));
-    const Eigen::VectorXd along = q(Eigen::seqN(0, count, 3));
-    const Eigen::VectorXd found = nonnegative_solution(normals, along);
-    r.setZero();  // guesses lean where normals have turned
-    r(Eigen::seqN(0, count, 3)) = found;
-    return nonnegative_residual(normals, along, found);
+  if (named) {
+    ++counters_.friction_problems;
+    return with_friction(island, r);
   }
-  ++counters_.friction_problems;
-  FrictionProblem problem{W, q, {}};
-  for (const ContactUnknown* contact : contacts) problem.mu.push_back(contact->mu.value_or(0));
-  if (n_ == 2) {  // the third direction is not of the plane
-    const double size = W.diagonal().maxCoeff();
-    for (Eigen::Index k = 2; k < q.size(); k += 3) {
-      problem.W.row(k).setZero();
-      problem.W.col(k).setZero();
-      problem.W(k, k) = size;
-      problem.q[k] = 0;
-    }
-  }
-  return with_friction(problem, r);
+  ++counters_.frictionless_problems;
+  const FrictionProblem problem = island.dense();
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  const Eigen::MatrixXd normals = problem.W(Eigen::seqN(0, count, 3), Eigen::seqN(0, count, 3));
+  const Eigen::VectorXd along = problem.q(Eigen::seqN(0, count, 3));
+  const Eigen::VectorXd found = nonnegative_solution(normals, along);
+  r.setZero();  // guesses lean where normals have turned
+  r(Eigen::seqN(0, count, 3)) = found;
+  return nonnegative_residual(normals, along, found);
 }
 
-// Newton's method from what is known of the step before; where that does not end, from the end of a path of
-// smoothed problems; then from where the solver's passes end.
-double ContactProblem::with_friction(const FrictionProblem& problem, Eigen::VectorXd& r) {
-  constexpr double kEnough = 1e-11;
+// By passes from what is known of the step before. Where they do not end, Newton's method; where that does
+// not end, from the end of a path of smoothed problems; then from where the solver's passes end.
+double ContactProblem::with_friction(const FrictionIsland& island, Eigen::VectorXd& r) {
   constexpr std::size_t kMostContacts = 150;  // of dense factorizations before the passes
-  const bool small = problem.mu.size() <= kMostContacts || friction_ == nullptr;
+  const double bound = island.bound_of_W();
+  const double passed = pass_over_friction(island, bound, r);
+  if (passed <= kSolvedFriction) return passed;
+  const bool small = island.contacts.size() <= kMostContacts || friction_ == nullptr;
+  const FrictionProblem problem = plane_or_space(island.dense());
   const Eigen::VectorXd guess = r;
   double residual = friction_residual(problem, r);
   const auto attempt = [&](auto find) {
-    if (!(residual > kEnough)) return;
+    if (!(residual > kSolvedFriction)) return;
     Eigen::VectorXd trial = guess;
     find(trial);
     const double found = improve_friction(problem, trial);

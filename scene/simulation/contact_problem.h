@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "raygauge/scene/friction.h"
+#include "scene/simulation/friction_island.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/simulated_body.h"
 
@@ -40,10 +41,11 @@ class ContactProblem {
 
  private:
   double solve_island(std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies);
-  double impulses(const std::vector<ContactUnknown*>& contacts, const Eigen::MatrixXd& W,
-                  const Eigen::VectorXd& q, Eigen::VectorXd& r);
-
-  double with_friction(const FrictionProblem& problem, Eigen::VectorXd& r);
+  FrictionIsland island_of(const std::vector<ContactUnknown*>& contacts,
+                           const std::vector<SimulatedBody>& bodies) const;
+  double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
+                  Eigen::VectorXd& r);
+  double with_friction(const FrictionIsland& island, Eigen::VectorXd& r);
 
   int n_;
   FrictionSolver* friction_;

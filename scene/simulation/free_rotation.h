@@ -11,6 +11,7 @@ namespace raygauge {
 struct Rotor {
   Eigen::Matrix3d J;          ///< inertia about the centre of mass, in the axes of the body
   Eigen::Matrix3d J_inverse;  ///< its inverse
+  Eigen::Matrix3d root;       ///< J⁻¹ = root rootᵀ
 
   /// ω = R J⁻¹ Rᵀ L, in space.
   Eigen::Vector3d spin(const Eigen::Matrix3d& R, const Eigen::Vector3d& L) const {

@@ -41,7 +41,8 @@ struct SimulatedBody {
   bool still = false;    ///< its motion over the substep in work is none
 
   bool reacts() const noexcept { return mass > 0; }
-  Eigen::Matrix3d inverse_inertia() const { return R * rotor.J_inverse * R.transpose(); }
+  /// R J⁻¹ Rᵀ is it times its transpose.
+  Eigen::Matrix3d inverse_inertia_root() const { return R * rotor.root; }
 
   /// Adds an impulse p at a point.
   void push(const Eigen::Vector3d& p, const Eigen::Vector3d& at) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/simulator.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ void Simulator::add_body(const Body& body, const BodyDynamics& how) {
     one.rotor.J =
         n_ == 2 ? Eigen::Matrix3d(Eigen::Vector3d(1, 1, how.inertia(2, 2)).asDiagonal()) : how.inertia;
     one.rotor.J_inverse = one.rotor.J.inverse();
+    one.rotor.root = one.rotor.J_inverse.llt().matrixL();
     one.x = in_space(at.t);
     one.R = in_space(at.R);
     one.v = how.velocity;

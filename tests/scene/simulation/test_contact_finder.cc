@@ -9,6 +9,7 @@
 
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/half_space.h"
 
@@ -131,6 +132,19 @@ TEST(ContactFinder, bodies_farther_apart_than_the_band_have_no_points) {
   finder.find({kBox}, {kBall, away}, 1e-3, Vector3d::UnitX(), contact);
   EXPECT_TRUE(contact.points.empty());
   EXPECT_NEAR(contact.lower, 0.01, 1e-9);
+}
+
+// Its ends have different gaps; the line between the points is across the normal even so.
+TEST(ContactFinder, points_of_one_pair_lie_in_one_plane_across_the_normal) {
+  const Capsule capsule(Vector3d(-0.5, 0, 0), Vector3d(0.5, 0, 0), 0.25);
+  const HalfSpace floor(Vector3d(0, 0, 1), 0);
+  const Pose pose(Eigen::Quaterniond(Eigen::AngleAxisd(1e-3, Vector3d::UnitY())), Vector3d(0, 0, 0.2506));
+  ContactFinder finder;
+  PartContact contact;
+  finder.find({capsule, pose}, {floor}, 0.01, Vector3d::UnitX(), contact);
+  ASSERT_EQ(contact.points.size(), 2U);
+  EXPECT_GT(std::abs(contact.points[0].gap - contact.points[1].gap), 5e-4);
+  EXPECT_LE(std::abs(contact.normal.dot(contact.points[0].at - contact.points[1].at)), 1e-15);
 }
 
 }  // namespace

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+// What does a step of a simulation cost, beside one of another engine? Boxes, balls and capsules dropped into
+// a bin. By stretches of time: falling, packing, at rest.
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/program.h"
+#include "raygauge/scene/simulation.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "scene/engines/loaded_engine.h"
+#include "scene/friction/loaded_friction.h"
+
+namespace raygauge::bench {
+namespace {
+
+struct Settings {
+  int bodies = 200;
+  double seconds = 1;  ///< of simulated time
+  double step = 1e-3;
+  double tolerance = 1e-4;
+  int stretch = 100;  ///< steps that a row is the mean of
+  std::string engine = "bullet";
+};
+
+// Of the whole process: threads count by what they work.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+class Bin {
+ public:
+  explicit Bin(const Settings& settings) {
+    scene_.name = "bin";
+    scene_.instants = {0, settings.seconds};
+    dynamics_.gravity = Eigen::Vector3d(0, 0, -9.81);
+    dynamics_.contact = ContactLaw{0.5, std::nullopt};
+    dynamics_.step = settings.step;
+    dynamics_.tolerance = settings.tolerance;
+    const int side = std::max(4, static_cast<int>(std::lround(std::cbrt(settings.bodies) * 1.2)));
+    add_bin(0.125 * side + 0.15);
+    for (int k = 0; k < settings.bodies; ++k) add_thrown(k, side);
+  }
+
+  const Scene& scene() const { return scene_; }
+  const Dynamics& dynamics() const { return dynamics_; }
+
+ private:
+  using Point = Eigen::Vector3d;
+
+  double uniform(double size) { return std::uniform_real_distribution<double>(-size, size)(random_); }
+
+  void add(std::shared_ptr<const ConvexSet> set, const Placement& at) {
+    scene_.bodies.push_back(make_body("b" + std::to_string(scene_.bodies.size()), {std::move(set)},
+                                      std::make_shared<StaticMotion>(at)));
+    dynamics_.bodies.emplace_back();
+  }
+
+  void add_standing(const Point& low, const Point& high) {
+    add(std::make_shared<Box>(low, high),
+        {SmallMatrix(Eigen::Matrix3d::Identity()), SmallVector(Point::Zero())});
+  }
+
+  void add_bin(double w) {
+    add_standing({-w, -w, -0.2}, {w, w, 0});
+    add_standing({-w - 0.2, -w, 0}, {-w, w, 2});
+    add_standing({w, -w, 0}, {w + 0.2, w, 2});
+    add_standing({-w, -w - 0.2, 0}, {w, -w, 2});
+    add_standing({-w, w, 0}, {w, w + 0.2, 2});
+  }
+
+  void add_thrown(int number, int side) {
+    const Point place(0.25 * (number % side - 0.5 * (side - 1)) + uniform(0.01),
+                      0.25 * (number / side % side - 0.5 * (side - 1)) + uniform(0.01),
+                      0.15 + 0.25 * (number / (side * side)));
+    const Eigen::Matrix3d R =
+        Eigen::Quaterniond(uniform(1), uniform(1), uniform(1), uniform(1)).normalized().toRotationMatrix();
+    std::shared_ptr<const ConvexSet> set =
+        std::make_shared<Box>(Point(-0.07, -0.06, -0.05), Point(0.07, 0.06, 0.05));
+    if (number % 3 == 1) set = std::make_shared<Ball>(Point(0, 0, 0), 0.08);
+    if (number % 3 == 2) set = std::make_shared<Capsule>(Point(0, 0, -0.05), Point(0, 0, 0.05), 0.05);
+    add(set, {SmallMatrix(R), SmallVector(place)});
+    dynamics_.bodies.back() = reacting_body(scene_.bodies.back(), std::nullopt, 1000);
+  }
+
+  std::mt19937_64 random_{3};
+  Scene scene_;
+  Dynamics dynamics_;
+};
+
+/// Processor seconds at the end of each step, from its beginning.
+struct Run {
+  Simulation found;
+  std::vector<double> ends;
+};
+
+Run timed(const Bin& bin, FrictionSolver* friction, SimulationHooks hooks) {
+  Run run;
+  const double begin = processor_seconds();
+  hooks.progress = [&run, begin](double /*share*/) { run.ends.push_back(processor_seconds() - begin); };
+  run.found = simulate(bin.scene(), bin.dynamics(), friction, hooks);
+  return run;
+}
+
+// Its steps alone: their proof is not its work.
+Run timed_engine(const Bin& bin, const std::string& name) {
+  EngineSteps steps(name, bin.scene(), bin.dynamics());
+  std::vector<double> ends;
+  double all = 0;
+  SimulationHooks hooks;
+  hooks.advance = [&](double end, std::vector<BodyState>& bodies) {
+    const double begin = processor_seconds();
+    steps.advance(end, bodies);
+    ends.push_back(all += processor_seconds() - begin);
+  };
+  Run run = timed(bin, nullptr, hooks);
+  run.ends = ends;
+  return run;
+}
+
+double mean_milliseconds(const Run& run, std::size_t first, std::size_t count) {
+  const double before = first == 0 ? 0 : run.ends[first - 1];
+  return 1e3 * (run.ends[first + count - 1] - before) / static_cast<double>(count);
+}
+
+void print_rows(const Run& own, const Run& engine, std::size_t stretch) {
+  std::printf("%8s %10s %10s %8s %10s %10s %10s\n", "until", "own ms", "engine ms", "ratio", "contacts",
+              "substeps", "residual");
+  for (std::size_t first = 0; first < own.ends.size(); first += stretch) {
+    const std::size_t count = std::min(stretch, own.ends.size() - first);
+    double contacts = 0, substeps = 0, residual = 0;
+    for (std::size_t k = first; k < first + count; ++k) {
+      const StepRecord& row = own.found.steps[k];
+      contacts += static_cast<double>(row.contacts) / static_cast<double>(row.substeps);
+      substeps += static_cast<double>(row.substeps);
+      residual = std::max(residual, row.residual);
+    }
+    const double mine = mean_milliseconds(own, first, count);
+    const double its = engine.ends.empty() ? 0 : mean_milliseconds(engine, first, count);
+    std::printf("%8.3f %10.3f %10.3f %8.2f %10.1f %10.2f %10.1e\n", own.found.steps[first + count - 1].time,
+                mine, its, its > 0 ? mine / its : 0, contacts / static_cast<double>(count),
+                substeps / static_cast<double>(count), residual);
+  }
+}
+
+void options(CLI::App& app, Settings& settings) {
+  app.add_option("--bodies", settings.bodies, "Boxes, balls and capsules, in turn");
+  app.add_option("--seconds", settings.seconds, "Simulated time");
+  app.add_option("--step", settings.step, "Of time");
+  app.add_option("--tolerance", settings.tolerance, "How deep bodies may overlap, relative to the smallest");
+  app.add_option("--stretch", settings.stretch, "Steps that a row is the mean of")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--engine", settings.engine, "Beside it: bullet, ode, mujoco, or none");
+}
+
+double least_distance(const Run& run) {
+  double least = 0;
+  for (const StepRecord& row : run.found.steps) least = std::min(least, row.least_distance);
+  return least;
+}
+
+void run(const Settings& settings) {
+  const Bin bin(settings);
+  const auto friction = loaded_friction();
+  const Run own = timed(bin, friction.get(), {});
+  const Run engine = settings.engine == "none" ? Run() : timed_engine(bin, settings.engine);
+  print_rows(own, engine, static_cast<std::size_t>(settings.stretch));
+  const SimulationCounters& c = own.found.counters;
+  std::printf("contact queries %lld, motion proofs %lld, friction problems %lld\n",
+              static_cast<long long>(c.contact_queries), static_cast<long long>(c.motion_proofs),
+              static_cast<long long>(c.friction_problems));
+  std::printf("proven: own %.3g, %s %.3g\n", least_distance(own), settings.engine.c_str(),
+              least_distance(engine));
+}
+
+}  // namespace
+}  // namespace raygauge::bench
+
+int main(int argc, char** argv) {
+  using namespace raygauge::bench;
+  return run_with_options<Settings>("raygauge_simulation_steps",
+                                    "Times of steps of a simulation beside another engine's", options, run,
+                                    argc, argv);
+}

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "raygauge/scene/friction.h"
+
+namespace raygauge {
+
+/// What a velocity of 6 numbers, scaled by the root of its body's mass matrix, adds to that of a contact.
+using ContactSlope = Eigen::Matrix<double, 6, 3>;
+
+/// A contact of an island: u = A_aᵀ y_a + A_bᵀ y_b + q, and the impulse r changes y_a by A_a r, y_b by A_b r.
+struct IslandContact {
+  int a = -1, b = -1;  ///< bodies of the island; -1: one that does not react
+  ContactSlope A_a = ContactSlope::Zero(), A_b = ContactSlope::Zero();
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();
+  double mu = 0;
+};
+
+/// The problem of FrictionProblem by its bodies: W has the blocks Σ A_cᵀ A_d over the bodies that the
+/// contacts c and d share.
+struct FrictionIsland {
+  int bodies = 0;
+  std::vector<IslandContact> contacts;
+
+  double size_of_q() const;  ///< |q|
+
+  /// At least ‖W‖.
+  double bound_of_W() const;
+
+  FrictionProblem dense() const;
+};
+
+/// The scaled velocities of the bodies that the impulses give: Σ A r.
+class IslandVelocities {
+ public:
+  IslandVelocities(const FrictionIsland& island, const Eigen::VectorXd& r);
+
+  Eigen::Vector3d of(const IslandContact& contact) const {
+    Eigen::Vector3d u = contact.q;
+    if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y_.col(contact.a);
+    if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y_.col(contact.b);
+    return u;
+  }
+
+  void push(const IslandContact& contact, const Eigen::Vector3d& r) {
+    if (contact.a >= 0) y_.col(contact.a).noalias() += contact.A_a * r;
+    if (contact.b >= 0) y_.col(contact.b).noalias() += contact.A_b * r;
+  }
+
+ private:
+  Eigen::Matrix<double, 6, Eigen::Dynamic> y_;
+};
+
+/// friction_residual() with `bound` in place of ‖W‖, which it is not below: so neither is this residual.
+double island_residual(const FrictionIsland& island, double bound, const Eigen::VectorXd& r);
+
+}  // namespace raygauge

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/friction_passes.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace raygauge {
+namespace {
+
+constexpr double kEnough = 1e-10;  // residual that ends the passes
+constexpr int kMostPasses = 600;
+constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
+constexpr int kPatience = 30;        // ... within so many of them, ...
+constexpr int kMore = 8;             // ... or within so many where it is small enough
+constexpr int kTurns = 3;            // of the direction of slip, in one solve of a contact
+constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
+constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
+
+// What does not change of a contact from pass to pass.
+struct Own {
+  Eigen::Matrix3d W, inverse;
+  double rate = 0;  // 1 / the mean of W across the normal
+};
+
+// Steps of projection to the cone, which come nearer always.
+Eigen::Vector3d nearer(const Own& own, double mu, const Eigen::Vector3d& b, Eigen::Vector3d r) {
+  constexpr int kSteps = 8;
+  const double rate = 1 / own.W.norm();
+  for (int step = 0; step < kSteps; ++step) {
+    Eigen::Vector3d changed = own.W * r + b;
+    changed[0] += mu * changed.tail<2>().norm();
+    r = nearest_in_cone(r - rate * changed, mu);
+  }
+  return r;
+}
+
+// 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b. `last`: the direction of slip is near what it says.
+Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last) {
+  if (b[0] >= 0) return Eigen::Vector3d::Zero();
+  if (!(mu > 0)) return {-b[0] / own.W(0, 0), 0, 0};
+  const Eigen::Vector3d sticks = -(own.inverse * b);
+  if (sticks.tail<2>().norm() <= mu * sticks[0]) return sticks;
+  Eigen::Vector3d r = last[0] > 0 ? last : sticks;
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();
+  for (int turn = 0; turn < kTurns; ++turn) {
+    u = b.tail<2>() + own.W.bottomRows<2>() * r;
+    const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
+    const double length = way.norm();
+    const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
+    if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
+    r[0] = -b[0] / slope;
+    r.tail<2>() = mu * r[0] / length * way;
+  }
+  return u.dot(r.tail<2>()) > 0 ? nearer(own, mu, b, last) : r;
+}
+
+/// One pass after the other.
+class Passes {
+ public:
+  explicit Passes(const FrictionIsland& island) : island_(island) {
+    for (const IslandContact& contact : island.contacts) {
+      Own& one = own_.emplace_back();
+      one.W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
+      if (!(one.W(2, 2) > 0)) one.W(2, 2) = one.W(0, 0);  // in the plane
+      one.inverse = one.W.inverse();
+      one.rate = 2 / (one.W(1, 1) + one.W(2, 2));
+    }
+  }
+
+  void pass(Eigen::VectorXd& r) const {
+    IslandVelocities velocities(island_, r);
+    for (std::size_t c = 0; c < own_.size(); ++c) {
+      const IslandContact& contact = island_.contacts[c];
+      auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
+      const Eigen::Vector3d before = here;
+      const Eigen::Vector3d b = velocities.of(contact) - own_[c].W * before;
+      here = solved(own_[c], contact.mu, b, before);
+      velocities.push(contact, here - before);
+    }
+  }
+
+ private:
+  const FrictionIsland& island_;
+  std::vector<Own> own_;
+};
+
+/// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
+class Extrapolation {
+ public:
+  explicit Extrapolation(Eigen::Index size) : changes_(size, kMemory), values_(size, kMemory) {}
+
+  void forget() { count_ = 0; }
+
+  /// Where to go on after r with the change f = g - r and the value g.
+  Eigen::VectorXd next(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
+    if (count_ > 0) {
+      const Eigen::Index at = (count_ - 1) % kMemory;
+      changes_.col(at) = f - f_;
+      values_.col(at) = g - g_;
+      learn(at);
+    }
+    f_ = f;
+    g_ = g;
+    const Eigen::Index known = std::min(count_++, kMemory);
+    if (known == 0) return g;
+    Eigen::MatrixXd products = products_.topLeftCorner(known, known);
+    products.diagonal() *= 1 + kRounding;
+    const Eigen::VectorXd shares = products.ldlt().solve(changes_.leftCols(known).transpose() * f);
+    if (!shares.allFinite()) return g;
+    return g - values_.leftCols(known) * shares;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-13;
+
+  void learn(Eigen::Index at) {
+    const Eigen::Index known = std::min(count_, kMemory);
+    const Eigen::VectorXd products = changes_.leftCols(known).transpose() * changes_.col(at);
+    products_.block(0, at, known, 1) = products;
+    products_.block(at, 0, 1, known) = products.transpose();
+  }
+
+  Eigen::Index count_ = 0;
+  Eigen::MatrixXd changes_, values_;
+  Eigen::Matrix<double, kMemory, kMemory> products_;
+  Eigen::VectorXd f_, g_;
+};
+
+}  // namespace
+
+double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
+  double best = island_residual(island, bound, r), gained = best;
+  if (best <= kEnough) return best;
+  const Passes passes(island);
+  Extrapolation extrapolation(r.size());
+  Eigen::VectorXd here = r;
+  double last = std::numeric_limits<double>::infinity();
+  for (int k = 0, gained_at = 0; k < kMostPasses && best > kEnough; ++k) {
+    Eigen::VectorXd g = here;
+    passes.pass(g);
+    const Eigen::VectorXd f = g - here;
+    const double size = f.norm(), residual = island_residual(island, bound, g);
+    if (residual < best) {
+      best = residual;
+      r = g;
+    }
+    if (best < kGain * gained) {
+      gained = best;
+      gained_at = k;
+    }
+    if (!(size > 0) || k > gained_at + (best > kSolvedFriction ? kPatience : kMore)) break;
+    if (size <= kWorse * last) {
+      last = std::min(last, size);
+      here = extrapolation.next(f, g);
+    } else {  // the extrapolation has left what it was learnt from
+      extrapolation.forget();
+      last = std::numeric_limits<double>::infinity();
+      here = r;
+    }
+  }
+  return best;
+}
+
+}  // namespace raygauge
