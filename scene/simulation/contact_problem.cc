@@ -180,32 +180,39 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
   return nonnegative_residual(normals, along, found);
 }
 
-// By passes from what is known of the step before. Where they do not end, Newton's method; where that does
-// not end, from the end of a path of smoothed problems; then from where the solver's passes end.
+// By passes from what is known of the step before, and Newton's method from there or from where they began,
+// where they do not end. Where that is not enough, from the end of a path of smoothed problems; then from
+// where the solver's passes end.
 double ContactProblem::with_friction(const FrictionIsland& island, Eigen::VectorXd& r) {
+  constexpr double kEnough = 1e-10;
   constexpr std::size_t kMostContacts = 150;  // of dense factorizations before the passes
-  const double bound = island.bound_of_W();
-  const double passed = pass_over_friction(island, bound, r);
-  if (passed <= kSolvedFriction) return passed;
-  const bool small = island.contacts.size() <= kMostContacts || friction_ == nullptr;
-  const FrictionProblem problem = plane_or_space(island.dense());
   const Eigen::VectorXd guess = r;
+  const double passed = pass_over_friction(island, island.bound_of_W(), r);
+  const bool small = island.contacts.size() <= kMostContacts || friction_ == nullptr;
+  if (passed <= (small ? kEnough : kSolvedFriction)) return passed;
+  const FrictionProblem problem = plane_or_space(island.dense());
+  const Eigen::VectorXd passes = r;
   double residual = friction_residual(problem, r);
-  const auto attempt = [&](auto find) {
-    if (!(residual > kSolvedFriction)) return;
-    Eigen::VectorXd trial = guess;
+  const auto attempt = [&](double enough, const Eigen::VectorXd& start, auto find) {
+    if (!(residual > enough)) return;
+    Eigen::VectorXd trial = start;
     find(trial);
     const double found = improve_friction(problem, trial);
     if (!(found < residual)) return;
     residual = found;
     r = trial;
   };
+  const auto nothing = [](Eigen::VectorXd& /*start*/) {};
   if (small) {
-    attempt([](Eigen::VectorXd& /*guess*/) {});
-    for (const double rate : {0.3, 0.7})
-      attempt([&](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); });
+    attempt(kEnough, guess, nothing);
+    attempt(kSolvedFriction, passes, nothing);
+    for (const double rate : {0.3, 0.7}) {
+      attempt(kSolvedFriction, guess,
+              [&](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); });
+    }
   }
-  if (friction_ != nullptr) attempt([&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
+  if (friction_ != nullptr)
+    attempt(kSolvedFriction, guess, [&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
   return residual;
 }
 
