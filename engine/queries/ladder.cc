@@ -338,7 +338,7 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   } else if (had_depth || answer_.depth.evaluations > 0) {
     answer_.depth = ObjectDepth();
   }
-  if (ask.warm != nullptr) ask.warm->overlap = answer_.depth.lower > 0;
+  if (ask.warm != nullptr) ask.warm->overlap = answer_.depth.lower > 0 && !bodies_.by_formula();
   answer_.pose_gradient_evaluations = 0;
   if (has_effect(ask.object_effects, ObjectEffects::pose_gradient)) {
     find_pose_gradient(ask);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/methods/spatial/round_pair.h"
 #include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/methods/options.h"
@@ -21,7 +22,8 @@ struct ProvenBounds {
 /// nevertheless is in proven().
 class SpatialQuery {
  public:
-  /// The Euclidean distance, in units of the radius of the ball `metric`.
+  /// The Euclidean distance, in units of the radius of the ball `metric`. Where RoundPair has a formula, the
+  /// depth too, if it is asked for and they meet.
   bool distance(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options,
                 ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
 
@@ -30,7 +32,10 @@ class SpatialQuery {
               double threshold, WarmStart* warm, DistanceResult& result);
 
   /// Nothing is known of bodies before a query.
-  void begin() noexcept { asked_ = false; }
+  void begin() noexcept { asked_ = by_formula_ = false; }
+
+  /// Whether a formula has answered the last query, which takes no longer from a start.
+  bool by_formula() const noexcept { return by_formula_; }
 
   /// Of the last query: the support points that its answer ended with.
   const SpatialCombination& combination() const noexcept { return solve_.answer().combination; }
@@ -50,12 +55,19 @@ class SpatialQuery {
 
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
+  bool place(const Posed& first, const Posed& second);
+  bool distance_by_formula(const Posed& A1, const Posed& A2, const DistanceOptions& options,
+                           ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
+  bool depth_by_formula(const DistanceOptions& options, ObjectDepth& depth);
   void set_counters(DistanceResult& result) const;
+  static void clear_rest(DistanceResult& result);
 
   SpatialSolve solve_;
+  RoundPair round_;
   SpatialShape metric_;
+  double radius_ = 1;  // of the metric
   ProvenBounds proven_;
-  bool asked_ = false;
+  bool asked_ = false, by_formula_ = false;
 };
 
 }  // namespace raygauge

@@ -42,6 +42,16 @@ struct BoxCore {
             clamped(y.z, shape.base.z, shape.top.z)};
   }
 
+  double way_out(const Vector3& y, Vector3& outward) const {
+    const double room[6] = {y.x - shape.base.x, shape.top.x - y.x,  y.y - shape.base.y,
+                            shape.top.y - y.y,  y.z - shape.base.z, shape.top.z - y.z};
+    int least = 0;
+    for (int i = 1; i < 6; ++i) least = room[i] < room[least] ? i : least;
+    const double side = least % 2 == 0 ? -1.0 : 1.0;
+    outward = {least / 2 == 0 ? side : 0.0, least / 2 == 1 ? side : 0.0, least / 2 == 2 ? side : 0.0};
+    return room[least];
+  }
+
   template <class Real, class Use>
   void face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
     for_vertices_near_top(*this, v, margin, isa, use);

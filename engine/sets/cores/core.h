@@ -28,7 +28,9 @@ namespace raygauge {
 ///     i
 ///                                         at u is share (form - y yᵀ)
 ///     nearest(y)                  the point of the core nearest to y; y itself inside
-///     holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside for
+///     way_out(y, outward)         of a point y inside: how far it is to the surface, and the unit normal
+///     there holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside
+///     for
 ///                                 certain; x is highest for some unit vector v, and v·back is `height`
 ///     ends_around(x)              of a core without area: the vertices between which x is
 ///     disc(v)                     the flat disc on the side of v

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/sets/cores/core_parts.h"
@@ -140,6 +141,8 @@ struct FrustumCore {
   template <class Real>
   BasicVector3<Real> nearest(const BasicVector3<Real>& y) const;
 
+  double way_out(const Vector3& y, Vector3& outward) const;
+
   /// Whether the ball of radius `margin` about x - back is inside, for certain.
   template <class Real>
   bool holds(const BasicVector3<Real>& x, const BasicVector3<Real>& back, double height, double margin) const;
@@ -169,6 +172,26 @@ BasicVector3<Real> FrustumCore::nearest(const BasicVector3<Real>& y) const {
   if (share > Real{1}) share = Real{1};
   const Real radius = base_radius + share * widening;
   return base + axis.a * (share * full) + radial * (radius / across);
+}
+
+// Through a disc, or through the side in the half plane of y, where that is a line. On the axis any half
+// plane does; near it the direction away from it is projected once more, as rounding is much of it.
+inline double FrustumCore::way_out(const Vector3& y, Vector3& outward) const {
+  const Axis<double> axis(shape);
+  const Vector3 x = y - shape.base;
+  const double along = dot(x, axis.a), full = axis.full(shape);
+  Vector3 radial = axis.without(x);
+  const double across = length(radial), widening = shape.top_radius - shape.base_radius;
+  radial = axis.without(across > 0 ? radial * (1 / across) : any_orthogonal(axis.a));
+  radial = radial * (1 / length(radial));
+  const double slant = std::sqrt(full * full + widening * widening);
+  const double side = ((shape.base_radius - across) * full + along * widening) / slant;
+  if (side < along && side < full - along) {
+    outward = (radial * full - axis.a * widening) * (1 / slant);
+    return side;
+  }
+  outward = along < full - along ? -axis.a : axis.a;
+  return std::min(along, full - along);
 }
 
 template <class Real, class Use>

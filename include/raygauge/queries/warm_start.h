@@ -22,7 +22,7 @@ struct WarmStart {
   int count = 0;                          ///< support points of the last solve that are recorded below
   std::array<std::int32_t, 4> point_A{};  ///< their indices in A ...
   std::array<std::int32_t, 4> point_Q{};  ///< ... and in Q, for prepared sets of R^3
-  bool overlap = false;                   ///< it found a depth, of which the next solve asks first
+  bool overlap = false;                   ///< it has searched for a depth: the next solve does so first
 };
 
 /// The normal that is recorded for R^n, if it can be one (n doubles, finite, not all zero); otherwise

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/methods/spatial/round_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/ball.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
+
+namespace raygauge::test_round_pair {
+namespace {
+
+using V = Eigen::Vector3d;
+using SetPointer = std::shared_ptr<const ConvexSet>;
+using Random = std::mt19937_64;
+
+constexpr double kNoise = 1e-11;  // of bodies and ways of size 10 at most
+
+V gaussian(Random& random) {
+  std::normal_distribution<double> normal;
+  return {normal(random), normal(random), normal(random)};
+}
+
+Pose random_pose(Random& random, double way) {
+  const V axis = gaussian(random).normalized();
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(gaussian(random).norm(), axis)), way * gaussian(random)};
+}
+
+std::vector<SetPointer> cores() {
+  const V p(0.1, -0.2, 0.3), q(0.4, 0.9, -0.2);
+  return {std::make_shared<Ball>(p, 0.4),
+          std::make_shared<Capsule>(p, q, 0.3),
+          std::make_shared<Capsule>(p, q, 0.0),
+          std::make_shared<Box>(V(-0.6, -0.9, -0.1), V(0.9, 0.8, 0.7)),
+          std::make_shared<Cylinder>(p, q, 0.8),
+          std::make_shared<TruncatedCone>(p, 0.9, q, 0.2),
+          std::make_shared<TruncatedCone>(p, 0.0, q, 1.5)};
+}
+
+struct Case {
+  const ConvexSet* set[2];
+  Pose pose[2];
+
+  // min u·x over the first body - max u·x over the second: at most the signed distance.
+  double apart_along(const V& u) const {
+    const double first = set[0]->support_function(pose[0].rotation().transpose() * -u);
+    const double second = set[1]->support_function(pose[1].rotation().transpose() * u);
+    return -first + u.dot(pose[0].translation()) - second - u.dot(pose[1].translation());
+  }
+};
+
+V dense(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+// The greatest gap along any of many directions, and a search around the best.
+double widest_gap(const Case& at, Random& random) {
+  V best = V::UnitX();
+  double gap = at.apart_along(best), reach = 1;
+  for (int i = 0; i < 600; ++i) {
+    const V u = (i < 200 ? gaussian(random) : V(best + reach * gaussian(random))).normalized();
+    const double other = at.apart_along(u);
+    if (other > gap) {
+      gap = other;
+      best = u;
+    }
+    if (i > 200 && i % 20 == 0) reach *= 0.5;
+  }
+  return gap;
+}
+
+void expect_true(const Case& at, const std::string& name, Random& random) {
+  SpatialShape shape[2];
+  ASSERT_TRUE(at.set[0]->spatial_shape_unchecked(shape[0]) && at.set[1]->spatial_shape_unchecked(shape[1]));
+  if (!RoundPair::has_formula(shape[0], shape[1])) return;
+  RoundPair pair;
+  if (!pair.solve(shape[0], shape[1], PoseNumbers(&at.pose[0]), PoseNumbers(&at.pose[1]))) return;
+  EXPECT_LE(pair.upper() - pair.lower(), kNoise) << name;
+  const V n = dense(pair.normal());
+  EXPECT_NEAR(n.norm(), 1, 1e-14) << name;
+  EXPECT_NEAR(at.apart_along(n), pair.lower(), kNoise) << name;
+  EXPECT_LE(widest_gap(at, random), pair.upper()) << name;
+  const V way = dense(pair.point_1()) - dense(pair.point_2());
+  EXPECT_LE((way - pair.upper() * n).norm(), kNoise) << name;
+  for (int i = 0; i < 2; ++i) {
+    const V x = dense(i == 0 ? pair.point_1() : pair.point_2()), u = i == 0 ? V(-n) : n;
+    const double height = at.set[i]->support_function(at.pose[i].rotation().transpose() * u);
+    EXPECT_NEAR(u.dot(x), height + u.dot(at.pose[i].translation()), kNoise) << name << ", point " << i + 1;
+  }
+}
+
+TEST(RoundPair, ProvesTheSignedDistanceOfEveryPairThatHasAFormula) {
+  Random random(3);
+  const std::vector<SetPointer> sets = cores();
+  for (std::size_t a = 0; a < sets.size(); ++a) {
+    for (std::size_t b = 0; b < sets.size(); ++b) {
+      for (int i = 0; i < 40; ++i) {
+        const Case at{{sets[a].get(), sets[b].get()},
+                      {random_pose(random, 1), random_pose(random, i % 2 == 0 ? 0.3 : 1.0)}};
+        expect_true(at, std::to_string(a) + " " + std::to_string(b) + " case " + std::to_string(i), random);
+      }
+    }
+  }
+}
+
+// On the axis, next to it, at the centre, on the middle plane of a box.
+TEST(RoundPair, KnowsTheWayOutOfPlacesWhereTwoAreAsShort) {
+  Random random(4);
+  const Cylinder cylinder(V(0, 0, -1), V(0, 0, 1), 0.5);
+  const TruncatedCone cone(V(0, 0, -1), 1.5, V(0, 0, 1), 0.0);
+  const Box box(V(-1, -1, -1), V(1, 1, 1));
+  for (const ConvexSet* set : {static_cast<const ConvexSet*>(&cylinder), static_cast<const ConvexSet*>(&cone),
+                               static_cast<const ConvexSet*>(&box)}) {
+    for (const double off : {0.0, 1e-300, 1e-17, 1e-12, 1e-6}) {
+      for (const double height : {0.0, -0.4, -0.9}) {
+        const Ball ball(V(off, -off, height), 0.25);
+        for (const bool swapped : {false, true}) {
+          const Case at{{swapped ? &ball : set, swapped ? set : &ball}, {Pose(3), Pose(3)}};
+          expect_true(at, std::to_string(off) + " " + std::to_string(height), random);
+        }
+      }
+    }
+  }
+}
+
+// Of a ball in a cone of half angle atan(1/2) about its axis: the way to the side is (tip - z) sin.
+TEST(RoundPair, OfABallInAConeIsTheWayToTheSideAndTheRadius) {
+  const TruncatedCone cone(V(0, 0, 0), 1, V(0, 0, 2), 0);
+  const Ball ball(V(0, 0, 1), 0.5), metric(V::Zero(), 2);
+  ObjectDistanceSolver solver;
+  const ObjectDistance& r = solver.solve(cone, ball, metric, ObjectEffects::depth);
+  EXPECT_NEAR(r.depth.depth, (1 / std::sqrt(5.0) + 0.5) / 2, kNoise);
+  EXPECT_LE(r.depth.lower, r.depth.upper);
+  EXPECT_EQ(r.depth.status, DistanceStatus::optimal);
+  EXPECT_EQ(r.distance.status, DistanceStatus::contains_origin);
+  EXPECT_NEAR(r.depth.normal.norm(), 0.5, 1e-15);
+}
+
+TEST(RoundPair, SaysNothingWhereRoundingHidesTheDirection) {
+  const Capsule one(V(-1, 0, 0), V(1, 0, 0), 0.5), two(V(0, -1, 0), V(0, 1, 0), 0.5);
+  SpatialShape shape[2];
+  ASSERT_TRUE(one.spatial_shape_unchecked(shape[0]) && two.spatial_shape_unchecked(shape[1]));
+  RoundPair pair;
+  EXPECT_FALSE(pair.solve(shape[0], shape[1], {}, {}));
+  ObjectDistanceSolver solver;
+  const Ball metric(V::Zero(), 1);
+  const ObjectDistance& r = solver.solve(one, two, metric, ObjectEffects::depth);
+  EXPECT_NEAR(r.depth.depth, 1, 1e-6);
+  EXPECT_EQ(r.depth.status, DistanceStatus::optimal);
+}
+
+}  // namespace
+}  // namespace raygauge::test_round_pair
