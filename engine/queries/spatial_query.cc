@@ -99,14 +99,17 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
 bool SpatialQuery::distance_by_formula(const Posed& A1, const Posed& A2, const DistanceOptions& options,
                                        ObjectEffects effects, WarmStart* warm, ObjectDistance& result) {
   const SpatialShape &one = solve_.pair().shape(0), &two = solve_.pair().shape(1);
+  // The gradient of the distance from a ball needs no faces; others do, where the bodies are.
+  const bool by_pose = has_effect(effects, ObjectEffects::pose_gradient);
   if (solve_.dimension() != 3 || !RoundPair::has_formula(one, two) ||
-      has_effect(effects, ObjectEffects::pose_gradient) ||
+      (by_pose && !is_point(one) && !is_point(two)) ||
       !round_.solve(one, two, PoseNumbers(A1.pose), PoseNumbers(A2.pose))) {
     return false;
   }
   const bool meet = round_.upper() < 0, deep = meet && has_effect(effects, ObjectEffects::depth);
   const Bounds bounds(round_.lower(), round_.upper());
   if (!meet && !(round_.lower() > 0 && bounds.close(options.tolerance))) return false;
+  if (meet && by_pose) return false;
   if (deep && !depth_by_formula(options, result.depth)) return false;
   DistanceResult& distance = result.distance;
   const double share = radius_ == 1 ? 1.0 : 1 / radius_;

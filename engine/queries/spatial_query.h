@@ -40,8 +40,9 @@ class SpatialQuery {
   /// Of the last query: the support points that its answer ended with.
   const SpatialCombination& combination() const noexcept { return solve_.answer().combination; }
 
-  /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it.
-  const SpatialPair* pair() const noexcept { return asked_ ? &solve_.pair() : nullptr; }
+  /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it. After a
+  /// formula only their shapes: they have not been placed.
+  const SpatialPair* pair() const noexcept { return asked_ || by_formula_ ? &solve_.pair() : nullptr; }
 
   /// Of the last query, in its units, where that returned false; whether there was fixed-size code for it.
   const ProvenBounds& proven() const noexcept { return proven_; }

@@ -15,6 +15,7 @@ class EuclideanOracle : public DepthOracle<Real> {
  public:
   using Vector = BasicVector3<Real>;
 
+  EuclideanOracle() { this->euclidean_ = true; }
   double metric_upper(const Vector& u) override { return length_of(u) * (1 + 0x1p-50); }
   double metric_lower(const Vector& u) override { return length_of(u) * (1 - 0x1p-50); }
 };

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/methods/spatial/triangle_normal.h"
 #include "engine/proof/bounds.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
+constexpr double kUnitUp = 1 + 0x1p-48, kUnitDown = 1 - 0x1p-48;  // for the length of a facet's normal
 constexpr int kMostIterations = 1 << 15;     // a ring of equal depths to 1e-8 takes fewer
 constexpr int kMostSetbacks = 32;            // of the least facet, which never sinks but for rounding
 constexpr int kIterationsBetweenLooks = 32;  // at the watch: a pass over many points may take 1 ms
@@ -26,8 +27,8 @@ BasicVector3<Real> unit(const BasicVector3<Real>& v) {
 }  // namespace
 
 template <class Real>
-bool DepthSearch<Real>::is_done() const {
-  return Bounds(std::max(lower_, goal_.floor) + goal_.ball_lower, upper_ + goal_.ball_upper)
+bool DepthSearch<Real>::closes(double lower) const {
+  return Bounds(std::max(lower, goal_.floor) + goal_.ball_lower, upper_ + goal_.ball_upper)
       .close(goal_.tolerance * kDown);
 }
 
@@ -38,13 +39,15 @@ bool DepthSearch<Real>::is_lost() const {
   return goal_.tolerance * (upper_ + goal_.ball_upper) < kLost * oracle_->error();
 }
 
-// The support point for u, whose height may be a better upper bound.
+// The support point for u, of length 1 where it is a facet's normal, whose height may be a better upper
+// bound.
 template <class Real>
-void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point) {
+void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point, bool is_unit) {
   const double height = oracle_->support(u, point);
-  const double metric = oracle_->metric_lower(u);
+  const bool known = is_unit && oracle_->is_euclidean();
+  const double metric = known ? kUnitDown : oracle_->metric_lower(u);
   if (!(metric > 0)) return;
-  const double size = length(rounded(u)) * kUp;
+  const double size = known ? kUnitUp : length(rounded(u)) * kUp;
   const double upper = std::max((height + oracle_->error() * size) / metric * kUp, 0.0);
   if (upper < upper_) {
     upper_ = upper;
@@ -57,11 +60,17 @@ void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point) {
 template <class Real>
 bool DepthSearch<Real>::farther(const Vector& u, const Vector& from, DepthPoint<Real>& point) {
   DepthPoint<Real> below;
-  probe(u, point);
-  probe(-u, below);
+  probe(u, point, false);
+  probe(-u, below, false);
   const double up = rounded(dot(u, point.s - from)), down = rounded(dot(u, from - below.s));
   if (down > up) point = below;
-  return std::max(up, down) > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
+  return is_solid(std::max(up, down));
+}
+
+// Whether D is for certain as thick as that.
+template <class Real>
+bool DepthSearch<Real>::is_solid(double thickness) const {
+  return thickness > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
 }
 
 // Of three corners and the point that is the farthest from their plane.
@@ -79,36 +88,57 @@ bool DepthSearch<Real>::begin(const Vector& start, const DepthPoint<Real>* face)
     if (close_tetrahedron(corner)) return true;
   }
   const Vector u = unit(start);
-  probe(u, corner[0]);
-  if (!farther(-u, corner[0].s, corner[1])) return false;
+  probe(u, corner[0], false);
+  probe(-u, corner[1], false);
+  if (!is_solid(rounded(dot(u, corner[0].s - corner[1].s)))) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
   const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
   if (!farther(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner[2])) return false;
   return close_tetrahedron(corner);
 }
 
+// What the plane of a facet proves, rounded down. A direction in which Q does not reach is no obstacle to it.
+template <class Real>
+double DepthSearch<Real>::value_of(const DepthFacet<Real>& facet) const {
+  const double certain = facet.offset - oracle_->error() * kUp;
+  if (!(certain > 0)) return certain;
+  const double metric = oracle_->is_euclidean() ? kUnitUp : oracle_->metric_upper(facet.n);
+  return metric > 0 ? certain / metric * kDown : std::numeric_limits<double>::infinity();
+}
+
+// A lower bound from which on closes() holds; NaN where none is known. Rounded up.
+template <class Real>
+double DepthSearch<Real>::closing() const {
+  if (closes(0)) return -std::numeric_limits<double>::infinity();
+  const double upper = upper_ + goal_.ball_upper;
+  return upper - goal_.ball_lower - upper * (goal_.tolerance * kDown - 0x1p-50);
+}
+
 template <class Real>
 void DepthSearch<Real>::queue_new_facets() {
+  value_.resize(static_cast<std::size_t>(polytope_.facet_count()));
+  const double enough = closing();
   for (const std::int32_t i : polytope_.made()) {
     const DepthFacet<Real>& facet = polytope_.facet(i);
-    const double certain = facet.offset - oracle_->error() * kUp;
-    const double metric = oracle_->metric_upper(facet.n);
-    // A direction in which Q does not reach is no obstacle to it.
-    const double value = certain > 0 && !(metric > 0) ? std::numeric_limits<double>::infinity()
-                         : certain > 0                ? certain / metric * kDown
-                                                      : certain;
+    const double value = value_of(facet);
+    value_[static_cast<std::size_t>(i)] = value;
+    if (value >= enough) {
+      settled_ = std::min(settled_, value);
+      continue;
+    }
     heap_.push_back({value, i, facet.stamp});
     std::push_heap(heap_.begin(), heap_.end());
   }
 }
 
+// Of those to be expanded; nullptr where none is left.
 template <class Real>
-auto DepthSearch<Real>::least() -> const Entry& {
-  while (polytope_.facet(heap_.front().facet).stamp != heap_.front().stamp) {
+auto DepthSearch<Real>::least() -> const Entry* {
+  while (!heap_.empty() && polytope_.facet(heap_.front().facet).stamp != heap_.front().stamp) {
     std::pop_heap(heap_.begin(), heap_.end());
     heap_.pop_back();
   }
-  return heap_.front();
+  return heap_.empty() ? nullptr : &heap_.front();
 }
 
 template <class Real>
@@ -120,25 +150,28 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = 0;
   heap_.clear();
+  settled_ = std::numeric_limits<double>::infinity();
   solid_ = begin(start, face);
-  if (!solid_) return is_done() ? DepthEnd::closed : DepthEnd::flat;
+  if (!solid_) return closes(lower_) ? DepthEnd::closed : DepthEnd::flat;
   queue_new_facets();
   DepthPoint<Real> point;
   int setbacks = 0;
   for (; iterations_ < kMostIterations; ++iterations_) {
-    const Entry& entry = least();
-    if (entry.value < lower_) ++setbacks;
-    if (entry.value > 0) lower_ = std::max(lower_, entry.value);
-    if (is_done()) return DepthEnd::closed;
+    const Entry* entry = least();
+    const double value = entry != nullptr ? std::min(entry->value, settled_) : settled_;
+    if (value < lower_) ++setbacks;
+    if (value > 0) lower_ = std::max(lower_, value);
+    if (closes(lower_)) return DepthEnd::closed;
+    if (entry == nullptr) return DepthEnd::rounding;
     if (is_lost() || setbacks > kMostSetbacks) return DepthEnd::rounding;
     if (iterations_ % kIterationsBetweenLooks == kIterationsBetweenLooks - 1 && watch.expired())
       return DepthEnd::time;
-    const DepthFacet<Real>& facet = polytope_.facet(entry.facet);
+    const DepthFacet<Real>& facet = polytope_.facet(entry->facet);
     if (!(dot(rounded(facet.n), rounded(facet.n)) > 0)) return DepthEnd::rounding;
-    probe(facet.n, point);
-    if (is_done()) return DepthEnd::closed;
+    probe(facet.n, point, true);
+    if (closes(lower_)) return DepthEnd::closed;
     const double above = rounded(polytope_.above(facet, point.s));
-    if (!(above > polytope_.noise()) || !polytope_.add(entry.facet, point)) return DepthEnd::rounding;
+    if (!(above > polytope_.noise()) || !polytope_.add(entry->facet, point)) return DepthEnd::rounding;
     queue_new_facets();
   }
   return DepthEnd::limit;
@@ -168,23 +201,23 @@ template <class Real>
 bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) {
   if (!solid_) return false;
   constexpr double kSamePlane = 1 + 1e-9;
-  const auto meets = [&](const Entry& entry) {
-    const DepthFacet<Real>& facet = polytope_.facet(entry.facet);
+  const auto meets = [&](std::int32_t i) {
+    const DepthFacet<Real>& facet = polytope_.facet(i);
     const double reach = rounded(facet.reach), along = dot(rounded(facet.n), u);
-    const bool leaves = facet.stamp == entry.stamp && reach > 0 && along > 0;
+    const bool leaves = facet.stamp > 0 && reach > 0 && along > 0;
     return leaves ? reach / along : std::numeric_limits<double>::infinity();
   };
   double first = std::numeric_limits<double>::infinity(), best = first;
-  for (const Entry& entry : heap_) first = std::min(first, meets(entry));
-  for (const Entry& entry : heap_) {
-    if (!(meets(entry) <= first * kSamePlane)) continue;
+  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) first = std::min(first, meets(i));
+  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
+    if (!(meets(i) <= first * kSamePlane)) continue;
     const DepthPoint<Real>* p[3];
-    for (int i = 0; i < 3; ++i) p[i] = &polytope_.point(polytope_.facet(entry.facet).corner[i]);
+    for (int k = 0; k < 3; ++k) p[k] = &polytope_.point(polytope_.facet(i).corner[k]);
     double weight[3];
     const double outside = weights_along(rounded(p[0]->s), rounded(p[1]->s), rounded(p[2]->s), u, weight);
     if (!(outside < best)) continue;
     best = outside;
-    contact_ = entry.facet;
+    contact_ = i;
     a1 = p[0]->a1 * weight[0] + p[1]->a1 * weight[1] + p[2]->a1 * weight[2];
     a2 = p[0]->a2 * weight[0] + p[1]->a2 * weight[1] + p[2]->a2 * weight[2];
   }
@@ -198,9 +231,10 @@ void DepthSearch<Real>::add_near_normals(double relative, double angle, std::vec
   const double most = upper_ + relative * (upper_ + goal_.ball_upper), cosine = std::cos(angle);
   const std::size_t first = normals.size();
   const Vector3 own = rounded(normal_) * (1 / length_of(normal_));
-  for (const Entry& entry : heap_) {
-    const DepthFacet<Real>& facet = polytope_.facet(entry.facet);
-    if (facet.stamp != entry.stamp || !(entry.value <= most) || normals.size() >= kMost) continue;
+  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
+    const DepthFacet<Real>& facet = polytope_.facet(i);
+    if (facet.stamp == 0 || !(value_[static_cast<std::size_t>(i)] <= most) || normals.size() >= kMost)
+      continue;
     const Vector3 n = rounded(facet.n) * (1 / length_of(facet.n));
     const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
     if (is_near(own) ||

@@ -28,6 +28,9 @@ class DepthOracle {
   virtual double metric_upper(const Vector& u) = 0;
   virtual double metric_lower(const Vector& u) = 0;
 
+  /// Whether h_Q(u) = |u|.
+  bool is_euclidean() const noexcept { return euclidean_; }
+
   double error() const noexcept { return error_; }
 
   /// At least |s| for every support point.
@@ -35,6 +38,7 @@ class DepthOracle {
 
  protected:
   double error_ = 0, size_ = 0;
+  bool euclidean_ = false;
 };
 
 enum class DepthEnd : std::uint8_t {
@@ -106,15 +110,20 @@ class DepthSearch {
 
   bool begin(const Vector& start, const DepthPoint<Real>* face);
   bool close_tetrahedron(DepthPoint<Real>* corner);
-  bool is_done() const;
+  bool closes(double lower) const;
+  double closing() const;
+  bool is_solid(double thickness) const;
   bool is_lost() const;
-  void probe(const Vector& u, DepthPoint<Real>& point);
+  void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
   bool farther(const Vector& u, const Vector& from, DepthPoint<Real>& point);
+  double value_of(const DepthFacet<Real>& facet) const;
   void queue_new_facets();
-  const Entry& least();
+  const Entry* least();
 
   InnerPolytope<Real> polytope_;
-  std::vector<Entry> heap_;
+  std::vector<Entry> heap_;    // of facets that may have to be expanded
+  std::vector<double> value_;  // of every facet: its offset/h_Q(n), rounded down
+  double settled_ = 0;         // the least of those that close the gap as it was when they were made
   DepthOracle<Real>* oracle_ = nullptr;
   Goal goal_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();

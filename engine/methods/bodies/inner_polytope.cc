@@ -6,15 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/methods/spatial/nearest_on_simplex.h"
+#include "engine/methods/bodies/facet_rounding.h"
+#include "engine/methods/spatial/triangle_normal.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
-
-// What a scalar product of a unit vector may lose, relative to the other factor.
-template <class Real>
-constexpr double kProduct = 8 * kUnitOf<Real>;
 
 constexpr int kNext[3] = {1, 2, 0};
 
@@ -22,7 +19,7 @@ constexpr int kNext[3] = {1, 2, 0};
 
 template <class Real>
 double InnerPolytope<Real>::noise_of(double size) noexcept {
-  return 4 * kProduct<Real> * size;
+  return 4 * kFacetProduct<Real> * size;
 }
 
 template <class Real>
@@ -45,6 +42,7 @@ bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
   make(1, 0, 3);
   make(2, 1, 3);
   make(0, 2, 3);
+  measure_made();
   constexpr std::int32_t kNeighbours[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   for (std::size_t i = 0; i < 4; ++i) std::copy_n(kNeighbours[i], 3, facets_[i].neighbour);
   return true;
@@ -69,9 +67,38 @@ void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
   const auto higher_of = [](const Real& x, const Real& y) { return x < y ? y : x; };
   facet.reach = higher_of(of_a, higher_of(of_b, of_c));
   const double least = rounded(lower_of(of_a, lower_of(of_b, of_c)));
-  facet.offset = least - kProduct<Real> * size_ - std::fabs(least) * 0x1p-52;
-  const bool certain = size > 0 && least > (17 * kUnitOf<Real> * edges * scale + kProduct<Real>)*size_;
-  if (!certain) facet.offset = std::min(facet.offset, 0.0);
+  facet.offset = least - kFacetProduct<Real> * size_ - std::fabs(least) * 0x1p-52;
+  const double needed = (kFacetEdges<Real> * edges * scale + kFacetProduct<Real>)*size_;
+  if (!(size > kLeastFacetNormal && least > needed)) facet.offset = std::min(facet.offset, 0.0);
+}
+
+// Those that were made, eight at a time in doubles.
+template <class Real>
+void InnerPolytope<Real>::measure_made() {
+  if constexpr (!kIsDouble<Real>) {
+    for (const std::int32_t i : made_) measure(facets_[static_cast<std::size_t>(i)]);
+  } else {
+    constexpr std::size_t kCount = FacetLanes::kCount;
+    for (std::size_t first = 0; first < made_.size(); first += kCount) {
+      const std::size_t count = std::min(kCount, made_.size() - first);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const DepthFacet<Real>& facet = this->facet(made_[first + lane]);
+        for (int c = 0; c < 3; ++c) {
+          const Vector& corner = point(facet.corner[c]).s;
+          lanes_.corner[c][0][lane] = corner.x;
+          lanes_.corner[c][1][lane] = corner.y;
+          lanes_.corner[c][2][lane] = corner.z;
+        }
+      }
+      measure_facets(size_, lanes_);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[first + lane])];
+        facet.n = {lanes_.n[0][lane], lanes_.n[1][lane], lanes_.n[2][lane]};
+        facet.reach = lanes_.reach[lane];
+        facet.offset = lanes_.offset[lane];
+      }
+    }
+  }
 }
 
 template <class Real>
@@ -90,7 +117,6 @@ std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int3
   facet.corner[1] = b;
   facet.corner[2] = c;
   facet.stamp = ++stamps_;
-  measure(facet);
   made_.push_back(index);
   return index;
 }
@@ -167,6 +193,7 @@ RAYGAUGE_FUSED bool InnerPolytope<Real>::add(std::int32_t first, const DepthPoin
     facets_[static_cast<std::size_t>(i)].neighbour[0] = edge.beyond;
     link(edge.beyond, edge.to, edge.from, i);
   }
+  measure_made();
   for (std::size_t k = 0; k < made_.size(); ++k) {
     DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[k])];
     facet.neighbour[1] = made_[k + 1 < made_.size() ? k + 1 : 0];

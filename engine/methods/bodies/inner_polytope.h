@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/methods/bodies/facet_lanes.h"
 #include "engine/numerics/real.h"
 
 namespace raygauge {
@@ -74,6 +75,7 @@ class InnerPolytope {
   };
 
   std::int32_t make(std::int32_t a, std::int32_t b, std::int32_t c);
+  void measure_made();
   void measure(DepthFacet<Real>& facet) const;
   void find_rim(std::int32_t facet, const Vector& x);
   bool is_loop() const;
@@ -86,6 +88,7 @@ class InnerPolytope {
   std::vector<std::int64_t> mark_;  // of facets: the search that has seen them
   std::vector<Edge> rim_;
   std::vector<Visit> stack_;
+  FacetLanes lanes_;
   std::int64_t stamps_ = 0, searches_ = 0;
   double size_ = 0, noise_ = 0;
 };

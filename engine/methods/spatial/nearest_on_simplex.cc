@@ -157,19 +157,6 @@ SimplexFace<Real> nearest_face_of(Points<Real> points, int count) {
 
 }  // namespace
 
-template <class Real>
-BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVector3<Real>& b,
-                                   const BasicVector3<Real>& c) {
-  const BasicVector3<Real> ab = b - a, bc = c - b, ca = a - c;
-  const Real l = dot(ab, ab), m = dot(bc, bc), k = dot(ca, ca);
-  if (l >= m && l >= k) return cross(bc, ca);
-  return m >= k ? cross(ca, ab) : cross(ab, bc);
-}
-
-template Vector3 triangle_normal(const Vector3& a, const Vector3& b, const Vector3& c);
-template BasicVector3<DoubleDouble> triangle_normal(const BasicVector3<DoubleDouble>& a,
-                                                    const BasicVector3<DoubleDouble>& b,
-                                                    const BasicVector3<DoubleDouble>& c);
 template <>
 SimplexFace<double> nearest_face(const Vector3* const* points, int count) {
   return nearest_face_of<double>(points, count);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/real.h"
+#include "engine/methods/spatial/triangle_normal.h"
 
 namespace raygauge {
 
@@ -22,11 +22,6 @@ struct SimplexFace {
 /// nearest. The depth is a lower bound, rounding included.
 template <class Real>
 SimplexFace<Real> nearest_face(const BasicVector3<Real>* const* points, int count);
-
-/// A normal of the triangle, from the two shorter of its edges, where cancellation is least.
-template <class Real>
-BasicVector3<Real> triangle_normal(const BasicVector3<Real>& a, const BasicVector3<Real>& b,
-                                   const BasicVector3<Real>& c);
 
 template <>
 SimplexFace<double> nearest_face(const Vector3* const* points, int count);

@@ -30,7 +30,7 @@ Vector3 half_of(const SpatialShape& shape) {
 
 // Where a body is, from the origin of the first one's frame: x -> R x + t, R by columns.
 struct Place {
-  const double* R;
+  const double* R = nullptr;
   Vector3 t;
 
   Vector3 turn(const Vector3& x) const noexcept {

@@ -174,20 +174,22 @@ BasicVector3<Real> FrustumCore::nearest(const BasicVector3<Real>& y) const {
   return base + axis.a * (share * full) + radial * (radius / across);
 }
 
-// Through a disc, or through the side in the half plane of y, where that is a line. On the axis any half
-// plane does; near it the direction away from it is projected once more, as rounding is much of it.
+// Through a disc, or through the side in the half plane of y, where that is a line. At the axis, where the
+// way from it is lost in rounding, any half plane does.
 inline double FrustumCore::way_out(const Vector3& y, Vector3& outward) const {
+  constexpr double kAtAxis = 1e-10;  // of |y - base|
   const Axis<double> axis(shape);
   const Vector3 x = y - shape.base;
   const double along = dot(x, axis.a), full = axis.full(shape);
   Vector3 radial = axis.without(x);
   const double across = length(radial), widening = shape.top_radius - shape.base_radius;
-  radial = axis.without(across > 0 ? radial * (1 / across) : any_orthogonal(axis.a));
-  radial = radial * (1 / length(radial));
+  if (!(across > kAtAxis * length(x))) radial = any_orthogonal(axis.a);
+  radial = axis.without(radial);
   const double slant = std::sqrt(full * full + widening * widening);
   const double side = ((shape.base_radius - across) * full + along * widening) / slant;
   if (side < along && side < full - along) {
-    outward = (radial * full - axis.a * widening) * (1 / slant);
+    outward = radial * (full / length(radial)) - axis.a * widening;
+    outward = outward * (1 / length(outward));
     return side;
   }
   outward = along < full - along ? -axis.a : axis.a;

@@ -133,6 +133,23 @@ TEST(RoundPair, KnowsTheWayOutOfPlacesWhereTwoAreAsShort) {
   }
 }
 
+// Whatever the axis: what rounding leaves of the way from it may be along it.
+TEST(RoundPair, KnowsTheWayOutFromTheAxisItself) {
+  Random random(6);
+  for (int i = 0; i < 3000; ++i) {
+    const V base = gaussian(random), top = base + gaussian(random);
+    const TruncatedCone cone(base, std::abs(gaussian(random).x()), top, i % 2 == 0 ? 0.0 : 0.3);
+    const double share = std::uniform_real_distribution<double>(0, 1)(random);
+    const Ball ball(base + share * (top - base), 0.25);
+    expect_true({{&cone, &ball}, {Pose(3), Pose(3)}}, "case " + std::to_string(i), random);
+  }
+  // Rounding leaves a short vector along the axis (found by raygauge_soak depths).
+  const V end = V::Constant(0.57735026918962584);
+  const TruncatedCone cone(end, 0.52438824698456932, -end, 1);
+  const Ball ball(V::Zero(), 0.25);
+  expect_true({{&cone, &ball}, {Pose(3), Pose(3)}}, "end", random);
+}
+
 // Of a ball in a cone of half angle atan(1/2) about its axis: the way to the side is (tip - z) sin.
 TEST(RoundPair, OfABallInAConeIsTheWayToTheSideAndTheRadius) {
   const TruncatedCone cone(V(0, 0, 0), 1, V(0, 0, 2), 0);
