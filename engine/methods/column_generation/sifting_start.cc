@@ -29,6 +29,9 @@ constexpr std::ptrdiff_t kManyPoints = 60;
 // Dimensions from which on it pays to look whether points of Q stand on the axes.
 constexpr int kLeastForAxes = 16;
 
+// Of an upper bound: the gap of an interior-point method whose columns make a good basis all the same.
+constexpr double kNearUpperBound = 1e-3;
+
 // In which the simplex chooses basis changes by a tableau.
 constexpr int kFewDimensions = 10;
 
@@ -88,9 +91,12 @@ void Sifting::start_inside() {
 }
 
 // Whether what the interior-point method ends with may prove the answer without a basis, whose inverse takes
-// longer than all its other proofs.
+// longer than all its other proofs. Where its equations have lost their digits, it may have come near a known
+// upper bound.
 bool Sifting::may_be_proven_inside() const {
   if (!is_complete() || !chosen_A_.empty()) return false;
+  if (interior_state_ == InteriorState::failed)
+    return ray_.upper() < kInfinity && interior_.duals()[n_] >= (1 - kNearUpperBound) * ray_.upper();
   return interior_state_ == InteriorState::paused ||
          (interior_state_ == InteriorState::converged &&
           (ray_.upper() < kInfinity || interior_.is_degenerate()));
