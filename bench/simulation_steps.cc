@@ -32,6 +32,7 @@ struct Settings {
   double tolerance = 1e-4;
   int stretch = 100;  ///< steps that a row is the mean of
   std::string engine = "bullet";
+  int threads = 1;
 };
 
 // Of the whole process: threads count by what they work.
@@ -163,6 +164,7 @@ void options(CLI::App& app, Settings& settings) {
   app.add_option("--tolerance", settings.tolerance, "How deep bodies may overlap, relative to the smallest");
   app.add_option("--stretch", settings.stretch, "Steps that a row is the mean of")
       ->check(CLI::PositiveNumber);
+  app.add_option("--threads", settings.threads, "Of the own steps; times are those of all threads together");
   app.add_option("--engine", settings.engine, "Beside it: bullet, ode, mujoco, or none");
 }
 
@@ -175,7 +177,9 @@ double least_distance(const Run& run) {
 void run(const Settings& settings) {
   const Bin bin(settings);
   const auto friction = loaded_friction();
-  const Run own = timed(bin, friction.get(), {});
+  SimulationHooks hooks;
+  hooks.threads = settings.threads;
+  const Run own = timed(bin, friction.get(), hooks);
   const Run engine = settings.engine == "none" ? Run() : timed_engine(bin, settings.engine);
   print_rows(own, engine, static_cast<std::size_t>(settings.stretch));
   const SimulationCounters& c = own.found.counters;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/commands/command_simulate.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -40,6 +42,7 @@ struct SimulateArguments {
   SceneInput input;
   std::string output;
   std::string steps, tolerances, engines;
+  int threads = 0;
   bool resume = false;
   bool force = false;
   bool quiet = false;
@@ -121,7 +124,7 @@ class SimulateJob {
     const bool own = source_.engines.back() == kOwnEngine;
     if (own && source_.dynamics->has_friction()) friction_ = loaded_friction();
     SceneFile head = head_of(source_, plan_scene(source_.scene));
-    head.sessions.push_back(describe_session(Experiment(), 1, {}));
+    head.sessions.push_back(describe_session(Experiment(), threads_, {}));
     const RunMode usual = arguments.force ? RunMode::force : RunMode::create;
     const RunMode mode = arguments.resume ? RunMode::resume : usual;
     writer_.emplace(path_, head, mode);
@@ -190,6 +193,7 @@ class SimulateJob {
 
   SimulationHooks hooks_of(ProgressDisplay& display, std::int32_t number) {
     SimulationHooks hooks;
+    hooks.threads = threads_;
     hooks.stop = [] { return InterruptGuard::signal() != 0; };
     hooks.due = [this] { return store_->due(); };
     hooks.store = [this, number](const SimulationPart& part) { store_->store(number, part); };
@@ -223,6 +227,7 @@ class SimulateJob {
   }
 
   const SimulateArguments& arguments_;
+  int threads_ = arguments_.threads > 0 ? arguments_.threads : omp_get_num_procs();
   SceneSource source_;
   std::vector<Wanted> wanted_ = wanted_of(source_);
   std::string path_;
@@ -262,6 +267,9 @@ void add_simulate_command(Command& scene, int& status) {
                   "raygauge, bullet, ode, mujoco, or a list of them, in place of dynamics.engine; of other "
                   "engines' motions the least signed distance is proven")
       .type_name("NAME");
+  command.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
+      .range(0, 65536)
+      .type_name("K");
   const Option resume =
       command.add_flag("--resume", arguments->resume, "Continue a simulation that was killed or interrupted");
   command.add_flag("--force", arguments->force, "Replace an existing results file of a scene")

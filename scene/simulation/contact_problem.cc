@@ -5,35 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "raygauge/numerics/vector3.h"
 #include "scene/simulation/friction_newton.h"
 #include "scene/simulation/friction_passes.h"
 #include "scene/simulation/friction_smoothing.h"
+#include "scene/simulation/islands.h"
 
 namespace raygauge {
 namespace {
-
-// Which contacts belong together: a forest over the bodies.
-class Islands {
- public:
-  explicit Islands(std::size_t bodies) : parent_(bodies) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) {
-    const std::size_t a = root(i), b = root(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 // Rows: normal and two tangents.
 Eigen::Matrix3d frame_of(const Eigen::Vector3d& n, int dimension) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -58,9 +59,12 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       scales_(scales),
       counters_(counters),
       n_(scene.dimension()),
+      candidates_(std::make_shared<std::vector<Candidate>>()),
+      scope_(parts.size()),
       finder_(scales.delta / 8),
       solver_(n_),
       planes_(std::make_unique<PairSolver>(n_)) {
+  std::iota(scope_.begin(), scope_.end(), 0);
   std::set<BodyPair> ignored;
   for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
   for (const SimulatedPart& part : parts)
@@ -72,10 +76,25 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
           bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
       if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
       if (const auto law = dynamics.law_of(a, b))
-        candidates_.push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, {}});
+        candidates_->push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, {}});
     }
   }
 }
+
+NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bodies,
+                     std::vector<SimulatedPart>& parts, SimulationCounters& counters)
+    : dynamics_(all.dynamics_),
+      bodies_(bodies),
+      parts_(parts),
+      scales_(all.scales_),
+      counters_(counters),
+      n_(all.n_),
+      candidates_(all.candidates_),
+      scope_(all.scope_),
+      standing_(all.standing_),
+      finder_(scales_.delta / 8),
+      solver_(n_),
+      planes_(std::make_unique<PairSolver>(n_)) {}
 
 // Of the ball around a part.
 Eigen::Vector3d NearPairs::middle(int number) const {
@@ -97,24 +116,31 @@ double NearPairs::travel(int number, double t, double dt) const {
 
 NearPairs::Candidate* NearPairs::candidate_of(int part_a, int part_b) {
   const std::pair<int, int> wanted(std::min(part_a, part_b), std::max(part_a, part_b));
-  const auto found = std::lower_bound(candidates_.begin(), candidates_.end(), wanted,
+  const auto found = std::lower_bound(candidates_->begin(), candidates_->end(), wanted,
                                       [](const Candidate& one, const std::pair<int, int>& parts) {
                                         return std::pair(one.part_a, one.part_b) < parts;
                                       });
-  const bool is = found != candidates_.end() && std::pair(found->part_a, found->part_b) == wanted;
+  const bool is = found != candidates_->end() && std::pair(found->part_a, found->part_b) == wanted;
   return is ? &*found : nullptr;
 }
 
-// Which candidates may come closer than `beyond` within dt: of parts whose boxes meet, in the order of
-// candidates_.
-void NearPairs::sweep(double t, double dt, double beyond) {
+void NearPairs::take_travels(double t, double dt) {
   swept_.resize(parts_.size());
-  order_.resize(parts_.size());
-  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+  for (const int i : scope_) swept_[static_cast<std::size_t>(i)].travel = travel(i, t, dt);
+}
+
+void NearPairs::sweep(double t, double dt, double beyond) {
+  take_travels(t, dt);
+  sweep(beyond);
+}
+
+// Which candidates may come closer than `beyond` within their travels: of parts whose boxes meet, in the
+// order of candidates_.
+void NearPairs::sweep(double beyond) {
+  order_ = scope_;
+  for (const int i : scope_) {
     Swept& one = swept_[static_cast<std::size_t>(i)];
-    order_[static_cast<std::size_t>(i)] = i;
     one.middle = middle(i);
-    one.travel = travel(i, t, dt);
     const auto& standing = standing_[static_cast<std::size_t>(i)];
     const double radius = standing ? 0 : part(i).body.ball.radius;
     // With more than the rounding that may_meet() allows for.
@@ -225,22 +251,66 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
   return near_;
 }
 
-std::vector<KnownNormal> NearPairs::normals() const {
+void NearPairs::begin(const std::vector<int>& members, const std::vector<KnownNormal>& known) {
+  scope_.clear();
+  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+    if (std::binary_search(members.begin(), members.end(), part(i).owner)) scope_.push_back(i);
+  }
+  recall(known);
+  for (const KnownNormal& one : known) {
+    NearPair& pair = near_.emplace_back();
+    pair.part_a = one.part_a;
+    pair.part_b = one.part_b;
+    pair.contact.normal = one.normal;
+  }
+}
+
+std::vector<KnownNormal> NearPairs::end() {
   std::vector<KnownNormal> all;
-  for (const NearPair& pair : near_) all.push_back({pair.part_a, pair.part_b, pair.contact.normal});
+  for (const NearPair& pair : near_) {
+    all.push_back({pair.part_a, pair.part_b, pair.contact.normal});
+    Candidate& candidate = *candidate_of(pair.part_a, pair.part_b);
+    candidate.normal = Eigen::Vector3d::UnitX();
+    candidate.near = -1;
+  }
+  near_.clear();
   return all;
 }
 
-void NearPairs::set_normals(const std::vector<KnownNormal>& known) {
+void NearPairs::recall(const std::vector<KnownNormal>& known) {
   for (const KnownNormal& one : known) {
     Candidate* const candidate = candidate_of(one.part_a, one.part_b);
     if (candidate == nullptr) throw InvalidParameterError("simulation: a part is of another scene");
     candidate->normal = one.normal;
-    NearPair& pair = near_.emplace_back();
-    pair.part_a = candidate->part_a;
-    pair.part_b = candidate->part_b;
-    pair.contact.normal = one.normal;
   }
+}
+
+void NearPairs::forget(const std::vector<KnownNormal>& known) {
+  for (const KnownNormal& one : known)
+    candidate_of(one.part_a, one.part_b)->normal = Eigen::Vector3d::UnitX();
+}
+
+// Parts whose balls come near are looked at as the group's find() will, which then knows.
+std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const std::vector<double>& ways) {
+  scope_.clear();
+  swept_.resize(parts_.size());
+  std::vector<double> travels(parts_.size(), 0);
+  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+    const auto owner = static_cast<std::size_t>(part(i).owner);
+    if (!bodies_[owner].reacts()) continue;
+    scope_.push_back(i);
+    swept_[static_cast<std::size_t>(i)].travel = ways[owner];
+    travels[static_cast<std::size_t>(i)] = travel(i, t, dt);
+  }
+  sweep(scales_.delta);
+  std::vector<std::pair<int, int>> all;
+  for (Candidate* const met : may_meet_) {
+    const auto a = static_cast<std::size_t>(met->part_a), b = static_cast<std::size_t>(met->part_b);
+    const PartContact& contact = contact_now(*met, rounded_up(2 * (travels[a] + travels[b]) + scales_.delta));
+    if (contact.lower > (swept_[a].travel + swept_[b].travel) * kOutward + scales_.delta) continue;
+    all.emplace_back(parts_[a].owner, parts_[b].owner);
+  }
+  return all;
 }
 
 double NearPairs::closer_than(const NearPair& pair, double end, double allowed) {
@@ -251,7 +321,10 @@ double NearPairs::closer_than(const NearPair& pair, double end, double allowed) 
 }
 
 void NearPairs::hand_motions() {
-  for (SimulatedPart& part : parts_) part.body.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
+  for (const int i : scope_) {
+    SimulatedPart& part = parts_[static_cast<std::size_t>(i)];
+    part.body.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
+  }
 }
 
 double NearPairs::proven_until(double t, double end) {

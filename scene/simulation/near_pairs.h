@@ -46,6 +46,10 @@ class NearPairs {
   NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
             std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters);
 
+  /// Of the same pairs, for a group of bodies at a time, which another thread's does not share.
+  NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bodies, std::vector<SimulatedPart>& parts,
+            SimulationCounters& counters);
+
   ~NearPairs();
   NearPairs(const NearPairs&) = delete;
   NearPairs& operator=(const NearPairs&) = delete;
@@ -53,9 +57,22 @@ class NearPairs {
   /// The pairs that may meet within dt, where the bodies are now, with their contacts.
   std::vector<NearPair>& find(double t, double dt);
 
-  /// The normals of the pairs that the last find() returned, and their inverse: what a find() begins with.
-  std::vector<KnownNormal> normals() const;
-  void set_normals(const std::vector<KnownNormal>& known);
+  int dimension() const noexcept { return n_; }
+  const ContactScales& scales() const noexcept { return scales_; }
+
+  /// From here on there are these bodies alone, `members` in rising order, and these normals of pairs that
+  /// were near. Throws InvalidParameterError for parts of another scene.
+  void begin(const std::vector<int>& members, const std::vector<KnownNormal>& known);
+
+  /// The normals of the pairs that the last find() returned: what the next begin() is to know.
+  std::vector<KnownNormal> end();
+
+  /// Sets these normals, and unsets them.
+  void recall(const std::vector<KnownNormal>& known);
+  void forget(const std::vector<KnownNormal>& known);
+
+  /// Bodies that react and may meet where each moves by `ways` at most, in pairs, before a step of length dt.
+  std::vector<std::pair<int, int>> meeting(double t, double dt, const std::vector<double>& ways);
 
   /// Looks again where the bodies are at the end of their motions; how much closer that is than `allowed`, or
   /// 0.
@@ -104,6 +121,8 @@ class NearPairs {
     Eigen::Vector3d low, high;  // of a box around the ball and its way
   };
 
+  void take_travels(double t, double dt);
+  void sweep(double beyond);
   void sweep(double t, double dt, double beyond);
   bool may_meet(const Candidate& candidate, double beyond);
   Candidate* candidate_of(int part_a, int part_b);
@@ -130,8 +149,9 @@ class NearPairs {
   ContactScales scales_;
   SimulationCounters& counters_;
   int n_;
-  std::vector<Candidate> candidates_;                         // by their parts
-  std::vector<Swept> swept_;                                  // of each part
+  std::shared_ptr<std::vector<Candidate>> candidates_;  // by their parts; groups share them, none the same
+  std::vector<int> scope_;                              // parts of the members
+  std::vector<Swept> swept_;                            // of each part
   std::vector<std::optional<Eigen::AlignedBox3d>> standing_;  // around each part that stands
   std::vector<int> order_;                                    // of the parts, by where their boxes begin
   std::vector<Candidate*> may_meet_;                          // of the last sweep

@@ -22,6 +22,17 @@ void append(std::vector<Row>& rows, const std::vector<Row>& more) {
 
 }  // namespace
 
+SimulationCounters& SimulationCounters::operator+=(const SimulationCounters& more) {
+  ball_tests += more.ball_tests;
+  contact_queries += more.contact_queries;
+  motion_proofs += more.motion_proofs;
+  friction_problems += more.friction_problems;
+  frictionless_problems += more.frictionless_problems;
+  impact_problems += more.impact_problems;
+  damped_velocities += more.damped_velocities;
+  return *this;
+}
+
 SimulationLog::Ends SimulationLog::ends() const {
   Ends now{steps.size(), contacts.size(), {}, counters};
   for (const auto& of_body : pieces) now.pieces.push_back(of_body.size());

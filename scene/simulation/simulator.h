@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <vector>
 
 #include "raygauge/scene/simulation.h"
-#include "scene/simulation/contact_problem.h"
+#include "scene/simulation/group_stepper.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/simulation_part.h"
 
 namespace raygauge {
 
-/// The work of simulate(): steps in time.
+/// The work of simulate(): steps in time, of groups of bodies that cannot meet within them.
 class Simulator {
  public:
   Simulator(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction);
@@ -29,31 +31,16 @@ class Simulator {
   void refuse_overlaps();
   bool step(double to);
   void advance(double to);
-  double longest_substep(double to) const;
-  void follow_motions();
-  void choose_roles(double dt);
-  double closing_speed(const NearPair& pair) const;
-  PairRole role_of(const NearPair& pair, double dt) const;
-  bool is_rebound(const NearPair& pair, double approach) const;
-  bool bounce();
-  bool move(double dt);
-  double end_of(double dt) const;
-  bool push_and_move(double dt, const std::vector<SimulatedBody>& before);
-  void accelerate(SimulatedBody& body, double dt);
-  bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
-  bool catch_leaving();
-  bool corrected(double dt);
-  Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
-  bool limit_energy(std::vector<ContactUnknown>& contacts, const std::vector<SimulatedBody>& free,
-                    std::vector<double> allowed);
-  void limit_pushes(double end, const std::vector<SimulatedBody>& before);
-  void commit(double end, const std::vector<SimulatedBody>& before);
-  bool stop_now() const { return hooks_.stop && hooks_.stop(); }
-  void record_contacts(const std::vector<ContactUnknown>& contacts, bool impact);
+  void make_steppers();
+  std::vector<std::vector<int>> groups_of(const std::vector<double>& ways, double dt);
+  void expect_ways(double dt);
+  std::vector<BodyGroup> with_memory(const std::vector<std::vector<int>>& members) const;
+  void step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps);
+  bool went_too_far(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps, double to);
+  void take(const std::vector<BodyGroup>& groups, std::vector<GroupStep>& steps);
+  bool stop_now();
   void record_step();
   void add_energy(StepRecord& row) const;
-  double pressing(const NearPair& pair) const;
-  double approach(const NearPair& pair, const GapPoint& point) const;
 
   const Dynamics& dynamics_;
   int n_;
@@ -61,20 +48,18 @@ class Simulator {
   SimulationLog log_;
   SimulationHooks hooks_;
   std::vector<SimulatedBody> bodies_;
-  std::vector<SimulatedBody> free_;  // before the impulses of the substep in work
   std::vector<SimulatedPart> parts_;
   ContactScales scales_;
   std::optional<NearPairs> pairs_;
-  ContactProblem problem_;
+  FrictionSolver* friction_;
+  std::unique_ptr<FrictionSolver> in_turn_;              // the same, of many threads
+  std::vector<std::unique_ptr<GroupStepper>> steppers_;  // one a thread
+  std::atomic<bool> stopped_ = false;
   double t_ = 0;
-  double end_of_step_ = 0;
-  std::vector<NearPair>* near_ = nullptr;
-  std::vector<ContactUnknown> contacts_;  // of the substep in work
-  std::vector<ContactUnknown> last_;      // of the one before
-  std::vector<bool> pushed_;              // bodies with an impulse of contacts_
+  std::vector<ContactUnknown> last_;  // contacts of the last substeps
+  std::vector<KnownNormal> normals_;  // of pairs that were near then
+  std::vector<double> ways_;          // that bodies may go within the step in work
   StepRecord row_;
-  double residual_ = 0;  // of the contact problem of the substep in work
-  int bounces_ = 0;      // at this moment
 };
 
 }  // namespace raygauge

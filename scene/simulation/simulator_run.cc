@@ -17,6 +17,7 @@ Simulation Simulator::run(const SimulationHooks& hooks, std::span<const Simulati
   add_energy(start);
   out_.energy_at_start = start.kinetic + start.potential;
   if (!before.empty()) go_on(before);
+  if (!hooks_.advance) make_steppers();
   const auto count = static_cast<std::int64_t>(std::ceil((to - from) / dynamics_.step * (1 - 1e-12)));
   SimulationState ended;
   if (hooks_.store) ended = state();
@@ -57,7 +58,7 @@ SimulationState Simulator::state() const {
     if (body.reacts()) now.bodies.back() = {body.x, body.R, body.v, body.L};
   }
   for (const ContactUnknown& one : last_) now.impulses.push_back({one.a, one.b, one.at, one.impulse});
-  now.normals = pairs_->normals();
+  now.normals = normals_;
   return now;
 }
 
@@ -82,15 +83,7 @@ void Simulator::go_on(std::span<const SimulationPart> before) {
     contact.at = one.at;
     contact.impulse = one.impulse;
   }
-  pairs_->set_normals(state.normals);
-}
-
-void Simulator::record_contacts(const std::vector<ContactUnknown>& contacts, bool impact) {
-  for (const ContactUnknown& contact : contacts) {
-    if (contact.impulse.isZero(0)) continue;
-    log_.contacts.push_back({static_cast<std::int64_t>(log_.steps.size()), t_, contact.a, contact.b, impact,
-                             contact.at, contact.normal, contact.gap, contact.impulse});
-  }
+  normals_ = state.normals;
 }
 
 void Simulator::record_step() {

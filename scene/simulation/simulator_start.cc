@@ -49,13 +49,19 @@ std::vector<Eigen::Vector3d> translations(std::vector<Push>& pushes, const std::
 }  // namespace
 
 void Simulator::come_to_start() {
-  follow_motions();
+  for (SimulatedBody& body : bodies_) {
+    if (body.reacts()) continue;
+    const Placement at = body.motion->at(t_);
+    body.x = in_space(at.t);
+    body.R = in_space(at.R);
+  }
   const bool resolves = dynamics_.overlap_at_start == StartOverlap::resolved;
   if (resolves && hooks_.advance)
     throw InvalidParameterError(
         "dynamics: overlap_at_start = \"resolve\" is for raygauge's own steps, not for other engines");
   if (resolves) resolve_overlaps();
   refuse_overlaps();
+  normals_ = pairs_->end();
 }
 
 // Normals and depths change with the translations: again, until no pair overlaps.

@@ -34,7 +34,8 @@ struct StepRecord {
   double residual = 0;        ///< the largest of those problems, see friction_residual(); NaN: not known
   double least_distance = 0;  ///< proven: no pair came closer at any time of the step; -infinity: unproven
   double kinetic = 0, potential = 0;
-  Eigen::Vector3d momentum, angular_momentum;  ///< of all bodies that react, about the origin
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< of all bodies that react
+  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  ///< the same, about the origin
 };
 
 /// How often what was computed; what is not named in Dynamics stays 0.
@@ -44,6 +45,8 @@ struct SimulationCounters {
   std::int64_t motion_proofs = 0;    ///< proofs about a pair over a substep
   std::int64_t friction_problems = 0, frictionless_problems = 0, impact_problems = 0;
   std::int64_t damped_velocities = 0;
+
+  SimulationCounters& operator+=(const SimulationCounters& more);
 };
 
 /// A simulated scene: its bodies, moved so that their origins are their centres of mass, under the motions
@@ -70,6 +73,7 @@ struct BodyState {
 };
 
 struct SimulationHooks {
+  int threads = 1;  ///< for bodies that cannot meet within a step; what is found does not depend on it
   std::function<bool()> stop;                  ///< true: end here; a step that is not done is taken back
   std::function<void(double share)> progress;  ///< of the time that is done
   std::function<bool()> due;                   ///< after a step: whether to call `store` now

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "scene/simulation/energy_limit.h"
+#include "scene/simulation/group_stepper.h"
 #include "scene/simulation/piecewise_motion.h"
-#include "scene/simulation/simulator.h"
 
 // The work of one substep: forces, impulses and motions, and how its end is corrected and kept.
 namespace raygauge {
@@ -31,11 +31,9 @@ Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
 }  // namespace
 
 // Forces, impulses, then the motions over dt. False where a body turns too far for one.
-bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& before) {
-  for (SimulatedBody& body : bodies_) {
-    if (body.reacts()) accelerate(body, dt);
-  }
-  free_ = bodies_;
+bool GroupStepper::push_and_move(double dt) {
+  for (const int b : active_) accelerate(body(b), dt);
+  save(free_);
   contacts_.clear();
   for (const NearPair& pair : *near_) {
     if (pair.role != PairRole::contact) continue;
@@ -53,15 +51,15 @@ bool Simulator::push_and_move(double dt, const std::vector<SimulatedBody>& befor
     if (contact.impulse.isZero(0)) continue;
     pushed_[static_cast<std::size_t>(contact.a)] = pushed_[static_cast<std::size_t>(contact.b)] = true;
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].reacts() && !give_motion(bodies_[b], before[b], dt, pushed_[b])) return false;
-  }
-  return true;
+  return std::all_of(active_.begin(), active_.end(), [&](int number) {
+    const auto b = static_cast<std::size_t>(number);
+    return give_motion(bodies_[b], before_[b], dt, pushed_[b]);
+  });
 }
 
 // The impulse of the substep before at the same point.
-Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) const {
-  const double near = 1e-2 * out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach;
+Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point) const {
+  const double near = 1e-2 * body(pair.a).reach;
   for (const ContactUnknown& before : last_) {
     if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
       return before.impulse;
@@ -70,13 +68,13 @@ Eigen::Vector3d Simulator::guess(const NearPair& pair, const GapPoint& point) co
 }
 
 // Damping by the midpoint rule: v' = g - c v.
-void Simulator::accelerate(SimulatedBody& body, double dt) {
+void GroupStepper::accelerate(SimulatedBody& body, double dt) {
   const Eigen::Vector3d g = dynamics_.gravity.value_or(Eigen::Vector3d::Zero());
   if (!dynamics_.damping) {
     body.v += dt * g;
     return;
   }
-  ++log_.counters.damped_velocities;
+  ++counters_.damped_velocities;
   const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
   body.v = ((1 - c) * body.v + dt * g) / (1 + c);
   body.L *= (1 - d) / (1 + d);
@@ -84,7 +82,7 @@ void Simulator::accelerate(SimulatedBody& body, double dt) {
 }
 
 // A body that was pushed moves at its new velocity, one in flight on its parabola.
-bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
+bool GroupStepper::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
   TwistMotion::Rates rates;
   const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
   const auto spin = n_ == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
@@ -106,7 +104,7 @@ bool Simulator::give_motion(SimulatedBody& body, const SimulatedBody& before, do
 
 // Pairs that touch and were thought to separate, but that the impulses of others close: they join the
 // problem. Bodies in flight may come back within the substep; the proof ends where they do.
-bool Simulator::catch_leaving() {
+bool GroupStepper::catch_leaving() {
   bool any = false;
   for (NearPair& pair : *near_) {
     if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
@@ -121,20 +119,19 @@ bool Simulator::catch_leaving() {
 
 // Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
 // more.
-bool Simulator::corrected(double dt) {
+bool GroupStepper::corrected(double dt) {
   bool any = false;
   for (NearPair& pair : *near_) {
     if (pair.role != PairRole::contact) continue;
     const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
                         &b = bodies_[static_cast<std::size_t>(pair.b)];
     const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
-    const double reach = out_.scene.bodies[static_cast<std::size_t>(pair.a)].reach +
-                         out_.scene.bodies[static_cast<std::size_t>(pair.b)].reach;
+    const double reach = body(pair.a).reach + body(pair.b).reach;
     const bool deep = pair.contact.lower < -kDeep * scales_.delta;
     if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
     // Deep ones are to end less deep.
     const double allowed = std::min(kRecovered * pair.contact.lower, -kDeep * scales_.delta);
-    const double closer = pairs_->closer_than(pair, end_of(dt), allowed);
+    const double closer = pairs_.closer_than(pair, end_of(dt), allowed);
     if (closer < 0) pair.correction += closer - kDeep / 2 * scales_.delta;
     any = any || closer < 0;
   }
@@ -143,41 +140,39 @@ bool Simulator::corrected(double dt) {
 
 // What contacts ask for beyond rest gives bodies no energy above `allowed`; it does move them. False: it
 // would not.
-bool Simulator::limit_energy(std::vector<ContactUnknown>& contacts, const std::vector<SimulatedBody>& free,
-                             std::vector<double> allowed) {
-  const EnergyLimit limit(free, std::move(allowed));
+bool GroupStepper::limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed) {
+  const EnergyLimit limit(free_, std::move(allowed));
   if (!limit.is_broken(contacts)) return false;
   std::vector<ContactUnknown> rest = contacts;
   for (ContactUnknown& contact : rest) contact.offset = std::max(contact.offset, 0.0);
-  std::vector<SimulatedBody> limited = free;
-  row_.residual = std::max(row_.residual, problem_.solve(rest, limited));
+  copy_members(free_, limited_);
+  result_.row.residual = std::max(result_.row.residual, problem_.solve(rest, limited_));
   limit.keep(contacts, rest);
-  limited = free;
-  for (const ContactUnknown& contact : contacts) push_apart(contact, limited);
-  limit.slow_down(contacts, limited);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].reacts()) bodies_[b].take_velocities(limited[b]);
-  }
+  copy_members(free_, limited_);
+  for (const ContactUnknown& contact : contacts) push_apart(contact, limited_);
+  limit.slow_down(contacts, limited_);
+  for (const int b : active_) body(b).take_velocities(limited_[static_cast<std::size_t>(b)]);
   return true;
 }
 
 // Until the end of a substep a body may have what it had before, and the work of gravity on its way. Where
 // that is less than its motion has, its angular momentum turns with it: so its energy stays.
-void Simulator::limit_pushes(double end, const std::vector<SimulatedBody>& before) {
+void GroupStepper::limit_pushes(double end) {
   const bool pushes = std::any_of(contacts_.begin(), contacts_.end(), [](const ContactUnknown& contact) {
     return contact.offset < 0 && !contact.impulse.isZero(0);
   });
   if (!pushes) return;
   std::vector<double> allowed(bodies_.size());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    allowed[b] = before[b].kinetic_energy();
-    if (!bodies_[b].reacts() || !dynamics_.gravity) continue;
-    const Eigen::Vector3d way = in_space(bodies_[b].motion->at(end).t) - before[b].x;
-    allowed[b] += before[b].mass * dynamics_.gravity->dot(way);
+  for (const int number : active_) {
+    const auto b = static_cast<std::size_t>(number);
+    allowed[b] = before_[b].kinetic_energy();
+    if (!dynamics_.gravity) continue;
+    const Eigen::Vector3d way = in_space(bodies_[b].motion->at(end).t) - before_[b].x;
+    allowed[b] += before_[b].mass * dynamics_.gravity->dot(way);
   }
-  if (!limit_energy(contacts_, free_, std::move(allowed))) return;
-  for (SimulatedBody& body : bodies_) {
-    if (!body.reacts()) continue;
+  if (!limit_energy(contacts_, std::move(allowed))) return;
+  for (const int b : active_) {
+    SimulatedBody& body = this->body(b);
     const auto spin = constant_spin(body.rotor, body.R, body.L, end - t_);
     if (!spin) continue;
     const Eigen::Matrix3d by_itself = turn_of(*spin * (end - t_)) * body.R;
@@ -185,24 +180,31 @@ void Simulator::limit_pushes(double end, const std::vector<SimulatedBody>& befor
   }
 }
 
-void Simulator::commit(double end, const std::vector<SimulatedBody>& before) {
-  limit_pushes(end, before);
-  ++row_.substeps;
-  row_.contacts += static_cast<std::int64_t>(contacts_.size());
-  row_.residual = std::max(row_.residual, residual_);
+void GroupStepper::commit(double end) {
+  limit_pushes(end);
+  ++result_.row.substeps;
+  result_.row.contacts += static_cast<std::int64_t>(contacts_.size());
+  result_.row.residual = std::max(result_.row.residual, residual_);
   record_contacts(contacts_, false);
   last_ = contacts_;
   bounces_ = 0;
   t_ = end;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    SimulatedBody& body = bodies_[b];
-    if (!body.reacts()) continue;
-    log_.pieces[b].push_back(body.piece);
+  for (const int b : active_) {
+    SimulatedBody& body = this->body(b);
+    pieces_[static_cast<std::size_t>(b)].push_back(body.piece);
     if (body.still) continue;
     const Placement at = body.motion->at(t_);
     body.x = in_space(at.t);
     body.R = polished(in_space(at.R));
     body.spin = body.rotor.spin(body.R, body.L);
+  }
+}
+
+void GroupStepper::record_contacts(const std::vector<ContactUnknown>& contacts, bool impact) {
+  for (const ContactUnknown& contact : contacts) {
+    if (contact.impulse.isZero(0)) continue;
+    result_.contacts.push_back({number_, t_, contact.a, contact.b, impact, contact.at, contact.normal,
+                                contact.gap, contact.impulse});
   }
 }
 

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/group_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/numerics/floating_point.h"
+#include "raygauge/exceptions.h"
+
+namespace raygauge {
+namespace {
+
+constexpr int kMostTrials = 12;      // of one substep, shorter each time
+constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
+constexpr int kMostCorrections = 3;  // of one contact problem
+constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
+
+}  // namespace
+
+GroupStepper::GroupStepper(const Dynamics& dynamics, const NearPairs& pairs,
+                           const std::vector<SimulatedBody>& bodies, const std::vector<SimulatedPart>& parts,
+                           FrictionSolver* friction, std::function<bool()> stop)
+    : dynamics_(dynamics),
+      n_(pairs.dimension()),
+      scales_(pairs.scales()),
+      bodies_(bodies),
+      parts_(parts),
+      stop_(std::move(stop)),
+      pairs_(pairs, bodies_, parts_, counters_),
+      problem_(n_, friction, counters_),
+      before_(bodies),
+      free_(bodies),
+      limited_(bodies),
+      pieces_(bodies.size()) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!bodies[b].reacts()) driven_.push_back(static_cast<int>(b));
+  }
+}
+
+GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<SimulatedBody>& bodies, double from,
+                             double to, std::int64_t number) {
+  result_ = GroupStep();
+  result_.row.substeps = 0;
+  number_ = number;
+  t_ = from;
+  end_of_step_ = to;
+  bounces_ = 0;
+  active_ = group.bodies;
+  members_ = driven_;
+  members_.insert(members_.end(), active_.begin(), active_.end());
+  std::sort(members_.begin(), members_.end());
+  for (const int b : active_) {
+    body(b) = bodies[static_cast<std::size_t>(b)];
+    pieces_[static_cast<std::size_t>(b)].clear();
+  }
+  last_ = group.last;
+  pairs_.begin(members_, group.normals);
+  result_.done = go_on(to);
+  result_.normals = pairs_.end();
+  result_.last = last_;
+  for (const int b : active_) {
+    result_.bodies.push_back(body(b));
+    result_.pieces.push_back(std::move(pieces_[static_cast<std::size_t>(b)]));
+  }
+  return std::move(result_);
+}
+
+SimulationCounters GroupStepper::take_counters() { return std::exchange(counters_, SimulationCounters()); }
+
+void GroupStepper::copy_members(const std::vector<SimulatedBody>& from,
+                                std::vector<SimulatedBody>& to) const {
+  for (const int b : members_) to[static_cast<std::size_t>(b)] = from[static_cast<std::size_t>(b)];
+}
+
+// Until the end of the step, no further than bodies that are driven keep their velocities, and than one turn
+// of a radian of bodies that turn about no principal axis.
+double GroupStepper::longest_substep(double to) const {
+  double dt = to - t_;
+  for (const int b : members_) {
+    const SimulatedBody& body = this->body(b);
+    if (!body.reacts()) dt = std::min(dt, body.motion->next_break(t_) - t_);
+    if (body.reacts() && n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt))
+      dt = std::min(dt, 0.5 / body.spin.norm());
+  }
+  return dt;
+}
+
+void GroupStepper::follow_motions() {
+  for (const int b : members_) {
+    SimulatedBody& body = this->body(b);
+    if (body.reacts()) {
+      body.motion = nullptr;
+      continue;
+    }
+    const Placement at = body.motion->at(t_);
+    const MotionBound bound = body.motion->bound(t_, t_);
+    body.x = in_space(at.t);
+    body.R = in_space(at.R);
+    body.v = in_space(bound.velocity);
+    body.spin = bound.spin;
+  }
+}
+
+// False: it is to stop, and is not at the end.
+bool GroupStepper::go_on(double to) {
+  while (t_ < to) {
+    if (stop_()) return false;
+    const double dt = longest_substep(to);
+    follow_motions();
+    near_ = &pairs_.find(t_, dt);
+    choose_roles(dt);
+    if (bounce()) {
+      while (bounce()) {
+      }
+      continue;
+    }
+    if (!move(dt)) result_.row.least_distance = -kInfinity;
+  }
+  return true;
+}
+
+// How fast a point of contact closes, now.
+double GroupStepper::approach(const NearPair& pair, const GapPoint& point) const {
+  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                      &b = bodies_[static_cast<std::size_t>(pair.b)];
+  return -(a.velocity_at(point.at) - b.velocity_at(point.at)).dot(pair.contact.normal);
+}
+
+// The acceleration at which gravity presses them together.
+double GroupStepper::pressing(const NearPair& pair) const {
+  if (!dynamics_.gravity) return 0;
+  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
+                      &b = bodies_[static_cast<std::size_t>(pair.b)];
+  const double share = (a.reacts() ? 1.0 : 0.0) - (b.reacts() ? 1.0 : 0.0);
+  return -share * dynamics_.gravity->dot(pair.contact.normal);
+}
+
+// A rebound is computed where it leads farther away than δ, before the bodies meet again or within a step.
+bool GroupStepper::is_rebound(const NearPair& pair, double approach) const {
+  const double speed = pair.law.restitution.value_or(0) * approach;
+  if (!(speed > 0) || bounces_ > kMostBounces) return false;
+  const double a = pressing(pair);
+  return (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
+}
+
+double GroupStepper::closing_speed(const NearPair& pair) const {
+  double fastest = -kInfinity;
+  for (const GapPoint& point : pair.contact.points) fastest = std::max(fastest, approach(pair, point));
+  return fastest;
+}
+
+PairRole GroupStepper::role_of(const NearPair& pair, double dt) const {
+  const double fastest = pair.closing;
+  const double a = pressing(pair), speed = std::fabs(fastest);
+  const bool far = (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
+  if (pair.contact.lower <= scales_.touching())
+    return fastest < 0 && far ? PairRole::leaving : PairRole::contact;
+  const bool meets = pair.contact.lower - dt * fastest - std::max(a, 0.0) * dt * dt <= 0;
+  return meets && !far ? PairRole::contact : PairRole::apart;
+}
+
+void GroupStepper::choose_roles(double dt) {
+  for (NearPair& pair : *near_) {
+    pair.closing = closing_speed(pair);
+    pair.role = role_of(pair, dt);
+    pair.correction = 0;
+  }
+}
+
+// Newton's law at the points that touch and close: u_n after = -e u_n before, with friction. Points that do
+// not close have no part in it: blows go on from body to body. False: none closes so fast that it rebounds.
+bool GroupStepper::bounce() {
+  bool any = false;
+  std::vector<ContactUnknown> contacts;
+  for (const NearPair& pair : *near_) {
+    if (pair.contact.lower > scales_.touching()) continue;
+    for (const GapPoint& point : pair.contact.points) {
+      if (point.gap > scales_.touching()) continue;
+      const double speed = approach(pair, point);
+      if (!(speed > 0)) continue;
+      const bool rebound = is_rebound(pair, speed);
+      any = any || rebound;
+      contacts.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
+                          rebound ? -*pair.law.restitution * speed : 0.0, pair.law.friction,
+                          Eigen::Vector3d::Zero()});
+    }
+  }
+  if (!any) return false;
+  ++bounces_;
+  ++result_.row.impacts;
+  ++counters_.impact_problems;
+  save(free_);
+  result_.row.residual = std::max(result_.row.residual, problem_.solve(contacts, bodies_));
+  std::vector<double> energies(free_.size());
+  for (const int b : members_)
+    energies[static_cast<std::size_t>(b)] = free_[static_cast<std::size_t>(b)].kinetic_energy();
+  limit_energy(contacts, std::move(energies));
+  record_contacts(contacts, true);
+  return true;
+}
+
+// One substep of at most dt, shorter where the proof ends; false: its end could not be proven.
+bool GroupStepper::move(double dt) {
+  save(before_);
+  const double shortest = kShortest * dynamics_.step;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    restore(before_);
+    if (stop_()) return true;  // nothing was done
+    bool possible = push_and_move(dt);
+    while (possible && catch_leaving()) {
+      restore(before_);
+      possible = push_and_move(dt);
+    }
+    for (int k = 0; possible && k < kMostCorrections && corrected(dt); ++k) {
+      restore(before_);
+      possible = push_and_move(dt);
+    }
+    if (!possible) {
+      dt /= 2;
+      restore(before_);
+      choose_roles(dt);  // what was asked of the longer one is no longer
+      continue;
+    }
+    const double end = end_of(dt);
+    const double proven = dynamics_.contact ? pairs_.proven_until(t_, end) : end;
+    if (proven >= end) {
+      if (!pairs_.nothing_touched())
+        result_.row.least_distance = std::min(result_.row.least_distance, -scales_.delta);
+      commit(end);
+      return true;
+    }
+    if (proven - t_ < shortest) {
+      dt = std::min(dt, 1e-2 * dynamics_.step);
+      break;
+    }
+    dt = trial < 3 ? proven - t_ : std::min(proven - t_, dt / 2);
+    restore(before_);
+    choose_roles(dt);
+  }
+  restore(before_);
+  if (!push_and_move(dt)) throw InvalidParameterError("dynamics: a body spins too fast");
+  commit(end_of(dt));
+  return false;
+}
+
+double GroupStepper::end_of(double dt) const {
+  const double end = t_ + dt;
+  return end_of_step_ - end < 1e-12 * dynamics_.step ? end_of_step_ : end;
+}
+
+}  // namespace raygauge
