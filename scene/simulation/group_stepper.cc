@@ -20,13 +20,13 @@ constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no pr
 }  // namespace
 
 GroupStepper::GroupStepper(const Dynamics& dynamics, const NearPairs& pairs,
-                           const std::vector<SimulatedBody>& bodies, const std::vector<SimulatedPart>& parts,
+                           const std::vector<SimulatedBody>& bodies, std::vector<SimulatedPart> parts,
                            FrictionSolver* friction, std::function<bool()> stop)
     : dynamics_(dynamics),
       n_(pairs.dimension()),
       scales_(pairs.scales()),
       bodies_(bodies),
-      parts_(parts),
+      parts_(std::move(parts)),
       stop_(std::move(stop)),
       pairs_(pairs, bodies_, parts_, counters_),
       problem_(n_, friction, counters_),

@@ -35,7 +35,7 @@ struct GroupStep {
 class GroupStepper {
  public:
   GroupStepper(const Dynamics& dynamics, const NearPairs& pairs, const std::vector<SimulatedBody>& bodies,
-               const std::vector<SimulatedPart>& parts, FrictionSolver* friction, std::function<bool()> stop);
+               std::vector<SimulatedPart> parts, FrictionSolver* friction, std::function<bool()> stop);
 
   /// From the states of its bodies among all `bodies`. `number`: of the step, for its records.
   GroupStep step(const BodyGroup& group, const std::vector<SimulatedBody>& bodies, double from, double to,

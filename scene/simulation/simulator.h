@@ -35,6 +35,7 @@ class Simulator {
   std::vector<std::vector<int>> groups_of(const std::vector<double>& ways, double dt);
   void expect_ways(double dt);
   std::vector<BodyGroup> with_memory(const std::vector<std::vector<int>>& members) const;
+  int threads_for(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps) const;
   void step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps);
   bool went_too_far(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps, double to);
   void take(const std::vector<BodyGroup>& groups, std::vector<GroupStep>& steps);

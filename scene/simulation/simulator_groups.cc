@@ -126,13 +126,26 @@ std::vector<BodyGroup> Simulator::with_memory(const std::vector<std::vector<int>
   return groups;
 }
 
+// Few bodies are sooner done than threads wake up.
+int Simulator::threads_for(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps) const {
+  constexpr std::size_t kFewest = 16;  // outside the largest group
+  std::size_t all = 0, largest = 0;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (steps[k].done) continue;
+    all += groups[k].bodies.size();
+    largest = std::max(largest, groups[k].bodies.size());
+  }
+  return all - largest < kFewest ? 1 : static_cast<int>(std::min(steppers_.size(), groups.size()));
+}
+
 // Those that are not done.
 void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps) {
   const auto count = static_cast<int>(groups.size());
   const auto number = static_cast<std::int64_t>(log_.steps.size());
   std::vector<std::exception_ptr> errors(groups.size());
-  const int threads = std::min(static_cast<int>(steppers_.size()), count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
+  const int threads = threads_for(groups, steps);
+#pragma omp parallel for default(none) shared(count, number, errors, groups, steps, to) schedule(dynamic) \
+    num_threads(threads) if (threads > 1)
   for (int k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(k);
     if (steps[at].done) continue;
