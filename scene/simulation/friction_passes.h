@@ -7,7 +7,7 @@
 namespace raygauge {
 
 /// The residual from which on a friction problem is solved.
-inline constexpr double kSolvedFriction = 1e-8;
+inline constexpr double kSolvedFriction = 1e-9;
 
 /// Passes over the contacts of an island, each solved by itself while the others stay (Gauss and Seidel's
 /// method), extrapolated by Anderson's method (1965) from the last passes. From a first guess r until

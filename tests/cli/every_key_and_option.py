@@ -279,6 +279,7 @@ OPTIONS = {
         "--step": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--step", "0.25"], 0, says("2 steps")),
         "--tolerance": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--tolerance", "2"], NO_EFFECT, says("tolerance")),
         "--engine": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--engine", "havok"], NO_EFFECT, says("raygauge, bullet")),
+        "--threads": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--threads", "-1"], NO_EFFECT, says("--threads")),
         "--force": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--force"], 0, says("500 steps")),
         "--resume": (["scene", "simulate", "reacting.toml", "-o", "moved.h5", "--resume"], 0, says("500 steps")),
         "--quiet": (["scene", "simulate", "reacting.toml", "-o", "x.h5", "--quiet"], 0, silent),
