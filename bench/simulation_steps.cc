@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 // What does a step of a simulation cost, beside one of another engine? Boxes, balls and capsules dropped into
 // a bin. By stretches of time: falling, packing, at rest.
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <random>
 #include <string>
@@ -84,9 +83,9 @@ class Bin {
   }
 
   void add_thrown(int number, int side) {
+    const int row = number / side % side, layer = number / (side * side);
     const Point place(0.25 * (number % side - 0.5 * (side - 1)) + uniform(0.01),
-                      0.25 * (number / side % side - 0.5 * (side - 1)) + uniform(0.01),
-                      0.15 + 0.25 * (number / (side * side)));
+                      0.25 * (row - 0.5 * (side - 1)) + uniform(0.01), 0.15 + 0.25 * layer);
     const Eigen::Matrix3d R =
         Eigen::Quaterniond(uniform(1), uniform(1), uniform(1), uniform(1)).normalized().toRotationMatrix();
     std::shared_ptr<const ConvexSet> set =
