@@ -31,8 +31,9 @@ Reacting heap(double to) {
     const Eigen::Matrix3d R = Eigen::Quaterniond(some(random), some(random), some(random), some(random))
                                   .normalized()
                                   .toRotationMatrix();
-    const Eigen::Vector3d at(0.42 * (k % 4) + 0.05 * some(random), 0.42 * (k / 4 % 3) + 0.05 * some(random),
-                             0.3 + 0.42 * (k / 12));
+    const int row = k / 4 % 3, layer = k / 12;
+    const Eigen::Vector3d at(0.42 * (k % 4) + 0.05 * some(random), 0.42 * row + 0.05 * some(random),
+                             0.3 + 0.42 * layer);
     all.add(k % 3 == 0 ? box(0.1, 0.08, 0.06) : k % 3 == 1 ? ball(0.12) : capsule, at, 1, R);
   }
   all.add(ball(0.1), v(-1.5, 0.4, 0.3), 1);
