@@ -70,7 +70,7 @@ class RankRun {
     all_or_none(ranks_, [&] {
       if (ranks_.rank() != 0) return;
       const int threads = experiment_.timing == TimingMode::serial ? 1 : experiment_.threads;
-      duties = rank_duties(all.places, threads, experiment_.pin_threads);
+      duties = rank_duties(all.places, threads, experiment_.pins());
       require_serial_alone(duties);
       orders = open(all.machines, duties);
     });

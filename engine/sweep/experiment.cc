@@ -122,6 +122,13 @@ void require_distinct(const std::vector<std::pair<int, int>>& sizes, const std::
 
 }  // namespace
 
+bool Experiment::pins() const {
+  return pin_threads && std::none_of(methods.begin(), methods.end(), [](const ComponentSpec& method) {
+           return method.parameters.count("threads") != 0 &&
+                  integer_parameter(method.parameters, "threads") > 1;
+         });
+}
+
 const std::string& label_of(const ComponentSpec& component) {
   return component.label.empty() ? component.name : component.label;
 }

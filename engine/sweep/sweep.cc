@@ -172,9 +172,9 @@ SweepSummary run_sweep(const Experiment& experiment, const GeneratorRegistry& ge
   if (pieces.empty()) return summary;
   const bool shared = share.processes > 1;
   summary.threads = shared ? share.threads : sweep_threads(experiment, pieces.size());
-  const std::vector<int> cpus = share.cpus               ? *share.cpus
-                                : experiment.pin_threads ? allowed_cpus_from_here()
-                                                         : std::vector<int>();
+  const std::vector<int> cpus = share.cpus          ? *share.cpus
+                                : experiment.pins() ? allowed_cpus_from_here()
+                                                    : std::vector<int>();
   const std::vector<Cell> whole = cells_of(pieces, experiment.repetitions);
   const bool calibrates = !whole.empty() && (shared ? share.calibrates : summary.threads > 1);
   LoneSolves alone;

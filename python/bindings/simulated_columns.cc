@@ -9,6 +9,7 @@
 
 #include "python/bindings/interrupt.h"
 #include "python/bindings/scene_answers.h"
+#include "python/bindings/thread_count.h"
 #include "scene/simulation/moving_state.h"
 
 namespace raygauge::python {
@@ -111,6 +112,7 @@ py::dict simulated_columns(const Scene& scene, const Dynamics& dynamics, int thr
   std::atomic<bool> stop = false;
   SimulationHooks hooks;
   hooks.stop = [&stop] { return stop.load(); };
+  hooks.threads = batch_threads(threads);
   Simulation found;
   run_interruptibly(stop, [&] { found = simulate(scene, dynamics, nullptr, hooks); });
   py::dict all;

@@ -61,8 +61,8 @@ def simulate(
     What is not named is not computed. gravity: shape (n,). contact: {"friction": μ, "restitution": e}, either left out or both;
     None: bodies pass through each other. pairs: (body or group, another, contact) in place of it. damping: {"linear": c,
     "angular": c}, 1/s. step: the longest step. tolerance: bodies overlap by at most this, relative to the smallest one that
-    reacts; it is proven of every step. overlap_at_start: "refuse", or "resolve": bodies are first moved apart. threads: for the
-    queries.
+    reacts; it is proven of every step. overlap_at_start: "refuse", or "resolve": bodies are first moved apart. threads: 0 for
+    one on each CPU; what is found does not depend on it.
 
     Ctrl-C ends it. Raises InvalidParameterError, DimensionMismatchError, UnknownNameError and what Scene.run raises.
 

@@ -65,6 +65,10 @@ struct Experiment {
   bool shuffle = true;     ///< seeded order of cells; results do not depend on it
 
   std::string text;  ///< the TOML source after --set, kept for provenance
+
+  /// Whether threads of the sweep are held on cores: pin_threads, unless a method's solves take several
+  /// threads.
+  bool pins() const;
 };
 
 /// One cell of the grid: a generator, n, N and a tolerance. All methods and repetitions run inside it.

@@ -107,6 +107,17 @@ TEST(Validation, RejectsEveryValueOutsideItsRange) {
   }
 }
 
+TEST(Experiment, HoldsNoThreadOnACoreWhoseSolvesTakeSeveral) {
+  Experiment experiment = grid_experiment();
+  EXPECT_TRUE(experiment.pins());
+  experiment.methods.push_back({"column_generation", "two", {{"threads", std::int64_t{2}}}});
+  EXPECT_FALSE(experiment.pins());
+  experiment.methods.back().parameters["threads"] = std::int64_t{1};
+  EXPECT_TRUE(experiment.pins());
+  experiment.pin_threads = false;
+  EXPECT_FALSE(experiment.pins());
+}
+
 TEST(Validation, TwoMethodsOfOneNameAreFineUnderDifferentLabels) {
   Experiment experiment = grid_experiment();
   experiment.methods = {{"m", "presolved", {}}, {"m", "", {}}};
