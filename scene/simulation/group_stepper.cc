@@ -15,7 +15,8 @@ namespace {
 constexpr int kMostTrials = 12;      // of one substep, shorter each time
 constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
-constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
+constexpr double kDeepest = 0.5;    // of δ: bodies as deep that leave each other are asked to, as in contact
+constexpr double kShortest = 1e-9;  // of the step: shorter substeps make no progress
 
 }  // namespace
 
@@ -155,8 +156,9 @@ PairRole GroupStepper::role_of(const NearPair& pair, double dt) const {
   const double fastest = pair.closing;
   const double a = pressing(pair), speed = std::fabs(fastest);
   const bool far = (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
+  const bool deep = pair.contact.lower < -kDeepest * scales_.delta;
   if (pair.contact.lower <= scales_.touching())
-    return fastest < 0 && far ? PairRole::leaving : PairRole::contact;
+    return fastest < 0 && far && !deep ? PairRole::leaving : PairRole::contact;
   const bool meets = pair.contact.lower - dt * fastest - std::max(a, 0.0) * dt * dt <= 0;
   return meets && !far ? PairRole::contact : PairRole::apart;
 }

@@ -262,6 +262,8 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   soak::RandomSimulations simulations(1);
   for (const int number : {1, 2, 3, 4, 5, 6, 7, 8, 0, 37, 55, 80, 82, 83, 94, 113, 130, 164, 203, 329, 953})
     EXPECT_EQ(simulations.check(number), std::nullopt);
+  // Two bodies whose one point leaves the other so slowly that turning goes deeper.
+  EXPECT_EQ(soak::RandomSimulations(555).check(27), std::nullopt);
 }
 
 TEST(Soak, UsedSolversAnswerAsNewOnesDo) {

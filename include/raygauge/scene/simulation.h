@@ -34,7 +34,7 @@ struct StepRecord {
   double residual = 0;        ///< the largest of those problems, see friction_residual(); NaN: not known
   double least_distance = 0;  ///< proven: no pair came closer at any time of the step; -infinity: unproven
   double kinetic = 0, potential = 0;
-  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< of all bodies that react
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();          ///< of all bodies that react
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  ///< the same, about the origin
 };
 
