@@ -129,7 +129,12 @@ void StreamedDistance::measure_known(Side& side) const {
                  std::numeric_limits<double>::min();
 }
 
+// What is proven of working sets that hold all points is proven.
 void StreamedDistance::prove() {
+  const auto is_whole = [](const Side& side) {
+    return side.streamed == nullptr || side.working_set->size() == side.streamed->size();
+  };
+  if (is_whole(side_[0]) && is_whole(side_[1])) return;
   for (Side& side : side_) measure_known(side);
   const double lower = lower_bound(side_[0].h, side_[1].h);
   if (result_.status == DistanceStatus::unreachable && lower == std::numeric_limits<double>::infinity())

@@ -152,6 +152,23 @@ TEST(StreamedDistance, IsWhatEverySolverAsksOfAStream) {
   expect_same(solver.solve(Posed(A, pose), Posed(Q)), whole);
 }
 
+// Planes that hold points of Q leave no room for the rounding of a pass.
+TEST(StreamedDistance, IsProvenAsInMemoryWhereTheFirstPointsAreAll) {
+  Random random(12);
+  const auto quarters = [](const Eigen::MatrixXd& points) { return (4 * points).array().round() / 4; };
+  for (const int n : {2, 60, 60, 60, 100, 100, 100, 100, 200, 200, 200, 200, 200}) {
+    Eigen::MatrixXd a = quarters(sphere_points(n, n + 2, random));
+    a.row(0).array() += 3;
+    const Eigen::MatrixXd q = quarters(2 * sphere_points(n, n + 2, random));
+    DistanceSolver solver;
+    const DistanceResult whole = solver.solve(PointSet(a), PointSet(q));
+    const DistanceResult& result = solver.solve(streamed_hull(a, 1000), streamed_hull(q, 1000));
+    EXPECT_EQ(result.status, whole.status) << n;
+    EXPECT_LE(whole.lower, result.upper) << n;
+    EXPECT_LE(result.lower, whole.upper) << n;
+  }
+}
+
 TEST(StreamedHull, HasTheSupportPointsAndTheSizeOfAllPoints) {
   Random random(11);
   const Eigen::MatrixXd a = shifted(sphere_points(4, 3000, random), 2);
