@@ -94,6 +94,12 @@ set_target_properties(raygauge_room_headers PROPERTIES POSITION_INDEPENDENT_CODE
 target_precompile_headers(raygauge_room_headers PRIVATE <algorithm> <cmath> <functional> <map> <memory> <string> <vector>
                                                         <Eigen/Core>)
 
+# raygauge_source_options(OPTIONS sources...): sources with compiler options of their own, which the precompiled headers do
+# not have.
+function(raygauge_source_options options)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # raygauge_room(NAME [EXTRA...] [SOURCES sources...]) declares the library of one top-level folder, made of every source
 # in it (or of SOURCES alone) and of EXTRA.
 function(raygauge_room name)
