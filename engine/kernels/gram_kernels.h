@@ -4,7 +4,7 @@
 // The matrix Σ w_p p pᵀ over many points, for the interior-point method. Part of kernel_impl.h.
 #pragma once
 
-#include "engine/kernels/pack.h"
+#include "engine/kernels/support_kernels.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
@@ -219,34 +219,38 @@ void pack_columns(const double* columns, std::ptrdiff_t ld, int count, int n, do
   }
 }
 
-// Sums of C blocks at a time, so that each u_k is read once for all of them.
-template <int C>
-inline void add_blocks(const double* blocks, int n, int first, int last, const double* weight, double* sums) {
-  Pack w[C][kPacksPerBlock];
+// Sums of C blocks at a time, so that each of them is read once for all of them.
+template <int C, class Stored>
+inline void add_blocks(const Stored* blocks, int n, const double* weight, double* sums) {
+  constexpr int kPoints = Vec<Stored>::kPoints;
+  constexpr int kPacks = kPoints / kWidth;
+  Pack w[C][kPacks];
   for (int c = 0; c < C; ++c) {
-    for (int t = 0; t < kPacksPerBlock; ++t) w[c][t] = load(weight + c * kLanes + t * kWidth);
+    for (int t = 0; t < kPacks; ++t) w[c][t] = load(weight + c * kPoints + t * kWidth);
   }
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
-  for (int k = first; k < last; ++k) {
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kPoints;
+  for (int k = 0; k < n; ++k) {
     Pack sum = load(sums + k * kWidth);
     for (int c = 0; c < C; ++c) {
-      for (int t = 0; t < kPacksPerBlock; ++t)
-        sum = multiply_add(w[c][t], load(blocks + c * stride + k * kLanes + t * kWidth), sum);
+      for (int t = 0; t < kPacks; ++t)
+        sum = multiply_add(w[c][t], load_wide(blocks + c * stride + k * kPoints + t * kWidth), sum);
     }
     store(sums + k * kWidth, sum);
   }
 }
 
-void add_weighted(const double* blocks, std::ptrdiff_t block_count, int n, int first, int last,
-                  const double* weight, double* scratch, double* sum) {
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
-  for (int k = first * kWidth; k < last * kWidth; ++k) scratch[k] = 0;
+template <class Stored>
+void add_weighted(const Stored* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+                  double* scratch, double* sum) {
+  constexpr int kPoints = Vec<Stored>::kPoints;
+  constexpr int kTogether = kBlocksTogether<Stored>;
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kPoints;
+  for (int k = 0; k < n * kWidth; ++k) scratch[k] = 0;
   std::ptrdiff_t b = 0;
-  for (; b + 4 <= block_count; b += 4)
-    add_blocks<4>(blocks + b * stride, n, first, last, weight + b * kLanes, scratch);
-  for (; b < block_count; ++b)
-    add_blocks<1>(blocks + b * stride, n, first, last, weight + b * kLanes, scratch);
-  for (int k = first; k < last; ++k)
+  for (; b + kTogether <= block_count; b += kTogether)
+    add_blocks<kTogether>(blocks + b * stride, n, weight + b * kPoints, scratch);
+  for (; b < block_count; ++b) add_blocks<1>(blocks + b * stride, n, weight + b * kPoints, scratch);
+  for (int k = 0; k < n; ++k)
     sum[k] += reduce_lanes(load(scratch + k * kWidth), [](Pack a, Pack c) { return a + c; })[0];
 }
 

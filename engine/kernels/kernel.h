@@ -244,13 +244,21 @@ struct Kernels {
   /// factor, down to row n. False at a pivot that is not positive.
   bool (*factor_columns)(double* M, std::ptrdiff_t ld, int n, int first, int last);
 
-  /// sum_k += Σ weight_i p_ik, k = first … last - 1, over the points of `block_count` blocks in R^n, as many
-  /// weights as lanes. 8 n numbers of scratch, of which 8 first … 8 last are used.
-  void (*add_weighted)(const double* blocks, std::ptrdiff_t block_count, int n, int first, int last,
-                       const double* weight, double* scratch, double* sum);
+  /// sum += Σ weight_i p_i over the points of `block_count` blocks in R^n, as many weights as lanes. 8 n
+  /// numbers of scratch.
+  void (*add_weighted)(const double* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+                       double* scratch, double* sum);
+
+  /// The same of points in single precision, in blocks of 16; sums in double precision.
+  void (*add_weighted_single)(const float* blocks, std::ptrdiff_t block_count, int n, const double* weight,
+                              double* scratch, double* sum);
 
   /// values_i = u·p_i over `block_count` blocks in R^n, as many values as lanes.
   void (*products)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values);
+
+  /// The same of points in single precision, in blocks of 16; sums in double precision.
+  void (*products_single)(const float* blocks, std::ptrdiff_t block_count, int n, const double* u,
+                          double* values);
 
   /// p -= Q Qᵀp for `count` orthonormal columns Q, by modified Gram-Schmidt; Qᵀp is added to `coefficients`.
   /// Columns and p have ld = padded_rows(·) entries, padding zero, here, in rotate and in add_multiple.

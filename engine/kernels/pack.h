@@ -45,6 +45,12 @@ using IndexPack = Vec<double>::Index;
 
 inline Pack load(const double* p) { return *reinterpret_cast<const Pack*>(p); }
 inline Vec<float>::Pack load(const float* p) { return *reinterpret_cast<const Vec<float>::Pack*>(p); }
+// kWidth numbers as doubles.
+inline Pack load_wide(const double* p) { return load(p); }
+inline Pack load_wide(const float* p) {
+  typedef float Half __attribute__((vector_size(kWidth * 4), aligned(kWidth * 4), may_alias));
+  return __builtin_convertvector(*reinterpret_cast<const Half*>(p), Pack);
+}
 inline void store(double* p, Pack v) { *reinterpret_cast<Pack*>(p) = v; }
 // Less zero, not plus: -0.0 + 0.0 is another number, and the addition would be carried out.
 inline Pack broadcast(double a) { return a - Pack{}; }

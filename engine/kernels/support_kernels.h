@@ -306,23 +306,41 @@ double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, 
       n, [=](auto N) { return collect_n<decltype(N)::value>(blocks, first, last, n, u, collection); });
 }
 
-// All products of u with the points, in their order.
-void products(const double* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values) {
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kLanes;
-  constexpr int kTogether = 4;  // blocks whose chains of additions overlap
-  std::ptrdiff_t b = 0;
-  for (; b + kTogether <= block_count; b += kTogether) {
-    Pack sum[kTogether][kPacksPerBlock];
-    dot_blocks<0, kTogether>(blocks + b * stride, n, u, sum);
-    for (int c = 0; c < kTogether; ++c) {
-      for (int t = 0; t < kPacksPerBlock; ++t) store(values + (b + c) * kLanes + t * kWidth, sum[c][t]);
+// Of points that are stored in double or in single precision, as many blocks at a time as have chains of
+// additions that overlap.
+template <class Stored>
+constexpr int kBlocksTogether = 4 * kLanes / Vec<Stored>::kPoints;
+
+template <int C, class Stored>
+inline void products_of(const Stored* blocks, int n, const double* u, double* values) {
+  constexpr int kPoints = Vec<Stored>::kPoints;
+  constexpr int kPacks = kPoints / kWidth;
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kPoints;
+  Pack sum[C][kPacks] = {};
+  for (int k = 0; k < n; ++k) {
+    const Pack uk = broadcast(u[k]);
+#pragma GCC unroll 8
+    for (int c = 0; c < C; ++c) {
+#pragma GCC unroll 8
+      for (int t = 0; t < kPacks; ++t)
+        sum[c][t] += uk * load_wide(blocks + c * stride + k * kPoints + t * kWidth);
     }
   }
-  for (; b < block_count; ++b) {
-    Pack sum[kPacksPerBlock];
-    dot_block<0>(blocks + b * stride, n, u, sum);
-    for (int t = 0; t < kPacksPerBlock; ++t) store(values + b * kLanes + t * kWidth, sum[t]);
+  for (int c = 0; c < C; ++c) {
+    for (int t = 0; t < kPacks; ++t) store(values + c * kPoints + t * kWidth, sum[c][t]);
   }
+}
+
+// All products of u with the points, in their order.
+template <class Stored>
+void products(const Stored* blocks, std::ptrdiff_t block_count, int n, const double* u, double* values) {
+  constexpr int kPoints = Vec<Stored>::kPoints;
+  constexpr int kTogether = kBlocksTogether<Stored>;
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(n) * kPoints;
+  std::ptrdiff_t b = 0;
+  for (; b + kTogether <= block_count; b += kTogether)
+    products_of<kTogether>(blocks + b * stride, n, u, values + b * kPoints);
+  for (; b < block_count; ++b) products_of<1>(blocks + b * stride, n, u, values + b * kPoints);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class Centre {
 
   Eigen::VectorXd sum() {
     Eigen::VectorXd total = Eigen::VectorXd::Zero(n_);
-    kernels_.add_weighted(points_.blocks, points_.block_count, n_, 0, n_, weight_.data(), scratch_.data(),
+    kernels_.add_weighted(points_.blocks, points_.block_count, n_, weight_.data(), scratch_.data(),
                           total.data());
     return total;
   }

@@ -28,6 +28,10 @@ constexpr double kNearlyConverged = 1e-8;
 constexpr int kForEachTie = 200;
 // x·s per unit of t down to which products in single precision suffice.
 constexpr double kCoarse = 1e-3;
+// Where both sets have magnitude 1: t and x·s below which they do not.
+constexpr double kMostlyZero = 1e-3;
+// Of a slack in single precision, what stays of it at least.
+constexpr double kKeptSlack = 0.1;
 // Where both sets have magnitude 1: a t, and x·s, that may be those of the distance 0; a t that may be on its
 // way to infinity, and how much farther it goes between two pauses.
 constexpr double kNearZero = 1e-5;
@@ -50,11 +54,9 @@ constexpr double kMoreKept = 0.1;
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
-// Of a pass that threads share: a chunk has so many coordinates, and a part of the coordinates of all points
-// at least so many of each.
+// Of a pass that threads share: a chunk has so many coordinates.
 constexpr double kChunkNumbers = 1 << 15;
 constexpr std::ptrdiff_t kMostChunks = 32;
-constexpr std::ptrdiff_t kLeastCoordinates = 16;
 
 }  // namespace
 
@@ -97,7 +99,7 @@ void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, c
   dy_.reserve(size + 1);
   border_.reserve(2 * size);
   direction_.reserve(size);
-  scratch_.reserve(PointSet::kLanes * size);
+  scratch_.reserve(kMostChunks * (kLanes + 1) * static_cast<std::size_t>(padded_rows(n)));
   start(guess);
 }
 
@@ -118,7 +120,7 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n_))) {
       return End::failed;
     }
-    if (single_) single_ = factor(true);
+    if (single_ && !factor(true)) leave_single();
     if (!single_ && !factor(false)) {
       const bool close = t > 0 && complementarity(0, 0) <= kDecided * t;
       return close ? End::converged : End::failed;
@@ -127,10 +129,10 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     if (length < kShortStep) negligible_ = std::max(kLeastNegligible, kMoreKept * negligible_);
     if (!(length > kShortest) || !(t < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
-    if (t >= enough_) return End::converged;
     const double gap = complementarity(0, 0);
     const double scale = std::fabs(t);
-    single_ = single_ && gap > kCoarse * scale;
+    if (!(gap > kCoarse * scale) || scale + gap < kMostlyZero || t >= enough_) leave_single();
+    if (t >= enough_) return End::converged;
     if (gap <= kConverged * scale) return End::converged;
     if (gap <= kDecided * scale && undecided() <= (gap <= kNearlyConverged * scale ? most_undecided() : 0))
       return End::converged;
@@ -159,7 +161,8 @@ bool InteriorPoint::pauses(double gap) {
 
 void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
   side.points = points;
-  side.count = side.points.block_count * kLanes;
+  side.count = points.single_blocks == nullptr ? points.block_count * kLanes
+                                               : points.single_block_count * PointSet::kSingleLanes;
   side.sign = sign;
   side.last = sign > 0 ? 1.0 : 0.0;
   const auto count = static_cast<std::size_t>(side.count);
@@ -173,27 +176,50 @@ void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
   side.weight.reserve(count);
 }
 
-double InteriorPoint::numbers_of(std::ptrdiff_t blocks) const {
-  return static_cast<double>(blocks) * n_ * kLanes;
-}
-
-// Of a pass over so many blocks, at most so many.
-int InteriorPoint::chunks_of(std::ptrdiff_t blocks, std::ptrdiff_t most) const {
-  const auto wanted = static_cast<std::ptrdiff_t>(numbers_of(blocks) / kChunkNumbers);
-  return static_cast<int>(
-      std::clamp<std::ptrdiff_t>(wanted, 1, std::clamp<std::ptrdiff_t>(most, 1, kMostChunks)));
+// work(chunk, first, count) for the chunks of the blocks of one side, in the precision that is read; their
+// number.
+template <class Work>
+int InteriorPoint::share(const Side& side, const Work& work) {
+  const PricedPoints& points = side.points;
+  const std::ptrdiff_t blocks = reads_single(side) ? points.single_block_count : points.block_count;
+  const double numbers = static_cast<double>(points.block_count) * n_ * kLanes;
+  const auto wanted = static_cast<std::ptrdiff_t>(numbers / kChunkNumbers);
+  const auto chunks = static_cast<int>(std::clamp<std::ptrdiff_t>(wanted, 1, kMostChunks));
+  helpers_.run(chunks, numbers, [&](int chunk) {
+    const std::ptrdiff_t first = blocks * chunk / chunks;
+    work(chunk, first, blocks * (chunk + 1) / chunks - first);
+  });
+  return chunks;
 }
 
 // u·p for every point.
 // NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
 void InteriorPoint::price(Side& side, const double* u, double* products) {
-  const PricedPoints& points = side.points;
-  const int chunks = chunks_of(points.block_count, points.block_count);
-  helpers_.run(chunks, numbers_of(points.block_count), [&](int chunk) {
-    const std::ptrdiff_t first = points.block_count * chunk / chunks;
-    const std::ptrdiff_t last = points.block_count * (chunk + 1) / chunks;
-    kernels_->products(points.blocks + first * n_ * kLanes, last - first, n_, u, products + first * kLanes);
+  share(side, [&](int /*chunk*/, std::ptrdiff_t first, std::ptrdiff_t count) {
+    if (reads_single(side)) {
+      const float* blocks = side.points.single_blocks + first * n_ * PointSet::kSingleLanes;
+      kernels_->products_single(blocks, count, n_, u, products + first * PointSet::kSingleLanes);
+    } else {
+      const double* blocks = side.points.blocks + first * n_ * kLanes;
+      kernels_->products(blocks, count, n_, u, products + first * kLanes);
+    }
   });
+}
+
+// From here on of the points as they are. A slack stays positive.
+void InteriorPoint::leave_single() {
+  if (!single_) return;
+  const bool rounded = reads_single(A_) || reads_single(Q_);
+  single_ = false;
+  if (!rounded) return;
+  for (Side* side : {&A_, &Q_}) {
+    std::copy_n(side->s.data(), side->points.size, side->ds.data());
+    slacks(*side, side == &A_ ? 0.0 : 1.0);
+    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      side->s[at] = std::max(side->s[at], kKeptSlack * side->ds[at]);
+    }
+  }
 }
 
 // s = c - Aᵀy.
@@ -288,12 +314,25 @@ void InteriorPoint::leave_out_negligible(double unit) {
 
 // sum += Σ weight_i p_i.
 void InteriorPoint::add_weighted(const Side& side, double* sum) {
-  const PricedPoints& points = side.points;
-  const int chunks = chunks_of(points.block_count, n_ / kLeastCoordinates);
-  helpers_.run(chunks, numbers_of(points.block_count), [&](int chunk) {
-    kernels_->add_weighted(points.blocks, points.block_count, n_, n_ * chunk / chunks,
-                           n_ * (chunk + 1) / chunks, side.weight.data(), scratch_.data(), sum);
+  const double* weight = side.weight.data();
+  if (std::all_of(weight, weight + side.count, [](double w) { return w == 0; })) return;
+  const std::ptrdiff_t stride = (kLanes + 1) * padded_rows(n_);
+  const int chunks = share(side, [&](int chunk, std::ptrdiff_t first, std::ptrdiff_t count) {
+    double* scratch = scratch_.data() + chunk * stride;
+    double* part = scratch + stride - padded_rows(n_);
+    std::fill_n(part, n_, 0.0);
+    if (reads_single(side)) {
+      kernels_->add_weighted_single(side.points.single_blocks + first * n_ * PointSet::kSingleLanes, count,
+                                    n_, weight + first * PointSet::kSingleLanes, scratch, part);
+    } else {
+      kernels_->add_weighted(side.points.blocks + first * n_ * kLanes, count, n_, weight + first * kLanes,
+                             scratch, part);
+    }
   });
+  for (int chunk = 0; chunk < chunks; ++chunk) {
+    const double* part = scratch_.data() + (chunk + 1) * stride - padded_rows(n_);
+    for (int k = 0; k < n_; ++k) sum[k] += part[k];
+  }
 }
 
 // G = Σ d p pᵀ over both sets by Cholesky; the convexity row borders it.
@@ -334,7 +373,7 @@ void InteriorPoint::solve_for(double* rhs) {
 // u·q > 0 for every q, by a margin far above rounding errors, and u·a < 0: t > 0 means it. Half of the sets
 // of n + 2 points leave 1e-8.
 bool InteriorPoint::is_separating() const {
-  constexpr double kMargin = 1e-10;
+  const double margin = single_ ? 1e-6 : 1e-10;
   const double t = y_[static_cast<std::size_t>(n_)];
   if (!(t > 0)) return false;
   double least = kInfinity;
@@ -342,7 +381,7 @@ bool InteriorPoint::is_separating() const {
     least = std::min(least, Q_.s[static_cast<std::size_t>(j)]);
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(y_[static_cast<std::size_t>(k)]));
-  return least - 1 > kMargin * largest;
+  return least - 1 > margin * largest;
 }
 
 // Of a pair x, s one goes to zero: compared in the units of each, x about 1 in A and s about d, and the

@@ -80,7 +80,7 @@ class InteriorPoint {
   // The points of one set, with their weights and slacks, at the end of the last block filled up.
   struct Side {
     PricedPoints points;
-    std::ptrdiff_t count = 0;  // of lanes
+    std::ptrdiff_t count = 0;  // of lanes, in either precision
     double sign = 1;           // of the coordinates in the program
     double last = 0;           // entry of the columns in the convexity row
     AlignedBuffer<double> x;
@@ -103,10 +103,14 @@ class InteriorPoint {
   void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
   double central_weight() const;
-  double numbers_of(std::ptrdiff_t blocks) const;
-  int chunks_of(std::ptrdiff_t blocks, std::ptrdiff_t most) const;
+  template <class Work>
+  int share(const Side& side, const Work& work);
   void price(Side& side, const double* y, double* products);
   void slacks(Side& side, double cost);
+  void leave_single();
+  bool reads_single(const Side& side) const noexcept {
+    return single_ && side.points.single_blocks != nullptr;
+  }
   bool factor(bool single);
   void weigh();
   void leave_out_negligible(double unit);

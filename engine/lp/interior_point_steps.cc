@@ -141,18 +141,18 @@ InteriorPoint::Lengths InteriorPoint::choose_step() {
   return lengths;
 }
 
-// The shorter of the two step lengths.
+// The shorter of the two step lengths. The slacks move with y, which saves a pass over the points.
 double InteriorPoint::step() {
   const Lengths lengths = choose_step();
   for (Side* side : {&A_, &Q_}) {
     for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      side->x[static_cast<std::size_t>(i)] += lengths.x * side->dx[static_cast<std::size_t>(i)];
+      const auto at = static_cast<std::size_t>(i);
+      side->x[at] += lengths.x * side->dx[at];
+      side->s[at] += lengths.s * side->ds[at];
     }
   }
   for (int k = 0; k <= n_; ++k)
     y_[static_cast<std::size_t>(k)] += lengths.s * dy_[static_cast<std::size_t>(k)];
-  slacks(A_, 0.0);
-  slacks(Q_, 1.0);
   return std::min(lengths.x, lengths.s);
 }
 

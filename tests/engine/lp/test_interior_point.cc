@@ -163,32 +163,51 @@ TEST(InteriorPoint, SeparatesByMarginsFarBelowTheSizeOfTheNormal) {
   }
 }
 
+// The points in blocks of 16, single precision.
+AlignedBuffer<float> single_blocks(const Eigen::MatrixXd& points) {
+  const Eigen::Index n = points.rows(), pairs = (points.cols() + 15) / 16;
+  AlignedBuffer<float> blocks;
+  blocks.reserve(static_cast<std::size_t>(16 * n * pairs));
+  for (Eigen::Index i = 0; i < 16 * pairs; ++i) {
+    for (Eigen::Index k = 0; k < n; ++k)
+      blocks[static_cast<std::size_t>((i / 16 * n + k) * 16 + i % 16)] =
+          static_cast<float>(points(k, std::min(i, points.cols() - 1)));
+  }
+  return blocks;
+}
+
 TEST(AddWeighted, AndProductsAreThoseOfTheMatrixOfPointsOnEveryInstructionSet) {
   for (const InstructionSet isa : instruction_sets_here()) {
     const Kernels& kernels = kernels_for(isa);
     for (const int n : {1, 5, 37}) {
       for (const int N : {8, 40, 296}) {  // whole blocks: none, or groups of four and some left
         Random random(static_cast<unsigned>(n));
-        const Eigen::MatrixXd points = gaussian_points(n, N, random);
+        const Eigen::MatrixXd points = gaussian_points(n, N, random).cast<float>().cast<double>();
         const PointSet S(points);
-        AlignedBuffer<double> weight;
-        AlignedBuffer<double> values;
-        AlignedBuffer<double> scratch;
-        weight.reserve(static_cast<std::size_t>(N));
-        values.reserve(static_cast<std::size_t>(N));
+        const AlignedBuffer<float> single = single_blocks(points);
+        const std::ptrdiff_t pairs = (N + 15) / 16;
+        AlignedBuffer<double> weight, values, scratch;
+        weight.reserve(static_cast<std::size_t>(16 * pairs));
+        values.reserve(static_cast<std::size_t>(16 * pairs));
         scratch.reserve(8 * static_cast<std::size_t>(n));
+        std::fill_n(weight.data(), 16 * pairs, 0.0);
         Eigen::Map<Eigen::VectorXd> w(weight.data(), N);
         w = gaussian_points(N, 1, random).col(0);
-        Eigen::VectorXd sum = Eigen::VectorXd::Ones(n);
-        for (int k = 0; k < n; k += 16)
-          kernels.add_weighted(S.data(), S.block_count(), n, k, std::min(n, k + 16), weight.data(),
-                               scratch.data(), sum.data());
-        EXPECT_LT((sum - Eigen::VectorXd::Ones(n) - points * w).cwiseAbs().maxCoeff(), 1e-11)
-            << n << ' ' << N;
-        const Eigen::VectorXd u = gaussian_points(n, 1, random).col(0);
-        kernels.products(S.data(), S.block_count(), n, u.data(), values.data());
+        const Eigen::VectorXd u = gaussian_points(n, 1, random).col(0), ones = Eigen::VectorXd::Ones(n);
         const Eigen::Map<const Eigen::VectorXd> found(values.data(), N);
-        EXPECT_LT((found - points.transpose() * u).cwiseAbs().maxCoeff(), 1e-12 * n) << n << ' ' << N;
+        for (const bool in_single : {false, true}) {
+          SCOPED_TRACE(::testing::Message() << n << ' ' << N << (in_single ? " single" : " double"));
+          Eigen::VectorXd sum = ones;
+          if (in_single) {
+            kernels.add_weighted_single(single.data(), pairs, n, w.data(), scratch.data(), sum.data());
+            kernels.products_single(single.data(), pairs, n, u.data(), values.data());
+          } else {
+            kernels.add_weighted(S.data(), S.block_count(), n, w.data(), scratch.data(), sum.data());
+            kernels.products(S.data(), S.block_count(), n, u.data(), values.data());
+          }
+          EXPECT_LT((sum - ones - points * w).cwiseAbs().maxCoeff(), 1e-11);
+          EXPECT_LT((found - points.transpose() * u).cwiseAbs().maxCoeff(), 1e-12 * n);
+        }
       }
     }
   }
