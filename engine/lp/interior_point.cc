@@ -28,8 +28,9 @@ constexpr double kNearlyConverged = 1e-8;
 constexpr int kForEachTie = 200;
 // x·s per unit of t down to which products in single precision suffice.
 constexpr double kCoarse = 1e-3;
-// Where both sets have magnitude 1: t and x·s below which they do not.
+// Where both sets have magnitude 1: t and x·s below which they do not, and t above.
 constexpr double kMostlyZero = 1e-3;
+constexpr double kMostlyFar = 1e3;
 // Of a slack in single precision, what stays of it at least.
 constexpr double kKeptSlack = 0.1;
 // Where both sets have magnitude 1: a t, and x·s, that may be those of the distance 0; a t that may be on its
@@ -131,7 +132,8 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     if (is_separating()) return End::separated;
     const double gap = complementarity(0, 0);
     const double scale = std::fabs(t);
-    if (!(gap > kCoarse * scale) || scale + gap < kMostlyZero || t >= enough_) leave_single();
+    const bool moderate = scale + gap > kMostlyZero && t < std::min(kMostlyFar, enough_);
+    if (!(gap > kCoarse * scale) || !moderate) leave_single();
     if (t >= enough_) return End::converged;
     if (gap <= kConverged * scale) return End::converged;
     if (gap <= kDecided * scale && undecided() <= (gap <= kNearlyConverged * scale ? most_undecided() : 0))

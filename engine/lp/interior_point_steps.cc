@@ -141,7 +141,8 @@ InteriorPoint::Lengths InteriorPoint::choose_step() {
   return lengths;
 }
 
-// The shorter of the two step lengths. The slacks move with y, which saves a pass over the points.
+// The shorter of the two step lengths. While the points are rounded, the slacks move with y, which saves a
+// pass.
 double InteriorPoint::step() {
   const Lengths lengths = choose_step();
   for (Side* side : {&A_, &Q_}) {
@@ -153,6 +154,10 @@ double InteriorPoint::step() {
   }
   for (int k = 0; k <= n_; ++k)
     y_[static_cast<std::size_t>(k)] += lengths.s * dy_[static_cast<std::size_t>(k)];
+  if (!single_) {
+    slacks(A_, 0.0);
+    slacks(Q_, 1.0);
+  }
   return std::min(lengths.x, lengths.s);
 }
 
