@@ -31,8 +31,6 @@ constexpr double kCoarse = 1e-3;
 // Where both sets have magnitude 1: t and x·s below which they do not, and t above.
 constexpr double kMostlyZero = 1e-3;
 constexpr double kMostlyFar = 1e3;
-// Of a slack in single precision, what stays of it at least.
-constexpr double kKeptSlack = 0.1;
 // Where both sets have magnitude 1: a t, and x·s, that may be those of the distance 0; a t that may be on its
 // way to infinity, and how much farther it goes between two pauses.
 constexpr double kNearZero = 1e-5;
@@ -54,10 +52,6 @@ constexpr double kShortStep = 0.1;
 constexpr double kMoreKept = 0.1;
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
-
-// Of a pass that threads share: a chunk has so many coordinates.
-constexpr double kChunkNumbers = 1 << 15;
-constexpr std::ptrdiff_t kMostChunks = 32;
 
 }  // namespace
 
@@ -100,7 +94,7 @@ void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, c
   dy_.reserve(size + 1);
   border_.reserve(2 * size);
   direction_.reserve(size);
-  scratch_.reserve(kMostChunks * (kLanes + 1) * static_cast<std::size_t>(padded_rows(n)));
+  reserve_passes();
   start(guess);
 }
 
@@ -128,6 +122,10 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     }
     const double length = step();
     if (length < kShortStep) negligible_ = std::max(kLeastNegligible, kMoreKept * negligible_);
+    if (!(length > kShortest) && single_) {
+      leave_single();
+      continue;
+    }
     if (!(length > kShortest) || !(t < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
     const double gap = complementarity(0, 0);
@@ -176,62 +174,6 @@ void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
   side.kept_ds.reserve(count);
   side.target.reserve(count);
   side.weight.reserve(count);
-}
-
-// work(chunk, first, count) for the chunks of the blocks of one side, in the precision that is read; their
-// number.
-template <class Work>
-int InteriorPoint::share(const Side& side, const Work& work) {
-  const PricedPoints& points = side.points;
-  const std::ptrdiff_t blocks = reads_single(side) ? points.single_block_count : points.block_count;
-  const double numbers = static_cast<double>(points.block_count) * n_ * kLanes;
-  const auto wanted = static_cast<std::ptrdiff_t>(numbers / kChunkNumbers);
-  const auto chunks = static_cast<int>(std::clamp<std::ptrdiff_t>(wanted, 1, kMostChunks));
-  helpers_.run(chunks, numbers, [&](int chunk) {
-    const std::ptrdiff_t first = blocks * chunk / chunks;
-    work(chunk, first, blocks * (chunk + 1) / chunks - first);
-  });
-  return chunks;
-}
-
-// u·p for every point.
-// NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
-void InteriorPoint::price(Side& side, const double* u, double* products) {
-  share(side, [&](int /*chunk*/, std::ptrdiff_t first, std::ptrdiff_t count) {
-    if (reads_single(side)) {
-      const float* blocks = side.points.single_blocks + first * n_ * PointSet::kSingleLanes;
-      kernels_->products_single(blocks, count, n_, u, products + first * PointSet::kSingleLanes);
-    } else {
-      const double* blocks = side.points.blocks + first * n_ * kLanes;
-      kernels_->products(blocks, count, n_, u, products + first * kLanes);
-    }
-  });
-}
-
-// From here on of the points as they are. A slack stays positive.
-void InteriorPoint::leave_single() {
-  if (!single_) return;
-  const bool rounded = reads_single(A_) || reads_single(Q_);
-  single_ = false;
-  if (!rounded) return;
-  for (Side* side : {&A_, &Q_}) {
-    std::copy_n(side->s.data(), side->points.size, side->ds.data());
-    slacks(*side, side == &A_ ? 0.0 : 1.0);
-    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      side->s[at] = std::max(side->s[at], kKeptSlack * side->ds[at]);
-    }
-  }
-}
-
-// s = c - Aᵀy.
-void InteriorPoint::slacks(Side& side, double cost) {
-  price(side, y_.data(), side.s.data());
-  const double t = side.last * y_[static_cast<std::size_t>(n_)];
-  for (std::ptrdiff_t i = 0; i < side.count; ++i) {
-    double& s = side.s[static_cast<std::size_t>(i)];
-    s = cost - side.sign * s - t;
-  }
 }
 
 // The guess g, scaled so that Q keeps half of its bound, t below what A allows, and weights x = μ / s.
@@ -314,29 +256,6 @@ void InteriorPoint::leave_out_negligible(double unit) {
   }
 }
 
-// sum += Σ weight_i p_i.
-void InteriorPoint::add_weighted(const Side& side, double* sum) {
-  const double* weight = side.weight.data();
-  if (std::all_of(weight, weight + side.count, [](double w) { return w == 0; })) return;
-  const std::ptrdiff_t stride = (kLanes + 1) * padded_rows(n_);
-  const int chunks = share(side, [&](int chunk, std::ptrdiff_t first, std::ptrdiff_t count) {
-    double* scratch = scratch_.data() + chunk * stride;
-    double* part = scratch + stride - padded_rows(n_);
-    std::fill_n(part, n_, 0.0);
-    if (reads_single(side)) {
-      kernels_->add_weighted_single(side.points.single_blocks + first * n_ * PointSet::kSingleLanes, count,
-                                    n_, weight + first * PointSet::kSingleLanes, scratch, part);
-    } else {
-      kernels_->add_weighted(side.points.blocks + first * n_ * kLanes, count, n_, weight + first * kLanes,
-                             scratch, part);
-    }
-  });
-  for (int chunk = 0; chunk < chunks; ++chunk) {
-    const double* part = scratch_.data() + (chunk + 1) * stride - padded_rows(n_);
-    for (int k = 0; k < n_; ++k) sum[k] += part[k];
-  }
-}
-
 // G = Σ d p pᵀ over both sets by Cholesky; the convexity row borders it.
 bool InteriorPoint::factor(bool single) {
   gram_.begin(n_, *kernels_, helpers_);
@@ -365,9 +284,11 @@ void InteriorPoint::solve_for(double* rhs) {
   VectorMap v(rhs, n_);
   const VectorMap solved(border_.data() + n_, n_);
   const double last = (rhs[n_] - solved.dot(v)) / pivot_;
-  const auto lower = G.triangularView<Eigen::Lower>();
-  lower.solveInPlace(v);
-  lower.transpose().solveInPlace(v);
+  if ((v.array() != 0).any()) {  // zero without targets
+    const auto lower = G.triangularView<Eigen::Lower>();
+    lower.solveInPlace(v);
+    lower.transpose().solveInPlace(v);
+  }
   v -= last * solved;
   rhs[n_] = last;
 }

@@ -103,11 +103,14 @@ class InteriorPoint {
   void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
   double central_weight() const;
+  void reserve_passes();
   template <class Work>
   int share(const Side& side, const Work& work);
   void price(Side& side, const double* y, double* products);
   void slacks(Side& side, double cost);
   void leave_single();
+  template <class Share>
+  static double lack(const Side& side, const Share& share);
   bool reads_single(const Side& side) const noexcept {
     return single_ && side.points.single_blocks != nullptr;
   }

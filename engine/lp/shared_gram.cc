@@ -13,6 +13,7 @@ namespace {
 // Points that a thread copies at a time: two blocks at least, whose lanes are turned together.
 constexpr int kCopied = 2 * static_cast<int>(PointSet::kLanes);
 constexpr int kBadStride = 128;
+constexpr int kCleared = 64;  // columns that a thread clears at a time
 // Operations for a coordinate that is copied, in those of products.
 constexpr double kCopying = 8;
 
@@ -23,10 +24,13 @@ void SharedGram::begin(int n, const Kernels& kernels, const Helpers& helpers) {
   kernels_ = &kernels;
   helpers_ = helpers;
   rows_ = gram_rows(n) % kBadStride == 0 ? gram_rows(n) + kRowPadding : gram_rows(n);
-  const std::size_t size = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(gram_columns(n));
-  matrix_.reserve(size);
+  const int columns = gram_columns(n);
+  matrix_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns));
   panels_.reserve(static_cast<std::size_t>(gram_rows(n)) * kGramPoints);
-  std::fill_n(matrix_.data(), size, 0.0);
+  helpers_.run(columns / kCleared + 1, static_cast<double>(rows_) * columns, [&](int chunk) {
+    const int first = chunk * kCleared, last = std::min(columns, first + kCleared);
+    std::fill(matrix_.data() + first * rows_, matrix_.data() + last * rows_, 0.0);
+  });
 }
 
 void SharedGram::add(const PricedPoints& points, const double* weight, bool single) {

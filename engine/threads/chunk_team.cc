@@ -18,12 +18,14 @@ constexpr int kMostPenalty = 1024;
 
 using Clock = std::chrono::steady_clock;
 
-// Looks at what is waited for before a thread sleeps. Each gives the processor to whoever else wants it.
-constexpr int kLooks = 300;
+// Looks at what is waited for before a thread sleeps: the caller's at the end of a work, a helper's between
+// two. Each gives the processor to whoever else wants it.
+constexpr int kLooksAtEnd = 300;
+constexpr int kLooksBetween = 3000;
 
 template <class Value>
-void wait_while(const std::atomic<Value>& value, Value old) {
-  for (int look = 0; look < kLooks; ++look) {
+void wait_while(const std::atomic<Value>& value, Value old, int looks) {
+  for (int look = 0; look < looks; ++look) {
     if (value.load(std::memory_order_acquire) != old) return;
     std::this_thread::yield();
   }
@@ -70,7 +72,7 @@ void ChunkTeam::share(const Job& job, bool wake) {
   const auto out_of_chunks = Clock::now();
   std::uint32_t at_work = gate_.fetch_and(~kOpen, std::memory_order_acq_rel) & ~kOpen;
   while (at_work != 0) {
-    wait_while(gate_, at_work);
+    wait_while(gate_, at_work, kLooksAtEnd);
     at_work = gate_.load(std::memory_order_acquire);
   }
   const bool late = !patient_ && Clock::now() - out_of_chunks > out_of_chunks - begin;
@@ -91,7 +93,7 @@ void ChunkTeam::take_chunks() {
 void ChunkTeam::help() {
   std::uint32_t seen = 0;
   for (;;) {
-    wait_while(calls_, seen);
+    wait_while(calls_, seen, kLooksBetween);
     seen = calls_.load(std::memory_order_acquire);
     if (ending_.load()) return;
     std::uint32_t gate = gate_.load(std::memory_order_relaxed);

@@ -29,7 +29,7 @@ class ChunkTeam {
   void be_patient() noexcept { patient_ = true; }
 
   /// work(chunk) once for every chunk in 0 … chunks - 1, on any thread. `work` must not throw. A helper
-  /// sleeps some 0.1 ms after its last work; `wake` wakes it, which costs the caller some µs, otherwise only
+  /// sleeps some ms after its last work; `wake` wakes it, which costs the caller some µs, otherwise only
   /// those that are awake take part. Allocates nothing.
   template <class Work>
   void run(int chunks, bool wake, const Work& work) {
