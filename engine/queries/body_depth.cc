@@ -169,7 +169,7 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
 }
 
 // h(u) of the cores plus what the balls add is below 0 for the direction of before.
-bool BodyDepth::has_parted(const WarmStart& start, BodyDepthAnswer& answer) {
+bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
   const double* normal = recorded_normal(start, pair_.dimension());
   if (normal == nullptr) return false;
   const Vector3 u = -pair_.to_body(normal);
@@ -181,7 +181,7 @@ bool BodyDepth::has_parted(const WarmStart& start, BodyDepthAnswer& answer) {
 }
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
-bool BodyDepth::solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer) {
+bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer) {
   double asked = tolerance;
   nearest_.clear();
   if (start != nullptr) nearest_ = *start;
@@ -242,20 +242,7 @@ void BodyDepth::find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& 
   a2 = point.a2;
 }
 
-// Three vertices of before, if they are not nearer to each other than the origin is to them: a polytope that
-// has to grow all around it gains nothing from a small face.
-bool BodyDepth::find_face(const SpatialOracle& oracle, const WarmStart* start, DepthPoint<double>* face) {
-  if (start == nullptr || start->count != 3) return false;
-  double widest = 0, nearest = __builtin_inf();
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!oracle.vertex(start->point_A[i], start->point_Q[i], face[i])) return false;
-    nearest = std::min(nearest, length(face[i].s));
-    for (std::size_t k = 0; k < i; ++k) widest = std::max(widest, length(face[i].s - face[k].s));
-  }
-  return widest > nearest;
-}
-
-void BodyDepth::record_vertices(WarmStart& warm) const {
+void BodyDepth::record(WarmStart& warm) {
   warm.count = 0;
   if (source_ == Source::none && has_balls()) {
     warm.count = nearest_.count;
@@ -263,16 +250,29 @@ void BodyDepth::record_vertices(WarmStart& warm) const {
     warm.point_Q = nearest_.point_Q;
   }
   if (source_ != Source::quick || !has_points_) return;
-  for (int i = 0; i < 3; ++i) {
-    const DepthPoint<double>& corner = quick_.contact_corner(i);
-    if (corner.index_1 < 0 || corner.index_2 < 0) return;
-    warm.point_A[static_cast<std::size_t>(i)] = corner.index_1;
-    warm.point_Q[static_cast<std::size_t>(i)] = corner.index_2;
-  }
-  warm.count = 3;
+  const auto corner_of = [this](const DepthPoint<double>& point) {
+    return pair_.corner_of(point.u, {point.s, point.a1, point.a2, point.index_1, point.index_2});
+  };
+  quick_.record(corner_of, warm.polytope);
 }
 
-void BodyDepth::search(double tolerance, const WarmStart* start, const Stopwatch& watch,
+// Whether that is all. A polytope about the origin proves that the cores meet.
+bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
+                             BodyDepthAnswer& answer) {
+  SpatialOracle oracle(pair_);
+  const bool closed =
+      quick_.run_again(oracle, memory, {tolerance, 0, down(ball_lower_), up(ball_upper_)}, watch);
+  if (!closed) return false;
+  source_ = Source::quick;
+  take(quick_, false, answer);
+  if (!answer.bounds.close(tolerance) || !has_points_) return false;
+  answer.support_queries += pair_.queries();
+  answer.status = DistanceStatus::optimal;
+  pair_.to_world(-normal_, &answer.normal.x);
+  return true;
+}
+
+void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
   constexpr double kDeep = 0.5;  // of a ball inside: all sides are near, and that of the centres begins best
   const Vector3& between = pair_.between_centers();
@@ -283,10 +283,7 @@ void BodyDepth::search(double tolerance, const WarmStart* start, const Stopwatch
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
   source_ = Source::quick;
-  DepthPoint<double> face[3];
-  const bool has_face = find_face(oracle, start, face);
-  DepthEnd end =
-      quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch, has_face ? face : nullptr);
+  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch);
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
   PreciseOracle precise;
@@ -304,15 +301,18 @@ void BodyDepth::search(double tolerance, const WarmStart* start, const Stopwatch
                                                  : status_of(end);
 }
 
-void BodyDepth::solve(double tolerance, const WarmStart* start, const Stopwatch& watch,
+void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch& watch,
                       BodyDepthAnswer& answer) {
   answer = {};
   has_points_ = false;
   source_ = Source::none;
   floor_ = 0;
   if (tiny_ > 0) return bound_tiny(tolerance, answer);
-  if (start != nullptr && start->overlap && has_parted(*start, answer)) return;
-  if (has_balls() && solve_apart(tolerance, start, answer)) {
+  if (start.pair != nullptr && start.pair->overlap && has_parted(*start.pair, answer)) return;
+  if (start.polytope != nullptr && !start.polytope->empty() &&
+      search_again(tolerance, *start.polytope, watch, answer))
+    return;
+  if (has_balls() && solve_apart(tolerance, start.pair, answer)) {
     answer.support_queries += pair_.queries();
     return;
   }
@@ -322,7 +322,7 @@ void BodyDepth::solve(double tolerance, const WarmStart* start, const Stopwatch&
     find_near_points(answer, a1, a2);
     floor_ = -(length(a1 - a2) * kUp + 2 * pair_.error());
   }
-  search(tolerance, start, watch, answer);
+  search(tolerance, start.pair, watch, answer);
   if (!has_points_) {
     find_near_points(answer, a1, a2);
     put_points(normal_, a1, a2, answer);

@@ -24,6 +24,12 @@ struct BodyDepthAnswer {
   bool parted = false;  ///< proven apart by the normal of before; nothing else is said
 };
 
+/// What a solve of the pair has recorded, or nothing.
+struct DepthStart {
+  const PairStart* pair = nullptr;
+  const DepthMemory* polytope = nullptr;
+};
+
 /// The depth of two bodies by fixed-size code. Of both the cores and the radius r of the sum of their balls:
 /// where the cores are apart, the depth is r less their distance; where they meet, it is that of the cores
 /// plus r, for  h(u) = h_cores(u) + r|u|.  In doubles first, then in double-double arithmetic.
@@ -34,29 +40,30 @@ class BodyDepth {
   /// Where they are; the numbers must outlive the solves.
   bool place(const PoseNumbers& first, const PoseNumbers& second);
 
-  /// Of bodies that are not known to be apart. `start`: what a solve of the pair recorded, or nullptr. Where
-  /// it recorded an overlap, one look along its normal comes first: most bodies that part do so across it.
-  void solve(double tolerance, const WarmStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
+  /// Of bodies that are not known to be apart. Where an overlap was recorded, one look along its normal comes
+  /// first: most bodies that part do so across it.
+  void solve(double tolerance, const DepthStart& start, const Stopwatch& watch, BodyDepthAnswer& answer);
 
-  /// The vertices of the face that was found, or those that are the nearest of cores that are apart. None
-  /// where they are not vertices.
-  void record_vertices(WarmStart& warm) const;
+  /// The polytope that was found, or the vertices that are the nearest of cores that are apart. None where
+  /// they are not vertices.
+  void record(WarmStart& warm);
 
   /// Of the last solve: other directions of the world that are as short, see DepthSearch::add_near_normals.
   void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
 
  private:
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
-  bool has_parted(const WarmStart& start, BodyDepthAnswer& answer);
-  bool solve_apart(double tolerance, const WarmStart* start, BodyDepthAnswer& answer);
+  bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
+  bool solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer);
   void bound_apart(BodyDepthAnswer& answer);
   DoubleDouble ball_height(const PreciseVector3& u) const;
   PreciseVector3 nearest_of_cores(PrecisePair& precise) const;
   void refine_apart(BodyDepthAnswer& answer);
   bool is_tiny(const PoseNumbers& first, const PoseNumbers& second);
   void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;
-  void search(double tolerance, const WarmStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
-  static bool find_face(const SpatialOracle& oracle, const WarmStart* start, DepthPoint<double>* face);
+  bool search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
+                    BodyDepthAnswer& answer);
+  void search(double tolerance, const PairStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
   template <class Real>
   void take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer);
   void put_points(const Vector3& normal, const Vector3& a1, const Vector3& a2, BodyDepthAnswer& answer) const;
@@ -73,7 +80,7 @@ class BodyDepth {
   Vector3 normal_;           // of the answer, in the frame of the first body, outward of S1 - S2
   double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
   double floor_ = 0;         // proven of the depth of the cores
-  WarmStart nearest_;        // of the cores, where these are apart
+  PairStart nearest_;        // of the cores, where these are apart
   bool has_points_ = false;  // of the answer
   enum class Source : std::uint8_t { none, quick, precise } source_ = Source::none;  // searched last
 };

@@ -31,7 +31,7 @@ double radius_of_ball(const ConvexSet& Q) {
 }
 
 bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
-                              const WarmStart* start, ObjectDepth& result) {
+                              const DepthStart& start, ObjectDepth& result) {
   if (!bodies_.bind(A1.set, A2.set, options.instruction_set) ||
       !bodies_.place(PoseNumbers(A1.pose), PoseNumbers(A2.pose))) {
     return false;
@@ -119,7 +119,7 @@ void DepthQuery::bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, cons
 }
 
 void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
-                       const std::function<bool()>& stop, const WarmStart* start, double seconds,
+                       const std::function<bool()>& stop, const DepthStart& start, double seconds,
                        ObjectDepth& result) {
   watch_.start(std::isnan(seconds) ? options.time_limit : std::max(0.0, options.time_limit - seconds), &stop);
   const double radius = radius_of_ball(Q);
@@ -129,7 +129,7 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   if (!by_bodies_) {
     const InPose first(A1), second(A2);
     const int n = Q.dimension();
-    const double* normal = start != nullptr ? recorded_normal(*start, n) : nullptr;
+    const double* normal = start.pair != nullptr ? recorded_normal(*start.pair, n) : nullptr;
     if (n <= 3) {
       solve_sets(first.set(), second.set(), Q, options.tolerance, normal, result);
     } else if (n <= HullDepth::kMost) {
@@ -146,13 +146,13 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
   result.evaluations = 1;
 }
 
-void DepthQuery::record(const ObjectDepth& depth, WarmStart& warm) const {
+void DepthQuery::record(const ObjectDepth& depth, WarmStart& warm) {
   const auto n = static_cast<int>(depth.normal.size());
   if (n == 0 || n > 3) return;
   warm.dimension = n;
   warm.count = 0;
   std::copy_n(depth.normal.data(), n, warm.normal.begin());
-  if (by_bodies_) bodies_.record_vertices(warm);
+  if (by_bodies_) bodies_.record(warm);
 }
 
 // What is as near as the bounds tell, and far enough from the normal not to be the same minimum of a curved

@@ -21,14 +21,14 @@ double radius_of_ball(const ConvexSet& Q);
 /// are bounds only: 0, and the least of a few directions.
 class DepthQuery {
  public:
-  /// Of objects that are not proven to be apart. `start`: what a solve of the pair recorded, or nullptr.
-  /// Where it recorded an overlap and its normal proves the objects apart, the result is that of no
-  /// evaluation. `seconds` of the time limit have been spent already, or NaN.
+  /// Of objects that are not proven to be apart. Where `start` is that of an overlap and its normal proves
+  /// the objects apart, the result is that of no evaluation. `seconds` of the time limit have been spent
+  /// already, or NaN.
   void solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, const DistanceOptions& options,
-             const std::function<bool()>& stop, const WarmStart* start, double seconds, ObjectDepth& result);
+             const std::function<bool()>& stop, const DepthStart& start, double seconds, ObjectDepth& result);
 
   /// The last solve, whose answer is `depth`, in R^1 to R^3.
-  void record(const ObjectDepth& depth, WarmStart& warm) const;
+  void record(const ObjectDepth& depth, WarmStart& warm);
 
   /// Of the last solve, whose answer is `depth`, in a ball: unit vectors along which A1 may be as near to the
   /// outside, beside depth.normal. Replaces what is in `normals`.
@@ -36,7 +36,7 @@ class DepthQuery {
 
  private:
   bool solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
-                    const WarmStart* start, ObjectDepth& result);
+                    const DepthStart& start, ObjectDepth& result);
   void solve_sets(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,
                   const double* start, ObjectDepth& result);
   void solve_hull(const ConvexSet& A1, const ConvexSet& A2, const ConvexSet& Q, double tolerance,

@@ -22,7 +22,7 @@ class DepthSolver::Work {
     const int n = D.dimension();
     check_dimension("depth", "Q", Q.dimension(), n);
     if (!origin_ || origin_->dimension() != n) origin_.emplace(Vector::Zero(n), 0.0);
-    query_.solve(*origin_, D, Q, options_, stop_, nullptr, std::numeric_limits<double>::quiet_NaN(), depth_);
+    query_.solve(*origin_, D, Q, options_, stop_, {}, std::numeric_limits<double>::quiet_NaN(), depth_);
     return depth_;
   }
 

@@ -107,7 +107,7 @@ class Ladder {
   DistanceResult outer_;  // of a question while another one is asked for it
 
   DepthQuery depth_;
-  WarmStart depth_start_;
+  PairStart depth_start_;
   bool has_depth_start_ = false;
   PoseGradients pose_gradients_;
 

@@ -217,7 +217,8 @@ void Ladder::find_pose_gradient(const Ask& ask) {
 
 void Ladder::find_depth(const Ask& ask) {
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
-               has_depth_start_ ? &depth_start_ : nullptr, answer_.distance.seconds, answer_.depth);
+               has_depth_start_ ? DepthStart{&depth_start_, &ask.warm->polytope} : DepthStart{},
+               answer_.distance.seconds, answer_.depth);
   if (ask.warm != nullptr && answer_.depth.evaluations > 0) depth_.record(answer_.depth, *ask.warm);
 }
 

@@ -41,7 +41,7 @@ bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, Instruc
 }
 
 // Whether the start has vertices.
-bool SpatialSolve::begin_with_vertices(const WarmStart* warm) {
+bool SpatialSolve::begin_with_vertices(const PairStart* warm) {
   const bool known = warm != nullptr && warm->dimension == pair_.dimension() && pair_.has_vertices();
   if (!known || warm->count <= 0) return false;
   record_.start.count = std::min(warm->count, 4);
@@ -50,7 +50,7 @@ bool SpatialSolve::begin_with_vertices(const WarmStart* warm) {
   return true;
 }
 
-void SpatialSolve::begin_with_normal(const WarmStart* warm) {
+void SpatialSolve::begin_with_normal(const PairStart* warm) {
   if (warm == nullptr) return;
   const double* normal = recorded_normal(*warm, pair_.dimension());
   if (normal == nullptr) return;
@@ -60,7 +60,7 @@ void SpatialSolve::begin_with_normal(const WarmStart* warm) {
 }
 
 // All but the normal.
-void SpatialSolve::record(WarmStart* warm) const {
+void SpatialSolve::record(PairStart* warm) const {
   warm->dimension = pair_.dimension();
   warm->normal = {0, 0, 0};
   warm->count = 0;
@@ -155,7 +155,7 @@ inline void SpatialSolve::turn_normal() {
   pair_.normal_to_world(normal, answer.bounds.lower() < kClose * pair_.size(), record_.normal);
 }
 
-bool SpatialSolve::distance(double tolerance, WarmStart* warm) {
+bool SpatialSolve::distance(double tolerance, PairStart* warm) {
   record_.begin();
   if (!begin_with_vertices(warm)) begin_with_normal(warm);
   if (!find_distance(tolerance) && !find_overlap()) {
@@ -200,7 +200,7 @@ void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
     spatial_growth(pair_, tolerance, threshold, flat ? SpatialStart() : record_.start, record_.answer);
 }
 
-bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, WarmStart* warm) {
+bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, PairStart* warm) {
   record_.begin();
   const bool balls = is_point(pair_.shape(0)) && is_point(pair_.shape(1));  // the first direction is the last
   if (!balls && (!begin_with_vertices(warm) || record_.start.count != 3)) begin_with_normal(warm);

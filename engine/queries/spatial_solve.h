@@ -23,12 +23,12 @@ class SpatialSolve {
   /// The Euclidean distance. Where true, answer().end is `closed`, and closest_points() hold, or
   /// `intersecting`. Bodies with interior points in common are `intersecting`, down to rounding errors of
   /// double-double arithmetic; so are those in a common plane (make_prism_of_flat).
-  bool distance(double tolerance, WarmStart* warm);
+  bool distance(double tolerance, PairStart* warm);
 
   /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
   /// the first one about the origin of the world, to touch. Ends early where it is proven to be on one side
   /// of `threshold`; NaN: never.
-  bool growth(bool about_origin, double tolerance, double threshold, WarmStart* warm);
+  bool growth(bool about_origin, double tolerance, double threshold, PairStart* warm);
 
   const SpatialAnswer& answer() const noexcept { return record_.answer; }
   const SpatialPair& pair() const noexcept { return pair_; }
@@ -74,9 +74,9 @@ class SpatialSolve {
   void turn_normal();
   bool find_growth(bool about_origin, double tolerance, double threshold);
   void go_on_in_ball(double tolerance, double threshold);
-  bool begin_with_vertices(const WarmStart* warm);
-  void begin_with_normal(const WarmStart* warm);
-  void record(WarmStart* warm) const;
+  bool begin_with_vertices(const PairStart* warm);
+  void begin_with_normal(const PairStart* warm);
+  void record(PairStart* warm) const;
 
   SpatialPair pair_;
   Record record_;

@@ -7,7 +7,7 @@
 
 namespace raygauge {
 
-const double* recorded_normal(const WarmStart& warm, int n) noexcept {
+const double* recorded_normal(const PairStart& warm, int n) noexcept {
   const auto size = static_cast<std::size_t>(n);
   if (warm.dimension != n || (n > 3 && warm.long_normal.size() != size)) return nullptr;
   const double* normal = n <= 3 ? warm.normal.data() : warm.long_normal.data();
@@ -16,7 +16,7 @@ const double* recorded_normal(const WarmStart& warm, int n) noexcept {
   return finite && !zero ? normal : nullptr;
 }
 
-void record_normal(const Vector& normal, WarmStart& warm) {
+void record_normal(const Vector& normal, PairStart& warm) {
   const auto n = static_cast<int>(normal.size());
   warm.dimension = n;
   warm.count = 0;

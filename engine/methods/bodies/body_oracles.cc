@@ -24,11 +24,10 @@ void SpatialOracle::put(const SpatialPoint& found, DepthPoint<double>& point) {
   point.index_2 = found.index_2;
 }
 
-bool SpatialOracle::vertex(std::int32_t index_1, std::int32_t index_2, DepthPoint<double>& point) const {
+void SpatialOracle::support_again(const DepthMemory::Corner& corner, DepthPoint<double>& point) {
   SpatialPoint found;
-  if (!pair_.has_vertices() || !pair_.vertex(index_1, index_2, found)) return false;
+  point.u = pair_.support_again(corner, found);
   put(found, point);
-  return true;
 }
 
 bool PreciseOracle::bind(const SpatialPair& pair) {

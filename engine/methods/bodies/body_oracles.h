@@ -27,8 +27,7 @@ class SpatialOracle final : public EuclideanOracle<double> {
   explicit SpatialOracle(SpatialPair& pair);
   double support(const Vector3& u, DepthPoint<double>& point) override;
 
-  /// The difference of two vertices; false where there are none.
-  bool vertex(std::int32_t index_1, std::int32_t index_2, DepthPoint<double>& point) const;
+  void support_again(const DepthMemory::Corner& corner, DepthPoint<double>& point) override;
 
  private:
   static void put(const SpatialPoint& found, DepthPoint<double>& point);

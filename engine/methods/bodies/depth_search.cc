@@ -44,6 +44,7 @@ bool DepthSearch<Real>::is_lost() const {
 template <class Real>
 void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point, bool is_unit) {
   const double height = oracle_->support(u, point);
+  point.u = rounded(u);
   const bool known = is_unit && oracle_->is_euclidean();
   const double metric = known ? kUnitDown : oracle_->metric_lower(u);
   if (!(metric > 0)) return;
@@ -81,12 +82,8 @@ bool DepthSearch<Real>::close_tetrahedron(DepthPoint<Real>* corner) {
 }
 
 template <class Real>
-bool DepthSearch<Real>::begin(const Vector& start, const DepthPoint<Real>* face) {
+bool DepthSearch<Real>::begin(const Vector& start) {
   DepthPoint<Real> corner[4];
-  if (face != nullptr) {
-    std::copy_n(face, 3, corner);
-    if (close_tetrahedron(corner)) return true;
-  }
   const Vector u = unit(start);
   probe(u, corner[0], false);
   probe(-u, corner[1], false);
@@ -114,19 +111,31 @@ double DepthSearch<Real>::closing() const {
   return upper - goal_.ball_lower - upper * (goal_.tolerance * kDown - 0x1p-50);
 }
 
+// The least of the facets that are new.
+template <class Real>
+std::int32_t DepthSearch<Real>::evaluate_new_facets() {
+  value_.resize(static_cast<std::size_t>(polytope_.facet_count()));
+  double least = std::numeric_limits<double>::infinity();
+  std::int32_t at = 0;
+  for (const std::int32_t i : polytope_.made()) {
+    const double value = value_of(polytope_.facet(i));
+    value_[static_cast<std::size_t>(i)] = value;
+    at = value < least ? i : at;
+    least = std::min(value, least);
+  }
+  return at;
+}
+
 template <class Real>
 void DepthSearch<Real>::queue_new_facets() {
-  value_.resize(static_cast<std::size_t>(polytope_.facet_count()));
   const double enough = closing();
   for (const std::int32_t i : polytope_.made()) {
-    const DepthFacet<Real>& facet = polytope_.facet(i);
-    const double value = value_of(facet);
-    value_[static_cast<std::size_t>(i)] = value;
+    const double value = value_[static_cast<std::size_t>(i)];
     if (value >= enough) {
       settled_ = std::min(settled_, value);
       continue;
     }
-    heap_.push_back({value, i, facet.stamp});
+    heap_.push_back({value, i, polytope_.facet(i).stamp});
     std::push_heap(heap_.begin(), heap_.end());
   }
 }
@@ -142,23 +151,54 @@ auto DepthSearch<Real>::least() -> const Entry* {
 }
 
 template <class Real>
-DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal,
-                                const Stopwatch& watch, const DepthPoint<Real>* face) {
+void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   oracle_ = &oracle;
   goal_ = goal;
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
-  iterations_ = 0;
+  iterations_ = near_ = 0;
   heap_.clear();
   settled_ = std::numeric_limits<double>::infinity();
-  solid_ = begin(start, face);
+}
+
+template <class Real>
+DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal,
+                                const Stopwatch& watch) {
+  restart(oracle, goal);
+  solid_ = begin(start);
   if (!solid_) return closes(lower_) ? DepthEnd::closed : DepthEnd::flat;
+  evaluate_new_facets();
   queue_new_facets();
+  return expand(watch);
+}
+
+// The way out is looked for along the least facet first, so that few of the others are queued.
+template <class Real>
+bool DepthSearch<Real>::run_again(DepthOracle<Real>& oracle, const DepthMemory& memory, const Goal& goal,
+                                  const Stopwatch& watch) {
+  restart(oracle, goal);
+  polytope_.begin(memory, oracle.size(),
+                  [&oracle](const DepthMemory::Corner& corner, DepthPoint<Real>& point) {
+                    oracle.support_again(corner, point);
+                  });
+  const std::int32_t least = evaluate_new_facets();
+  near_ = least;
+  solid_ = value_[static_cast<std::size_t>(least)] > 0;
+  if (!solid_) return false;
+  DepthPoint<Real> point;
+  probe(polytope_.facet(least).n, point, true);
+  queue_new_facets();
+  return expand(watch) == DepthEnd::closed;
+}
+
+template <class Real>
+DepthEnd DepthSearch<Real>::expand(const Stopwatch& watch) {
   DepthPoint<Real> point;
   int setbacks = 0;
   for (; iterations_ < kMostIterations; ++iterations_) {
     const Entry* entry = least();
     const double value = entry != nullptr ? std::min(entry->value, settled_) : settled_;
+    if (entry != nullptr) near_ = entry->facet;
     if (value < lower_) ++setbacks;
     if (value > 0) lower_ = std::max(lower_, value);
     if (closes(lower_)) return DepthEnd::closed;
@@ -172,56 +212,84 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
     if (closes(lower_)) return DepthEnd::closed;
     const double above = rounded(polytope_.above(facet, point.s));
     if (!(above > polytope_.noise()) || !polytope_.add(entry->facet, point)) return DepthEnd::rounding;
+    evaluate_new_facets();
     queue_new_facets();
   }
   return DepthEnd::limit;
 }
 
-namespace {
-
-// The point t u of the triangle by its weights, none of them below 0; how far these had to be moved for that.
-double weights_along(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& u, double* weight) {
-  const double all[3] = {dot(u, cross(b, c)), dot(u, cross(c, a)), dot(u, cross(a, b))};
-  const double sum = all[0] + all[1] + all[2];
-  double outside = 0, kept = 0;
-  for (int i = 0; i < 3; ++i) {
-    weight[i] = std::max(all[i] / sum, 0.0);
-    outside = std::max(outside, -all[i] / sum);
-    kept += weight[i];
+// The point t u of the plane of a facet by the weights of its corners; by how much one of them is below 0,
+// infinity where they are no numbers.
+template <class Real>
+double DepthSearch<Real>::weights_along(std::int32_t i, const Vector3& u, double* weight) const {
+  Vector3 p[3];
+  for (int k = 0; k < 3; ++k) p[k] = rounded(polytope_.point(polytope_.facet(i).corner[k]).s);
+  for (int k = 0; k < 3; ++k) weight[k] = dot(u, cross(p[(k + 1) % 3], p[(k + 2) % 3]));
+  const double sum = weight[0] + weight[1] + weight[2];
+  double outside = 0;
+  for (int k = 0; k < 3; ++k) {
+    weight[k] /= sum;
+    outside = std::max(outside, -weight[k]);
   }
-  for (int i = 0; i < 3; ++i) weight[i] /= kept;
-  return std::isfinite(outside) && kept > 0 ? outside : std::numeric_limits<double>::infinity();
+  return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 // Of a convex polytope the ray leaves through the facet whose plane it meets first. A face of D may be
 // several triangles in one plane: the one that holds the point.
 template <class Real>
-bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) {
-  if (!solid_) return false;
-  constexpr double kSamePlane = 1 + 1e-9;
+std::int32_t DepthSearch<Real>::find_exit(const Vector3& u) const {
+  constexpr double kSamePlane = 1 + 1e-9, kInfinite = std::numeric_limits<double>::infinity();
   const auto meets = [&](std::int32_t i) {
     const DepthFacet<Real>& facet = polytope_.facet(i);
     const double reach = rounded(facet.reach), along = dot(rounded(facet.n), u);
-    const bool leaves = facet.stamp > 0 && reach > 0 && along > 0;
-    return leaves ? reach / along : std::numeric_limits<double>::infinity();
+    return facet.stamp > 0 && reach > 0 && along > 0 ? reach / along : kInfinite;
   };
-  double first = std::numeric_limits<double>::infinity(), best = first;
+  double first = kInfinite, best = kInfinite;
+  std::int32_t exit = -1;
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) first = std::min(first, meets(i));
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
     if (!(meets(i) <= first * kSamePlane)) continue;
-    const DepthPoint<Real>* p[3];
-    for (int k = 0; k < 3; ++k) p[k] = &polytope_.point(polytope_.facet(i).corner[k]);
     double weight[3];
-    const double outside = weights_along(rounded(p[0]->s), rounded(p[1]->s), rounded(p[2]->s), u, weight);
+    const double outside = weights_along(i, u, weight);
     if (!(outside < best)) continue;
     best = outside;
-    contact_ = i;
-    a1 = p[0]->a1 * weight[0] + p[1]->a1 * weight[1] + p[2]->a1 * weight[2];
-    a2 = p[0]->a2 * weight[0] + p[1]->a2 * weight[1] + p[2]->a2 * weight[2];
+    exit = i;
   }
-  return best < std::numeric_limits<double>::infinity();
+  return exit;
+}
+
+// From one facet to the next on the side of the ray, which is not far from where the search has ended.
+template <class Real>
+std::int32_t DepthSearch<Real>::walk_to_exit(const Vector3& u) const {
+  constexpr int kMostSteps = 16;  // rounding may lead around in a circle
+  std::int32_t at = polytope_.facet(near_).stamp > 0 ? near_ : polytope_.made().front();
+  for (int step = 0; step < kMostSteps; ++step) {
+    double weight[3];
+    if (!(weights_along(at, u, weight) < std::numeric_limits<double>::infinity())) return -1;
+    const auto least = std::min_element(weight, weight + 3);
+    if (!(*least < 0)) return at;
+    at = polytope_.facet(at).neighbour[(least - weight + 1) % 3];
+  }
+  return -1;
+}
+
+template <class Real>
+bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) const {
+  if (!solid_) return false;
+  std::int32_t exit = walk_to_exit(u);
+  if (exit < 0) exit = find_exit(u);
+  if (exit < 0) return false;
+  double weight[3], sum = 0;
+  weights_along(exit, u, weight);
+  for (double& each : weight) sum += each = std::max(each, 0.0);
+  if (!(sum > 0)) return false;
+  a1 = a2 = {};
+  for (int k = 0; k < 3; ++k) {
+    const DepthPoint<Real>& p = polytope_.point(polytope_.facet(exit).corner[k]);
+    a1 = a1 + p.a1 * (weight[k] / sum);
+    a2 = a2 + p.a2 * (weight[k] / sum);
+  }
+  return true;
 }
 
 template <class Real>

@@ -23,6 +23,9 @@ class DepthOracle {
   /// h_D(u), to |u| error(), and s_D(u), within error() of a point of D.
   virtual double support(const Vector& u, DepthPoint<Real>& point) = 0;
 
+  /// A point of D, within error(), near the one that was recorded; of an oracle whose points are.
+  virtual void support_again(const DepthMemory::Corner& /*corner*/, DepthPoint<Real>& /*point*/) {}
+
   /// h_Q(u) for a u of length 1 to a few rounding units of doubles: a number that is not below it and one
   /// that is not above it.
   virtual double metric_upper(const Vector& u) = 0;
@@ -73,9 +76,20 @@ class DepthSearch {
     double ball_lower = 0, ball_upper = 0;
   };
 
-  /// `face`: three points of D near the face that is the nearest, or nullptr.
-  DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch,
-               const DepthPoint<Real>* face = nullptr);
+  DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch);
+
+  /// From the polytope of a D that was about the same, not empty. False where the bounds do not meet, and the
+  /// search has to begin anew.
+  bool run_again(DepthOracle<Real>& oracle, const DepthMemory& memory, const Goal& goal,
+                 const Stopwatch& watch);
+
+  /// The polytope of the last run, if it is another one than `memory`, from which that began.
+  /// corner_of(point) says how it is found again.
+  template <class CornerOf>
+  void record(const CornerOf& corner_of, DepthMemory& memory) {
+    constexpr int kFew = 3;  // not worth a copy
+    if (iterations_ > kFew || !polytope_.is_joined()) polytope_.record(corner_of, memory);
+  }
 
   /// Of D alone, without the ball; -infinity where nothing is proven.
   double lower() const noexcept { return lower_; }
@@ -86,12 +100,7 @@ class DepthSearch {
 
   /// The points of both bodies whose difference is t u, where the ray along u leaves the polytope: for
   /// normal() t is between both bounds. False where D is flat, or the origin is not inside the polytope.
-  bool contact(const Vector3& u, Vector3& a1, Vector3& a2);
-
-  /// Of the last contact(): corner i of the facet.
-  const DepthPoint<Real>& contact_corner(int i) const {
-    return polytope_.point(polytope_.facet(contact_).corner[i]);
-  }
+  bool contact(const Vector3& u, Vector3& a1, Vector3& a2) const;
 
   /// Adds to `normals` those of facets that are as near as the least one, to the share `relative` of the
   /// depth and the ball, and differ from normal() and each other by more than `angle`; at most as many as
@@ -108,7 +117,9 @@ class DepthSearch {
     bool operator<(const Entry& other) const noexcept { return value > other.value; }
   };
 
-  bool begin(const Vector& start, const DepthPoint<Real>* face);
+  void restart(DepthOracle<Real>& oracle, const Goal& goal);
+  bool begin(const Vector& start);
+  DepthEnd expand(const Stopwatch& watch);
   bool close_tetrahedron(DepthPoint<Real>* corner);
   bool closes(double lower) const;
   double closing() const;
@@ -117,8 +128,12 @@ class DepthSearch {
   void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
   bool farther(const Vector& u, const Vector& from, DepthPoint<Real>& point);
   double value_of(const DepthFacet<Real>& facet) const;
+  std::int32_t evaluate_new_facets();
   void queue_new_facets();
   const Entry* least();
+  double weights_along(std::int32_t facet, const Vector3& u, double* weight) const;
+  std::int32_t find_exit(const Vector3& u) const;
+  std::int32_t walk_to_exit(const Vector3& u) const;
 
   InnerPolytope<Real> polytope_;
   std::vector<Entry> heap_;    // of facets that may have to be expanded
@@ -129,7 +144,7 @@ class DepthSearch {
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
   Vector normal_;
   int iterations_ = 0;
-  std::int32_t contact_ = 0;
+  std::int32_t near_ = 0;  // the facet that was looked at last
   bool solid_ = false;
 };
 

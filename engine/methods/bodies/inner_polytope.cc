@@ -23,8 +23,7 @@ double InnerPolytope<Real>::noise_of(double size) noexcept {
 }
 
 template <class Real>
-bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
-  points_.assign(corners, corners + 4);
+void InnerPolytope<Real>::restart(double size) {
   facets_.clear();
   free_.clear();
   made_.clear();
@@ -32,6 +31,64 @@ bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
   stamps_ = searches_ = 0;
   size_ = size;
   noise_ = noise_of(size);
+  is_joined_ = false;
+}
+
+template <class Real>
+void InnerPolytope<Real>::join(const DepthMemory& memory, double size) {
+  restart(size);
+  is_joined_ = true;
+  const std::size_t count = memory.facets().size();
+  facets_.resize(count);
+  made_.resize(count);
+  mark_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy_n(memory.facets()[i].corner.begin(), 3, facets_[i].corner);
+    std::copy_n(memory.facets()[i].neighbour.begin(), 3, facets_[i].neighbour);
+    facets_[i].stamp = ++stamps_;
+    made_[i] = static_cast<std::int32_t>(i);
+  }
+  measure_made();
+}
+
+// What is recorded gets its place. The number of corners; 0 where nothing is.
+template <class Real>
+std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
+  constexpr std::int32_t kMostCorners = 127;  // of which a closed surface makes 250 facets
+  memory.facets_.clear();
+  place_.assign(points_.size(), -1);
+  std::int64_t facets = 0;
+  for (std::size_t i = 0; i < facets_.size(); ++i) mark_[i] = facets_[i].stamp > 0 ? facets++ : -1;
+  std::int32_t corners = 0;
+  for (const DepthFacet<Real>& facet : facets_) {
+    for (int k = 0; facet.stamp > 0 && k < 3; ++k) {
+      std::int32_t& place = place_[static_cast<std::size_t>(facet.corner[k])];
+      if (place < 0) place = corners++;
+    }
+  }
+  const auto count = static_cast<std::size_t>(corners);
+  if (!is_joined_) memory.least_corners_ = count;
+  return corners <= kMostCorners && 4 * count <= 5 * memory.least_corners_ ? count : 0;
+}
+
+template <class Real>
+void InnerPolytope<Real>::record_facets(DepthMemory& memory) const {
+  const auto byte = [](auto number) { return static_cast<std::uint8_t>(number); };
+  memory.facets_.reserve(facets_.size());  // all or none, should memory end
+  for (const DepthFacet<Real>& from : facets_) {
+    if (from.stamp == 0) continue;
+    DepthMemory::Facet& facet = memory.facets_.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      facet.corner[k] = byte(place_[static_cast<std::size_t>(from.corner[k])]);
+      facet.neighbour[k] = byte(mark_[static_cast<std::size_t>(from.neighbour[k])]);
+    }
+  }
+}
+
+template <class Real>
+bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
+  points_.assign(corners, corners + 4);
+  restart(size);
   const Vector& a = points_[0].s;
   const Vector n = triangle_normal<Real>(a, points_[1].s, points_[2].s);
   const Real height = dot(n, points_[3].s - a);

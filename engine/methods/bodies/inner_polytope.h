@@ -7,6 +7,7 @@
 
 #include "engine/methods/bodies/facet_lanes.h"
 #include "engine/numerics/real.h"
+#include "raygauge/methods/depth_memory.h"
 
 namespace raygauge {
 
@@ -16,6 +17,7 @@ template <class Real>
 struct DepthPoint {
   BasicVector3<Real> s;
   Vector3 a1, a2;
+  Vector3 u;  ///< the direction it was looked for in
   std::int32_t index_1 = -1, index_2 = -1;
 };
 
@@ -47,6 +49,28 @@ class InnerPolytope {
   /// The tetrahedron of four points, in any order, of length at most `size`. False where it is flat.
   bool begin(const DepthPoint<Real>* corners, double size);
 
+  /// The surface that `memory` has, over other corners: find(corner, point) finds each anew. It need not be
+  /// convex.
+  template <class Find>
+  void begin(const DepthMemory& memory, double size, const Find& find) {
+    points_.resize(memory.corners().size());
+    for (std::size_t i = 0; i < points_.size(); ++i) find(memory.corners()[i], points_[i]);
+    join(memory, size);
+  }
+
+  bool is_joined() const noexcept { return is_joined_; }
+
+  /// What begin() takes; nothing of a large polytope, or one that has grown over many solves.
+  template <class CornerOf>
+  void record(const CornerOf& corner_of, DepthMemory& memory) {
+    memory.corners_.resize(number(memory));
+    if (memory.corners_.empty()) return;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (place_[i] >= 0) memory.corners_[static_cast<std::size_t>(place_[i])] = corner_of(points_[i]);
+    }
+    record_facets(memory);
+  }
+
   /// Adds a point above `facet`. False where rounding hides which facets it sees: the surface is then as it
   /// was.
   bool add(std::int32_t facet, const DepthPoint<Real>& point);
@@ -74,6 +98,10 @@ class InnerPolytope {
     int edge, left;
   };
 
+  std::size_t number(DepthMemory& memory);
+  void record_facets(DepthMemory& memory) const;
+  void restart(double size);
+  void join(const DepthMemory& memory, double size);
   std::int32_t make(std::int32_t a, std::int32_t b, std::int32_t c);
   void measure_made();
   void measure(DepthFacet<Real>& facet) const;
@@ -89,7 +117,9 @@ class InnerPolytope {
   std::vector<Edge> rim_;
   std::vector<Visit> stack_;
   FacetLanes lanes_;
+  std::vector<std::int32_t> place_;  // of what is recorded
   std::int64_t stamps_ = 0, searches_ = 0;
+  bool is_joined_ = false;
   double size_ = 0, noise_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/methods/spatial/pair_frames.h"
+#include "raygauge/methods/depth_memory.h"
 
 namespace raygauge {
 
@@ -43,6 +44,12 @@ class CorePair {
     queries_ += 2;
   }
 
+  /// The same, but that a core has the vertex or the point of a rim that `corner` names, where there is one.
+  void look_again(const Vector& u, const DepthMemory::Corner& corner, Point& point) {
+    look_again_at<0>(u, corner.index_1, corner.way_1, point);
+    look_again_at<1>(u, corner.index_2, corner.way_2, point);
+  }
+
   /// The difference of two vertices; false where there are none.
   bool find_vertices(std::int32_t index_1, std::int32_t index_2, Point& point) const {
     if (!find_vertex<0>(index_1, point) || !find_vertex<1>(index_2, point)) return false;
@@ -78,6 +85,27 @@ class CorePair {
       if constexpr (kPoints) frame_.put(i, view.point(view.index), point);
       use(i, v, view.height(view.index));
     });
+  }
+
+  template <int i>
+  void look_again_at(const Vector& u, std::int32_t index, const std::array<float, 3>& way, Point& point) {
+    const bool known = with_core(shape(i), [&](const auto& core) {
+      point.index(i) = index;
+      if (index >= 0 && index < core.vertex_count()) {
+        frame_.put(i, core.vertex(index), point);
+        return true;
+      }
+      if constexpr (requires { core.along(u, index); }) {
+        if (core.is_rim(index)) {
+          frame_.put(i, core.along({way[0], way[1], way[2]}, index), point);
+          return true;
+        }
+      }
+      return false;
+    });
+    if (known) return;
+    look_at<i, true>(u, point, [](int, const Vector&, double) {});
+    ++queries_;
   }
 
   template <int i>

@@ -125,6 +125,30 @@ void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
   if (prisms_ > 0) add_prisms(u, point);
 }
 
+Vector3 SpatialPair::support_again(const DepthMemory::Corner& corner, SpatialPoint& point) {
+  const auto& [x, y, z] = has_discs(shape(0)) ? corner.way_2 : corner.way_1;
+  const Vector3 u{x, y, z};
+  look_again(u, corner, point);
+  frame_.subtract(point);
+  if (prisms_ > 0) add_prisms(u, point);
+  return u;
+}
+
+DepthMemory::Corner SpatialPair::corner_of(const Vector3& u, const SpatialPoint& point) const {
+  const auto way = [&](int i, const Vector3& x) {
+    const std::int32_t index = point.index(i);
+    const Vector3 from = with_core(shape(i), [&](const auto& core) {
+      if constexpr (requires { core.way_to(x, index); })
+        return core.way_to(x, index);
+      else
+        return u;
+    });
+    return std::array<float, 3>{static_cast<float>(from.x), static_cast<float>(from.y),
+                                static_cast<float>(from.z)};
+  };
+  return {way(0, point.a1), way(1, to_second(point.a2)), point.index_1, point.index_2};
+}
+
 void SpatialPair::add_prisms(const Vector3& u, SpatialPoint& point) const {
   for (const Vector3& v : prisms()) point.s = dot(u, v) < 0 ? point.s - v : point.s + v;
 }

@@ -42,6 +42,13 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// s_D(u): of the cores.
   void support(const Vector3& u, SpatialPoint& point);
 
+  /// The point of D that `corner` names, made of vertices, points of rims, and of other cores the highest
+  /// point for the direction that is returned.
+  Vector3 support_again(const DepthMemory::Corner& corner, SpatialPoint& point);
+
+  /// How support_again() finds `point`, found for u, wherever the bodies are.
+  DepthMemory::Corner corner_of(const Vector3& u, const SpatialPoint& point) const;
+
   /// The difference of two vertices by their indices; false if there are no such vertices, or D is a prism.
   bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
     return prisms_ == 0 && core_vertex(index_1, index_2, point);

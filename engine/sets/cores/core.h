@@ -32,6 +32,7 @@ namespace raygauge {
 ///     there holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside
 ///     for
 ///                                 certain; x is highest for some unit vector v, and v·back is `height`
+///     way_to(x, i), along(way, i)         of a point x of rim i, and back
 ///     ends_around(x)              of a core without area: the vertices between which x is
 ///     disc(v)                     the flat disc on the side of v
 ///

@@ -101,6 +101,13 @@ struct FrustumCore {
     return {*this, v};
   }
 
+  /// A rim has its points by the way from its centre, of any length.
+  static constexpr bool is_rim(std::int32_t index) { return index == kBase || index == kTop; }
+  Vector3 way_to(const Vector3& x, std::int32_t rim) const { return x - center_of(rim); }
+  Vector3 along(const Vector3& way, std::int32_t rim) const {
+    return center_of(rim) + Across<double>(Axis<double>(shape), way).w * radius_of(rim);
+  }
+
   /// As of BoxCore: one rim, and v is not along the axis of a disc.
   bool towers(const Vector3& v, double tilt) const {
     const View<double> view(*this, v);

@@ -53,10 +53,30 @@ struct PointsCore {
 
  private:
   std::int32_t highest(const Vector3& v, InstructionSet isa) const {
+    if (shape.block_count == 1 && shape.coordinates == 3) return highest_of_block(v);
     const std::int32_t listed = shape.table != nullptr ? shape.table->highest(v) : -1;
     if (listed >= 0) return listed;
     double height = 0;
     return highest_in_pass(v, isa, height);
+  }
+
+  /// Without a branch, as which one it is cannot be guessed; places behind the last point repeat it.
+  std::int32_t highest_of_block(const Vector3& v) const {
+    const double *x = shape.blocks, *y = x + kLanes, *z = y + kLanes;
+    double height[kLanes];
+    std::int32_t index[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      height[i] = v.x * x[i] + v.y * y[i] + v.z * z[i];
+      index[i] = i;
+    }
+    for (int half = kLanes / 2; half > 0; half /= 2) {
+      for (int i = 0; i < half; ++i) {
+        const bool higher = height[i + half] > height[i];
+        height[i] = higher ? height[i + half] : height[i];
+        index[i] = higher ? index[i + half] : index[i];
+      }
+    }
+    return std::min(index[0], static_cast<std::int32_t>(shape.size) - 1);
   }
 
   /// Every point that may be the highest, but for rounding in doubles, is compared precisely.

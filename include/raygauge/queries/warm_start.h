@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "raygauge/methods/depth_memory.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 
-/// Data kept from one solve of a pair to the next. The caller keeps one per pair and need not read it. It is
-/// only a hint: an empty, old or wrong one costs time, and the answer is certified all the same.
-struct WarmStart {
+/// What one solve of a pair tells the next.
+struct PairStart {
   /// Nothing is known of the pair.
   void clear() noexcept { dimension = 0; }
 
@@ -25,11 +25,17 @@ struct WarmStart {
   bool overlap = false;                   ///< it has searched for a depth: the next solve does so first
 };
 
+/// Data kept from one solve of a pair to the next. The caller keeps one per pair and need not read it. It is
+/// only a hint: an empty, old or wrong one costs time, and the answer is certified all the same.
+struct WarmStart : PairStart {
+  DepthMemory polytope;  ///< of the last depth
+};
+
 /// The normal that is recorded for R^n, if it can be one (n doubles, finite, not all zero); otherwise
 /// nullptr.
-const double* recorded_normal(const WarmStart& warm, int n) noexcept;
+const double* recorded_normal(const PairStart& warm, int n) noexcept;
 
 /// Records `normal`, or that there is none.
-void record_normal(const Vector& normal, WarmStart& warm);
+void record_normal(const Vector& normal, PairStart& warm);
 
 }  // namespace raygauge

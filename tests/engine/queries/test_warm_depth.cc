@@ -119,7 +119,7 @@ TEST(WarmDepth, OfBodiesThatPartAcrossTheNormalIsNotAskedFor) {
         ASSERT_TRUE(bodies.bind(*A1, *A2, InstructionSet::automatic)) << names;
         ASSERT_TRUE(bodies.place(PoseNumbers(&one), PoseNumbers(&parted))) << names;
         BodyDepthAnswer answer;
-        bodies.solve(1e-6, &warm, Stopwatch(), answer);
+        bodies.solve(1e-6, {&warm, &warm.polytope}, Stopwatch(), answer);
         EXPECT_TRUE(answer.parted) << names;
         EXPECT_EQ(answer.iterations, 0) << names;
         ++looks;
@@ -135,6 +135,36 @@ TEST(WarmDepth, OfBodiesThatPartAcrossTheNormalIsNotAskedFor) {
     }
   }
   EXPECT_GT(looks, 50);
+}
+
+// The polytope of before is one of the bodies where they are now, and mostly all that a proof needs. What is
+// kept of it does not grow with the number of solves.
+TEST(WarmDepth, GoesOnFromThePolytopeOfBefore) {
+  constexpr std::size_t kMostCorners = 127;
+  Random random(67);
+  ObjectDistanceSolver solver, fresh;
+  std::int64_t warm_iterations = 0, cold_iterations = 0;
+  std::size_t most = 0;
+  for (const auto& [name_1, A1] : depth_bodies()) {
+    for (const auto& [name_2, A2] : depth_bodies()) {
+      const Pose one = random_pose(random, 0);
+      Pose two = random_pose(random, 0.2);
+      WarmStart warm;
+      for (int frame = 0; frame < 40; ++frame) {
+        const ObjectDepth r = solver.solve({*A1, one}, {*A2, two}, euclidean(), kWanted, &warm).depth;
+        const ObjectDepth cold = fresh.solve({*A1, one}, {*A2, two}, euclidean(), kWanted).depth;
+        if (cold.evaluations == 0) break;  // apart
+        expect_same(r, cold, name_1 + " " + name_2);
+        warm_iterations += frame > 0 ? r.iterations : 0;
+        cold_iterations += frame > 0 ? cold.iterations : 0;
+        most = std::max(most, warm.polytope.corners().size());
+        two = step(V(1, -2, 0.5), 0.01, V(0.001, 0.001, -0.001)).after(two);
+      }
+    }
+  }
+  EXPECT_LT(2 * warm_iterations, cold_iterations);
+  EXPECT_GT(most, 20);
+  EXPECT_LE(most, kMostCorners);
 }
 
 // A warm start of other bodies, of another metric or of nonsense costs time only.
