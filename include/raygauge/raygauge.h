@@ -12,6 +12,7 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/meshes/mesh.h"
 #include "raygauge/meshes/mesh_object.h"
+#include "raygauge/methods/depth_memory.h"
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
 #include "raygauge/queries/contact_patch.h"
