@@ -56,16 +56,15 @@ void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point, bool is_
   }
 }
 
-// Of the support points for u and -u the one that is farther from the plane through `from`. False if both are
-// in that plane: D is flat.
+// The support points for u and -u; which of them is farther from the plane through `from`, below 0 if both
+// are in it: D is flat.
 template <class Real>
-bool DepthSearch<Real>::farther(const Vector& u, const Vector& from, DepthPoint<Real>& point) {
-  DepthPoint<Real> below;
-  probe(u, point, false);
-  probe(-u, below, false);
-  const double up = rounded(dot(u, point.s - from)), down = rounded(dot(u, from - below.s));
-  if (down > up) point = below;
-  return is_solid(std::max(up, down));
+int DepthSearch<Real>::probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point) {
+  probe(u, point[0], false);
+  probe(-u, point[1], false);
+  const double up = rounded(dot(u, point[0].s - from)), down = rounded(dot(u, from - point[1].s));
+  if (!is_solid(std::max(up, down))) return -1;
+  return down > up ? 1 : 0;
 }
 
 // Whether D is for certain as thick as that.
@@ -74,24 +73,27 @@ bool DepthSearch<Real>::is_solid(double thickness) const {
   return thickness > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
 }
 
-// Of three corners and the point that is the farthest from their plane.
-template <class Real>
-bool DepthSearch<Real>::close_tetrahedron(DepthPoint<Real>* corner) {
-  const Vector n = unit(triangle_normal<Real>(corner[0].s, corner[1].s, corner[2].s));
-  return farther(n, corner[0].s, corner[3]) && polytope_.begin(corner, oracle_->size());
-}
-
+// Of the support points for three directions and their opposites: all six, where the origin is then inside,
+// else four.
 template <class Real>
 bool DepthSearch<Real>::begin(const Vector& start) {
-  DepthPoint<Real> corner[4];
+  DepthPoint<Real> corner[6];
   const Vector u = unit(start);
   probe(u, corner[0], false);
   probe(-u, corner[1], false);
   if (!is_solid(rounded(dot(u, corner[0].s - corner[1].s)))) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
   const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
-  if (!farther(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner[2])) return false;
-  return close_tetrahedron(corner);
+  int far = probe_both(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner + 2);
+  if (far < 0) return false;
+  if (far == 1) std::swap(corner[2], corner[3]);
+  const Vector n = unit(triangle_normal<Real>(corner[0].s, corner[1].s, corner[2].s));
+  far = probe_both(-n, corner[0].s, corner + 4);
+  if (far < 0) return false;
+  polytope_.begin_octahedron(corner, oracle_->size());
+  if (value_[static_cast<std::size_t>(evaluate_new_facets())] > 0) return true;
+  corner[3] = corner[4 + far];
+  return polytope_.begin(corner, oracle_->size());
 }
 
 // What the plane of a facet proves, rounded down. A direction in which Q does not reach is no obstacle to it.

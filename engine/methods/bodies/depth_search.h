@@ -120,13 +120,12 @@ class DepthSearch {
   void restart(DepthOracle<Real>& oracle, const Goal& goal);
   bool begin(const Vector& start);
   DepthEnd expand(const Stopwatch& watch);
-  bool close_tetrahedron(DepthPoint<Real>* corner);
   bool closes(double lower) const;
   double closing() const;
   bool is_solid(double thickness) const;
   bool is_lost() const;
   void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
-  bool farther(const Vector& u, const Vector& from, DepthPoint<Real>& point);
+  int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);
   double value_of(const DepthFacet<Real>& facet) const;
   std::int32_t evaluate_new_facets();
   void queue_new_facets();

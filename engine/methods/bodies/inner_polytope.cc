@@ -34,6 +34,22 @@ void InnerPolytope<Real>::restart(double size) {
   is_joined_ = false;
 }
 
+// Facet i is on the side of -x, -y, -z if bit 2, 1, 0 of i is set.
+template <class Real>
+void InnerPolytope<Real>::begin_octahedron(const DepthPoint<Real>* corners, double size) {
+  points_.assign(corners, corners + 6);
+  restart(size);
+  for (std::int32_t i = 0; i < 8; ++i) {
+    const std::int32_t x = i >> 2, y = 2 + (i >> 1 & 1), z = 4 + (i & 1);
+    const bool is_even = (x + y + z) % 2 == 0;
+    DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(make(x, is_even ? y : z, is_even ? z : y))];
+    facet.neighbour[0] = i ^ (is_even ? 1 : 2);
+    facet.neighbour[1] = i ^ 4;
+    facet.neighbour[2] = i ^ (is_even ? 2 : 1);
+  }
+  measure_made();
+}
+
 template <class Real>
 void InnerPolytope<Real>::join(const DepthMemory& memory, double size) {
   restart(size);

@@ -49,6 +49,10 @@ class InnerPolytope {
   /// The tetrahedron of four points, in any order, of length at most `size`. False where it is flat.
   bool begin(const DepthPoint<Real>* corners, double size);
 
+  /// The eight triangles of six points that are about in the directions x, -x, y, -y, z, -z, right-handed.
+  /// They need not be convex.
+  void begin_octahedron(const DepthPoint<Real>* corners, double size);
+
   /// The surface that `memory` has, over other corners: find(corner, point) finds each anew. It need not be
   /// convex.
   template <class Find>
