@@ -94,6 +94,8 @@ void ContactFinder::find(const Posed& a, const Posed& b, double band, const Eige
   const Box box(-half, half);
   const Posed floor(box, pose);
   find_of_bounded(below_a ? floor : a, below_a ? b : floor, band, previous, contact);
+  // Planes across any other normal prove nothing of a half-space.
+  contact.normal.head(a.dimension()) = (below_a ? -1.0 : 1.0) * pose.rotation().col(0);
   const ObjectDistance& proven =
       distances_.solve(a, b, Ball(Vector::Zero(a.dimension()), 1), ObjectEffects::depth);
   contact.lower = proven.depth.evaluations > 0 ? -proven.depth.upper : proven.distance.lower;

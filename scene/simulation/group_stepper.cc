@@ -152,15 +152,17 @@ double GroupStepper::closing_speed(const NearPair& pair) const {
   return fastest;
 }
 
+// Bodies that meet within the substep and do not rebound are in contact from its beginning, with their gap:
+// no point closes by more than that. So blows without rebound cut no substep.
 PairRole GroupStepper::role_of(const NearPair& pair, double dt) const {
   const double fastest = pair.closing;
-  const double a = pressing(pair), speed = std::fabs(fastest);
-  const bool far = (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
-  const bool deep = pair.contact.lower < -kDeepest * scales_.delta;
-  if (pair.contact.lower <= scales_.touching())
-    return fastest < 0 && far && !deep ? PairRole::leaving : PairRole::contact;
-  const bool meets = pair.contact.lower - dt * fastest - std::max(a, 0.0) * dt * dt <= 0;
-  return meets && !far ? PairRole::contact : PairRole::apart;
+  const double a = std::max(pressing(pair), 0.0);
+  if (pair.contact.lower <= scales_.touching()) {
+    const bool deep = pair.contact.lower < -kDeepest * scales_.delta;
+    return is_rebound(pair, -fastest) && !deep ? PairRole::leaving : PairRole::contact;
+  }
+  const bool meets = pair.contact.lower - dt * fastest - a * dt * dt <= 0;
+  return meets && !is_rebound(pair, fastest + a * dt) ? PairRole::contact : PairRole::apart;
 }
 
 void GroupStepper::choose_roles(double dt) {
@@ -211,7 +213,7 @@ bool GroupStepper::move(double dt) {
     restore(before_);
     if (stop_()) return true;  // nothing was done
     bool possible = push_and_move(dt);
-    while (possible && catch_leaving()) {
+    while (possible && catch_closing(dt)) {
       restore(before_);
       possible = push_and_move(dt);
     }

@@ -63,7 +63,7 @@ class GroupStepper {
   bool push_and_move(double dt);
   void accelerate(SimulatedBody& body, double dt);
   bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
-  bool catch_leaving();
+  bool catch_closing(double dt);
   bool corrected(double dt);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
   bool limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed);

@@ -13,6 +13,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
+constexpr double kSag = 0.6;        // of δ: half way they are no deeper
 constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
 constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
 constexpr double kRounding = 1e-8;  // of δ: gaps below are 0; to close them an arch would wedge its stones in
@@ -102,15 +103,19 @@ bool GroupStepper::give_motion(SimulatedBody& body, const SimulatedBody& before,
   return true;
 }
 
-// Pairs that touch and were thought to separate, but that the impulses of others close: they join the
-// problem. Bodies in flight may come back within the substep; the proof ends where they do.
-bool GroupStepper::catch_leaving() {
+// Pairs that were thought to stay apart or to separate, but that the impulses of others close: they join the
+// problem, unless they rebound. Bodies in flight may come back within the substep; the proof ends where they
+// do.
+bool GroupStepper::catch_closing(double dt) {
   bool any = false;
   for (NearPair& pair : *near_) {
-    if (pair.role == PairRole::contact || pair.contact.lower > scales_.touching()) continue;
+    if (pair.role == PairRole::contact) continue;
     const bool flies =
         !pushed_[static_cast<std::size_t>(pair.a)] && !pushed_[static_cast<std::size_t>(pair.b)];
-    if (flies || !(closing_speed(pair) > 0)) continue;
+    const double closing = flies ? 0 : closing_speed(pair);
+    if (!(closing > 0)) continue;
+    const bool touches = pair.contact.lower <= scales_.touching();
+    if (!touches && (pair.contact.lower > dt * closing || is_rebound(pair, closing))) continue;
     pair.role = PairRole::contact;
     any = true;
   }
@@ -118,7 +123,7 @@ bool GroupStepper::catch_leaving() {
 }
 
 // Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
-// more.
+// more. Their way bends: half way they are closer than at both ends by a quarter of what the end is off.
 bool GroupStepper::corrected(double dt) {
   bool any = false;
   for (NearPair& pair : *near_) {
@@ -127,13 +132,18 @@ bool GroupStepper::corrected(double dt) {
                         &b = bodies_[static_cast<std::size_t>(pair.b)];
     const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
     const double reach = body(pair.a).reach + body(pair.b).reach;
-    const bool deep = pair.contact.lower < -kDeep * scales_.delta;
+    const double start = pair.contact.lower;
+    const bool deep = start < -kDeep * scales_.delta;
     if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
     // Deep ones are to end less deep.
-    const double allowed = std::min(kRecovered * pair.contact.lower, -kDeep * scales_.delta);
-    const double closer = pairs_.closer_than(pair, end_of(dt), allowed);
-    if (closer < 0) pair.correction += closer - kDeep / 2 * scales_.delta;
-    any = any || closer < 0;
+    const double least = std::min(kRecovered * start, -kDeep * scales_.delta);
+    const double last = pairs_.distance_at(pair, end_of(dt));
+    const double sag = std::max(0.0, -pair.correction - last) / 4;
+    const double for_sag = std::min(2 * (sag - kSag * scales_.delta) - start, kDeep * scales_.delta);
+    const double closer = last - std::max(least, for_sag);
+    if (!(closer < 0)) continue;
+    pair.correction += closer - kDeep / 2 * scales_.delta;
+    any = true;
   }
   return any;
 }

@@ -312,11 +312,11 @@ std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const s
   return all;
 }
 
-double NearPairs::closer_than(const NearPair& pair, double end, double allowed) {
+double NearPairs::distance_at(const NearPair& pair, double end) {
   PartContact then;
   look(*candidate_of(pair.part_a, pair.part_b), bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
        bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then);
-  return std::min(0.0, then.lower - allowed);
+  return then.lower;
 }
 
 void NearPairs::hand_motions() {

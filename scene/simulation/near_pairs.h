@@ -74,9 +74,8 @@ class NearPairs {
   /// Bodies that react and may meet where each moves by `ways` at most, in pairs, before a step of length dt.
   std::vector<std::pair<int, int>> meeting(double t, double dt, const std::vector<double>& ways);
 
-  /// Looks again where the bodies are at the end of their motions; how much closer that is than `allowed`, or
-  /// 0.
-  double closer_than(const NearPair& pair, double end, double allowed);
+  /// A lower bound on the signed distance at the end of their motions.
+  double distance_at(const NearPair& pair, double end);
 
   /// The time up to which it is proven that no pair comes closer than -δ, as the bodies' motions have them.
   /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.

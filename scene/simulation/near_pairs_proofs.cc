@@ -12,7 +12,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kOutward = 1 + 1e-9;
-constexpr double kUsual = 0.4, kMore = 0.2;  // of δ
+constexpr double kUsual = 0.4, kMore = 0.45;  // of δ: of pairs that begin a step no deeper, and as they move
 const SceneMetric kEuclidean;
 
 }  // namespace
@@ -90,32 +90,35 @@ double NearPairs::free_until(const Body& a, const Body& b, double from, double t
   return found.outcome == ImpactResult::Outcome::free ? to : found.lower;
 }
 
-// The time up to which the parts overlap by `most` at most, by planes across the normal where they are, or
-// across that at the end of what is looked at, or that turn from one to the other; halves of it where none
-// proves it.
+// The time up to which the parts overlap by `most` at most, or a little less, by planes across the normal
+// where they are, or across that at the end of what is looked at, or that turn from one to the other; halves
+// of it where none proves it.
 double NearPairs::overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from,
                                 double to, double most) {
   constexpr int kMostLooks = 60;
   constexpr double kShortest = 1e-6;  // of the whole
+  constexpr double kNear = 0.05;      // of what is proven: its end is looked for no closer
   ++counters_.motion_proofs;
   const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
   PartWatch watch(*planes_, a, b, kEuclidean, nullptr);
   PlaneSteps steps(watch);
   SmallVector u = normal.head(n_);
   double proven = from, length = to - from;
-  for (int k = 0; k < kMostLooks && proven < to && length > kShortest * (to - from); ++k) {
+  const auto is_long = [&] { return length > std::max(kShortest * (to - from), kNear * (proven - from)); };
+  for (int k = 0; k < kMostLooks && proven < to && is_long(); ++k) {
     const double until = to - proven <= length * (1 + 1e-9) ? to : proven + length;
     const PairMotion motion(watch, proven, until);
     bool holds = steps.least_along(u, proven, until, motion) >= -most;
-    if (!holds) {
+    if (!holds || until < to) {
       PartContact then;
       // Farther apart than the band no normal is found.
       const double band =
           scales_.delta + motion.a.speed(a.reach) * (until - from) + motion.b.speed(b.reach) * (until - from);
       look(candidate, a.motion->at(until), b.motion->at(until), band, then);
       const SmallVector other = then.normal.head(n_);
-      holds = then.lower >= -most && (steps.least_along(other, proven, until, motion) >= -most ||
-                                      steps.least_turning(u, other, proven, until, motion) >= -most);
+      holds =
+          holds || (then.lower >= -most && (steps.least_along(other, until, proven, motion) >= -most ||
+                                            steps.least_turning(u, other, proven, until, motion) >= -most));
       if (holds) u = other;
     }
     if (holds) proven = until;
@@ -135,7 +138,7 @@ double NearPairs::proven_pair(const Candidate& candidate, double t, double end) 
   nothing_touched_ = false;
   const Eigen::Vector3d& normal = near->contact.normal;
   const double deep = std::max(0.0, -near->contact.lower);
-  // Half of δ is left for pairs that begin deeper than others end.
+  // The rest of δ is left for pairs that begin deeper than others end.
   const double most = scales_.delta * (deep < kUsual * scales_.delta ? kUsual + kMore : kInside);
   if (stays(candidate, -most)) return end;
   if (near->role == PairRole::contact) return overlap_until(candidate, normal, t, end, most);
