@@ -48,15 +48,6 @@ std::map<int, int> numbers_of(const std::vector<ContactUnknown*>& contacts,
   return numbers;
 }
 
-// In the plane nothing moves along the third direction: the numbers there are those of some other problem.
-FrictionProblem plane_or_space(FrictionProblem problem) {
-  const double size = problem.W.diagonal().maxCoeff();
-  for (Eigen::Index k = 2; k < problem.q.size(); k += 3) {
-    if (!(problem.W(k, k) > 0)) problem.W(k, k) = size;
-  }
-  return problem;
-}
-
 }  // namespace
 
 void push_apart(const ContactUnknown& contact, std::vector<SimulatedBody>& bodies) {
@@ -163,15 +154,17 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
 
 // By passes from what is known of the step before, and Newton's method from there or from where they began,
 // where they do not end. Where that is not enough, from the end of a path of smoothed problems; then from
-// where the solver's passes end.
+// where the solver's passes end. Of many contacts a matrix is factorized only where their residual is large.
 double ContactProblem::with_friction(const FrictionIsland& island, Eigen::VectorXd& r) {
-  constexpr double kEnough = 1e-10;
-  constexpr std::size_t kMostContacts = 150;  // of dense factorizations before the passes
+  constexpr double kEnough = 1e-10, kEnoughOfMany = 1e-8;  // before long ways
+  constexpr double kRough = 1e-6;             // above it the solver is asked about many contacts
+  constexpr std::size_t kMostContacts = 150;  // of dense factorizations
+  const std::size_t count = island.contacts.size();
+  const bool few = count <= kFewContacts;
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, island.bound_of_W(), r);
-  const bool small = island.contacts.size() <= kMostContacts || friction_ == nullptr;
-  if (passed <= (small ? kEnough : kSolvedFriction)) return passed;
-  const FrictionProblem problem = plane_or_space(island.dense());
+  if (passed <= (few ? kEnough : kSolvedFriction)) return passed;
+  const FrictionProblem problem = island.dense();
   const Eigen::VectorXd passes = r;
   double residual = friction_residual(problem, r);
   const auto attempt = [&](double enough, const Eigen::VectorXd& start, auto find) {
@@ -184,16 +177,19 @@ double ContactProblem::with_friction(const FrictionIsland& island, Eigen::Vector
     r = trial;
   };
   const auto nothing = [](Eigen::VectorXd& /*start*/) {};
-  if (small) {
-    attempt(kEnough, guess, nothing);
+  const auto path = [&](double rate) {
+    return [&problem, rate](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); };
+  };
+  if (few) attempt(kEnough, guess, nothing);
+  if (count <= kMostContacts || friction_ == nullptr) {
     attempt(kSolvedFriction, passes, nothing);
-    for (const double rate : {0.3, 0.7}) {
-      attempt(kSolvedFriction, guess,
-              [&](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); });
-    }
+    if (!few) attempt(kSolvedFriction, guess, nothing);
+    attempt(few ? kSolvedFriction : kEnoughOfMany, guess, path(0.3));
   }
+  if (few) attempt(kSolvedFriction, guess, path(0.7));
   if (friction_ != nullptr)
-    attempt(kSolvedFriction, guess, [&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
+    attempt(few ? kSolvedFriction : kRough, guess,
+            [&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
   return residual;
 }
 

@@ -58,6 +58,10 @@ FrictionProblem FrictionIsland::dense() const {
       }
     }
   }
+  const double largest = problem.W.diagonal().maxCoeff();
+  for (Eigen::Index k = 2; k < size; k += 3) {
+    if (!(problem.W(k, k) > 0)) problem.W(k, k) = largest;
+  }
   return problem;
 }
 
@@ -67,6 +71,15 @@ IslandVelocities::IslandVelocities(const FrictionIsland& island, const Eigen::Ve
     push(island.contacts[c], r.segment<3>(3 * static_cast<Eigen::Index>(c)));
 }
 
+double law_error(const IslandContact& contact, const IslandVelocities& velocities, double bound,
+                 const Eigen::VectorXd& r, std::size_t c) {
+  const double s = bound > 0 ? 1 / bound : 1.0;
+  Eigen::Vector3d changed = velocities.of(contact);
+  changed[0] += contact.mu * changed.tail<2>().norm();
+  const Eigen::Vector3d here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
+  return (here - nearest_in_cone(here - s * changed, contact.mu)).squaredNorm();
+}
+
 double island_residual(const FrictionIsland& island, double bound, const Eigen::VectorXd& r) {
   const double size = island.size_of_q();
   if (!(size > 0)) return r.norm();
@@ -74,11 +87,7 @@ double island_residual(const FrictionIsland& island, double bound, const Eigen::
   const IslandVelocities velocities(island, r);
   double square = 0;
   for (std::size_t c = 0; c < island.contacts.size(); ++c) {
-    const IslandContact& contact = island.contacts[c];
-    Eigen::Vector3d changed = velocities.of(contact);
-    changed[0] += contact.mu * changed.tail<2>().norm();
-    const Eigen::Vector3d here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-    square += (here - nearest_in_cone(here - s * changed, contact.mu)).squaredNorm();
+    square += law_error(island.contacts[c], velocities, bound, r, c);
   }
   return std::sqrt(square) / (s * size);
 }

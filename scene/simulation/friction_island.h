@@ -31,6 +31,7 @@ struct FrictionIsland {
   /// At least ‖W‖.
   double bound_of_W() const;
 
+  /// With numbers of some other problem in directions along which nothing moves: the third of the plane.
   FrictionProblem dense() const;
 };
 
@@ -54,6 +55,11 @@ class IslandVelocities {
  private:
   Eigen::Matrix<double, 6, Eigen::Dynamic> y_;
 };
+
+/// How far r leaves the contact c from its law: the length of r - (its nearest point in the cone of r - s
+/// u'), squared, with s = 1 / bound and u' the velocity as in friction_residual().
+double law_error(const IslandContact& contact, const IslandVelocities& velocities, double bound,
+                 const Eigen::VectorXd& r, std::size_t c);
 
 /// friction_residual() with `bound` in place of ‖W‖, which it is not below: so neither is this residual.
 double island_residual(const FrictionIsland& island, double bound, const Eigen::VectorXd& r);

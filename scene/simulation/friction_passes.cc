@@ -7,16 +7,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
+
+#include "scene/simulation/friction_block.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kEnough = 1e-10;  // residual that ends the passes
 constexpr int kMostPasses = 600;
+constexpr int kMostPlainPasses = 3000;
 constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
 constexpr int kPatience = 30;        // ... within so many of them, ...
+constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, ...
 constexpr int kMore = 8;             // ... or within so many where it is small enough
+constexpr int kBlockPatience = 5;    // ... so many with a block of contacts solved at once
+constexpr int kMostBlocks = 8;
+constexpr std::size_t kLargestBlock = 20;
 constexpr int kTurns = 3;            // of the direction of slip, in one solve of a contact
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
@@ -72,9 +81,10 @@ class Passes {
     }
   }
 
-  void pass(Eigen::VectorXd& r) const {
+  void pass(Eigen::VectorXd& r) {
     IslandVelocities velocities(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
+      if (block_.has(c)) continue;
       const IslandContact& contact = island_.contacts[c];
       auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
       const Eigen::Vector3d before = here;
@@ -82,11 +92,35 @@ class Passes {
       here = solved(own_[c], contact.mu, b, before);
       velocities.push(contact, here - before);
     }
+    if (block_.size() > 0) block_.solve(island_, velocities, r);
+  }
+
+  /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
+  /// together, with those that already are. False: they would be too many.
+  bool grow_block(double bound, const Eigen::VectorXd& r) {
+    const IslandVelocities velocities(island_, r);
+    double most = 0;
+    std::size_t worst = 0;
+    for (std::size_t c = 0; c < own_.size(); ++c) {
+      const double error = block_.has(c) ? 0 : law_error(island_.contacts[c], velocities, bound, r, c);
+      if (!(error > most)) continue;
+      most = error;
+      worst = c;
+    }
+    std::set<int> bodies = block_.bodies();
+    for (const int body : {island_.contacts[worst].a, island_.contacts[worst].b}) {
+      if (body >= 0) bodies.insert(body);
+    }
+    FrictionBlock larger(island_, std::move(bodies));
+    if (!(most > 0) || larger.size() > kLargestBlock) return false;
+    block_ = std::move(larger);
+    return true;
   }
 
  private:
   const FrictionIsland& island_;
   std::vector<Own> own_;
+  FrictionBlock block_;
 };
 
 /// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
@@ -131,39 +165,89 @@ class Extrapolation {
   Eigen::VectorXd f_, g_;
 };
 
-}  // namespace
+/// Passes from r on until they gain nothing more; r is where the residual was least.
+class Descent {
+ public:
+  Descent(const FrictionIsland& island, double bound, Eigen::VectorXd& r)
+      : island_(island), bound_(bound), passes_(island), r_(r), best_(island_residual(island, bound, r)) {}
 
-double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
-  double best = island_residual(island, bound, r), gained = best;
-  if (best <= kEnough) return best;
-  const Passes passes(island);
-  Extrapolation extrapolation(r.size());
-  Eigen::VectorXd here = r;
-  double last = std::numeric_limits<double>::infinity();
-  for (int k = 0, gained_at = 0; k < kMostPasses && best > kEnough; ++k) {
-    Eigen::VectorXd g = here;
-    passes.pass(g);
-    const Eigen::VectorXd f = g - here;
-    const double size = f.norm(), residual = island_residual(island, bound, g);
-    if (residual < best) {
-      best = residual;
-      r = g;
-    }
-    if (best < kGain * gained) {
-      gained = best;
-      gained_at = k;
-    }
-    if (!(size > 0) || k > gained_at + (best > kSolvedFriction ? kPatience : kMore)) break;
-    if (size <= kWorse * last) {
-      last = std::min(last, size);
-      here = extrapolation.next(f, g);
-    } else {  // the extrapolation has left what it was learnt from
-      extrapolation.forget();
-      last = std::numeric_limits<double>::infinity();
-      here = r;
+  double best() const { return best_; }
+
+  bool grow_block() { return passes_.grow_block(bound_, r_); }
+
+  void extrapolated(int patience) {
+    Extrapolation extrapolation(r_.size());
+    Eigen::VectorXd here = r_;
+    double last = std::numeric_limits<double>::infinity();
+    begin();
+    for (int k = 0; k < kMostPasses && best_ > kEnough; ++k) {
+      const Eigen::VectorXd g = passed(k, here);
+      const Eigen::VectorXd f = g - here;
+      const double size = f.norm();
+      if (!(size > 0) || has_stalled(k, patience)) break;
+      if (size <= kWorse * last) {
+        last = std::min(last, size);
+        here = extrapolation.next(f, g);
+      } else {  // the extrapolation has left what it was learnt from
+        extrapolation.forget();
+        last = std::numeric_limits<double>::infinity();
+        here = r_;
+      }
     }
   }
-  return best;
+
+  void plain() {
+    Eigen::VectorXd here = r_;
+    begin();
+    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, kPlainPatience); ++k)
+      here = passed(k, here);
+  }
+
+ private:
+  void begin() {
+    gained_ = best_;
+    gained_at_ = 0;
+  }
+
+  Eigen::VectorXd passed(int k, const Eigen::VectorXd& here) {
+    Eigen::VectorXd g = here;
+    passes_.pass(g);
+    const double residual = island_residual(island_, bound_, g);
+    if (residual < best_) {
+      best_ = residual;
+      r_ = g;
+    }
+    if (best_ < kGain * gained_) {
+      gained_ = best_;
+      gained_at_ = k;
+    }
+    return g;
+  }
+
+  bool has_stalled(int k, int patience) const {
+    return k > gained_at_ + (best_ > kSolvedFriction ? patience : kMore);
+  }
+
+  const FrictionIsland& island_;
+  double bound_;
+  Passes passes_;
+  Eigen::VectorXd& r_;
+  double best_, gained_ = 0;
+  int gained_at_ = 0;
+};
+
+}  // namespace
+
+// Where friction turns with every pass, extrapolation goes astray and passes alone arrive; where these go
+// round and round, it is by few contacts.
+double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
+  Descent descent(island, bound, r);
+  descent.extrapolated(kPatience);
+  if (descent.best() > kSolvedFriction) descent.plain();
+  const bool many = island.contacts.size() > kFewContacts;
+  for (int k = 0; many && k < kMostBlocks && descent.best() > kSolvedFriction && descent.grow_block(); ++k)
+    descent.extrapolated(kBlockPatience);
+  return descent.best();
 }
 
 }  // namespace raygauge

@@ -14,9 +14,10 @@ constexpr double kLeastMu = 1e-9;  // below it a contact has no friction
 constexpr double kRedundant =
     1e-10;  // of W, in slopes: contacts of one face on another share what they carry at will
 constexpr double kLastTau = 1e-9;
-constexpr double kClose = 0.1;   // of τ: |F| from which on τ falls
-constexpr int kMostSteps = 60;   // for one τ
-constexpr int kMostHalves = 20;  // of one step
+constexpr double kClose = 0.1;    // of τ: |F| from which on τ falls
+constexpr int kMostSteps = 60;    // for one τ
+constexpr int kMostHalves = 20;   // of one step
+constexpr int kMostFailures = 2;  // one after the other; then the path is lost
 
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
@@ -125,23 +126,24 @@ class Smoothed {
   double unit_ = 1;
 };
 
-// Newton's method at one τ.
-void solve_at(Smoothed& smoothed, double tau, Eigen::VectorXd& y) {
+// Newton's method at one τ. False: it did not come near.
+bool solve_at(Smoothed& smoothed, double tau, Eigen::VectorXd& y) {
   double size = smoothed.look(y, tau, true);
   for (int k = 0; k < kMostSteps; ++k) {
-    if (size <= kClose * tau) return;
+    if (size <= kClose * tau) return true;
     const Eigen::VectorXd step = smoothed.step();
-    if (!step.allFinite()) return;
+    if (!step.allFinite()) return false;
     double share = 1, next = size;
     for (int half = 0; half < kMostHalves; ++half) {
       next = smoothed.look(y + share * step, tau, false);
       if (next < (1 - share / 4) * size) break;
       share /= 2;
     }
-    if (!(next < size)) return;
+    if (!(next < size)) return false;
     y += share * step;
     size = smoothed.look(y, tau, true);
   }
+  return size <= kClose * tau;
 }
 
 }  // namespace
@@ -155,8 +157,8 @@ double follow_smoothed_friction(const FrictionProblem& problem, double rate, Eig
   Eigen::VectorXd y = smoothed.start();
   double best = friction_residual(problem, r);
   double tau = 1;
-  while (tau >= kLastTau) {
-    solve_at(smoothed, tau, y);
+  for (int failures = 0; tau >= kLastTau && failures < kMostFailures;) {
+    failures = solve_at(smoothed, tau, y) ? 0 : failures + 1;
     const Eigen::VectorXd found = smoothed.impulses(y);
     const double residual = friction_residual(problem, found);
     if (residual < best) {

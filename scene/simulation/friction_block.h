@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "scene/simulation/friction_island.h"
+
+namespace raygauge {
+
+/// The contacts of some bodies of an island, solved together while all other impulses stay. Where friction
+/// turns with every impulse of a neighbour, contacts one by one come round and round to where they were.
+class FrictionBlock {
+ public:
+  /// None.
+  FrictionBlock() = default;
+
+  FrictionBlock(const FrictionIsland& island, std::set<int> bodies);
+
+  const std::set<int>& bodies() const { return bodies_; }
+  std::size_t size() const { return contacts_.size(); }
+  bool has(std::size_t contact) const;
+
+  /// By Newton's method from r; if that fails the first time, by smoothed problems. `velocities`: those of r.
+  void solve(const FrictionIsland& island, IslandVelocities& velocities, Eigen::VectorXd& r);
+
+ private:
+  std::set<int> bodies_;
+  std::vector<std::size_t> contacts_;  // in rising order
+  FrictionProblem problem_;
+  bool is_new_ = true;
+};
+
+}  // namespace raygauge
