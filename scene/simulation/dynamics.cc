@@ -36,7 +36,7 @@ void check_law(const ContactLaw& law) {
     refuse("restitution must lie in [0, 1]");
 }
 
-void check_body(const Body& body, const BodyDynamics& how, int n) {
+void check_body(const Body& body, const BodyDynamics& how, int n, double step) {
   const std::string name = "body '" + body.name + "'";
   if (!how.reacts()) return;
   if (!body.motion->is_static()) refuse(name + " has a mass and follows a motion; give it one of both");
@@ -45,6 +45,10 @@ void check_body(const Body& body, const BodyDynamics& how, int n) {
   if (!how.inertia.allFinite()) refuse(name + ": inertia is not finite");
   if (!(how.velocity.norm() <= kLargest && how.spin.norm() <= kLargest))
     refuse(name + ": velocities must be at most 1e60");
+  const double turn = how.spin.norm() * step;
+  if (turn > kMostRadiansOfStep)
+    refuse(name + " turns by " + short_number(turn) + " radians in a step of " + short_number(step) +
+           " s; at most " + short_number(kMostRadiansOfStep) + " can be proven, in shorter steps");
   const Eigen::Matrix3d J =
       n == 2 ? Eigen::Matrix3d(how.inertia(2, 2) * Eigen::Matrix3d::Identity()) : how.inertia;
   if (J != J.transpose()) refuse(name + ": its inertia must be symmetric");
@@ -150,14 +154,14 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
                "' is a mesh as it is: contacts are those of its hull (as = \"hull\") or of convex parts");
     }
   }
+  if (!(dynamics.step > 0 && std::isfinite(dynamics.step))) refuse("step must be positive");
   bool any = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    check_body(scene.bodies[b], dynamics.bodies[b], n);
+    check_body(scene.bodies[b], dynamics.bodies[b], n, dynamics.step);
     any = any || dynamics.bodies[b].reacts();
   }
   if (!any) refuse("no body reacts; give one a density or a mass");
   if (dynamics.gravity && !dynamics.gravity->allFinite()) refuse("gravity is not finite");
-  if (!(dynamics.step > 0 && std::isfinite(dynamics.step))) refuse("step must be positive");
   if (!(dynamics.tolerance >= 1e-9 && dynamics.tolerance <= 0.1)) refuse("tolerance must lie in [1e-9, 0.1]");
   if (dynamics.damping && !(dynamics.damping->linear >= 0 && dynamics.damping->angular >= 0 &&
                             std::isfinite(dynamics.damping->linear + dynamics.damping->angular)))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
@@ -82,10 +83,19 @@ double GroupStepper::longest_substep(double to) const {
   for (const int b : members_) {
     const SimulatedBody& body = this->body(b);
     if (!body.reacts()) dt = std::min(dt, body.motion->next_break(t_) - t_);
+    if (body.reacts() && body.spin.norm() * dynamics_.step > kMostRadiansOfStep) refuse_spin(b);
     if (body.reacts() && n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt))
       dt = std::min(dt, 0.5 / body.spin.norm());
   }
   return dt;
+}
+
+void GroupStepper::refuse_spin(int number) const {
+  const auto part = std::find_if(parts_.begin(), parts_.end(),
+                                 [number](const SimulatedPart& one) { return one.owner == number; });
+  const std::string name = part == parts_.end() ? std::to_string(number) : "'" + part->body.name + "'";
+  throw Error("simulation: at " + std::to_string(t_) + " s body " + name +
+              " spins too fast for its steps to be proven; take shorter ones");
 }
 
 void GroupStepper::follow_motions() {

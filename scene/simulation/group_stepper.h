@@ -52,6 +52,7 @@ class GroupStepper {
   void restore(const std::vector<SimulatedBody>& from) { copy_members(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
+  [[noreturn]] void refuse_spin(int number) const;
   void follow_motions();
   void choose_roles(double dt);
   double closing_speed(const NearPair& pair) const;

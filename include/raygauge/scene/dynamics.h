@@ -43,6 +43,9 @@ struct SimulationAccuracy {
 /// Each combination once, from coarse to fine: by falling steps, then by falling tolerances.
 std::vector<SimulationAccuracy> accuracies_of(std::vector<double> steps, std::vector<double> tolerances);
 
+/// No body may turn by more radians within a step: the proof of one step would take thousands of pieces.
+inline constexpr double kMostRadiansOfStep = 1000;
+
 /// How a body reacts. In the plane vectors have zeros behind them and the inertia is its last entry.
 struct BodyDynamics {
   double mass = 0;                                     ///< 0: it stands or follows its motion, and pushes

@@ -261,5 +261,23 @@ TEST(Simulation, what_cannot_be_simulated_is_refused) {
   EXPECT_THROW(simulate(scene.scene, scene.dynamics, nullptr), InvalidParameterError);
 }
 
+TEST(Simulation, spins_of_more_than_a_thousand_radians_a_step_are_refused_in_one_line) {
+  Reacting scene(0.002);
+  scene.dynamics.step = 1e-3;
+  scene.add(box(0.1, 0.2, 0.3), v(0, 0, 0), 1);
+  scene.dynamics.bodies[0].spin = v(0, 0, 9.9e5);
+  EXPECT_NO_THROW(simulate(scene.scene, scene.dynamics, nullptr));
+  scene.dynamics.bodies[0].spin = v(0, 0, 1e9);
+  try {
+    simulate(scene.scene, scene.dynamics, nullptr);
+    FAIL();
+  } catch (const InvalidParameterError& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        "dynamics: body 'body0' turns by 1e+06 radians in a step of 0.001 s; at most 1000 can be proven, in "
+        "shorter steps");
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_simulation
