@@ -157,8 +157,8 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
 // where the solver's passes end. Of many contacts a matrix is factorized only where their residual is large.
 double ContactProblem::with_friction(const FrictionIsland& island, Eigen::VectorXd& r) {
   constexpr double kEnough = 1e-10, kEnoughOfMany = 1e-8;  // before long ways
-  constexpr double kRough = 1e-6;             // above it the solver is asked about many contacts
-  constexpr std::size_t kMostContacts = 150;  // of dense factorizations
+  constexpr double kRough = 1e-6;                          // above it the solver is asked about many contacts
+  constexpr std::size_t kMostContacts = 150;               // of dense factorizations
   const std::size_t count = island.contacts.size();
   const bool few = count <= kFewContacts;
   const Eigen::VectorXd guess = r;
