@@ -27,9 +27,10 @@ void SharedGram::begin(int n, const Kernels& kernels, const Helpers& helpers) {
   const int columns = gram_columns(n);
   matrix_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns));
   panels_.reserve(static_cast<std::size_t>(gram_rows(n)) * kGramPoints);
-  helpers_.run(columns / kCleared + 1, static_cast<double>(rows_) * columns, [&](int chunk) {
-    const int first = chunk * kCleared, last = std::min(columns, first + kCleared);
-    std::fill(matrix_.data() + first * rows_, matrix_.data() + last * rows_, 0.0);
+  helpers_.run((columns + kCleared - 1) / kCleared, static_cast<double>(rows_) * columns, [&](int chunk) {
+    const int first = chunk * kCleared;
+    const std::ptrdiff_t count = std::min(columns - first, kCleared);
+    std::fill_n(matrix_.data() + std::ptrdiff_t{first} * rows_, count * rows_, 0.0);
   });
 }
 
