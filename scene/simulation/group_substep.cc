@@ -135,14 +135,15 @@ bool GroupStepper::corrected(double dt) {
     const double start = pair.contact.lower;
     const bool deep = start < -kDeep * scales_.delta;
     if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
-    // Deep ones are to end less deep.
-    const double least = std::min(kRecovered * start, -kDeep * scales_.delta);
+    // Deep ones are to end less deep, by what a whole step would do: no shorter one is to push harder.
+    const double share = std::min(1.0, dt / dynamics_.step);
+    const double least = std::min((1 - (1 - kRecovered) * share) * start, -kDeep * scales_.delta);
     const double last = pairs_.distance_at(pair, end_of(dt));
     const double sag = std::max(0.0, -pair.correction - last) / 4;
     const double for_sag = std::min(2 * (sag - kSag * scales_.delta) - start, kDeep * scales_.delta);
     const double closer = last - std::max(least, for_sag);
     if (!(closer < 0)) continue;
-    pair.correction += closer - kDeep / 2 * scales_.delta;
+    pair.correction += closer - share * kDeep / 2 * scales_.delta;
     any = true;
   }
   return any;

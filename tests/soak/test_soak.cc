@@ -264,6 +264,9 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
     EXPECT_EQ(simulations.check(number), std::nullopt);
   // Two bodies whose one point leaves the other so slowly that turning goes deeper.
   EXPECT_EQ(soak::RandomSimulations(555).check(27), std::nullopt);
+  // A deep pair, pushed apart the harder the shorter a substep was, turned a body into its neighbour ever
+  // sooner.
+  EXPECT_EQ(soak::RandomSimulations(77).check(3543), std::nullopt);
 }
 
 TEST(Soak, UsedSolversAnswerAsNewOnesDo) {
