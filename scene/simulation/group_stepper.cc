@@ -13,7 +13,7 @@
 namespace raygauge {
 namespace {
 
-constexpr int kMostTrials = 12;      // of one substep, shorter each time
+constexpr int kMostTrials = 30;      // of one substep, shorter each time, down to kShortest
 constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kDeepest = 0.5;    // of δ: bodies as deep that leave each other are asked to, as in contact

@@ -267,6 +267,8 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   // A deep pair, pushed apart the harder the shorter a substep was, turned a body into its neighbour ever
   // sooner.
   EXPECT_EQ(soak::RandomSimulations(77).check(3543), std::nullopt);
+  // A substep that had to be a thousandth of the step.
+  EXPECT_EQ(soak::RandomSimulations(77).check(7769), std::nullopt);
 }
 
 TEST(Soak, UsedSolversAnswerAsNewOnesDo) {
