@@ -173,6 +173,8 @@ struct TriangleLanes;
 
 /// The vector kernels of one instruction set.
 struct Kernels {
+  int width;  ///< doubles in a vector
+
   /// max_i u·p_i over `block_count` blocks in R^n and its smallest index.
   double (*price)(const double* blocks, std::ptrdiff_t block_count, int n, const double* u,
                   std::ptrdiff_t* index);

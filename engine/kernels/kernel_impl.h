@@ -21,7 +21,8 @@
 namespace raygauge::RAYGAUGE_ISA {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {price,
+const Kernels kKernels = {kWidth,
+                          price,
                           best_vertex,
                           price_lanes,
                           best_of_lanes,

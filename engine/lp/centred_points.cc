@@ -60,10 +60,8 @@ class Centre {
   }
 
  private:
-  // Of a step, in those that affords() counts: matrix kernels take a quarter of the time.
-  double operations() const {
-    constexpr double kQuarter = 0.25;
-    return kQuarter * n_ * n_ * (0.5 * static_cast<double>(points_.size) + n_);
+  double operations() const {  // of a step
+    return static_cast<double>(n_) * n_ * (0.5 * static_cast<double>(points_.size) + n_) / kernels_.width;
   }
 
   Eigen::VectorXd sum() {

@@ -109,12 +109,12 @@ InteriorPoint::End InteriorPoint::run(const Stopwatch& stopwatch) {
 InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
   const double& t = y_[static_cast<std::size_t>(n_)];
   const int limit = many_ ? kIterations : kIterationsOfFew;
+  const double operations =
+      static_cast<double>(n_) * n_ * (0.5 * static_cast<double>(count_) + n_) / kernels_->width;
+  StepTimes steps;
   while (iterations_ < limit) {
     ++iterations_;
-    const double squares = static_cast<double>(n_) * n_;
-    if (stopwatch.expired() || !affords(stopwatch, squares * (0.5 * static_cast<double>(count_) + n_))) {
-      return End::failed;
-    }
+    if (stopwatch.expired() || !steps.affords_next(stopwatch, operations)) return End::failed;
     if (single_ && !factor(true)) leave_single();
     if (!single_ && !factor(false)) {
       const bool close = t > 0 && complementarity(0, 0) <= kDecided * t;
