@@ -24,6 +24,9 @@ namespace raygauge::bodies {
 namespace {
 
 constexpr const char* kName = "bodies";
+constexpr const char* kKind1 = "kind_1";
+constexpr const char* kKind2 = "kind_2";
+constexpr const char* kAny = "any";
 constexpr double kOverlap =
     0.2;  // from centre to centre; every body but a hull and a needle holds a ball of radius 0.3
 constexpr double kThin = 1e-3;         // a needle's half width
@@ -231,6 +234,15 @@ Instance at_growth(const Pair& pair) {
   return instance;
 }
 
+/// The kind asked for; of "any", each by turns, that of body 2 for all of body 1 before the next.
+std::string kind_of(const Parameters& parameters, const std::string& name, int repetition) {
+  const std::string& kind = string_parameter(parameters, name);
+  if (kind != kAny) return kind;
+  const auto all = static_cast<int>(kinds().size());
+  const bool slower = name == kKind2 && string_parameter(parameters, kKind1) == kAny;
+  return std::next(kinds().begin(), (slower ? repetition / all : repetition) % all)->first;
+}
+
 Pair pair_of(const InstanceKey& key, const Parameters& parameters) {
   const double size = real_parameter(parameters, "scale");
   RandomStream of_1(key, kName, RandomPurpose::points_of_A), of_2(key, kName, RandomPurpose::points_of_Q);
@@ -238,8 +250,8 @@ Pair pair_of(const InstanceKey& key, const Parameters& parameters) {
   pair.size = size;
   pair.quantity = quantity_from_string(string_parameter(parameters, "quantity"));
   pair.place = places().at(string_parameter(parameters, "place"));
-  pair.one = random_shape(of_1, string_parameter(parameters, "kind_1"), size, key.n, key.N);
-  pair.two = random_shape(of_2, string_parameter(parameters, "kind_2"), size, key.n, key.N);
+  pair.one = random_shape(of_1, kind_of(parameters, kKind1, key.repetition), size, key.n, key.N);
+  pair.two = random_shape(of_2, kind_of(parameters, kKind2, key.repetition), size, key.n, key.N);
   RandomStream placement(key, kName, RandomPurpose::placement);
   pair.u = placement.unit_vector(key.n);
   pair.c = pair.place.from_origin * size * placement.unit_vector(key.n);
@@ -272,13 +284,15 @@ std::vector<std::string> quantities() {
 }
 
 std::vector<ParameterInfo> parameters() {
-  return {{"kind_1",
+  std::vector<std::string> all_kinds = names_of(kinds());
+  all_kinds.emplace_back(kAny);
+  return {{kKind1,
            std::string("box"),
            {},
            {},
-           "kind of the first body; a hull has N points",
-           names_of(kinds())},
-          {"kind_2", std::string("box"), {}, {}, "kind of the second body", names_of(kinds())},
+           "kind of the first body; a hull has N points; any: each by turns",
+           all_kinds},
+          {kKind2, std::string("box"), {}, {}, "kind of the second body", all_kinds},
           {"place",
            std::string("apart"),
            {},

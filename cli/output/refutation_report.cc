@@ -87,8 +87,8 @@ RefutationReport refutation_report(const std::vector<Record>& records, const Fil
   RefutationReport report;
   const KnownDistances known(records);
   bool any = false;
-  for (const Record& record : filtered(records, filter)) {
-    if (!is_of_bodies(record)) continue;
+  for (const Record& record : records) {
+    if (!is_of_bodies(record) || !filter(record)) continue;
     any = true;
     if (!is_wrong_answer(record, known)) continue;
     ++report.wrong;

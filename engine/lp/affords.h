@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/kernels/kernel.h"
 #include "engine/numerics/stopwatch.h"
 
 namespace raygauge {
@@ -15,6 +16,13 @@ inline bool affords(const Stopwatch& stopwatch, double operations) {
   constexpr double kSeconds = 4e-10;    // of one, on a slow or busy machine
   constexpr double kNegligible = 0.02;  // seconds
   return !stopwatch.limited() || operations * kSeconds <= std::max(stopwatch.remaining(), kNegligible);
+}
+
+constexpr double cube(double m) { return m * m * m; }
+
+/// The same of the inverse of m columns by vector kernels.
+inline bool affords_inverse(const Stopwatch& stopwatch, int m, const Kernels& kernels) {
+  return affords(stopwatch, 2 * cube(m) / kernels.width);
 }
 
 /// Whether a loop has time for its next step, by the longest of those before.
@@ -35,7 +43,5 @@ class StepTimes {
   double before_ = 0;   // seconds that remained before the last step
   double longest_ = 0;  // seconds
 };
-
-constexpr double cube(double m) { return m * m * m; }
 
 }  // namespace raygauge

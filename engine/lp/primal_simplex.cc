@@ -250,8 +250,7 @@ PrimalSimplex::End PrimalSimplex::optimise(const ColumnPool& A, const ColumnPool
       continue;
     }
     if (end == LoopEnd::stalled && impatient_) return End::stalled;
-    const bool no_time_to_invert =
-        stopwatch.expired() || !affords(stopwatch, 2 * cube(n_ + 1) / kernels_->width);
+    const bool no_time_to_invert = stopwatch.expired() || !affords_inverse(stopwatch, n_ + 1, *kernels_);
     if (end == LoopEnd::unbounded || end == LoopEnd::stalled) {
       if (no_time_to_invert) return End::time_limit;
       if (!repair()) return End::failed;

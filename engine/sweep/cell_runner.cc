@@ -19,6 +19,9 @@ namespace {
 /// Coordinates that the instances of one batch may hold: 256 MB a thread.
 constexpr double kBatchCoordinates = 256e6 / sizeof(double);
 
+/// And at most so many instances: of bodies, which have few coordinates, each takes some kB.
+constexpr int kBatchInstances = 4096;
+
 /// The stream of a batch's order: of its own, or batches of one size would all put the same method first.
 std::uint64_t order_stream(const Cell& cell, int first_repetition) {
   constexpr int kBitsOfCell = 32;  // a grid has far fewer cells
@@ -37,7 +40,8 @@ void copy_outcome(const DistanceResult& result, Record& record) {
 
 int batch_size(const Cell& cell, int repetitions) {
   const double coordinates = 2.0 * cell.n * cell.N;
-  return static_cast<int>(std::clamp(kBatchCoordinates / coordinates, 1.0, static_cast<double>(repetitions)));
+  const int most = std::min(repetitions, kBatchInstances);
+  return static_cast<int>(std::clamp(kBatchCoordinates / coordinates, 1.0, static_cast<double>(most)));
 }
 
 CellRunner::CellRunner(const SweepPlan& plan, const Circumstances& circumstances, SweepHooks hooks)

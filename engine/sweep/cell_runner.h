@@ -15,7 +15,8 @@
 
 namespace raygauge {
 
-/// How many of so many repetitions are held in memory at once: 256 MB of points, and at least one.
+/// How many of so many repetitions are held in memory at once: at least one, at most 4096 with 256 MB of
+/// points.
 int batch_size(const Cell& cell, int repetitions);
 
 /// Runs cells on one thread, with method objects of its own.

@@ -10,6 +10,7 @@
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/instance.h"
 #include "raygauge/sweep/method.h"
+#include "raygauge/sweep/record.h"
 
 namespace raygauge {
 
@@ -27,9 +28,9 @@ class SweepPlan {
 
   /// What a generator says of all its instances, and is copied into their records.
   struct GeneratorFacts {
-    std::string parameters;  ///< "separation=1.5": every parameter, defaults included
+    SharedText parameters;  ///< "separation=1.5": every parameter, defaults included
     double distance_rounding = 0;
-    std::string hardness_label;
+    SharedText hardness_label;
     double hardness = std::numeric_limits<double>::quiet_NaN();
   };
   const GeneratorFacts& generator_facts(const Cell& cell) const { return generator_facts_[cell.generator]; }
@@ -38,7 +39,7 @@ class SweepPlan {
   Role role(std::size_t index) const { return roles_[index]; }
 
   /// Every parameter of method `index`, defaults included.
-  const std::string& method_parameters(std::size_t index) const { return method_parameters_[index]; }
+  SharedText method_parameters(std::size_t index) const { return method_parameters_[index]; }
 
   /// A fresh set of the experiment's methods, for one thread.
   std::vector<std::unique_ptr<SolveMethod>> make_methods() const;
@@ -56,7 +57,7 @@ class SweepPlan {
   std::vector<std::unique_ptr<Generator>> generators_;
   std::vector<GeneratorFacts> generator_facts_;
   std::vector<Role> roles_;
-  std::vector<std::string> method_parameters_;
+  std::vector<SharedText> method_parameters_;
 };
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "results/exceptions.h"
@@ -50,6 +51,23 @@ void add_cells(ResultsFile& results, const PartList& parts) {
   }
 }
 
+/// Puts each record where it belongs, moving it once: a sort of the records themselves would move each many
+/// times, or need room for all of them twice. `order[i]` tells which comes i-th.
+void permute(std::vector<Record>& records, std::vector<std::size_t>& order) {
+  for (std::size_t start = 0; start < order.size(); ++start) {
+    if (order[start] == start) continue;
+    Record first = std::move(records[start]);
+    std::size_t place = start;
+    while (order[place] != start) {
+      const std::size_t from = std::exchange(order[place], place);
+      records[place] = std::move(records[from]);
+      place = from;
+    }
+    records[place] = std::move(first);
+    order[place] = place;
+  }
+}
+
 bool same_repetition(const Record& a, const Record& b) {
   return a.cell == b.cell && a.repetition == b.repetition;
 }
@@ -70,9 +88,13 @@ void sort_by_cell(std::vector<Record>& records) {
   const auto before = [](const Record& a, const Record& b) {
     return std::pair(a.cell, a.repetition) < std::pair(b.cell, b.repetition);
   };
-  // Finished files are in order, and a sort would move every record several times.
-  if (!std::is_sorted(records.begin(), records.end(), before))
-    std::stable_sort(records.begin(), records.end(), before);
+  if (!std::is_sorted(records.begin(), records.end(), before)) {  // finished files are in order
+    std::vector<std::size_t> order(records.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return before(records[i], records[j]); });
+    permute(records, order);
+  }
   auto group = records.begin();  // of what stays, the first record of its repetition
   auto end = records.begin();
   for (auto it = records.begin(); it != records.end(); ++it) {

@@ -52,7 +52,9 @@ RunWriter::RunWriter(const std::string& path, const Experiment& experiment, RunM
       provenance_{experiment.text, experiment_identity(experiment), grid_of(experiment).size(),
                   std::move(sessions)},
       arranger_(experiment),
-      directory_(path_) {
+      directory_(path_),
+      most_records_(provenance_.cell_count * static_cast<std::uint64_t>(experiment.repetitions) *
+                    experiment.methods.size()) {
   if (mode == RunMode::create) refuse_existing();
   if (mode == RunMode::resume) resume_existing();
   if (mode == RunMode::force) refuse_foreign_file();
@@ -122,6 +124,15 @@ void RunWriter::begin() {
   if (!journal_) begin_session({});
 }
 
+/// Room for all records at once: while a vector grows, it holds them twice. Pages that are not used cost
+/// nothing.
+void RunWriter::reserve_records() {
+  constexpr double kShare = 0.75;  // of the machine's memory
+  const auto memory = static_cast<double>(provenance_.sessions.front().machine.memory_bytes);
+  if (static_cast<double>(most_records_) * sizeof(Record) < kShare * memory)
+    results_.records.reserve(most_records_);
+}
+
 /// Under force the earlier run goes only once the disk has taken what is to stand in its place.
 void RunWriter::begin_session(const std::vector<Record>& first) {
   directory_.require_held();
@@ -134,6 +145,7 @@ void RunWriter::begin_session(const std::vector<Record>& first) {
   journal_.emplace(directory_.journal_path(static_cast<std::uint64_t>(session_)));
   if (session_ == 0)
     results_.provenance = {provenance_.experiment_text, provenance_.identity, provenance_.cell_count, {}};
+  reserve_records();
   std::vector<Session>& sessions = results_.provenance.sessions;
   sessions.insert(sessions.end(), provenance_.sessions.begin(), provenance_.sessions.end());
 }

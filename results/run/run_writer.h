@@ -89,6 +89,7 @@ class RunWriter final : public RecordSink {
   void claim(std::uint64_t cell, const std::vector<Record>& records);
   void begin_session(const std::vector<Record>& first);
   void store_session() const;
+  void reserve_records();
   void merge() const;
 
   std::filesystem::path path_;
@@ -98,6 +99,7 @@ class RunWriter final : public RecordSink {
   RunDirectory directory_;
   DoneCells done_;
   ResultsFile taken_in_;
+  std::uint64_t most_records_;
   int session_ = 0;  ///< number of this session in the run
 
   std::mutex mutex_;                                ///< guards what follows

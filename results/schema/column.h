@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "raygauge/sweep/record.h"
+
 namespace raygauge {
 
 /// One entry of a column.
@@ -96,6 +98,38 @@ auto setter_of_all(MemberOf member_of) {
       }
     }
   };
+}
+
+/// Finds the shared text of one entry after another. Entries take turns among a few texts.
+class SharedTextFinder {
+ public:
+  SharedText operator()(std::string_view text) {
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+      if (++next_ >= known_.size()) next_ = 0;
+      if (known_[next_] == text) return known_[next_];
+    }
+    if (known_.size() < kKnown) known_.emplace_back();
+    if (++next_ >= known_.size()) next_ = 0;
+    return known_[next_] = text;
+  }
+
+ private:
+  static constexpr std::size_t kKnown = 16;
+  std::vector<SharedText> known_;
+  std::size_t next_ = 0;
+};
+
+/// The column of a shared text.
+template <class Row>
+Column<Row> column(std::string name, std::string unit, std::string description, SharedText Row::*member) {
+  return {{std::move(name), std::move(unit), std::move(description), ValueType::text},
+          [member](const Row& row) { return Value((row.*member).str()); },
+          [member](Row& row, const Value& value) { row.*member = std::get<std::string>(value); },
+          {},
+          [member](std::span<Row> rows, const StoredEntries& entries) {
+            SharedTextFinder shared;
+            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = shared(entries.text(i));
+          }};
 }
 
 /// The column of a data member, or of a member of a member.

@@ -16,18 +16,18 @@ inline Record with_facts(Record record) {
   record.method_name = record.method;
   record.role = Role::engine;
   for (const char* name : {"column_generation", "newton", "zheng_yamane"})
-    if (record.method.starts_with(name)) record.method_name = name;
+    if (record.method.str().starts_with(name)) record.method_name = name;
   for (const char* name : {"clp_dual", "fcl_libccd", "glpk_dual", "glpk_primal", "nlopt_slsqp"})
-    if (record.method.starts_with(name)) record.method_name = name;
+    if (record.method.str().starts_with(name)) record.method_name = name;
   for (const char* library : {"clp", "command", "fcl", "glpk", "nlopt"})
-    if (record.method.starts_with(library)) record.role = Role::baseline;
+    if (record.method.str().starts_with(library)) record.role = Role::baseline;
   if (record.method == "exact") record.role = Role::oracle;
   record.exact_distance_rounding = record.generator == "example1" ? 0x1p-45 : 0;
   for (const char* name : {"aspect", "offset"}) {
     const std::string mark = std::string(name) + "=";
-    if (!record.generator_parameters.starts_with(mark)) continue;
+    if (!record.generator_parameters.str().starts_with(mark)) continue;
     record.hardness_label = name;
-    record.hardness = std::stod(record.generator_parameters.substr(mark.size()));
+    record.hardness = std::stod(record.generator_parameters.str().substr(mark.size()));
   }
   return record;
 }

@@ -19,7 +19,7 @@ const std::string kKinds[] = {"ball", "box", "capsule", "cone", "cylinder", "ell
 const std::string kPlaces[] = {"apart", "near", "grazing", "parallel", "far", "slight", "overlap", "deep"};
 
 Instance make(const std::string& one, const std::string& two, const std::string& place, double scale = 1,
-              int seed = 1, int n = 3, const std::string& quantity = "distance") {
+              int seed = 1, int n = 3, const std::string& quantity = "distance", int repetition = 0) {
   const Component<Generator> component = bodies_generator();
   const Parameters parameters = complete(
       "generator 'bodies'", component.parameters,
@@ -28,6 +28,7 @@ Instance make(const std::string& one, const std::string& two, const std::string&
   key.seed = static_cast<std::uint64_t>(seed);
   key.n = n;
   key.N = 12;
+  key.repetition = repetition;
   return component.make(parameters)->generate(key);
 }
 
@@ -60,6 +61,23 @@ TEST(Bodies, AreAsFarApartAsPlantedWhateverTheirKindsAndSize) {
         }
       }
     }
+  }
+}
+
+TEST(Bodies, OfAnyKindAreOfEachByTurns) {
+  const auto reach = [](const Instance& instance) {
+    const Vector u = Vector::LinSpaced(3, -0.3, 1);
+    Vector point(3);
+    return instance.A->support_unchecked(u.data(), point.data());
+  };
+  const auto of = [&](const std::string& one, const std::string& two, int repetition) {
+    return reach(make(one, two, "near", 1, 1, 3, "distance", repetition));
+  };
+  for (int i = 0; i < 70; ++i) {
+    const std::string &by_turns = kKinds[i % 8], &slower = kKinds[i / 8 % 8];
+    EXPECT_EQ(of("any", "box", i), of(by_turns, "box", i)) << i;
+    EXPECT_EQ(of("box", "any", i), of("box", by_turns, i)) << i;
+    EXPECT_EQ(of("any", "any", i), of(by_turns, slower, i)) << i;
   }
 }
 

@@ -44,7 +44,7 @@ class Tally {
   std::vector<double> seconds_;
 };
 
-using Tallies = std::map<std::string, Tally>;  ///< by method
+using Tallies = std::map<SharedText, Tally>;  ///< by method
 
 /// What a part of the study is made of.
 struct Part {
@@ -70,8 +70,37 @@ WrongInPlace finished(const Question& asked, const std::string& place, const Par
   return result;
 }
 
-std::set<std::string> kinds_of(const Record& record) {
-  return {parameter_text(record, "kind_1"), parameter_text(record, "kind_2")};
+/// What the parameters of the generator say.
+struct Bodies {
+  Quantity quantity = Quantity::distance;
+  double size = 1;
+  std::string place;
+  std::set<std::string> kinds;  ///< those that are named: of "any" none
+};
+
+Bodies read_bodies(const Record& record) {
+  const auto text = [&record](const char* name) {
+    return parameter_text(record, std::string("generator.") + name);
+  };
+  Bodies bodies;
+  if (const std::string quantity = text("quantity"); !quantity.empty())
+    bodies.quantity = quantity_from_string(quantity);
+  if (const std::string scale = text("scale"); !scale.empty()) bodies.size = std::stod(scale);
+  bodies.place = text("place");
+  bodies.kinds = {text("kind_1"), text("kind_2")};
+  bodies.kinds.erase("any");
+  return bodies;
+}
+
+/// The same of millions of records, of which those of a cell follow each other.
+const Bodies& bodies_of(const Record& record) {
+  thread_local SharedText parameters;
+  thread_local Bodies bodies;
+  if (!(record.generator_parameters == parameters)) {
+    bodies = read_bodies(record);
+    parameters = record.generator_parameters;
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -81,9 +110,13 @@ KnownDistances::InstanceName KnownDistances::name_of(const Record& record) {
 }
 
 KnownDistances::KnownDistances(const std::vector<Record>& records) {
+  auto last = known_.end();  // the records of an instance follow each other
   for (const Record& record : records) {
     if (!is_of_bodies(record)) continue;
-    KnownDistance& known = known_.try_emplace(name_of(record), KnownDistance{0, kInfinity}).first->second;
+    const InstanceName name = name_of(record);
+    if (last == known_.end() || last->first != name)
+      last = known_.try_emplace(known_.end(), name, KnownDistance{0, kInfinity});
+    KnownDistance& known = last->second;
     if (const double planted = record.exact_distance; !std::isnan(planted)) {
       const double rounding = record.exact_distance_rounding;
       known = {planted * (1 - rounding), planted * (1 + rounding)};
@@ -94,19 +127,17 @@ KnownDistances::KnownDistances(const std::vector<Record>& records) {
   }
 }
 
-KnownDistance KnownDistances::operator()(const Record& record) const { return known_.at(name_of(record)); }
+KnownDistance KnownDistances::operator()(const Record& record) const {
+  const InstanceName name = name_of(record);
+  if (!last_ || last_->first != name) last_ = &*known_.find(name);
+  return last_->second;
+}
 
 bool is_of_bodies(const Record& record) { return record.generator == "bodies"; }
 
-double size_of_bodies(const Record& record) {
-  const std::string scale = parameter_text(record, "scale");
-  return scale.empty() ? 1 : std::stod(scale);
-}
+double size_of_bodies(const Record& record) { return bodies_of(record).size; }
 
-Quantity quantity_of(const Record& record) {
-  const std::string name = parameter_text(record, "quantity");
-  return name.empty() ? Quantity::distance : quantity_from_string(name);
-}
+Quantity quantity_of(const Record& record) { return bodies_of(record).quantity; }
 
 double unit_of_errors(const Record& record) {
   const Quantity asked = quantity_of(record);
@@ -132,22 +163,22 @@ Verdict verdict_on(const Record& record, const KnownDistance& known) {
 }
 
 WrongStudy wrong_answers(const std::vector<Record>& records, const Filter& filter) {
-  std::vector<Record> kept = filtered(records, filter);
-  std::erase_if(kept, [](const Record& record) { return !is_of_bodies(record); });
-  if (kept.empty()) throw EmptySetError("no record of the generator bodies passes the filter");
   const KnownDistances known(records);
-  WrongStudy study{methods_of(kept), {}};
+  WrongStudy study;
   std::map<Question, std::pair<std::vector<std::string>, std::map<std::string, Part>>> by_question;
-  for (const Record& record : kept) {
-    auto& [order, parts] = by_question[{record.tolerance, quantity_of(record)}];
-    const std::string place = parameter_text(record, "place");
-    if (!parts.contains(place)) order.push_back(place);
+  for (const Record& record : records) {  // millions: not copied
+    if (!is_of_bodies(record) || !filter(record)) continue;
+    if (study.methods.find(record.method) == nullptr) study.methods.add(facts_of(record));
+    const Bodies& bodies = bodies_of(record);
+    auto& [order, parts] = by_question[{record.tolerance, bodies.quantity}];
+    if (!parts.contains(bodies.place)) order.push_back(bodies.place);
     const KnownDistance distance = known(record);
-    for (Part* part : {&parts[place], &parts[""]}) {
+    for (Part* part : {&parts[bodies.place], &parts[""]}) {
       part->all[record.method].add(record, distance);
-      for (const std::string& kind : kinds_of(record)) part->kinds[kind][record.method].add(record, distance);
+      for (const std::string& kind : bodies.kinds) part->kinds[kind][record.method].add(record, distance);
     }
   }
+  if (by_question.empty()) throw EmptySetError("no record of the generator bodies passes the filter");
   for (const auto& [asked, places] : by_question) {
     for (const std::string& place : places.first)
       study.places.push_back(finished(asked, place, places.second.at(place), study.methods));

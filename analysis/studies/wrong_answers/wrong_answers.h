@@ -30,16 +30,17 @@ struct KnownDistance {
 };
 
 /// What the records know of each instance of two bodies: the planted distance with its rounding, or else what
-/// methods of raygauge have proven, all of them together.
+/// methods of raygauge have proven, all of them together. For one thread at a time.
 class KnownDistances {
  public:
   explicit KnownDistances(const std::vector<Record>& records);
   KnownDistance operator()(const Record& record) const;
 
  private:
-  using InstanceName = std::tuple<std::string, int, int, std::uint64_t, int>;
+  using InstanceName = std::tuple<SharedText, int, int, std::uint64_t, int>;
   static InstanceName name_of(const Record& record);
   std::map<InstanceName, KnownDistance> known_;
+  mutable const std::pair<const InstanceName, KnownDistance>* last_ = nullptr;  ///< that was asked for
 };
 
 /// Whether a record is of two bodies: its generator is `bodies`, which says their size.

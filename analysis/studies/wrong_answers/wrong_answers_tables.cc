@@ -72,7 +72,7 @@ Table by_kind(const WrongInPlace& all) {
   table.key_columns = 2;
   table.header = {{"place", "kind"}};
   for (const WrongAnswers& row : all.methods) table.header[0].push_back(row.method);
-  table.notes = {"a pair counts for the kinds of both of its bodies"};
+  table.notes = {"a pair counts for the kinds of both of its bodies, but for \"any\""};
   return table;
 }
 

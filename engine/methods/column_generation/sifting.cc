@@ -147,7 +147,7 @@ void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
 // `concluded`: there is no better basic solution to come.
 double Sifting::prove_upper(bool concluded) {
   by_face_ = false;
-  if (!affords(*stopwatch_, 2 * cube(n_ + 1) / kernels_->width)) return kInfinity;
+  if (!affords_inverse(*stopwatch_, n_ + 1, *kernels_)) return kInfinity;
   double upper = program_.proven_upper();
   if (upper < kInfinity || !concluded) return upper;
   if (n_ >= kLeastToStall) upper = upper_of_face();

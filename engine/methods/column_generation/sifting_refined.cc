@@ -23,7 +23,7 @@ constexpr int kRefinedChanges = 2;
 // costs only those digits tell from zero are brought in here. False where the bounds stay apart.
 bool Sifting::certify_refined(PrimalSimplex::End end, Effects effects, DistanceResult& result) {
   if (end != PrimalSimplex::End::solved && end != PrimalSimplex::End::failed) return false;
-  if (!affords(*stopwatch_, 2 * cube(n_ + 1) / kernels_->width)) return false;
+  if (!affords_inverse(*stopwatch_, n_ + 1, *kernels_)) return false;
   Basis& basis = program_.basis();
   if (!(basis.residual_share() < kAccurate) && !basis.refactor()) return false;
   const bool complete = is_complete();

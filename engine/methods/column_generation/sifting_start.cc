@@ -84,7 +84,7 @@ double Sifting::guess_error() const {
 // From the columns that carry weight at the end of the interior-point method, or from its normal.
 void Sifting::start_inside() {
   interior_.columns(start_);
-  if (!separated_ && affords(*stopwatch_, 2 * cube(n_ + 1) / kernels_->width) &&
+  if (!separated_ && affords_inverse(*stopwatch_, n_ + 1, *kernels_) &&
       program_.start_from(working_A_, working_Q_, start_, *stopwatch_))
     return;
   start_at_normal();

@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "results/exceptions.h"
 #include "tests/results/support.h"
 
@@ -81,6 +87,27 @@ TEST(ResultsFile, TheSameResultsGiveTheSameBytes) {
   write_results(folder.file("a.h5"), sample_results(small_experiment()));
   write_results(folder.file("b.h5"), sample_results(small_experiment()));
   EXPECT_EQ(read_bytes(folder.file("a.h5")), read_bytes(folder.file("b.h5")));
+}
+
+TEST(ResultsFile, RecordsAreSortedAsByAStableSort) {
+  std::mt19937 generator(1);
+  for (int size = 0; size < 40; ++size) {
+    std::vector<Record> records;
+    for (int i = 0; i < size; ++i) {
+      Record record;
+      record.cell = generator() % 5;
+      record.repetition = static_cast<int>(generator() % 3);
+      record.method = std::to_string(i);  // none is repeated
+      records.push_back(record);
+    }
+    std::vector<Record> expected = records;
+    std::stable_sort(expected.begin(), expected.end(), [](const Record& a, const Record& b) {
+      return std::pair(a.cell, a.repetition) < std::pair(b.cell, b.repetition);
+    });
+    sort_by_cell(records);
+    ASSERT_EQ(records.size(), expected.size());
+    for (std::size_t i = 0; i < records.size(); ++i) EXPECT_EQ(records[i].method, expected[i].method);
+  }
 }
 
 TEST(ResultsFile, ARunWithoutRecordsIsAFileToo) {

@@ -118,7 +118,7 @@ TEST(WrongAnswers, AreReadAsTwoTables) {
 TEST(WrongAnswers, OfOtherQuantitiesHaveTheirOwnSignAndTheirOwnTables) {
   const auto asked = [](const std::string& quantity, double found, double planted) {
     Record record = answer("object_distance", "near", 0, found, planted);
-    record.generator_parameters += " quantity=" + quantity;
+    record.generator_parameters = record.generator_parameters + " quantity=" + quantity;
     return record;
   };
   EXPECT_EQ(verdict(asked("growth", 1 - 1e-7, 1 + 1e-7)), Verdict::wrong_sign);
