@@ -19,7 +19,7 @@ using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using VectorMap = Eigen::Map<Eigen::VectorXd>;
 
 constexpr int kIterations = 60;
-constexpr int kIterationsOfFew = 35;  // separates by then, if at all sooner than the simplex
+constexpr int kIterationsOfFew = 35;  // separates by then, or nears an optimum
 // x·s per unit of t where the solve ends: if just n + 1 columns carry weight, and at the latest.
 constexpr double kDecided = 1e-5;
 constexpr double kConverged = 1e-11;
@@ -38,9 +38,9 @@ constexpr double kFar = 1e5;
 constexpr double kFarther = 100;
 constexpr double kShortest = 1e-6;  // a step below makes no progress
 constexpr double kFirstSupport = 0.5;
-// Points of both sets for each dimension, from which on Q hardly fails to reach A. Of fewer the question is
+// Points of both sets for each dimension, from which on Q mostly reaches A. Of fewer the question is
 // whether it does: what takes the way along the centre sooner to an optimum shows that there is none later.
-constexpr std::ptrdiff_t kManyPoints = 6;
+constexpr std::ptrdiff_t kManyPoints = 4;
 constexpr double kSpread = 4;
 constexpr double kLeastSum = 1.0;
 constexpr double kMostSum = 1e6;
@@ -112,7 +112,8 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
   const double operations =
       static_cast<double>(n_) * n_ * (0.5 * static_cast<double>(count_) + n_) / kernels_->width;
   StepTimes steps;
-  while (iterations_ < limit) {
+  const auto nears_an_optimum = [&] { return t > 0 && complementarity(0, 0) < t; };
+  while (iterations_ < limit || (iterations_ < kIterations && nears_an_optimum())) {
     ++iterations_;
     if (stopwatch.expired() || !steps.affords_next(stopwatch, operations)) return End::failed;
     if (single_ && !factor(true)) leave_single();
@@ -132,6 +133,7 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     const double scale = std::fabs(t);
     const bool moderate = scale + gap > kMostlyZero && t < std::min(kMostlyFar, enough_);
     if (!(gap > kCoarse * scale) || !moderate) leave_single();
+    if (!moderate) negligible_ = 0;  // on the way to 0 or to infinity every column counts
     if (t >= enough_) return End::converged;
     if (gap <= kConverged * scale) return End::converged;
     if (gap <= kDecided * scale && undecided() <= (gap <= kNearlyConverged * scale ? most_undecided() : 0))

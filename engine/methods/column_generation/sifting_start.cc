@@ -13,17 +13,14 @@
 namespace raygauge {
 namespace {
 
-// Dimensions from which on the interior-point method finds the optimal basis sooner than the simplex, by the
-// points of both sets for each dimension (AVX-512, its time over that of the simplex): N = 3 n and 10 n: 0.95
-// and 1.04 at n = 120, 0.80 and 0.75 at n = 150, 0.5 at n = 200; N = 100 n: 1.3 at n = 150, 1.1 at n = 200; N
-// = n + 2 and 1.5 n, mostly without a solution: 0.9 and 1.1 at n = 200, 0.7 and 0.6 at n = 300; N = 2 n, with
-// and without one: 0.9 at n = 300, 1.7 at n = 400.
-constexpr int kInteriorOfFewest = 250;
-constexpr int kInteriorOfFew = 450;
-constexpr int kInteriorOfSome = 130;
+// Dimensions from which on the interior-point method finds the optimal basis, or that there is none, sooner
+// than the simplex, by the points of both sets for each dimension (AVX-512, its time over that of the
+// simplex): N = n + 2 to 3 n: 0.6 to 0.9 at n = 60, 0.5 at n = 80, 0.3 at n = 120, 0.1 from n = 200 on;
+// N = 10 n: 1.5 at n = 80, 1 at n = 100, 0.9 at n = 120; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
+constexpr int kInteriorOfFew = 70;
+constexpr int kInteriorOfSome = 110;
 constexpr int kInteriorOfMany = 200;
-constexpr double kFewestPoints = 3.5;
-constexpr std::ptrdiff_t kSomePoints = 6;
+constexpr std::ptrdiff_t kFewPoints = 8;
 constexpr std::ptrdiff_t kManyPoints = 60;
 
 // Dimensions from which on it pays to look whether points of Q stand on the axes.
@@ -68,8 +65,7 @@ void Sifting::start() {
 
 int Sifting::least_for_interior() const {
   const std::ptrdiff_t points = A_->size() + Q_->size();
-  if (static_cast<double>(points) <= kFewestPoints * n_) return kInteriorOfFewest;
-  if (points < kSomePoints * n_) return kInteriorOfFew;
+  if (points <= kFewPoints * n_) return kInteriorOfFew;
   return points <= kManyPoints * n_ ? kInteriorOfSome : kInteriorOfMany;
 }
 
