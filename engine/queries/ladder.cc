@@ -323,6 +323,17 @@ const DistanceResult& Ladder::gauge(Ask& ask) {
   return answer_.distance;
 }
 
+ObjectDistance& Ladder::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
+                                 ObjectEffects effects, WarmStart* warm) {
+  bodies_.begin();
+  const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
+  if (!by_search && bodies_.by_formula(A1, A2, metric, options_, effects, warm, answer_)) return answer_;
+  Ask ask(Question::distance, A1, A2, warm);
+  ask.metric = &metric;
+  ask.object_effects = effects;
+  return distance(ask);
+}
+
 // The distance writes over the normal of the solve before, from which a depth may begin.
 ObjectDistance& Ladder::distance(Ask& ask) {
   const int n = ask.first.dimension();
@@ -331,14 +342,13 @@ ObjectDistance& Ladder::distance(Ask& ask) {
   has_depth_start_ = wants_depth && ask.warm != nullptr && n <= 3 && recorded_normal(*ask.warm, n) != nullptr;
   if (has_depth_start_) depth_start_ = *ask.warm;
   answer_.depth.evaluations = 0;
-  bodies_.begin();
   answer<Question::distance>(ask);
   if (wants_depth && !(answer_.distance.lower > 0)) {
     if (answer_.depth.evaluations == 0) find_depth(ask);
   } else if (had_depth || answer_.depth.evaluations > 0) {
     answer_.depth = ObjectDepth();
   }
-  if (ask.warm != nullptr) ask.warm->overlap = answer_.depth.lower > 0 && !bodies_.by_formula();
+  if (ask.warm != nullptr) ask.warm->overlap = answer_.depth.lower > 0;
   answer_.pose_gradient_evaluations = 0;
   if (has_effect(ask.object_effects, ObjectEffects::pose_gradient)) {
     find_pose_gradient(ask);

@@ -65,6 +65,8 @@ class Ladder {
   /// Each answer lives until the next question.
   const DistanceResult& gauge(Ask& ask);
   ObjectDistance& distance(Ask& ask);
+  ObjectDistance& distance(const Posed& A1, const Posed& A2, const ConvexSet& metric, ObjectEffects effects,
+                           WarmStart* warm);
   const DistanceResult& growth(Ask& ask);
   const SeparationResult& separation(Ask& ask);
 

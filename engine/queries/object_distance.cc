@@ -41,12 +41,8 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
                                                   ObjectEffects effects, WarmStart* warm) {
-  Ask ask(Question::distance, A1, A2, warm);
-  ask.metric = &Q;
-  ask.object_effects = effects;
-  if (has_effect(effects, ObjectEffects::pose_gradient))
-    ask.object_effects = effects | ObjectEffects::closest_points;
-  ObjectDistance& result = ladder_->distance(ask);
+  if (has_effect(effects, ObjectEffects::pose_gradient)) effects = effects | ObjectEffects::closest_points;
+  ObjectDistance& result = ladder_->distance(A1, A2, Q, effects, warm);
   add_gradients(effects, result);
   return result;
 }

@@ -21,6 +21,14 @@ Vector3 vector_of(const Vector& v) { return spatial(v, static_cast<int>(v.size()
 
 Twist negative(const Twist& twist) { return {-twist.linear, -twist.angular}; }
 
+Vector3 origin_of(const Posed& body) {
+  const Pose* pose = body.pose;
+  if (pose == nullptr) return {};
+  const double* t = pose->translation_data();
+  const int n = pose->dimension();
+  return {t[0], n > 1 ? t[1] : 0.0, n > 2 ? t[2] : 0.0};
+}
+
 }  // namespace
 
 double PoseGradient::along(const Twist& twist_1, const Twist& twist_2) const noexcept {
@@ -45,12 +53,16 @@ void PoseGradients::begin(const Posed& A1, const Posed& A2, const SpatialPair* p
   isa_ = isa;
   factor_ = 1;
   other_normals_.clear();
-  for (int i = 0; i < 2; ++i) {
-    origin_[i] = {};
-    const Pose* pose = posed_[i]->pose;
-    for (int k = 0; pose != nullptr && k < std::min(3, pose->dimension()); ++k)
-      (&origin_[i].x)[k] = pose->translation_data()[k];
-  }
+  for (int i = 0; i < 2; ++i) origin_[i] = origin_of(*posed_[i]);
+}
+
+void put_single_gradient(const Posed& A1, const Posed& A2, const Vector3& by_translation, const Vector3& x1,
+                         const Vector3& x2, PoseGradient& gradient) {
+  const Vector3& n = by_translation;
+  gradient.kind = GradientKind::unique;
+  gradient.candidates.clear();
+  gradient.body_1 = {n, cross(x1 - origin_of(A1), n)};
+  gradient.body_2 = negative({n, cross(x2 - origin_of(A2), n)});
 }
 
 bool PoseGradients::bind() {

@@ -22,8 +22,7 @@ struct ProvenBounds {
 /// nevertheless is in proven().
 class SpatialQuery {
  public:
-  /// The Euclidean distance, in units of the radius of the ball `metric`. Where RoundPair has a formula, the
-  /// depth too, if it is asked for and they meet.
+  /// The Euclidean distance, in units of the radius of the ball `metric`.
   bool distance(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options,
                 ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
 
@@ -32,17 +31,18 @@ class SpatialQuery {
               double threshold, WarmStart* warm, DistanceResult& result);
 
   /// Nothing is known of bodies before a query.
-  void begin() noexcept { asked_ = by_formula_ = false; }
+  void begin() noexcept { asked_ = bound_ = false; }
 
-  /// Whether a formula has answered the last query, which takes no longer from a start.
-  bool by_formula() const noexcept { return by_formula_; }
+  /// The whole answer of bodies that have a formula, see distance_by_formula(). Where there is none,
+  /// distance() of the same bodies goes on.
+  bool by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options,
+                  ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
 
   /// Of the last query: the support points that its answer ended with.
   const SpatialCombination& combination() const noexcept { return solve_.answer().combination; }
 
-  /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it. After a
-  /// formula only their shapes: they have not been placed.
-  const SpatialPair* pair() const noexcept { return asked_ || by_formula_ ? &solve_.pair() : nullptr; }
+  /// The bodies of the last query, where they are; nullptr if there was no fixed-size code for it.
+  const SpatialPair* pair() const noexcept { return asked_ ? &solve_.pair() : nullptr; }
 
   /// Of the last query, in its units, where that returned false; whether there was fixed-size code for it.
   const ProvenBounds& proven() const noexcept { return proven_; }
@@ -56,19 +56,17 @@ class SpatialQuery {
 
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
+  bool bind(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options);
   bool place(const Posed& first, const Posed& second);
-  bool distance_by_formula(const Posed& A1, const Posed& A2, const DistanceOptions& options,
-                           ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
-  bool depth_by_formula(const DistanceOptions& options, ObjectDepth& depth);
   void set_counters(DistanceResult& result) const;
-  static void clear_rest(DistanceResult& result);
 
   SpatialSolve solve_;
   RoundPair round_;
   SpatialShape metric_;
   double radius_ = 1;  // of the metric
   ProvenBounds proven_;
-  bool asked_ = false, by_formula_ = false;
+  bool bound_ = false;  // to both bodies and the metric
+  bool asked_ = false;
 };
 
 }  // namespace raygauge

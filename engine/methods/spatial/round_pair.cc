@@ -50,14 +50,12 @@ struct Found {
   bool is_known = false;
 };
 
-[[gnu::always_inline]] inline Found finish(Found found, const Vector3& p, const Vector3& q, const Vector3& x,
-                                           const Vector3& y, double error) {
+// All but the lower bound.
+[[gnu::always_inline]] inline void finish(double error, Found& found) {
   const Vector3 way = found.point[0] - found.point[1];
   found.upper = length(way);
   found.is_known = found.upper > error;
   found.normal = way * (1 / found.upper);
-  found.lower = dot(found.normal, p - q) - std::fabs(dot(found.normal, x)) - std::fabs(dot(found.normal, y));
-  return found;
 }
 
 [[gnu::always_inline]] inline Found between_points(const SpatialShape& first, const SpatialShape& second,
@@ -65,7 +63,9 @@ struct Found {
   Found found;
   found.point[0] = one.turn(first.center);
   found.point[1] = two.turn(second.center) + two.t;
-  return finish(found, found.point[0], found.point[1], {}, {}, error);
+  finish(error, found);
+  found.lower = dot(found.normal, found.point[0] - found.point[1]);
+  return found;
 }
 
 [[gnu::always_inline]] inline Found between_segments(const SpatialShape& first, const SpatialShape& second,
@@ -77,7 +77,9 @@ struct Found {
   nearest_of_segments(p, x, q, y, s, t);
   found.point[0] = p + x * s;
   found.point[1] = q + y * t;
-  return finish(found, p, q, x, y, error);
+  finish(error, found);
+  found.lower = dot(found.normal, p - q) - std::fabs(dot(found.normal, x)) - std::fabs(dot(found.normal, y));
+  return found;
 }
 
 // Of core `at` and the centre of a ball, in the frame of the core.
@@ -103,6 +105,28 @@ template <class Core>
   found.point[at] = own.turn(on_core) + own.t;
   found.point[1 - at] = center;
   return found;
+}
+
+// Whether every other way out of a core is more than `longer` longer than the shortest.
+bool has_one_way_out(const BoxCore& core, const Vector3& y, double longer) {
+  const Vector3 low = y - core.shape.base, high = core.shape.top - y;
+  double room[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
+  std::partial_sort(room, room + 2, room + 6);
+  return room[0] + longer < room[1];
+}
+
+// Near the axis all ways through the side are as long.
+bool has_one_way_out(const FrustumCore& core, const Vector3& y, double longer) {
+  constexpr double kBesideAxis = 0.01;  // of the larger radius
+  const SpatialShape& shape = core.shape;
+  const FrustumCore::Axis<double> axis(shape);
+  const Vector3 x = y - shape.base;
+  const double down = dot(x, axis.a), full = axis.full(shape), up = full - down;
+  const double across = length(axis.without(x)), widening = shape.top_radius - shape.base_radius;
+  const double side = ((shape.base_radius - across) * full + down * widening) / std::hypot(full, widening);
+  if (side + longer < std::min(down, up))
+    return across > kBesideAxis * std::max(shape.base_radius, shape.top_radius);
+  return std::min(down, up) + longer < std::min(side, std::max(down, up));
 }
 
 }  // namespace
@@ -174,6 +198,32 @@ template <class Core, int kAt>
           return from_core(Core{second}, 1, first.center, two, one, error);
       },
       first, second, pose_1, pose_2);
+}
+
+// Of a ball and a core: outside of it always; inside where one way out is shorter than all others, and that
+// through the side of a core begins well beside its axis.
+bool RoundPair::is_differentiable(const SpatialShape& first, const SpatialShape& second,
+                                  const PoseNumbers& pose_1, const PoseNumbers& pose_2) const noexcept {
+  constexpr double kParallel = 1e-6, kLonger = 1e-9;
+  const auto turn = [](const PoseNumbers& pose, const Vector3& x) {
+    return Place{pose.R != nullptr ? pose.R : kIdentity, {}}.turn(x);
+  };
+  if (is_point(first) && is_point(second)) return true;
+  if (is_segment(first) && is_segment(second)) {
+    if (is_point(first) || is_point(second)) return true;
+    const Vector3 x = turn(pose_1, half_of(first)), y = turn(pose_2, half_of(second)), across = cross(x, y);
+    return dot(across, across) > kParallel * kParallel * dot(x, x) * dot(y, y);
+  }
+  const bool at_second = is_point(first);
+  const SpatialShape& core = at_second ? second : first;
+  const double away = 0.5 * (lower_ + upper_) + first.radius + second.radius, longer = kLonger * core.extent;
+  if (away > longer) return true;
+  const PoseNumbers &own = at_second ? pose_2 : pose_1, &other = at_second ? pose_1 : pose_2;
+  const auto vector = [](const double* t) { return t != nullptr ? Vector3{t[0], t[1], t[2]} : Vector3{}; };
+  const Vector3 way = turn(other, (at_second ? first : second).center) + vector(other.t) - vector(own.t);
+  const Vector3 y = Place{own.R != nullptr ? own.R : kIdentity, {}}.turn_back(way);
+  return core.kind == Kind::box ? has_one_way_out(BoxCore{core}, y, longer)
+                                : has_one_way_out(FrustumCore{core}, y, longer);
 }
 
 }  // namespace raygauge

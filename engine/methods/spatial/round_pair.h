@@ -23,6 +23,11 @@ class RoundPair {
   bool solve(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
              const PoseNumbers& pose_2) noexcept;
 
+  /// Whether the signed distance that was found for these has a gradient for certain: one normal and one pair
+  /// of points.
+  bool is_differentiable(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
+                         const PoseNumbers& pose_2) const noexcept;
+
   /// Of the signed distance.
   double lower() const noexcept { return lower_; }
   double upper() const noexcept { return upper_; }
