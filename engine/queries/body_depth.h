@@ -52,6 +52,11 @@ class BodyDepth {
   void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
 
  private:
+  struct InHull {
+    const HullSurface* surface = nullptr;
+    bool is_second = false;  ///< the hull; then the point is the first body
+    Vector3 center, own;     ///< the point in the frame of the first body, and in that of the hull
+  };
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
   bool solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer);
@@ -63,6 +68,9 @@ class BodyDepth {
   void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;
   bool search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
                     BodyDepthAnswer& answer);
+  InHull point_in_hull() const;
+  bool leave_hull(double tolerance, BodyDepthAnswer& answer);
+  void add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const;
   void search(double tolerance, const PairStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
   template <class Real>
   void take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer);
@@ -82,7 +90,7 @@ class BodyDepth {
   double floor_ = 0;         // proven of the depth of the cores
   PairStart nearest_;        // of the cores, where these are apart
   bool has_points_ = false;  // of the answer
-  enum class Source : std::uint8_t { none, quick, precise } source_ = Source::none;  // searched last
+  enum class Source : std::uint8_t { none, hull, quick, precise } source_ = Source::none;  // searched last
 };
 
 }  // namespace raygauge

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/queries/formula_distance.h"
 
@@ -47,13 +48,14 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
 bool SpatialQuery::bind(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                         const DistanceOptions& options) {
   radius_ = radius_of_metric(metric, metric_);
-  return bound_ = radius_ > 0 && metric.dimension() == A1.dimension() && bind(A1, A2, options);
+  return radius_ > 0 && metric.dimension() == A1.dimension() && bind(A1, A2, options);
 }
 
 bool SpatialQuery::by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                               const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                               ObjectDistance& result) {
-  return bind(A1, A2, metric, options) && solve_.dimension() == 3 &&
+  bound_ = bind(A1, A2, metric, options);
+  return bound_ && solve_.dimension() == 3 &&
          distance_by_formula(round_, solve_.pair().shape(0), solve_.pair().shape(1), A1, A2, radius_,
                              options.tolerance, effects, warm, result);
 }
@@ -61,7 +63,8 @@ bool SpatialQuery::by_formula(const Posed& A1, const Posed& A2, const ConvexSet&
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
-  if (!(bound_ || bind(A1, A2, metric, options)) || !place(A1, A2)) {
+  const bool bound = std::exchange(bound_, false) || bind(A1, A2, metric, options);
+  if (!bound || !place(A1, A2)) {
     asked_ = false;
     proven_ = {};
     return false;

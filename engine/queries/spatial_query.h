@@ -65,7 +65,7 @@ class SpatialQuery {
   SpatialShape metric_;
   double radius_ = 1;  // of the metric
   ProvenBounds proven_;
-  bool bound_ = false;  // to both bodies and the metric
+  bool bound_ = false;  // by by_formula()
   bool asked_ = false;
 };
 

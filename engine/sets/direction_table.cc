@@ -164,8 +164,8 @@ class DirectionTable::Builder {
   std::vector<Heights> heights_;
 };
 
-DirectionTable::DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
-    : cells_(cells_for(points.cols())) {
+DirectionTable::DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points, HullSurface surface)
+    : cells_(cells_for(points.cols())), surface_(std::move(surface)) {
   const auto count = static_cast<std::size_t>(points.cols());
   points_.assign(4 * count, 0.0);
   Eigen::Map<Eigen::Matrix4Xd>(points_.data(), 4, points.cols()).topRows<3>() = points;

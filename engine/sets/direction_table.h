@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/sets/hull_surface.h"
 #include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
@@ -28,7 +29,7 @@ class DirectionTable {
   DirectionTable() = default;
 
   /// `points` is 3 × N and finite.
-  explicit DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points);
+  explicit DirectionTable(const Eigen::Ref<const Eigen::Matrix3Xd>& points, HullSurface surface = {});
 
   /// The points that may be highest along v and next to it: the list of v's cell. Empty where it was too long
   /// to keep.
@@ -60,10 +61,13 @@ class DirectionTable {
 
   bool empty() const noexcept { return lists_.empty(); }
 
+  /// Of the points' hull; empty where it is not known.
+  const HullSurface& surface() const noexcept { return surface_; }
+
   /// Bytes.
   std::size_t memory() const noexcept {
     return points_.size() * sizeof(double) + lists_.size() * sizeof(List) +
-           candidates_.size() * sizeof(std::int32_t);
+           candidates_.size() * sizeof(std::int32_t) + surface_.memory();
   }
 
   /// The cell that v belongs to, of 6 cells²; 0 for v = 0 and where v is not finite.
@@ -81,6 +85,7 @@ class DirectionTable {
   std::vector<double> points_;  // 4 numbers each: x, y, z and nothing
   std::vector<List> lists_;
   std::vector<std::int32_t> candidates_;
+  HullSurface surface_;
 };
 
 inline int DirectionTable::cell(const Vector3& v, int cells) noexcept {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <numeric>
 #include <typeinfo>
+#include <utility>
+#include <vector>
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/cluster_tree.h"
@@ -36,6 +38,16 @@ void sort_by_direction(const Eigen::Ref<const Eigen::MatrixXd>& points, const Ve
   });
 }
 
+// Indices of points as those of their places in the order.
+std::vector<int> in_order(const Order& order, std::vector<int> indices) {
+  std::vector<int> place(
+      indices.empty() ? 0 : 1 + static_cast<std::size_t>(*std::max_element(order.begin(), order.end())));
+  for (std::size_t i = 0; i < order.size() && !place.empty(); ++i)
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  for (int& index : indices) index = place[static_cast<std::size_t>(index)];
+  return indices;
+}
+
 }  // namespace
 
 bool PreparedSet::has_hulls() noexcept { return has_hull_3d(); }
@@ -56,6 +68,19 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   }
   if (hull.found) sort_by_direction(points, center_, order);
   keep(points(Eigen::all, order));
+  if (dimension() == 3) {
+    HullSurface surface;
+    if (points_->tree() == nullptr)  // which has another order
+      surface = HullSurface(points_->points(), in_order(order, hull.triangles), extent_);
+    table_ = std::make_shared<const DirectionTable>(points_->points(), std::move(surface));
+    SpatialShape shape;
+    points_->spatial_shape_unchecked(shape);
+    shape.center = {center_[0], center_[1], center_[2]};
+    shape.extent = extent_;
+    shape.inner_radius = inner_radius_;
+    shape.table = table_.get();
+    shape_ = std::make_shared<const SpatialShape>(shape);
+  }
   if (!hull.found) return;
 
   for (auto edge = hull.edges.begin(); edge != hull.edges.end(); ++edge) {
@@ -67,15 +92,6 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
 void PreparedSet::keep(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   points_ = PointSet::clustered(points);
   extent_ = points.colwise().norm().maxCoeff() * kRadiusRounding;
-  if (dimension() != 3) return;
-  table_ = std::make_shared<const DirectionTable>(points_->points());
-  SpatialShape shape;
-  points_->spatial_shape_unchecked(shape);
-  shape.center = {center_[0], center_[1], center_[2]};
-  shape.extent = extent_;
-  shape.inner_radius = inner_radius_;
-  shape.table = table_.get();
-  shape_ = std::make_shared<const SpatialShape>(shape);
 }
 
 double PreparedSet::do_support(const double* u, double* point) const {

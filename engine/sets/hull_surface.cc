@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/hull_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/kernels/kernel.h"
+
+namespace raygauge {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+constexpr std::size_t kMostTriangles = 8192;  // of more a search looks at fewer
+constexpr double kMostTurned = 1e-9;
+
+// Of a height n·x, and of what |n| may differ from 1, relative to the size.
+constexpr double kHeight = 24 * kUnit;
+
+// Of a normal from two edges, relative to the product of their lengths; twice what InnerPolytope allows.
+constexpr double kEdges = 34 * kUnit, kNormal = 16 * kUnit;
+
+// Whether each edge is there once in either direction.
+bool is_closed(const std::vector<int>& triangles) {
+  std::vector<std::pair<int, int>> edges, back;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int from = triangles[i + k], to = triangles[i + (k + 1) % 3];
+      edges.emplace_back(from, to);
+      back.emplace_back(to, from);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(back.begin(), back.end());
+  return !edges.empty() && edges == back && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
+
+}  // namespace
+
+HullSurface::HullSurface(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const std::vector<int>& triangles,
+                         double extent)
+    : extent_(extent) {
+  const std::size_t count = triangles.size() / 3;
+  if (count > kMostTriangles || !is_closed(triangles)) return;
+  std::vector<Block> blocks((count + kLanes - 1) / kLanes);
+  for (std::size_t i = 0; i < blocks.size() * kLanes; ++i) {
+    const auto corner = [&](std::size_t k) {
+      const auto v = points.col(triangles[3 * std::min(i, count - 1) + k]);
+      return Vector3{v[0], v[1], v[2]};
+    };
+    const Vector3 a = corner(0), b = corner(1), c = corner(2);
+    std::array<Vector3, 3> edge = {b - a, c - b, a - c};
+    // The longest one last, in their order around the triangle.
+    const auto longest = std::max_element(
+        edge.begin(), edge.end(), [](const Vector3& e, const Vector3& f) { return dot(e, e) < dot(f, f); });
+    std::rotate(edge.begin(), longest + 1, edge.end());
+    const Vector3 across = cross(edge[0], edge[1]);
+    const double size = length(across);
+    turned_ = std::max(turned_, kEdges * length(edge[0]) * length(edge[1]) / size + kNormal);
+    if (!(turned_ < kMostTurned)) return;
+    const Vector3 n = across * (1 / size);
+    Block& block = blocks[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    block.x[lane] = n.x;
+    block.y[lane] = n.y;
+    block.z[lane] = n.z;
+    block.low[lane] = std::min({dot(n, a), dot(n, b), dot(n, c)}) - kHeight * extent;
+  }
+  blocks_ = std::move(blocks);
+}
+
+// The side of y on which a triangle is seen counterclockwise is certain where the plane is farther away than
+// its normal may be turned, times the way to the triangle.
+HullSurface::Nearest HullSurface::nearest(const Vector3& y, InstructionSet isa) const noexcept {
+  static_assert(sizeof(Block) == 4 * kLanes * sizeof(double));
+  if (blocks_.empty() || !(dot(y, y) <= extent_ * extent_)) return {};
+  const double u[4] = {y.x, y.y, y.z, -1};
+  std::ptrdiff_t index = 0;
+  const double room =
+      -kernels_for(isa).price(blocks_.front().x, static_cast<std::ptrdiff_t>(blocks_.size()), 4, u, &index);
+  const double reach = 2 * std::sqrt(3.0) * extent_;  // |x - y| and more
+  if (!(room > 2 * turned_ * reach)) return {};
+  const auto at = static_cast<std::size_t>(index);
+  return {room - kHeight * reach, blocks_[at / kLanes].normal(at % kLanes)};
+}
+
+}  // namespace raygauge
