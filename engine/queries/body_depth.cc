@@ -15,9 +15,6 @@ namespace {
 constexpr double kUp = 1 + 0x1p-52, kDown = 1 - 0x1p-52;
 constexpr double kExact = 1e-14;  // the finest tolerance that distances are asked for
 
-double down(const DoubleDouble& x) { return x.rounded() - std::fabs(x.high) * 0x1p-52; }
-double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high) * 0x1p-52; }
-
 }  // namespace
 
 bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -272,42 +269,6 @@ bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const 
   return true;
 }
 
-// Of a hull with a known surface and a point.
-BodyDepth::InHull BodyDepth::point_in_hull() const {
-  const int at = is_point(pair_.shape(0)) ? 1 : 0;
-  const SpatialShape &hull = pair_.shape(at), &other = pair_.shape(1 - at);
-  if (hull.kind != SpatialShape::Kind::points || hull.table == nullptr || !is_point(other)) return {};
-  const Vector3 center = at == 0 ? pair_.from_second(other.center) : other.center;
-  return {&hull.table->surface(), at == 1, center, at == 0 ? center : pair_.to_second(center)};
-}
-
-// The planes of the surface say it all: where the point is inside, and how deep.
-bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
-  const InHull in = point_in_hull();
-  if (in.surface == nullptr) return false;
-  const HullSurface::Nearest nearest = in.surface->nearest(in.own, isa_);
-  const double lower = nearest.room - pair_.error();
-  if (!(lower > 0)) return false;
-  const Vector3 u = in.is_second ? -(pair_.rotation() * nearest.normal) : nearest.normal;
-  SpatialPoint point;
-  pair_.support(u, point);
-  const double size = length(u), height = dot(u, point.s) / size + pair_.error();
-  const Bounds bounds(down(ball_lower_ + lower), up(ball_upper_ + height * (1 + 0x1p-48)));
-  if (!bounds.close(tolerance)) return false;
-  source_ = Source::hull;
-  has_points_ = true;
-  answer.bounds = bounds;
-  answer.status = DistanceStatus::optimal;
-  answer.iterations = 1;
-  answer.support_queries += pair_.queries();
-  normal_ = u * (1 / size);
-  const Vector3 way = normal_ * nearest.room;
-  put_points(normal_, in.is_second ? in.center : in.center + way, in.is_second ? in.center - way : in.center,
-             answer);
-  pair_.to_world(-normal_, &answer.normal.x);
-  return true;
-}
-
 void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
   constexpr double kDeep = 0.5;  // of a ball inside: all sides are near, and that of the centres begins best
@@ -365,16 +326,6 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
     put_points(normal_, a1, a2, answer);
   }
   pair_.to_world(-normal_, &answer.normal.x);
-}
-
-void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {
-  const InHull in = point_in_hull();
-  const double room = in.surface->nearest(in.own, isa_).room, cosine = std::cos(angle);
-  in.surface->for_near(in.own, room + relative * (room + up(ball_upper_)), [&](const Vector3& plane) {
-    const Vector3 n = in.is_second ? -(pair_.rotation() * plane) : plane;
-    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
-    if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
-  });
 }
 
 // A search has outward normals of S1 - S2, in the frame of the first body or of the world.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "engine/methods/bodies/body_oracles.h"
@@ -23,6 +24,10 @@ struct BodyDepthAnswer {
   int iterations = 0;
   bool parted = false;  ///< proven apart by the normal of before; nothing else is said
 };
+
+/// Rounded outward.
+inline double down(const DoubleDouble& x) { return x.rounded() - std::fabs(x.high) * 0x1p-52; }
+inline double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high) * 0x1p-52; }
 
 /// What a solve of the pair has recorded, or nothing.
 struct DepthStart {
@@ -53,9 +58,12 @@ class BodyDepth {
 
  private:
   struct InHull {
+    HullSurface::Nearest nearest(InstructionSet isa) const;
+
     const HullSurface* surface = nullptr;
-    bool is_second = false;  ///< the hull; then the point is the first body
-    Vector3 center, own;     ///< the point in the frame of the first body, and in that of the hull
+    bool is_second = false;  ///< the hull; then the other body is the first
+    Vector3 center, own;     ///< that of the other body in the frame of the first, and in that of the hull
+    Vector3 half, own_half;  ///< the same of half of its segment
   };
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
@@ -68,7 +76,8 @@ class BodyDepth {
   void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;
   bool search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
                     BodyDepthAnswer& answer);
-  InHull point_in_hull() const;
+  InHull in_hull() const;
+  Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) const;
   bool leave_hull(double tolerance, BodyDepthAnswer& answer);
   void add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const;
   void search(double tolerance, const PairStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);

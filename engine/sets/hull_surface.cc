@@ -3,7 +3,9 @@
 #include "engine/sets/hull_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/kernels/kernel.h"
@@ -12,7 +14,8 @@ namespace raygauge {
 namespace {
 
 constexpr double kUnit = 0x1p-53;
-constexpr std::size_t kMostTriangles = 8192;  // of more a search looks at fewer
+constexpr std::size_t kMostTriangles = 8192;         // of more a search looks at fewer
+constexpr std::size_t kMostTrianglesWithEdges = 64;  // beyond, a search is as fast
 constexpr double kMostTurned = 1e-9;
 
 // Of a height n·x, and of what |n| may differ from 1, relative to the size.
@@ -68,6 +71,70 @@ HullSurface::HullSurface(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const
     block.low[lane] = std::min({dot(n, a), dot(n, b), dot(n, c)}) - kHeight * extent;
   }
   blocks_ = std::move(blocks);
+  if (count <= kMostTrianglesWithEdges) list_edges(points, triangles);
+}
+
+void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                             const std::vector<int>& triangles) {
+  std::vector<std::array<int, 3>> directed;  // from, to, triangle
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::size_t first = i - i % 3;
+    directed.push_back({triangles[i], triangles[first + (i + 1) % 3], static_cast<int>(i / 3)});
+  }
+  std::sort(directed.begin(), directed.end());
+  for (const auto& [from, to, triangle] : directed) {
+    if (from > to) continue;
+    const auto back = std::lower_bound(directed.begin(), directed.end(), std::array<int, 3>{to, from, 0});
+    const auto a = points.col(from), b = points.col(to);
+    edges_.push_back({{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}},
+                      static_cast<std::size_t>(triangle),
+                      static_cast<std::size_t>((*back)[2])});
+  }
+}
+
+// With both ends of the edge a, b: from the right triangle's end to the left one's, which is e x,
+// ((b - a) × (e x + e x))/2.
+HullSurface::Side::Side(const HullSurface& hull, const Edge& edge, const Vector3& half) {
+  const bool left = dot(hull.normal(edge.left), half) > 0, right = dot(hull.normal(edge.right), half) > 0;
+  is_there = left != right;
+  if (!is_there) return;
+  const Vector3 along = edge.end[1] - edge.end[0], across = cross(along, left ? half : -half);
+  const double size = length(across);
+  normal = across * (1 / size);
+  turned = kEdges * length(along) * length(half) / size + kNormal;
+}
+
+// The corners of all that is moved are those of a closed surface: what the triangles and parallelograms leave
+// open are ways from one end of the segment to the other, at vertices, and as many lead up as down.
+HullSurface::Nearest HullSurface::nearest_of_sum(const Vector3& y, const Vector3& half) const noexcept {
+  constexpr double kParallel = 1e-6;
+  const double long_half = length(half), reach = 2 * std::sqrt(3.0) * (extent_ + long_half);
+  if (edges_.empty() || !(length(y) <= extent_ + long_half)) return {};
+  Nearest found;
+  found.room = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kLanes * blocks_.size(); ++i) {
+    const Vector3 n = normal(i);
+    const double along = std::fabs(dot(n, half)), room = room_of(i, y) + along;
+    if (!(room > 2 * turned_ * reach)) return {};
+    if (!(room < found.room)) continue;
+    found.room = room;
+    found.normal = n;
+    found.is_edge = !(along > kParallel * long_half);
+  }
+  const bool is_parallel = found.is_edge;
+  found.is_edge = false;
+  for (const Edge& edge : edges_) {
+    const Side side(*this, edge, half);
+    if (!side.is_there) continue;
+    const Vector3 &n = side.normal, a = edge.end[0] - y, b = edge.end[1] - y;
+    const double room = std::min(dot(n, a), dot(n, b)) - std::fabs(dot(n, half));
+    if (!(room > 2 * side.turned * reach) || !(side.turned < kMostTurned)) return {};
+    if (!(room < found.room)) continue;
+    found = {room, n, true, {edge.end[0], edge.end[1]}};
+  }
+  if (is_parallel && !found.is_edge) return {};
+  found.room -= 2 * kHeight * reach;
+  return found;
 }
 
 // The side of y on which a triangle is seen counterclockwise is certain where the plane is farther away than
@@ -82,7 +149,7 @@ HullSurface::Nearest HullSurface::nearest(const Vector3& y, InstructionSet isa) 
   const double reach = 2 * std::sqrt(3.0) * extent_;  // |x - y| and more
   if (!(room > 2 * turned_ * reach)) return {};
   const auto at = static_cast<std::size_t>(index);
-  return {room - kHeight * reach, blocks_[at / kLanes].normal(at % kLanes)};
+  return {room - kHeight * reach, normal(at), false, {}};
 }
 
 }  // namespace raygauge

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -21,6 +22,8 @@ class HullSurface {
   struct Nearest {
     double room = 0;  ///< a ball about the point that is inside the hull, rounding errors covered; 0: none is
     Vector3 normal;   ///< outward, of length 1
+    bool is_edge = false;  ///< of a sum with a segment: the plane is along an edge of the hull ...
+    Vector3 end[2];        ///< ... between these
   };
 
   /// None.
@@ -32,19 +35,28 @@ class HullSurface {
               double extent);
 
   bool empty() const noexcept { return blocks_.empty(); }
-  std::size_t memory() const noexcept { return blocks_.size() * sizeof(Block); }
+  std::size_t memory() const noexcept {
+    return blocks_.size() * sizeof(Block) + edges_.size() * sizeof(Edge);
+  }
 
   /// No room where y is outside, or so near the surface that rounding hides the side.
   Nearest nearest(const Vector3& y, InstructionSet isa) const noexcept;
 
-  /// Calls use(normal) for every plane that is at most `most` from y.
+  /// The same of the hull plus the segment from -half to half: its surface is that of the hull, each triangle
+  /// moved to the end that is farther out, and parallelograms along the edges between triangles that are not
+  /// moved to the same end. No room either where the segment is parallel to the plane.
+  Nearest nearest_of_sum(const Vector3& y, const Vector3& half) const noexcept;
+
+  /// Calls use(normal) for every plane that is at most `most` from y, of the sum with a segment.
   template <class Use>
-  void for_near(const Vector3& y, double most, const Use& use) const {
-    for (const Block& block : blocks_) {
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const Vector3 n = block.normal(lane);
-        if (block.low[lane] - dot(n, y) <= most) use(n);
-      }
+  void for_near(const Vector3& y, const Vector3& half, double most, const Use& use) const {
+    for (std::size_t i = 0; i < kLanes * blocks_.size(); ++i) {
+      const Vector3 n = normal(i);
+      if (room_of(i, y) + std::fabs(dot(n, half)) <= most) use(n);
+    }
+    for (const Edge& edge : edges_) {
+      const Side side(*this, edge, half);
+      if (side.is_there && dot(side.normal, edge.end[0] - y) <= most) use(side.normal);
     }
   }
 
@@ -59,7 +71,28 @@ class HullSurface {
     Vector3 normal(std::size_t lane) const noexcept { return {x[lane], y[lane], z[lane]}; }
   };
 
+  /// From end 0 to end 1 counterclockwise around triangle `left`, the other way around `right`.
+  struct Edge {
+    Vector3 end[2];
+    std::size_t left = 0, right = 0;
+  };
+
+  /// The parallelogram of an edge and a segment, its normal by the order of its corners.
+  struct Side {
+    Side(const HullSurface& hull, const Edge& edge, const Vector3& half);
+    bool is_there;
+    Vector3 normal;     ///< of length 1
+    double turned = 0;  ///< how far it may be from the true one
+  };
+
+  Vector3 normal(std::size_t i) const noexcept { return blocks_[i / kLanes].normal(i % kLanes); }
+  double room_of(std::size_t i, const Vector3& y) const noexcept {
+    return blocks_[i / kLanes].low[i % kLanes] - dot(normal(i), y);
+  }
+  void list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const std::vector<int>& triangles);
+
   std::vector<Block> blocks_;
+  std::vector<Edge> edges_;  // none of large hulls
   double extent_ = 0;
   double turned_ = 0;  // how far a normal may be from that of its triangle
 };

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+//
+// The depth of a ball or a capsule whose core is in a hull with a known surface: no search.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/methods/spatial/nearest_of_segments.h"
+#include "engine/queries/body_depth.h"
+
+namespace raygauge {
+
+// Of a hull with a known surface, and a point or a segment.
+BodyDepth::InHull BodyDepth::in_hull() const {
+  const int at = pair_.shape(0).kind == SpatialShape::Kind::points ? 0 : 1;
+  const SpatialShape &hull = pair_.shape(at), &other = pair_.shape(1 - at);
+  if (hull.kind != SpatialShape::Kind::points || hull.table == nullptr || !is_between_ends(other)) return {};
+  const Vector3 half = is_point(other) ? Vector3{} : other.axis.column[0];
+  const Matrix3& R = pair_.rotation();
+  if (at == 0) {
+    const Vector3 center = pair_.from_second(other.center), turned = R * half;
+    return {&hull.table->surface(), false, center, center, turned, turned};
+  }
+  return {&hull.table->surface(),        true, other.center,
+          pair_.to_second(other.center), half, R.transposed_times(half)};
+}
+
+HullSurface::Nearest BodyDepth::InHull::nearest(InstructionSet isa) const {
+  return dot(own_half, own_half) > 0 ? surface->nearest_of_sum(own, own_half) : surface->nearest(own, isa);
+}
+
+// Of the segment, the point in contact: the end that is the farthest from the plane, or the one across the
+// edge, which is given in the frame of the hull.
+Vector3 BodyDepth::touching(const InHull& in, const HullSurface::Nearest& nearest) const {
+  if (!(dot(in.half, in.half) > 0)) return in.center;
+  double s = 0, t = dot(nearest.normal, in.own_half) > 0 ? -1.0 : 1.0;
+  if (nearest.is_edge) {
+    const Vector3 middle = (nearest.end[0] + nearest.end[1]) * 0.5,
+                  half = (nearest.end[1] - nearest.end[0]) * 0.5;
+    nearest_of_segments(middle, half, in.own, in.own_half, s, t);
+  }
+  return in.center + in.half * t;
+}
+
+// The planes of the surface say it all: whether the other body's centre is inside, and how deep.
+bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
+  const InHull in = in_hull();
+  if (in.surface == nullptr) return false;
+  const HullSurface::Nearest nearest = in.nearest(isa_);
+  const double lower = nearest.room - pair_.error();
+  if (!(lower > 0)) return false;
+  const Vector3 u = in.is_second ? -(pair_.rotation() * nearest.normal) : nearest.normal;
+  SpatialPoint point;
+  pair_.support(u, point);
+  const double size = length(u), height = dot(u, point.s) / size + pair_.error();
+  const Bounds bounds(down(ball_lower_ + lower), up(ball_upper_ + height * (1 + 0x1p-48)));
+  if (!bounds.close(tolerance)) return false;
+  source_ = Source::hull;
+  has_points_ = true;
+  answer.bounds = bounds;
+  answer.status = DistanceStatus::optimal;
+  answer.iterations = 1;
+  answer.support_queries += pair_.queries();
+  normal_ = u * (1 / size);
+  const Vector3 way = normal_ * nearest.room, other = touching(in, nearest);
+  put_points(normal_, in.is_second ? other : other + way, in.is_second ? other - way : other, answer);
+  pair_.to_world(-normal_, &answer.normal.x);
+  return true;
+}
+
+void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {
+  const InHull in = in_hull();
+  const double room = in.nearest(isa_).room, cosine = std::cos(angle);
+  const double most = room + relative * (room + ball_upper_.rounded());
+  in.surface->for_near(in.own, in.own_half, most, [&](const Vector3& plane) {
+    const Vector3 n = in.is_second ? -(pair_.rotation() * plane) : plane;
+    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
+  });
+}
+
+}  // namespace raygauge
