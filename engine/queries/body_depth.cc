@@ -28,6 +28,7 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
   }
   isa_ = isa;
   if (!pair_.bind(*core_[0], *core_[1], isa)) return false;
+  cores_.expect_overlap();
   return !has_balls() || cores_.bind(*core_[0], *core_[1], isa);
 }
 

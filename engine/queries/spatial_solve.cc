@@ -16,8 +16,8 @@
 namespace raygauge {
 namespace {
 
-constexpr double kLeastSquare = 1e-200;                                 // of a normal that a start may have
-constexpr SpatialNearness kNearCurved{3e-3, 0}, kNearFlat{2e-2, 1e-6};  // where other steps are faster
+constexpr double kLeastSquare = 1e-200;           // of a normal that a start may have
+constexpr SpatialNearness kNearFlat{2e-2, 1e-6};  // where other steps are faster
 constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal ...
 constexpr std::ptrdiff_t kFewPointsFromStart = 2000;  // ... and where it begins near them
 constexpr double kClose = 0x1p-40;                    // of a size
@@ -127,7 +127,7 @@ bool SpatialSolve::find_distance(double tolerance) {
   if (record_.answer.combination.count > 0 && settle(tolerance)) return true;
   const bool newton = pair_.is_curved() && pair_.dimension() == 3;
   if (newton) {
-    spatial_distance(pair_, tolerance, record_.start, kNearCurved, record_.answer);
+    spatial_distance(pair_, tolerance, record_.start, {near_curved_, 0}, record_.answer);
     if (record_.answer.end == SpatialEnd::open) contact_distance(pair_, tolerance, record_.answer);
     if (settle(tolerance)) return true;
   }

@@ -17,6 +17,9 @@ class SpatialSolve {
   /// in other spaces.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
 
+  /// Curved bodies most likely meet, if they are near: steps in doubles, which prove it, are not left early.
+  void expect_overlap() noexcept { near_curved_ = 1e-8; }
+
   /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
   bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 
@@ -82,6 +85,7 @@ class SpatialSolve {
   Record record_;
   const ConvexSet* first_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
+  double near_curved_ = 3e-3;  // of the size: where other steps are faster
 };
 
 }  // namespace raygauge
