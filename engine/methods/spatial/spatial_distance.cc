@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/methods/spatial/spatial_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,12 +26,32 @@ class Descent {
   void run(const SpatialStart& start);
 
  private:
+  bool is_deep() const;
   void begin(const SpatialStart& start);
 
   SpatialPair& pair_;
   SpatialAnswer& answer_;
   Gjk<SpatialPair, SpatialCombination> steps_;
 };
+
+// The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
+bool Descent::is_deep() const {
+  const auto holds_way = [this](double radius, const Vector3& way) {
+    const double inner = radius * (2 - kRounding) - 4 * pair_.error();
+    return inner > 0 && dot(way, way) * kRounding < inner * inner;
+  };
+  if (holds_way(pair_.inner_radius(), pair_.between_centers())) return true;
+  // Of a capsule there is such a ball about every point of its segment.
+  const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
+  const bool is_first = one.kind == SpatialShape::Kind::segment;
+  if (!is_first && two.kind != SpatialShape::Kind::segment) return false;
+  const Vector3 half = is_first ? one.axis.column[0] : pair_.rotation() * two.axis.column[0];
+  const Vector3 way = pair_.from_second(two.center) - one.center;
+  const double square = dot(half, half);
+  if (!(square > 0)) return false;
+  return holds_way(one.inner_radius + two.inner_radius,
+                   way - half * std::clamp(dot(way, half) / square, -1.0, 1.0));
+}
 
 void Descent::begin(const SpatialStart& start) {
   SpatialCombination& simplex = answer_.combination;
@@ -49,9 +70,7 @@ void Descent::begin(const SpatialStart& start) {
 }
 
 void Descent::run(const SpatialStart& start) {
-  // The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
-  const double inner = pair_.inner_radius() * (2 - kRounding) - 4 * pair_.error();
-  if (inner > 0 && dot(pair_.between_centers(), pair_.between_centers()) * kRounding < inner * inner) {
+  if (is_deep()) {
     answer_.end = SpatialEnd::intersecting;
     return;
   }
