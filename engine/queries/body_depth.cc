@@ -27,9 +27,8 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
     core_[i].emplace(*body[i]);
   }
   isa_ = isa;
-  if (!pair_.bind(*core_[0], *core_[1], isa)) return false;
   cores_.expect_overlap();
-  return !has_balls() || cores_.bind(*core_[0], *core_[1], isa);
+  return pair_.bind(*core_[0], *core_[1], isa);
 }
 
 // A ball in a pose is turned by an R whose RᵀR is 1 but for the defect.
@@ -42,8 +41,7 @@ bool BodyDepth::place(const PoseNumbers& first, const PoseNumbers& second) {
     ball_upper_ = ball_upper_ + radius_[i] + change;
   }
   tiny_ = 0;
-  if (pair_.place(first, second)) return !has_balls() || cores_.place(first, second);
-  return is_tiny(first, second);
+  return pair_.place(first, second) || is_tiny(first, second);
 }
 
 // Balls about the same point, whose cores are out of the range of squares.
@@ -180,6 +178,7 @@ bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
 bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer) {
+  if (!cores_.bind(*core_[0], *core_[1], isa_) || !cores_.place(pair_.pose(0), pair_.pose(1))) return false;
   double asked = tolerance;
   nearest_.clear();
   if (start != nullptr) nearest_ = *start;
@@ -311,13 +310,14 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
       search_again(tolerance, *start.polytope, watch, answer))
     return;
   if (leave_hull(tolerance, answer)) return;
-  if (has_balls() && solve_apart(tolerance, start.pair, answer)) {
+  const bool may_be_apart = has_balls() && !meet_deep(pair_);
+  if (may_be_apart && solve_apart(tolerance, start.pair, answer)) {
     answer.support_queries += pair_.queries();
     return;
   }
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
   Vector3 a1, a2;
-  if (has_balls() && cores_.answer().end != SpatialEnd::intersecting) {
+  if (may_be_apart && cores_.answer().end != SpatialEnd::intersecting) {
     find_near_points(answer, a1, a2);
     floor_ = -(length(a1 - a2) * kUp + 2 * pair_.error());
   }

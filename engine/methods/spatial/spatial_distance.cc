@@ -26,32 +26,12 @@ class Descent {
   void run(const SpatialStart& start);
 
  private:
-  bool is_deep() const;
   void begin(const SpatialStart& start);
 
   SpatialPair& pair_;
   SpatialAnswer& answer_;
   Gjk<SpatialPair, SpatialCombination> steps_;
 };
-
-// The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
-bool Descent::is_deep() const {
-  const auto holds_way = [this](double radius, const Vector3& way) {
-    const double inner = radius * (2 - kRounding) - 4 * pair_.error();
-    return inner > 0 && dot(way, way) * kRounding < inner * inner;
-  };
-  if (holds_way(pair_.inner_radius(), pair_.between_centers())) return true;
-  // Of a capsule there is such a ball about every point of its segment.
-  const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
-  const bool is_first = one.kind == SpatialShape::Kind::segment;
-  if (!is_first && two.kind != SpatialShape::Kind::segment) return false;
-  const Vector3 half = is_first ? one.axis.column[0] : pair_.rotation() * two.axis.column[0];
-  const Vector3 way = pair_.from_second(two.center) - one.center;
-  const double square = dot(half, half);
-  if (!(square > 0)) return false;
-  return holds_way(one.inner_radius + two.inner_radius,
-                   way - half * std::clamp(dot(way, half) / square, -1.0, 1.0));
-}
 
 void Descent::begin(const SpatialStart& start) {
   SpatialCombination& simplex = answer_.combination;
@@ -70,7 +50,7 @@ void Descent::begin(const SpatialStart& start) {
 }
 
 void Descent::run(const SpatialStart& start) {
-  if (is_deep()) {
+  if (meet_deep(pair_)) {
     answer_.end = SpatialEnd::intersecting;
     return;
   }
@@ -80,6 +60,25 @@ void Descent::run(const SpatialStart& start) {
 }
 
 }  // namespace
+
+// The ball about the origin inside (S1 - c_1) - (S2 - c_2) may hold c_2 - c_1.
+bool meet_deep(const SpatialPair& pair) {
+  const auto holds_way = [&pair](double radius, const Vector3& way) {
+    const double inner = radius * (2 - kRounding) - 4 * pair.error();
+    return inner > 0 && dot(way, way) * kRounding < inner * inner;
+  };
+  if (holds_way(pair.inner_radius(), pair.between_centers())) return true;
+  // Of a capsule there is such a ball about every point of its segment.
+  const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
+  const bool is_first = one.kind == SpatialShape::Kind::segment;
+  if (!is_first && two.kind != SpatialShape::Kind::segment) return false;
+  const Vector3 half = is_first ? one.axis.column[0] : pair.rotation() * two.axis.column[0];
+  const Vector3 way = pair.from_second(two.center) - one.center;
+  const double square = dot(half, half);
+  if (!(square > 0)) return false;
+  return holds_way(one.inner_radius + two.inner_radius,
+                   way - half * std::clamp(dot(way, half) / square, -1.0, 1.0));
+}
 
 void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
                       const SpatialNearness& leave, SpatialAnswer& answer) {

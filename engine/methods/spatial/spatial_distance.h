@@ -99,4 +99,7 @@ struct SpatialNearness {
 void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
                       const SpatialNearness& leave, SpatialAnswer& answer);
 
+/// Whether balls that are known to be inside the bodies have a point in common: these meet for certain.
+bool meet_deep(const SpatialPair& pair);
+
 }  // namespace raygauge
