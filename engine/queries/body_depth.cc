@@ -18,15 +18,15 @@ constexpr double kExact = 1e-14;  // the finest tolerance that distances are ask
 }  // namespace
 
 bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
-  SpatialShape shape;
-  const ConvexSet* body[2] = {&first, &second};
-  for (int i = 0; i < 2; ++i) {
-    if (!body[i]->spatial_shape_unchecked(shape)) return false;
-    radius_[i] = shape.radius;
-    extent_[i] = shape.extent;
-    core_[i].emplace(*body[i]);
-  }
   isa_ = isa;
+  if (!pair_.bind(first, second, isa)) return false;
+  for (int i = 0; i < 2; ++i) {
+    radius_[i] = pair_.shape(i).radius;
+    extent_[i] = pair_.shape(i).extent;
+  }
+  if (!has_balls()) return true;
+  core_[0].emplace(first);
+  core_[1].emplace(second);
   cores_.expect_overlap();
   return pair_.bind(*core_[0], *core_[1], isa);
 }
