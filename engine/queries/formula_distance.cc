@@ -78,20 +78,19 @@ bool is_known(const RoundPair& round, bool wanted, double tolerance) {
 }  // namespace
 
 bool distance_by_formula(RoundPair& round, const SpatialShape& one, const SpatialShape& two, const Posed& A1,
-                         const Posed& A2, double radius, double tolerance, ObjectEffects effects,
-                         WarmStart* warm, ObjectDistance& result) {
+                         const Posed& A2, const FormulaGoal& goal, WarmStart* warm, ObjectDistance& result) {
   if (!RoundPair::has_formula(one, two)) return false;
   const PoseNumbers pose_1(A1.pose), pose_2(A2.pose);
   if (!round.solve(one, two, pose_1, pose_2)) return false;
-  const bool meet = round.upper() < 0, deep = meet && has_effect(effects, ObjectEffects::depth);
-  if (!is_known(round, deep || !meet, tolerance)) return false;
-  const bool by_pose = has_effect(effects, ObjectEffects::pose_gradient) && (deep || !meet);
+  const bool meet = round.upper() < 0, deep = meet && has_effect(goal.effects, ObjectEffects::depth);
+  if (!is_known(round, deep || !meet, goal.tolerance)) return false;
+  const bool by_pose = has_effect(goal.effects, ObjectEffects::pose_gradient) && (deep || !meet);
   if (by_pose && !round.is_differentiable(one, two, pose_1, pose_2)) return false;
-  const Scale scale(radius);
+  const Scale scale(goal.radius);
   if (meet)
     put_overlap(result);
   else
-    put_distance(round, scale, has_effect(effects, ObjectEffects::closest_points), result);
+    put_distance(round, scale, has_effect(goal.effects, ObjectEffects::closest_points), result);
   if (deep)
     put_depth(round, scale, result.depth);
   else if (!std::isnan(result.depth.depth))

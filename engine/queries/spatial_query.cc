@@ -56,8 +56,8 @@ bool SpatialQuery::by_formula(const Posed& A1, const Posed& A2, const ConvexSet&
                               ObjectDistance& result) {
   bound_ = bind(A1, A2, metric, options);
   return bound_ && solve_.dimension() == 3 &&
-         distance_by_formula(round_, solve_.pair().shape(0), solve_.pair().shape(1), A1, A2, radius_,
-                             options.tolerance, effects, warm, result);
+         distance_by_formula(round_, solve_.pair().shape(0), solve_.pair().shape(1), A1, A2,
+                             {radius_, options.tolerance, effects}, warm, result);
 }
 
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
