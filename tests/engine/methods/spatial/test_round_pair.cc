@@ -163,6 +163,28 @@ TEST(RoundPair, OfABallInAConeIsTheWayToTheSideAndTheRadius) {
   EXPECT_NEAR(r.depth.normal.norm(), 0.5, 1e-15);
 }
 
+// Where two ways out are as short, or two pairs of points as near, others look for all of them.
+TEST(RoundPair, HasAGradientWhereThereIsOneShortestWay) {
+  const Box box(V(-1, -2, -3), V(1, 2, 3));
+  const Cylinder cylinder(V(0, 0, -2), V(0, 0, 2), 1);
+  const Capsule along_x(V(-1, 0, 0), V(1, 0, 0), 0.1), along_y(V(0, -1, 2), V(0, 1, 2), 0.1),
+      beside(V(-1, 0, 2), V(1, 0, 2), 0.1);
+  const Ball metric(V::Zero(), 1);
+  ObjectDistanceSolver solver;
+  const auto kind = [&](const ConvexSet& one, const ConvexSet& two) {
+    return solver.solve(one, two, metric, ObjectEffects::depth | ObjectEffects::pose_gradient)
+        .pose_gradient.kind;
+  };
+  EXPECT_EQ(kind(box, Ball(V(0.5, 0, 0), 0.3)), GradientKind::unique);
+  EXPECT_EQ(kind(box, Ball(V(0.5, -1.5, 0), 0.3)), GradientKind::one_sided);
+  EXPECT_EQ(kind(Ball(V(0, 0, 2.5), 0.3), cylinder), GradientKind::unique);
+  EXPECT_EQ(kind(cylinder, Ball(V(0.5, 0.3, 0), 0.3)), GradientKind::unique);
+  EXPECT_NE(kind(cylinder, Ball(V(0, 0, 0), 0.3)), GradientKind::unique);
+  EXPECT_NE(kind(cylinder, Ball(V(0.5, 0, 1.5), 0.3)), GradientKind::unique);
+  EXPECT_EQ(kind(along_x, along_y), GradientKind::unique);
+  EXPECT_EQ(kind(along_x, beside), GradientKind::one_sided);
+}
+
 TEST(RoundPair, SaysNothingWhereRoundingHidesTheDirection) {
   const Capsule one(V(-1, 0, 0), V(1, 0, 0), 0.5), two(V(0, -1, 0), V(0, 1, 0), 0.5);
   SpatialShape shape[2];
