@@ -15,7 +15,7 @@ namespace raygauge {
 /// Bodies that react and may meet each other within a step, and what their step begins with.
 struct BodyGroup {
   std::vector<int> bodies;
-  std::vector<ContactUnknown> last;  ///< contacts of the substep before
+  std::vector<ContactUnknown> last;  ///< contacts of the substep before, their impulses as of a whole step
   std::vector<KnownNormal> normals;  ///< of the pairs that were near then
 };
 
@@ -66,7 +66,7 @@ class GroupStepper {
   bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
   bool catch_closing(double dt);
   bool corrected(double dt);
-  Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point) const;
+  Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point, double dt) const;
   bool limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed);
   void limit_pushes(double end);
   void commit(double end);
@@ -96,7 +96,8 @@ class GroupStepper {
   double end_of_step_ = 0;
   std::vector<NearPair>* near_ = nullptr;
   std::vector<ContactUnknown> contacts_;  // of the substep in work
-  std::vector<ContactUnknown> last_;      // of the one before
+  std::vector<ContactUnknown> last_;      // of the problem before, ...
+  double last_dt_ = 0;                    // ... which was asked for so long a time
   std::vector<bool> pushed_;              // bodies with an impulse of contacts_
   double residual_ = 0;                   // of the contact problem of the substep in work
   int bounces_ = 0;                       // at this moment

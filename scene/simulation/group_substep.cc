@@ -43,10 +43,12 @@ bool GroupStepper::push_and_move(double dt) {
       const double gap = std::fabs(point.gap) < kRounding * scales_.delta ? 0 : point.gap;
       const double now = gap / (gap < 0 ? dynamics_.step : dt);
       contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
-                           now + pair.correction / dt, pair.law.friction, guess(pair, point)});
+                           now + pair.correction / dt, pair.law.friction, guess(pair, point, dt)});
     }
   }
   residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
+  last_ = contacts_;
+  last_dt_ = dt;
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {
     if (contact.impulse.isZero(0)) continue;
@@ -58,12 +60,13 @@ bool GroupStepper::push_and_move(double dt) {
   });
 }
 
-// The impulse of the substep before at the same point.
-Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point) const {
+// The impulse at the same point in the problem before, of the last substep or as this one was asked first:
+// as if its forces acted for dt.
+Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
   const double near = 1e-2 * body(pair.a).reach;
   for (const ContactUnknown& before : last_) {
     if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
-      return before.impulse;
+      return dt / last_dt_ * before.impulse;
   }
   return Eigen::Vector3d::Zero();
 }
@@ -197,7 +200,6 @@ void GroupStepper::commit(double end) {
   result_.row.contacts += static_cast<std::int64_t>(contacts_.size());
   result_.row.residual = std::max(result_.row.residual, residual_);
   record_contacts(contacts_, false);
-  last_ = contacts_;
   bounces_ = 0;
   t_ = end;
   for (const int b : active_) {
