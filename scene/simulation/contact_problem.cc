@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "raygauge/numerics/vector3.h"
-#include "scene/simulation/friction_newton.h"
-#include "scene/simulation/friction_passes.h"
-#include "scene/simulation/friction_smoothing.h"
+#include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/islands.h"
 
 namespace raygauge {
@@ -139,7 +137,7 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
       std::any_of(contacts.begin(), contacts.end(), [](const ContactUnknown* c) { return c->mu; });
   if (named) {
     ++counters_.friction_problems;
-    return with_friction(island, r);
+    return solve_friction(island, friction_, r);
   }
   ++counters_.frictionless_problems;
   const FrictionProblem problem = island.dense();
@@ -150,47 +148,6 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
   r.setZero();  // guesses lean where normals have turned
   r(Eigen::seqN(0, count, 3)) = found;
   return nonnegative_residual(normals, along, found);
-}
-
-// By passes from what is known of the step before, and Newton's method from there or from where they began,
-// where they do not end. Where that is not enough, from the end of a path of smoothed problems; then from
-// where the solver's passes end. Of many contacts a matrix is factorized only where their residual is large.
-double ContactProblem::with_friction(const FrictionIsland& island, Eigen::VectorXd& r) {
-  constexpr double kEnough = 1e-10, kEnoughOfMany = 1e-8;  // before long ways
-  constexpr double kRough = 1e-6;                          // above it the solver is asked about many contacts
-  constexpr std::size_t kMostContacts = 150;               // of dense factorizations
-  const std::size_t count = island.contacts.size();
-  const bool few = count <= kFewContacts;
-  const Eigen::VectorXd guess = r;
-  const double passed = pass_over_friction(island, island.bound_of_W(), r);
-  if (passed <= (few ? kEnough : kSolvedFriction)) return passed;
-  const FrictionProblem problem = island.dense();
-  const Eigen::VectorXd passes = r;
-  double residual = friction_residual(problem, r);
-  const auto attempt = [&](double enough, const Eigen::VectorXd& start, auto find) {
-    if (!(residual > enough)) return;
-    Eigen::VectorXd trial = start;
-    find(trial);
-    const double found = improve_friction(problem, trial);
-    if (!(found < residual)) return;
-    residual = found;
-    r = trial;
-  };
-  const auto nothing = [](Eigen::VectorXd& /*start*/) {};
-  const auto path = [&](double rate) {
-    return [&problem, rate](Eigen::VectorXd& trial) { follow_smoothed_friction(problem, rate, trial); };
-  };
-  if (few) attempt(kEnough, guess, nothing);
-  if (count <= kMostContacts || friction_ == nullptr) {
-    attempt(kSolvedFriction, passes, nothing);
-    if (!few) attempt(kSolvedFriction, guess, nothing);
-    attempt(few ? kSolvedFriction : kEnoughOfMany, guess, path(0.3));
-  }
-  if (few) attempt(kSolvedFriction, guess, path(0.7));
-  if (friction_ != nullptr)
-    attempt(few ? kSolvedFriction : kRough, guess,
-            [&](Eigen::VectorXd& trial) { friction_->solve(problem, trial); });
-  return residual;
 }
 
 }  // namespace raygauge

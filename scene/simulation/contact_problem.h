@@ -45,7 +45,6 @@ class ContactProblem {
                            const std::vector<SimulatedBody>& bodies) const;
   double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
                   Eigen::VectorXd& r);
-  double with_friction(const FrictionIsland& island, Eigen::VectorXd& r);
 
   int n_;
   FrictionSolver* friction_;

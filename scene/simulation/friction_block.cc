@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/friction_newton.h"
-#include "scene/simulation/friction_passes.h"
-#include "scene/simulation/friction_smoothing.h"
 
 namespace raygauge {
 namespace {
@@ -41,16 +40,8 @@ void FrictionBlock::solve(const FrictionIsland& island, IslandVelocities& veloci
   }
   problem_.q = u - problem_.W * before;
   Eigen::VectorXd after = before;
-  double residual = improve_friction(problem_, after);
-  for (const double rate : {0.3, 0.7}) {
-    if (!is_new_ || residual <= kSolvedFriction) break;
-    Eigen::VectorXd trial = before;
-    follow_smoothed_friction(problem_, rate, trial);
-    const double found = improve_friction(problem_, trial);
-    if (!(found < residual)) continue;
-    residual = found;
-    after = trial;
-  }
+  if (is_new_) newton_and_paths(problem_, 2, after);
+  if (!is_new_) improve_friction(problem_, after, 1);
   is_new_ = false;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     velocities.push(island.contacts[contacts_[k]], (after - before).segment<3>(row_of(k)));

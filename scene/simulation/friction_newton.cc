@@ -121,15 +121,14 @@ double newton(const FrictionProblem& problem, Equations& equations, Eigen::Vecto
 
 }  // namespace
 
-double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r) {
-  constexpr int kMostRounds = 6;
+double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r, int rounds) {
   constexpr double kSolved = 1e-11;
   double best = friction_residual(problem, r);
   if (!(best > kEnough)) return best;
   Equations equations(problem);
   Eigen::VectorXd relaxed = r;
   best = newton(problem, equations, r);
-  for (int round = 0, passes = 5; round < kMostRounds && best > kSolved; ++round, passes = passes * 3 / 2) {
+  for (int round = 0, passes = 5; round < rounds && best > kSolved; ++round, passes = passes * 3 / 2) {
     relax(problem, passes, relaxed);
     Eigen::VectorXd trial = relaxed;
     const double found = newton(problem, equations, trial);

@@ -12,8 +12,9 @@ namespace raygauge {
 ///     u_t.
 ///
 /// From a first guess r that knows which contacts stick, slide and open it ends in a few steps of a dense
-/// factorization each; steps that do not come closer end it. Returns friction_residual() of r on return,
-/// which is never above that of r on entry.
-double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r);
+/// factorization each; steps that do not come closer end it. Then so
+/// many `rounds` more, each from where passes over the contacts lead. Returns friction_residual() of r on
+/// return, which is never above that of r on entry.
+double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r, int rounds = 6);
 
 }  // namespace raygauge

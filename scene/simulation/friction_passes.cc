@@ -22,8 +22,9 @@ constexpr int kMostPlainPasses = 3000;
 constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
 constexpr int kPatience = 30;        // ... within so many of them, ...
 constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, ...
-constexpr int kMore = 8;             // ... or within so many where it is small enough
-constexpr int kBlockPatience = 5;    // ... so many with a block of contacts solved at once
+constexpr int kPlainPatienceOfMany = 100;
+constexpr int kMore = 8;            // ... or within so many where it is small enough
+constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
 constexpr int kMostBlocks = 8;
 constexpr std::size_t kLargestBlock = 20;
 constexpr int kTurns = 3;            // of the direction of slip, in one solve of a contact
@@ -196,10 +197,10 @@ class Descent {
     }
   }
 
-  void plain() {
+  void plain(int patience) {
     Eigen::VectorXd here = r_;
     begin();
-    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, kPlainPatience); ++k)
+    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, patience); ++k)
       here = passed(k, here);
   }
 
@@ -225,7 +226,7 @@ class Descent {
   }
 
   bool has_stalled(int k, int patience) const {
-    return k > gained_at_ + (best_ > kSolvedFriction ? patience : kMore);
+    return k > gained_at_ + (best_ > solved_friction(island_.contacts.size()) ? patience : kMore);
   }
 
   const FrictionIsland& island_;
@@ -238,15 +239,17 @@ class Descent {
 
 }  // namespace
 
-// Where friction turns with every pass, extrapolation goes astray and passes alone arrive; where these go
-// round and round, it is by few contacts.
+// Where friction turns with every pass, extrapolation goes astray: it is by few contacts, of many, or passes
+// alone arrive.
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
+  const std::size_t count = island.contacts.size();
+  const double solved = solved_friction(count);
+  const bool many = count > kFewContacts;
   Descent descent(island, bound, r);
   descent.extrapolated(kPatience);
-  if (descent.best() > kSolvedFriction) descent.plain();
-  const bool many = island.contacts.size() > kFewContacts;
-  for (int k = 0; many && k < kMostBlocks && descent.best() > kSolvedFriction && descent.grow_block(); ++k)
+  for (int k = 0; many && k < kMostBlocks && descent.best() > solved && descent.grow_block(); ++k)
     descent.extrapolated(kBlockPatience);
+  if (descent.best() > solved) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
   return descent.best();
 }
 

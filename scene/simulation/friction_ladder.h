@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/simulation/friction_island.h"
+
+namespace raygauge {
+
+/// Newton's method from r; where it does not end, from the end of a path of smoothed problems, and from
+/// another one's: of so many `paths` at most, 0 to 2. Returns friction_residual(), which is not above that of
+/// r on entry.
+double newton_and_paths(const FrictionProblem& problem, std::size_t paths, Eigen::VectorXd& r);
+
+/// The impulses of an island whose contacts have friction, from those of the step before, by the quickest way
+/// that ends. `friction`: a solver that is asked where others do not, or null. Returns the residual.
+double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r);
+
+}  // namespace raygauge
