@@ -57,6 +57,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       counters_(counters),
       n_(scene.dimension()),
       candidates_(std::make_shared<std::vector<Candidate>>()),
+      parts_of_(bodies.size()),
       scope_(parts.size()),
       finder_(scales.delta / 8),
       solver_(n_),
@@ -64,6 +65,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
   std::iota(scope_.begin(), scope_.end(), 0);
   std::set<BodyPair> ignored;
   for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
+  for (const int i : scope_) parts_of_[static_cast<std::size_t>(part(i).owner)].push_back(i);
   for (const SimulatedPart& part : parts)
     standing_.push_back(standing_box(part, bodies[static_cast<std::size_t>(part.owner)]));
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
@@ -73,7 +75,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
           bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
       if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
       if (const auto law = dynamics.law_of(a, b))
-        candidates_->push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, {}});
+        candidates_->push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, nullptr});
     }
   }
 }
@@ -87,6 +89,7 @@ NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bod
       counters_(counters),
       n_(all.n_),
       candidates_(all.candidates_),
+      parts_of_(all.parts_of_),
       scope_(all.scope_),
       standing_(all.standing_),
       finder_(scales_.delta / 8),
@@ -186,7 +189,7 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
 }
 
 bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {
-  return band >= 0 && at_a.t == a.t && at_a.R == a.R && at_b.t == b.t && at_b.R == b.R;
+  return at_a.t == a.t && at_a.R == a.R && at_b.t == b.t && at_b.R == b.R;
 }
 
 Placement NearPairs::place_of(int number) const {
@@ -196,8 +199,9 @@ Placement NearPairs::place_of(int number) const {
 // Of bodies that lie still it is known.
 const PartContact& NearPairs::contact_now(Candidate& candidate, double band) {
   const Placement at_a = place_of(candidate.part_a), at_b = place_of(candidate.part_b);
-  KnownLook& known = candidate.known;
-  if (known.is_of(at_a, at_b) && known.band == band && known.previous == candidate.normal)
+  if (!candidate.known) candidate.known = std::make_unique<KnownLook>();
+  KnownLook& known = *candidate.known;
+  if (known.band == band && known.previous == candidate.normal && known.is_of(at_a, at_b))
     return known.contact;
   look(candidate, at_a, at_b, band, known.contact);
   known.at_a = at_a;
@@ -212,9 +216,9 @@ bool NearPairs::stays(const Candidate& candidate, double least) const {
   const auto is_still = [this](int number) {
     return bodies_[static_cast<std::size_t>(part(number).owner)].still;
   };
-  return is_still(candidate.part_a) && is_still(candidate.part_b) &&
-         candidate.known.is_of(place_of(candidate.part_a), place_of(candidate.part_b)) &&
-         candidate.known.contact.lower >= least;
+  return candidate.known && is_still(candidate.part_a) && is_still(candidate.part_b) &&
+         candidate.known->is_of(place_of(candidate.part_a), place_of(candidate.part_b)) &&
+         candidate.known->contact.lower >= least;
 }
 
 // Before its step, a body's motion is not known: its travel is that of its velocities.
@@ -252,9 +256,11 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
 
 void NearPairs::begin(const std::vector<int>& members, const std::vector<KnownNormal>& known) {
   scope_.clear();
-  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
-    if (std::binary_search(members.begin(), members.end(), part(i).owner)) scope_.push_back(i);
+  for (const int b : members) {
+    const std::vector<int>& own = parts_of_[static_cast<std::size_t>(b)];
+    scope_.insert(scope_.end(), own.begin(), own.end());
   }
+  std::sort(scope_.begin(), scope_.end());
   recall(known);
   for (const KnownNormal& one : known) {
     NearPair& pair = near_.emplace_back();

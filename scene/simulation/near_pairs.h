@@ -94,7 +94,7 @@ class NearPairs {
   struct KnownLook {
     Placement at_a, at_b;
     Eigen::Vector3d previous;  // normal
-    double band = -1;          // nothing is known
+    double band = -1;
     PartContact contact;
 
     bool is_of(const Placement& a, const Placement& b) const;
@@ -105,7 +105,7 @@ class NearPairs {
     ContactLaw law;
     Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< of the last find(), where it was near
     int near = -1;                                      ///< its number among the near pairs
-    KnownLook known;                                    ///< that of the last find()
+    std::unique_ptr<KnownLook> known;                   ///< the last one, of few candidates
   };
 
   struct TimedLook {
@@ -149,6 +149,7 @@ class NearPairs {
   SimulationCounters& counters_;
   int n_;
   std::shared_ptr<std::vector<Candidate>> candidates_;  // by their parts; groups share them, none the same
+  std::vector<std::vector<int>> parts_of_;              // each body
   std::vector<int> scope_;                              // parts of the members
   std::vector<Swept> swept_;                            // of each part
   std::vector<std::optional<Eigen::AlignedBox3d>> standing_;  // around each part that stands
