@@ -35,21 +35,23 @@ double newton_and_paths(const FrictionProblem& problem, std::size_t paths, Eigen
 }
 
 // By passes, and Newton's method from where they or the step before have ended. Of many contacts a matrix is
-// factorized only where their residual is large.
+// factorized only where their residual is large, as in towers.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
-  constexpr double kEnough = 1e-10;          // before a matrix of few contacts is factorized
-  constexpr std::size_t kMostContacts = 60;  // of dense factorizations
+  constexpr double kEnough = 1e-10;           // before a matrix of few contacts is factorized
+  constexpr double kRough = 1e-5;             // before one of more than ...
+  constexpr std::size_t kSomeContacts = 60;   // ... so many
+  constexpr std::size_t kMostContacts = 150;  // of paths
   const std::size_t count = island.contacts.size();
   const bool few = count <= kFewContacts;
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, island.bound_of_W(), r);
   const double solved = solved_friction(count);
-  if (passed <= (few ? kEnough : solved) || count > kMostContacts) return passed;
+  if (passed <= (few ? kEnough : count <= kSomeContacts ? solved : kRough)) return passed;
   const FrictionProblem problem = island.dense();
   double residual = friction_residual(problem, r);
   if (few) take_better(problem, guess, residual, r);
-  if (residual > solved) residual = newton_and_paths(problem, few ? 2 : 1, r);
-  if (residual > solved && friction != nullptr) {
+  if (residual > solved) residual = newton_and_paths(problem, few ? 2 : count <= kMostContacts ? 1 : 0, r);
+  if (residual > (few ? solved : kRough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;
     friction->solve(problem, trial);
     take_better(problem, trial, residual, r);

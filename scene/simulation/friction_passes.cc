@@ -245,6 +245,8 @@ double pass_over_friction(const FrictionIsland& island, double bound, Eigen::Vec
   const std::size_t count = island.contacts.size();
   const double solved = solved_friction(count);
   const bool many = count > kFewContacts;
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(r.size());
+  if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent descent(island, bound, r);
   descent.extrapolated(kPatience);
   for (int k = 0; many && k < kMostBlocks && descent.best() > solved && descent.grow_block(); ++k)

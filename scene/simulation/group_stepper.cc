@@ -62,7 +62,6 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
   pairs_.begin(members_, group.normals);
   result_.done = go_on(to);
   result_.normals = pairs_.end();
-  for (ContactUnknown& contact : last_) contact.impulse *= dynamics_.step / last_dt_;
   result_.last = last_;
   for (const int b : active_) {
     result_.bodies.push_back(body(b));

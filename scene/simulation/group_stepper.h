@@ -15,7 +15,7 @@ namespace raygauge {
 /// Bodies that react and may meet each other within a step, and what their step begins with.
 struct BodyGroup {
   std::vector<int> bodies;
-  std::vector<ContactUnknown> last;  ///< contacts of the substep before, their impulses as of a whole step
+  std::vector<ContactUnknown> last;  ///< contacts of the substep before
   std::vector<KnownNormal> normals;  ///< of the pairs that were near then
 };
 

@@ -60,13 +60,13 @@ bool GroupStepper::push_and_move(double dt) {
   });
 }
 
-// The impulse at the same point in the problem before, of the last substep or as this one was asked first:
-// as if its forces acted for dt.
+// The impulse at the same point in the problem before, of the last substep or as this one was asked first. Of
+// a shorter time a smaller one; blows do not grow with it.
 Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
   const double near = 1e-2 * body(pair.a).reach;
   for (const ContactUnknown& before : last_) {
     if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
-      return dt / last_dt_ * before.impulse;
+      return std::min(1.0, dt / last_dt_) * before.impulse;
   }
   return Eigen::Vector3d::Zero();
 }

@@ -114,5 +114,16 @@ TEST(FrictionPasses, heaps_with_much_friction_are_solved_by_blocks) {
   EXPECT_EQ(solved, kTrials);
 }
 
+TEST(FrictionPasses, impulses_that_are_worse_than_none_are_not_begun_with) {
+  Random random(4);
+  const FrictionIsland island = heap(20, 30, 0.1, random);
+  const double bound = island.bound_of_W();
+  Eigen::VectorXd from_none = zeros(island), from_huge = zeros(island);
+  for (Eigen::Index k = 0; k < from_huge.size(); k += 3) from_huge[k] = 1e9;
+  const double residual = pass_over_friction(island, bound, from_none);
+  EXPECT_EQ(pass_over_friction(island, bound, from_huge), residual);
+  EXPECT_TRUE(from_huge == from_none);
+}
+
 }  // namespace
 }  // namespace raygauge::test_friction_passes
