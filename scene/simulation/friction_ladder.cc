@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_ladder.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -34,24 +35,31 @@ double newton_and_paths(const FrictionProblem& problem, std::size_t paths, Eigen
   return residual;
 }
 
+namespace {
+
+// The residual above which a matrix of so many contacts is factorized: above 150 that takes a second.
+double rough_friction(std::size_t contacts) {
+  if (contacts <= kFewContacts) return 1e-10;
+  if (contacts <= 60) return solved_friction(contacts);
+  return contacts <= 150 ? 1e-5 : 1e-3;
+}
+
+}  // namespace
+
 // By passes, and Newton's method from where they or the step before have ended. Of many contacts a matrix is
-// factorized only where their residual is large, as in towers.
+// factorized only where their residual is large, as in towers that begin to stand.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
-  constexpr double kEnough = 1e-10;           // before a matrix of few contacts is factorized
-  constexpr double kRough = 1e-5;             // before one of more than ...
-  constexpr std::size_t kSomeContacts = 60;   // ... so many
-  constexpr std::size_t kMostContacts = 150;  // of paths
   const std::size_t count = island.contacts.size();
   const bool few = count <= kFewContacts;
+  const double solved = solved_friction(count), rough = rough_friction(count);
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, island.bound_of_W(), r);
-  const double solved = solved_friction(count);
-  if (passed <= (few ? kEnough : count <= kSomeContacts ? solved : kRough)) return passed;
+  if (passed <= rough) return passed;
   const FrictionProblem problem = island.dense();
   double residual = friction_residual(problem, r);
   if (few) take_better(problem, guess, residual, r);
-  if (residual > solved) residual = newton_and_paths(problem, few ? 2 : count <= kMostContacts ? 1 : 0, r);
-  if (residual > (few ? solved : kRough) && friction != nullptr) {
+  if (residual > solved) residual = newton_and_paths(problem, few ? 2 : 1, r);
+  if (residual > std::max(solved, rough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;
     friction->solve(problem, trial);
     take_better(problem, trial, residual, r);
