@@ -25,8 +25,9 @@ constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, .
 constexpr int kPlainPatienceOfMany = 100;
 constexpr int kMore = 8;            // ... or within so many where it is small enough
 constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
-constexpr int kMostBlocks = 8;
-constexpr std::size_t kLargestBlock = 20;
+constexpr int kMostBlocks = 16;
+constexpr std::size_t kLargestBlock = 20, kLargestOfRough = 40;
+constexpr double kRough = 1e-6;
 constexpr int kTurns = 3;            // of the direction of slip, in one solve of a contact
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
@@ -98,7 +99,7 @@ class Passes {
 
   /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
   /// together, with those that already are. False: they would be too many.
-  bool grow_block(double bound, const Eigen::VectorXd& r) {
+  bool grow_block(double bound, const Eigen::VectorXd& r, std::size_t largest) {
     const IslandVelocities velocities(island_, r);
     double most = 0;
     std::size_t worst = 0;
@@ -113,7 +114,7 @@ class Passes {
       if (body >= 0) bodies.insert(body);
     }
     FrictionBlock larger(island_, std::move(bodies));
-    if (!(most > 0) || larger.size() > kLargestBlock) return false;
+    if (!(most > 0) || larger.size() > largest) return false;
     block_ = std::move(larger);
     return true;
   }
@@ -174,7 +175,9 @@ class Descent {
 
   double best() const { return best_; }
 
-  bool grow_block() { return passes_.grow_block(bound_, r_); }
+  bool grow_block() {
+    return passes_.grow_block(bound_, r_, best_ > kRough ? kLargestOfRough : kLargestBlock);
+  }
 
   void extrapolated(int patience) {
     Extrapolation extrapolation(r_.size());
