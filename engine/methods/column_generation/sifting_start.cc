@@ -18,7 +18,7 @@ namespace {
 // simplex): N = n + 2 to 3 n: 0.6 to 0.9 at n = 60, 0.5 at n = 80, 0.3 at n = 120, 0.1 from n = 200 on;
 // N = 10 n: 1.5 at n = 80, 1 at n = 100, 0.9 at n = 120; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
 constexpr int kInteriorOfFew = 70;
-constexpr int kInteriorOfSome = 120;
+constexpr int kInteriorOfSome = 130;
 constexpr int kInteriorOfMany = 200;
 constexpr std::ptrdiff_t kFewPoints = 8;
 constexpr std::ptrdiff_t kManyPoints = 60;
