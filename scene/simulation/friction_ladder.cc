@@ -41,7 +41,7 @@ namespace {
 double rough_friction(std::size_t contacts) {
   if (contacts <= kFewContacts) return 1e-10;
   if (contacts <= 60) return solved_friction(contacts);
-  return contacts <= 150 ? 1e-5 : 1e-3;
+  return contacts <= 150 ? 1e-7 : 1e-3;
 }
 
 }  // namespace
