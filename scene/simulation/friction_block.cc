@@ -40,7 +40,7 @@ void FrictionBlock::solve(const FrictionIsland& island, IslandVelocities& veloci
   }
   problem_.q = u - problem_.W * before;
   Eigen::VectorXd after = before;
-  if (is_new_) newton_and_paths(problem_, 2, after);
+  if (is_new_) newton_and_paths(problem_, before, 2, after);
   if (!is_new_) improve_friction(problem_, after, 1);
   is_new_ = false;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {

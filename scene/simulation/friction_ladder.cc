@@ -24,11 +24,12 @@ void take_better(const FrictionProblem& problem, Eigen::VectorXd trial, double& 
 
 }  // namespace
 
-double newton_and_paths(const FrictionProblem& problem, std::size_t paths, Eigen::VectorXd& r) {
+double newton_and_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
+                        Eigen::VectorXd& r) {
   constexpr std::array<double, 2> kRates = {0.3, 0.7};
   double residual = improve_friction(problem, r);
   for (std::size_t k = 0; k < paths && residual > solved_friction(problem.mu.size()); ++k) {
-    Eigen::VectorXd trial = r;
+    Eigen::VectorXd trial = start;
     follow_smoothed_friction(problem, kRates.at(k), trial);
     take_better(problem, trial, residual, r);
   }
@@ -58,7 +59,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   const FrictionProblem problem = island.dense();
   double residual = friction_residual(problem, r);
   if (few) take_better(problem, guess, residual, r);
-  if (residual > solved) residual = newton_and_paths(problem, few ? 2 : 1, r);
+  if (residual > solved) residual = newton_and_paths(problem, guess, few ? 2 : 1, r);
   if (residual > std::max(solved, rough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;
     friction->solve(problem, trial);

@@ -13,7 +13,7 @@ namespace raygauge {
 namespace {
 
 constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
-constexpr double kSag = 0.6;        // of δ: half way they are no deeper
+constexpr double kSag = 0.6;        // of δ: half way they are no deeper, or than where they began
 constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
 constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
 constexpr double kRounding = 1e-8;  // of δ: gaps below are 0; to close them an arch would wedge its stones in
@@ -142,8 +142,10 @@ bool GroupStepper::corrected(double dt) {
     const double share = std::min(1.0, dt / dynamics_.step);
     const double least = std::min((1 - (1 - kRecovered) * share) * start, -kDeep * scales_.delta);
     const double last = pairs_.distance_at(pair, end_of(dt));
-    const double sag = std::max(0.0, -pair.correction - last) / 4;
-    const double for_sag = std::min(2 * (sag - kSag * scales_.delta) - start, kDeep * scales_.delta);
+    const double asked = (1 - share) * std::min(start, 0.0) - pair.correction;
+    const double sag = std::max(0.0, asked - last) / 4;
+    const double deepest = std::min(-kSag * scales_.delta, start);  // half way
+    const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
     const double closer = last - std::max(least, for_sag);
     if (!(closer < 0)) continue;
     pair.correction += closer - share * kDeep / 2 * scales_.delta;

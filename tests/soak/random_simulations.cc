@@ -160,7 +160,10 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
     tally_.cuts += step.substeps - 1;
     tally_.contacts += step.contacts;
     tally_.impacts += step.impacts;
-    tally_.residual = std::max(tally_.residual, step.residual);
+    if (step.residual > tally_.residual) {
+      tally_.residual = step.residual;
+      tally_.worst_scene = number_;
+    }
     tally_.rough += step.residual > 1e-8 ? 1 : 0;
     if (!std::isfinite(step.kinetic + step.potential + step.residual)) return "a number is not finite";
     if (!(step.least_distance >= -found.tolerance))
@@ -179,6 +182,7 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
 
 std::optional<std::string> RandomSimulations::check(std::int64_t number) {
   Random random(seed_ * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(number));
+  number_ = number;
   const Drawn drawn = draw(random);
   std::string wrong;
   try {
@@ -199,12 +203,13 @@ std::string to_string(const SimulationSoakTally& tally) {
   char text[400];
   std::snprintf(text, sizeof text,
                 "%lld scenes, %lld bodies, %lld steps, %lld cuts, %lld contacts, %lld impacts, %lld signed "
-                "distances; residual %.2g at most, above 1e-8 in %lld steps; energy rises by %.2g at most\n",
+                "distances; residual %.2g at most (scene %lld), above 1e-8 in %lld steps; energy rises by "
+                "%.2g at most\n",
                 static_cast<long long>(tally.scenes), static_cast<long long>(tally.bodies),
                 static_cast<long long>(tally.steps), static_cast<long long>(tally.cuts),
                 static_cast<long long>(tally.contacts), static_cast<long long>(tally.impacts),
-                static_cast<long long>(tally.checks), tally.residual, static_cast<long long>(tally.rough),
-                tally.rise);
+                static_cast<long long>(tally.checks), tally.residual,
+                static_cast<long long>(tally.worst_scene), static_cast<long long>(tally.rough), tally.rise);
   return text;
 }
 

@@ -16,8 +16,9 @@ struct SimulationSoakTally {
   std::int64_t scenes = 0, bodies = 0, steps = 0, cuts = 0, contacts = 0, impacts = 0;
   std::int64_t checks = 0;  ///< signed distances of pairs at single moments
   std::int64_t rough = 0;   ///< steps whose residual is above 1e-8
-  double residual = 0;      ///< the largest
-  double rise = 0;          ///< of the energy in a step, relative: the largest
+  double residual = 0;      ///< the largest, in ...
+  std::int64_t worst_scene = 0;
+  double rise = 0;  ///< of the energy in a step, relative: the largest
 };
 
 /// Random scenes of 2 to 30 bodies of every shape that fall, hit and slide, in R^2 and R^3: all numbers stay
@@ -38,6 +39,7 @@ class RandomSimulations {
   std::string depth_error(const Simulation& found, const Dynamics& dynamics, double t);
 
   std::uint64_t seed_;
+  std::int64_t number_ = 0;  ///< of the scene that is checked
   SimulationSoakTally tally_;
 };
 

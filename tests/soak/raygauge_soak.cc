@@ -129,8 +129,19 @@ int soak_pairs(const PairsCommandLine& asked) {
       return 1;
     }
   }
-  std::printf("%sviolations: 0\n", to_string(soak.tally()).c_str());
+  std::printf("seed %llu: %sviolations: 0\n", static_cast<unsigned long long>(asked.seed),
+              to_string(soak.tally()).c_str());
   return 0;
+}
+
+// Options of the program itself mean nothing to its subcommands, which have their own.
+void refuse_options_before_subcommand(const CLI::App& app) {
+  if (app.get_subcommands().empty()) return;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0) continue;
+    throw std::runtime_error(option->get_name() + " is not of " + app.get_subcommands().front()->get_name() +
+                             "; options of a subcommand stand after it");
+  }
 }
 
 CLI::App* declare(CLI::App& app, const std::string& name, const std::string& description,
@@ -189,6 +200,7 @@ int main(int count, char** arguments) {
   std::signal(SIGINT, raygauge::soak::note_interrupt);
   std::signal(SIGTERM, raygauge::soak::note_interrupt);
   try {
+    raygauge::soak::refuse_options_before_subcommand(app);
     if (*sets) return raygauge::soak::soak_pairs<raygauge::soak::SetPairs>(asked_pairs);
     if (*bodies) return raygauge::soak::soak_pairs<raygauge::soak::PosedBodies>(asked_pairs);
     if (*placed) return raygauge::soak::soak_pairs<raygauge::soak::PlacedBodies>(asked_pairs);

@@ -266,9 +266,19 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   EXPECT_EQ(soak::RandomSimulations(555).check(27), std::nullopt);
   // A deep pair, pushed apart the harder the shorter a substep was, turned a body into its neighbour ever
   // sooner.
-  EXPECT_EQ(soak::RandomSimulations(77).check(3543), std::nullopt);
+  EXPECT_EQ(soak::RandomSimulations(1).check(3543), std::nullopt);
   // A substep that had to be a thousandth of the step.
-  EXPECT_EQ(soak::RandomSimulations(77).check(7769), std::nullopt);
+  EXPECT_EQ(soak::RandomSimulations(1).check(7769), std::nullopt);
+  // A deep pair, asked to be less deep half way, however short the substep was.
+  EXPECT_EQ(soak::RandomSimulations(91).check(175), std::nullopt);
+  EXPECT_EQ(soak::RandomSimulations(93).check(16), std::nullopt);
+}
+
+// Paths of smoothed problems that began where Newton's method had gone astray.
+TEST(Soak, FrictionThatOnePathDoesNotSolveIsSolvedByAnother) {
+  soak::RandomSimulations simulations(1);
+  EXPECT_EQ(simulations.check(2404), std::nullopt);
+  EXPECT_LE(simulations.tally().residual, 1e-8);
 }
 
 TEST(Soak, UsedSolversAnswerAsNewOnesDo) {
