@@ -18,6 +18,9 @@ constexpr int kMostBounces = 200;    // at one moment; then bodies do not reboun
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kDeepest = 0.5;    // of δ: bodies as deep that leave each other are asked to, as in contact
 constexpr double kShortest = 1e-9;  // of the step: shorter substeps make no progress
+// Of a substep whose contacts bend too much: what is tried next. Steps after it are at most twice as long
+// each.
+constexpr double kBent = 0.125;
 
 }  // namespace
 
@@ -49,6 +52,7 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
   t_ = from;
   end_of_step_ = to;
   bounces_ = 0;
+  bent_dt_ = kInfinity;
   active_ = group.bodies;
   members_ = driven_;
   members_.insert(members_.end(), active_.begin(), active_.end());
@@ -119,7 +123,8 @@ void GroupStepper::follow_motions() {
 bool GroupStepper::go_on(double to) {
   while (t_ < to) {
     if (stop_()) return false;
-    const double dt = longest_substep(to);
+    bent_dt_ *= 2;
+    const double dt = std::min(longest_substep(to), bent_dt_);
     follow_motions();
     near_ = &pairs_.find(t_, dt);
     choose_roles(dt);
@@ -219,7 +224,6 @@ bool GroupStepper::bounce() {
 // One substep of at most dt, shorter where the proof ends; false: its end could not be proven.
 bool GroupStepper::move(double dt) {
   save(before_);
-  const double shortest = kShortest * dynamics_.step;
   for (int trial = 0; trial < kMostTrials; ++trial) {
     restore(before_);
     if (stop_()) return true;  // nothing was done
@@ -246,11 +250,12 @@ bool GroupStepper::move(double dt) {
       commit(end);
       return true;
     }
-    if (proven - t_ < shortest) {
+    const double shorter = shorter_than(dt, proven - t_, trial);
+    if (shorter == 0) {
       dt = std::min(dt, 1e-2 * dynamics_.step);
       break;
     }
-    dt = trial < 3 ? proven - t_ : std::min(proven - t_, dt / 2);
+    dt = shorter;
     restore(before_);
     choose_roles(dt);
   }
@@ -258,6 +263,13 @@ bool GroupStepper::move(double dt) {
   if (!push_and_move(dt)) throw InvalidParameterError("dynamics: a body spins too fast");
   commit(end_of(dt));
   return false;
+}
+
+// The substep after one of dt, of which so much was proven; 0: no shorter one makes progress.
+double GroupStepper::shorter_than(double dt, double proven, int trial) {
+  if (pairs_.contact_ended_proof() && proven < kBent * dt) return bent_dt_ = kBent * dt;
+  if (proven < kShortest * dynamics_.step) return 0;
+  return trial < 3 ? proven : std::min(proven, dt / 2);
 }
 
 double GroupStepper::end_of(double dt) const {

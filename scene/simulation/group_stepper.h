@@ -61,6 +61,7 @@ class GroupStepper {
   bool bounce();
   bool move(double dt);
   double end_of(double dt) const;
+  double shorter_than(double dt, double proven, int trial);
   bool push_and_move(double dt);
   void accelerate(SimulatedBody& body, double dt);
   bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
@@ -100,6 +101,7 @@ class GroupStepper {
   double last_dt_ = 0;                    // ... which was asked for so long a time
   std::vector<bool> pushed_;              // bodies with an impulse of contacts_
   double residual_ = 0;                   // of the contact problem of the substep in work
+  double bent_dt_ = 0;                    // the last substep that was shortened because contacts bend
   int bounces_ = 0;                       // at this moment
 };
 

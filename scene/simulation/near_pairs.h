@@ -81,6 +81,9 @@ class NearPairs {
   /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.
   double proven_until(double t, double end);
 
+  /// Whether a pair in contact ended the last proof: its way bends, the less the shorter it is.
+  bool contact_ended_proof() const noexcept { return contact_ended_proof_; }
+
   /// As the bodies' motions have them, no pair comes closer within [t, end], which lies within one piece of
   /// each: proven, at most 0, and -infinity where nothing is. Up to δ/4 or 1 % it is the least signed
   /// distance.
@@ -160,6 +163,7 @@ class NearPairs {
   ContinuousSolver solver_;
   std::unique_ptr<class PairSolver> planes_;
   bool nothing_touched_ = true;
+  bool contact_ended_proof_ = false;
 };
 
 }  // namespace raygauge

@@ -23,7 +23,11 @@ double NearPairs::proven_until(double t, double end) {
   double proven = end;
   sweep(t, end - t, scales_.arrival());
   for (const Candidate* const candidate : may_meet_) {
-    proven = std::min(proven, proven_pair(*candidate, t, proven));
+    const double until = proven_pair(*candidate, t, proven);
+    if (!(until < proven)) continue;
+    proven = until;
+    contact_ended_proof_ =
+        candidate->near >= 0 && near_[static_cast<std::size_t>(candidate->near)].role == PairRole::contact;
     if (!(proven > t)) break;
   }
   return proven;

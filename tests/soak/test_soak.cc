@@ -272,6 +272,10 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   // A deep pair, asked to be less deep half way, however short the substep was.
   EXPECT_EQ(soak::RandomSimulations(91).check(175), std::nullopt);
   EXPECT_EQ(soak::RandomSimulations(93).check(16), std::nullopt);
+  // A body that rolls: a millionth of a step was proven each time, a hundredth can be.
+  soak::RandomSimulations rolling(97);
+  EXPECT_EQ(rolling.check(113), std::nullopt);
+  EXPECT_LT(rolling.tally().cuts, 50000);
 }
 
 // Paths of smoothed problems that began where Newton's method had gone astray.
