@@ -40,8 +40,8 @@ void FrictionBlock::solve(const FrictionIsland& island, IslandVelocities& veloci
   }
   problem_.q = u - problem_.W * before;
   Eigen::VectorXd after = before;
-  if (is_new_) newton_and_paths(problem_, before, 2, after);
-  if (!is_new_) improve_friction(problem_, after, 1);
+  const double residual = improve_friction(problem_, after, is_new_ ? kRoundsOfNewton : 1);
+  if (is_new_) follow_friction_paths(problem_, before, 2, residual, after);
   is_new_ = false;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     velocities.push(island.contacts[contacts_[k]], (after - before).segment<3>(row_of(k)));

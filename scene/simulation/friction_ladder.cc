@@ -24,11 +24,10 @@ void take_better(const FrictionProblem& problem, Eigen::VectorXd trial, double& 
 
 }  // namespace
 
-double newton_and_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
-                        Eigen::VectorXd& r) {
+double follow_friction_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
+                             double residual, Eigen::VectorXd& r) {
   constexpr std::array<double, 2> kRates = {0.3, 0.7};
-  double residual = improve_friction(problem, r);
-  for (std::size_t k = 0; k < paths && residual > solved_friction(problem.mu.size()); ++k) {
+  for (std::size_t k = 0; k < paths && residual > kSolvedFriction; ++k) {
     Eigen::VectorXd trial = start;
     follow_smoothed_friction(problem, kRates.at(k), trial);
     take_better(problem, trial, residual, r);
@@ -38,29 +37,32 @@ double newton_and_paths(const FrictionProblem& problem, const Eigen::VectorXd& s
 
 namespace {
 
-// The residual above which a matrix of so many contacts is factorized: above 150 that takes a second.
-double rough_friction(std::size_t contacts) {
+// The residual above which a matrix of so many contacts is factorized, which above 150 takes a second: soon
+// where nothing is known of a step before, as in towers that begin to stand.
+double rough_friction(std::size_t contacts, bool first) {
   if (contacts <= kFewContacts) return 1e-10;
-  if (contacts <= 60) return solved_friction(contacts);
+  if (contacts <= 60 || (contacts <= 150 && first)) return kSolvedFriction;
   return contacts <= 150 ? 1e-7 : 1e-3;
 }
 
 }  // namespace
 
-// By passes, and Newton's method from where they or the step before have ended. Of many contacts a matrix is
-// factorized only where their residual is large, as in towers that begin to stand.
+// By passes, and Newton's method from where they or the step before have ended, or from nothing.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
   const bool few = count <= kFewContacts;
-  const double solved = solved_friction(count), rough = rough_friction(count);
+  const double rough = rough_friction(count, r.isZero(0));
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, island.bound_of_W(), r);
   if (passed <= rough) return passed;
   const FrictionProblem problem = island.dense();
+  const Eigen::VectorXd passes = r, nothing = Eigen::VectorXd::Zero(r.size());
   double residual = friction_residual(problem, r);
   if (few) take_better(problem, guess, residual, r);
-  if (residual > solved) residual = newton_and_paths(problem, guess, few ? 2 : 1, r);
-  if (residual > std::max(solved, rough) && friction != nullptr) {
+  if (residual > kSolvedFriction) take_better(problem, passes, residual, r);
+  if (residual > kSolvedFriction) take_better(problem, few ? nothing : guess, residual, r);
+  residual = follow_friction_paths(problem, guess, few ? 2 : 1, residual, r);
+  if (residual > std::max(kSolvedFriction, rough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;
     friction->solve(problem, trial);
     take_better(problem, trial, residual, r);

@@ -6,11 +6,11 @@
 
 namespace raygauge {
 
-/// Newton's method from r; where it does not end, from the end of a path of smoothed problems that begins at
-/// `start`, and of another one: of so many `paths` at most, 0 to 2. Returns friction_residual(), which is not
-/// above that of r on entry.
-double newton_and_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
-                        Eigen::VectorXd& r);
+/// Newton's method from the end of a path of smoothed problems that begins at `start`, and of another one: of
+/// so many `paths` at most, 0 to 2, until it is solved. `residual` is that of r, which is replaced where one
+/// is better. Returns its residual.
+double follow_friction_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
+                             double residual, Eigen::VectorXd& r);
 
 /// The impulses of an island whose contacts have friction, from those of the step before, by the quickest way
 /// that ends. `friction`: a solver that is asked where others do not, or null. Returns the residual.

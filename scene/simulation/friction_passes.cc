@@ -229,7 +229,7 @@ class Descent {
   }
 
   bool has_stalled(int k, int patience) const {
-    return k > gained_at_ + (best_ > solved_friction(island_.contacts.size()) ? patience : kMore);
+    return k > gained_at_ + (best_ > kSolvedFriction ? patience : kMore);
   }
 
   const FrictionIsland& island_;
@@ -246,15 +246,14 @@ class Descent {
 // alone arrive.
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
-  const double solved = solved_friction(count);
   const bool many = count > kFewContacts;
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(r.size());
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent descent(island, bound, r);
   descent.extrapolated(kPatience);
-  for (int k = 0; many && k < kMostBlocks && descent.best() > solved && descent.grow_block(); ++k)
+  for (int k = 0; many && k < kMostBlocks && descent.best() > kSolvedFriction && descent.grow_block(); ++k)
     descent.extrapolated(kBlockPatience);
-  if (descent.best() > solved) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
+  if (descent.best() > kSolvedFriction) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
   return descent.best();
 }
 

@@ -10,7 +10,7 @@ namespace raygauge {
 inline constexpr std::size_t kFewContacts = 24;
 
 /// The residual from which on a friction problem is solved.
-constexpr double solved_friction(std::size_t contacts) { return contacts <= kFewContacts ? 1e-9 : 1e-8; }
+inline constexpr double kSolvedFriction = 1e-9;
 
 /// Passes over the contacts of an island, each solved by itself while the others stay (Gauss and Seidel's
 /// method), extrapolated by Anderson's method (1965) from the last passes; then, of many contacts, with a

@@ -278,13 +278,6 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   EXPECT_LT(rolling.tally().cuts, 50000);
 }
 
-// Paths of smoothed problems that began where Newton's method had gone astray.
-TEST(Soak, FrictionThatOnePathDoesNotSolveIsSolvedByAnother) {
-  soak::RandomSimulations simulations(1);
-  EXPECT_EQ(simulations.check(2404), std::nullopt);
-  EXPECT_LE(simulations.tally().residual, 1e-8);
-}
-
 TEST(Soak, UsedSolversAnswerAsNewOnesDo) {
   soak::UsedSolvers solvers(1);
   for (int i = 0; i < 3000; ++i) {
