@@ -3,6 +3,7 @@
 #include "results/run/run_writer.h"
 
 #include <iterator>
+#include <new>
 #include <utility>
 
 #include "results/exceptions.h"
@@ -124,13 +125,16 @@ void RunWriter::begin() {
   if (!journal_) begin_session({});
 }
 
-/// Room for all records at once: while a vector grows, it holds them twice. Pages that are not used cost
-/// nothing.
+/// Room for all records at once, if there is as much: while a vector grows, it holds them twice. Pages that
+/// are not used cost nothing.
 void RunWriter::reserve_records() {
   constexpr double kShare = 0.75;  // of the machine's memory
   const auto memory = static_cast<double>(provenance_.sessions.front().machine.memory_bytes);
-  if (static_cast<double>(most_records_) * sizeof(Record) < kShare * memory)
+  if (!(static_cast<double>(most_records_) * sizeof(Record) < kShare * memory)) return;
+  try {
     results_.records.reserve(most_records_);
+  } catch (const std::bad_alloc&) {  // a limit of the process: it grows as far as it may
+  }
 }
 
 /// Under force the earlier run goes only once the disk has taken what is to stand in its place.

@@ -108,8 +108,12 @@ class SharedTextFinder {
       if (++next_ >= known_.size()) next_ = 0;
       if (known_[next_] == text) return known_[next_];
     }
-    if (known_.size() < kKnown) known_.emplace_back();
-    if (++next_ >= known_.size()) next_ = 0;
+    if (known_.size() < kKnown) {
+      next_ = known_.size();
+      known_.emplace_back();
+    } else if (++next_ == kKnown) {
+      next_ = 0;
+    }
     return known_[next_] = text;
   }
 

@@ -15,6 +15,10 @@
 
 namespace raygauge {
 
+template <class T>
+concept PlainText = std::same_as<T, std::string> || std::same_as<T, std::string_view> ||
+    std::convertible_to<const T&, const char*>;
+
 /// A text of which a program sees few different ones, such as a name: each is kept once, to the end of the
 /// program, and copies take the room of a pointer. Thread safe.
 class SharedText {
@@ -29,9 +33,8 @@ class SharedText {
   bool empty() const noexcept { return text_->empty(); }
 
   friend bool operator==(SharedText a, SharedText b) noexcept { return a.text_ == b.text_; }
-  template <class T>
-  requires std::convertible_to<const T&, std::string_view> &&(!std::same_as<T, SharedText>)friend bool
-  operator==(SharedText a, const T& b) {
+  template <PlainText T>
+  friend bool operator==(SharedText a, const T& b) {
     return *a.text_ == std::string_view(b);
   }
   friend bool operator<(SharedText a, SharedText b) noexcept {
