@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -46,8 +45,7 @@ void add_cells(ResultsFile& results, const PartList& parts) {
       throw ResultsError(path.string() + ": the session of these cells is missing");
     }
     std::vector<Record> part = read_cell_journal(path);
-    results.records.insert(results.records.end(), std::make_move_iterator(part.begin()),
-                           std::make_move_iterator(part.end()));
+    results.records.insert(results.records.end(), part.begin(), part.end());
   }
 }
 
@@ -56,14 +54,14 @@ void add_cells(ResultsFile& results, const PartList& parts) {
 void permute(std::vector<Record>& records, std::vector<std::size_t>& order) {
   for (std::size_t start = 0; start < order.size(); ++start) {
     if (order[start] == start) continue;
-    Record first = std::move(records[start]);
+    const Record first = records[start];
     std::size_t place = start;
     while (order[place] != start) {
       const std::size_t from = std::exchange(order[place], place);
-      records[place] = std::move(records[from]);
+      records[place] = records[from];
       place = from;
     }
-    records[place] = std::move(first);
+    records[place] = first;
     order[place] = place;
   }
 }
@@ -102,7 +100,7 @@ void sort_by_cell(std::vector<Record>& records) {
     const bool repeated =
         std::any_of(group, end, [&it](const Record& kept) { return kept.method == it->method; });
     if (repeated) continue;
-    if (end != it) *end = std::move(*it);
+    if (end != it) *end = *it;
     ++end;
   }
   records.erase(end, records.end());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/run/run_writer.h"
 
+#include <algorithm>
 #include <iterator>
 #include <new>
 #include <utility>
@@ -167,7 +168,7 @@ void RunWriter::store(const CellResult& cell) {
     throw;
   }
   const std::scoped_lock lock(mutex_);
-  std::move(records.begin(), records.end(), std::back_inserter(results_.records));
+  std::copy(records.begin(), records.end(), std::back_inserter(results_.records));
 }
 
 /// Writes the one file. Only where that fails the session's part is told of its end and its calibration: two
