@@ -174,7 +174,7 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
     for (const Body& body : found.scene.bodies) {
       if (!is_finite(body, t)) return "a place is not finite";
     }
-    const std::string wrong = depth_error(found, dynamics, t);
+    std::string wrong = depth_error(found, dynamics, t);
     if (!wrong.empty()) return wrong;
   }
   return driven ? "" : energy_error(found, dynamics);

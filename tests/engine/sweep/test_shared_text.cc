@@ -32,9 +32,9 @@ TEST(SharedText, IsKeptOnce) {
 TEST(SharedText, IsKeptOnceByManyThreads) {
   std::vector<const std::string*> places(8);
   std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < places.size(); ++t) {
-    threads.emplace_back([&places, t] {
-      for (int i = 0; i < 1000; ++i) places[t] = &SharedText("of many threads " + std::to_string(i)).str();
+  for (const std::string*& place : places) {
+    threads.emplace_back([&place] {
+      for (int i = 0; i < 1000; ++i) place = &SharedText("of many threads " + std::to_string(i)).str();
     });
   }
   for (std::thread& thread : threads) thread.join();
