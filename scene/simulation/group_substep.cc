@@ -16,7 +16,9 @@ constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where 
 constexpr double kSag = 0.6;        // of δ: half way they are no deeper, or than where they began
 constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
 constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
-constexpr double kRounding = 1e-8;  // of δ: gaps below are 0; to close them an arch would wedge its stones in
+// Of δ, and of the smaller body: gaps below are 0. To close them an arch would wedge its stones in, and the
+// points of a face would be asked for velocities that no rigid body has.
+constexpr double kRounding = 1e-8, kRoundingOfReach = 0x1p-44;
 
 // Made orthonormal again: what a turn by rounded numbers loses, squared.
 Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
@@ -38,9 +40,11 @@ bool GroupStepper::push_and_move(double dt) {
   contacts_.clear();
   for (const NearPair& pair : *near_) {
     if (pair.role != PairRole::contact) continue;
+    const double reach = std::min(body(pair.a).reach, body(pair.b).reach);
+    const double rounding = std::max(kRounding * scales_.delta, kRoundingOfReach * reach);
     for (const GapPoint& point : pair.contact.points) {
       // An overlap is given the time of a whole step to go.
-      const double gap = std::fabs(point.gap) < kRounding * scales_.delta ? 0 : point.gap;
+      const double gap = std::fabs(point.gap) < rounding ? 0 : point.gap;
       const double now = gap / (gap < 0 ? dynamics_.step : dt);
       contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
                            now + pair.correction / dt, pair.law.friction, guess(pair, point, dt)});
