@@ -13,6 +13,14 @@
 namespace raygauge {
 namespace {
 
+// The residual above which a matrix of so many contacts is factorized, which above 150 takes a second: soon
+// where nothing is known of a step before, as in towers that begin to stand.
+double rough_friction(std::size_t contacts, bool first) {
+  if (contacts <= kFewContacts) return 1e-10;
+  if (contacts <= 60 || (contacts <= 150 && first)) return kSolvedFriction;
+  return contacts <= 150 ? 1e-7 : 1e-3;
+}
+
 // Newton's method from `trial`: r and its residual are of the better one.
 void take_better(const FrictionProblem& problem, Eigen::VectorXd trial, double& residual,
                  Eigen::VectorXd& r) {
@@ -34,18 +42,6 @@ double follow_friction_paths(const FrictionProblem& problem, const Eigen::Vector
   }
   return residual;
 }
-
-namespace {
-
-// The residual above which a matrix of so many contacts is factorized, which above 150 takes a second: soon
-// where nothing is known of a step before, as in towers that begin to stand.
-double rough_friction(std::size_t contacts, bool first) {
-  if (contacts <= kFewContacts) return 1e-10;
-  if (contacts <= 60 || (contacts <= 150 && first)) return kSolvedFriction;
-  return contacts <= 150 ? 1e-7 : 1e-3;
-}
-
-}  // namespace
 
 // By passes, and Newton's method from where they or the step before have ended, or from nothing.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {

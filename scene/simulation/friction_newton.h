@@ -14,9 +14,9 @@ inline constexpr int kRoundsOfNewton = 6;
 ///     u_t.
 ///
 /// From a first guess r that knows which contacts stick, slide and open it ends in a few steps of a dense
-/// factorization each; steps that do not come closer end it. Then so many
-/// `rounds` more, each from where passes over the contacts lead. Returns friction_residual() of r on return,
-/// which is never above that of r on entry.
+/// factorization each; steps that do not come closer end it. Then so many `rounds` more, each from where
+/// passes over the contacts lead. Returns friction_residual() of r on return, which is never above that of r
+/// on entry.
 double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r, int rounds = kRoundsOfNewton);
 
 }  // namespace raygauge

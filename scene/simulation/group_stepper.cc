@@ -18,6 +18,7 @@ constexpr int kMostBounces = 200;    // at one moment; then bodies do not reboun
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kDeepest = 0.5;    // of δ: bodies as deep that leave each other are asked to, as in contact
 constexpr double kShortest = 1e-9;  // of the step: shorter substeps make no progress
+constexpr double kUnproven = 1e-2;  // of the step: a substep that could not be proven
 // Of a substep whose contacts bend too much: what is tried next. Steps after it are at most twice as long
 // each.
 constexpr double kBent = 0.125;
@@ -223,6 +224,7 @@ bool GroupStepper::bounce() {
 
 // One substep of at most dt, shorter where the proof ends; false: its end could not be proven.
 bool GroupStepper::move(double dt) {
+  const double asked = dt;
   save(before_);
   for (int trial = 0; trial < kMostTrials; ++trial) {
     restore(before_);
@@ -251,24 +253,31 @@ bool GroupStepper::move(double dt) {
       return true;
     }
     const double shorter = shorter_than(dt, proven - t_, trial);
-    if (shorter == 0) {
-      dt = std::min(dt, 1e-2 * dynamics_.step);
-      break;
-    }
+    if (shorter == 0) break;
     dt = shorter;
     restore(before_);
     choose_roles(dt);
   }
-  restore(before_);
-  if (!push_and_move(dt)) throw InvalidParameterError("dynamics: a body spins too fast");
-  commit(end_of(dt));
+  move_unproven(std::min(asked, kUnproven * dynamics_.step));
   return false;
+}
+
+void GroupStepper::move_unproven(double dt) {
+  bent_dt_ = kInfinity;
+  restore(before_);
+  for (int trial = 0; !push_and_move(dt); ++trial) {
+    if (trial == kMostTrials) throw InvalidParameterError("dynamics: a body spins too fast");
+    dt /= 2;
+    restore(before_);
+  }
+  commit(end_of(dt));
 }
 
 // The substep after one of dt, of which so much was proven; 0: no shorter one makes progress.
 double GroupStepper::shorter_than(double dt, double proven, int trial) {
-  if (pairs_.contact_ended_proof() && proven < kBent * dt) return bent_dt_ = kBent * dt;
-  if (proven < kShortest * dynamics_.step) return 0;
+  const double shortest = kShortest * dynamics_.step;
+  if (pairs_.contact_ended_proof() && proven < kBent * dt && dt > shortest) return bent_dt_ = kBent * dt;
+  if (proven < shortest) return 0;
   return trial < 3 ? proven : std::min(proven, dt / 2);
 }
 

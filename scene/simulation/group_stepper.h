@@ -60,6 +60,7 @@ class GroupStepper {
   bool is_rebound(const NearPair& pair, double approach) const;
   bool bounce();
   bool move(double dt);
+  void move_unproven(double dt);
   double end_of(double dt) const;
   double shorter_than(double dt, double proven, int trial);
   bool push_and_move(double dt);
