@@ -15,6 +15,7 @@
 
 namespace raygauge {
 
+/// What a SharedText is compared with.
 template <class T>
 concept PlainText = std::same_as<T, std::string> || std::same_as<T, std::string_view> ||
     std::convertible_to<const T&, const char*>;
