@@ -3,183 +3,202 @@
 #include "engine/methods/column_generation/sifting.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/lp/affords.h"
-#include "engine/lp/shared_pass.h"
 #include "engine/methods/column_generation/simplex_status.h"
-#include "engine/methods/problem.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {
 
-// The points just below the threshold are the next to be violated when the normal turns. Those within this
-// fraction of the last pass's violation are taken along: every third solve at n >= 20 is spared a pass by it,
-// and the working set hardly grows (measured over 0 … 1).
-constexpr double kReach = 0.2;
-
 // Coordinates of both sets up to which a pass costs less than the pivots it may spare.
 constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
+
+// Dimensions from which on a simplex may stall for longer than the interior-point method takes.
+constexpr int kLeastToStall = 16;
+
+// An objective that small, in units where both sets have magnitude 1, is zero or close to it: it is worth a
+// look at the points of A.
+constexpr double kNearlyZero = 1e-6;
+
+// Dimensions from which on the interior-point method finds the optimal basis, or that there is none, sooner
+// than the simplex, by the points of both sets for each dimension (AVX-512, its time over that of the
+// simplex): N = n + 2 to 3 n: 0.6 to 0.9 at n = 60, 0.5 at n = 80, 0.3 at n = 120, 0.1 from n = 200 on;
+// N = 10 n: 1.5 at n = 80, 1 at n = 100, 0.9 at n = 120; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
+constexpr int kInteriorOfFew = 70;
+constexpr int kInteriorOfSome = 130;
+constexpr int kInteriorOfMany = 200;
+constexpr std::ptrdiff_t kFewPoints = 8;
+constexpr std::ptrdiff_t kManyPoints = 60;
+
+int least_for_interior(const WorkingSets& sets) {
+  const std::ptrdiff_t points = sets.A().set->size() + sets.Q().set->size();
+  if (points <= kFewPoints * sets.n()) return kInteriorOfFew;
+  return points <= kManyPoints * sets.n() ? kInteriorOfSome : kInteriorOfMany;
+}
 
 }  // namespace
 
 void Sifting::solve(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
                     const Stopwatch& stopwatch, Effects effects, DistanceResult& result) {
-  begin(A, Q, options, stopwatch);
-  working_A_.choose(A, scaling_.factor_A(), scaling_.trivial_A(), true);
-  working_Q_.choose(Q, scaling_.factor_Q(), scaling_.trivial_Q(), true);
-  chosen_A_ = chosen_Q_ = {};
-  start();
-  if (separated_ && is_separated()) {
-    return finish(DistanceStatus::unreachable, kInfinity, kInfinity, effects, result);
+  begin(A, Q, options);
+  sets_.choose();
+  const SiftingSolve solve = about(options, stopwatch, effects, result);
+  start(solve);
+  if (interior_.certify_separated(solve)) return;
+  if (interior_.may_certify(sets_)) {
+    if (interior_.certify(solve)) return;
+    interior_.start(solve);  // what start() has put off
   }
-  if (may_be_proven_inside()) {
-    if (certify_on_the_way(effects, result)) return;
-    begin_from_basis();
-  }
-  run(false, effects, result);
+  run(solve);
 }
 
 void Sifting::solve_restricted(const PointSet& A, const PointSet& Q, std::span<const std::int64_t> index_A,
                                std::span<const std::int64_t> index_Q, const DistanceOptions& options,
                                const Stopwatch& stopwatch, DistanceResult& result) {
-  begin(A, Q, options, stopwatch);
-  working_A_.clear(n_);
-  working_Q_.clear(n_);
-  for (const std::int64_t i : index_A) working_A_.add(A, scaling_.factor_A(), i);
-  for (const std::int64_t j : index_Q) working_Q_.add(Q, scaling_.factor_Q(), j);
-  working_A_.fill_up();
-  working_Q_.fill_up();
-  chosen_A_ = index_A;
-  chosen_Q_ = index_Q;
-  start();
-  run(true, Effects::none, result);
+  begin(A, Q, options);
+  sets_.choose(index_A, index_Q);
+  const SiftingSolve solve = about(options, stopwatch, Effects::none, result);
+  start(solve);
+  run(solve);
 }
 
-void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options,
-                    const Stopwatch& stopwatch) {
-  A_ = &A;
-  Q_ = &Q;
-  n_ = A.dimension();
-  tolerance_ = options.tolerance;
-  threads_ = options.threads;
+SiftingSolve Sifting::about(const DistanceOptions& options, const Stopwatch& stopwatch, Effects effects,
+                            DistanceResult& result) {
+  return {.sets = sets_,
+          .program = program_,
+          .face = face_,
+          .plane = plane_,
+          .last = last_,
+          .tolerance = options.tolerance,
+          .stopwatch = stopwatch,
+          .effects = effects,
+          .result = result};
+}
+
+void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions& options) {
+  sets_.begin(A, Q, options);
+  sets_.counters().outer_iterations = 1;
   pivots_are_limited_ = options.max_iterations > 0;
-  kernels_ = &kernels_for(options.instruction_set);
-  stopwatch_ = &stopwatch;
-  counters_ = {};
-  counters_.outer_iterations = 1;
-  gauge_per_residual_ = 0;
-  interior_state_ = InteriorState::untried;
-  separated_ = false;
-  farkas_.clear();
-  basis_is_due_ = false;
-  ray_.forget();
   pivots_at_zero_ = pivots_at_repair_ = -1;
-  violators_A_ = violators_Q_ = {};
-  scaling_.compute(A, Q);
-  interior_.share_with({team_, threads_});
-  program_.basis().share_with({team_, threads_});
-  program_.begin(n_, 0.25 * options.tolerance, options.max_iterations, *kernels_, n_ >= kLeastToStall);
-  direction_.reserve(2 * static_cast<std::size_t>(n_));
+  interior_.begin(sets_);
+  refined_.begin();
+  plane_.forget();
+  program_.basis().share_with(sets_.helpers());
+  program_.begin(sets_.n(), 0.25 * options.tolerance, options.max_iterations, sets_.kernels(),
+                 sets_.n() >= kLeastToStall);
+}
+
+// Where the interior-point method may prove the answer, no basis is made before it has tried.
+void Sifting::start(const SiftingSolve& solve) {
+  first_.guess(sets_);
+  if (sets_.n() >= least_for_interior(sets_) && !first_.has_all_axes()) {
+    interior_.run(solve, sets_.direction());
+    if (interior_.may_certify(sets_)) return interior_.start_at_normal(solve);
+    if (interior_.state() == InteriorProof::State::converged) return interior_.start(solve);
+  }
+  first_.start(sets_, program_);
 }
 
 // After a solve that ended for no answer: what is done about it.
-Sifting::Next Sifting::leave_impasse(PrimalSimplex::End end, bool restricted, Effects effects,
-                                     DistanceResult& result) {
+Sifting::Next Sifting::leave_impasse(const SiftingSolve& solve, End end) {
   if (interior_may_help(end)) {
-    return certify_by_plane(effects, result) || finish_inside(effects, result) ? Next::done : Next::again;
+    return plane_.certify(solve) || finish_inside(solve) ? Next::done : Next::again;
   }
-  if (end == PrimalSimplex::End::stalled) {
+  if (end == End::stalled) {
     program_.be_patient();
     return Next::again;
   }
-  if (end != PrimalSimplex::End::bounded || !(is_complete() || restricted || bounds_mislead())) {
+  if (end != End::bounded || !(sets_.is_complete() || sets_.is_restricted() || bounds_mislead())) {
     return Next::conclude;
   }
   program_.raise_bounds();
   return Next::again;
 }
 
-void Sifting::run(bool restricted, Effects effects, DistanceResult& result) {
-  const bool complete = is_complete();
+void Sifting::run(const SiftingSolve& solve) {
+  const bool complete = sets_.is_complete(), restricted = sets_.is_restricted();
+  const auto end_untold = [&] { write_answer(solve, DistanceStatus::precision_limit, 0, kInfinity); };
   for (;;) {
-    const PrimalSimplex::End end = program_.optimise(working_A_, working_Q_, *stopwatch_);
-    if (!restricted && certify_zero(effects, result)) return;
-    const Next next = leave_impasse(end, restricted, effects, result);
+    const End end = program_.optimise(sets_.A().pool, sets_.Q().pool, solve.stopwatch);
+    if (!restricted && certify_zero(solve)) return;
+    const Next next = leave_impasse(solve, end);
     if (next == Next::done) return;
     if (next == Next::again) continue;
-    const bool solved = end == PrimalSimplex::End::solved;
+    const bool solved = end == End::solved;
     const bool trusted = trusts_simplex_ && solved;
-    if (trusted && complete) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
-    if (solved && complete && certify_as_priced(effects, result)) return;
+    if (trusted && complete) return end_untold();
+    if (solved && complete && certify_as_priced(solve)) return;
     if (solved) program_.refresh_duals();
     const double estimate = program_.objective();
     double lower = 0;
-    if (price_or_separate(end, restricted, lower)) continue;
-    const bool violated = violators_A_.any || violators_Q_.any;
-    if (lower == kInfinity) return finish(DistanceStatus::unreachable, lower, lower, effects, result);
+    if (price_or_separate(solve, end, lower)) continue;
+    const bool violated = sets_.has_violators();
+    if (lower == kInfinity) return write_answer(solve, DistanceStatus::unreachable, lower, lower);
     // Proving the upper bound pays only when the gap can be closed, or nothing else is left to do.
-    const bool open = estimate - lower > tolerance_ * estimate;
+    const bool open = estimate - lower > solve.tolerance * estimate;
     if (violated && !is_final(end) && !restricted && open) {
-      add_violators();
+      prepare_next(end, true);
       continue;
     }
-    if (trusted) return finish(DistanceStatus::precision_limit, 0, kInfinity, effects, result);
-    const bool out_of_reach = end == PrimalSimplex::End::unreachable || end == PrimalSimplex::End::failed;
-    if (out_of_reach && !restricted && certify_by_plane(effects, result)) return;
-    const double upper = prove_upper(is_final(end) || restricted || (solved && !violated));
-    if (upper == 0 || Bounds(lower, upper).close(tolerance_)) return conclude(lower, upper, effects, result);
-    if (!restricted && certify_refined(end, effects, result)) return;
-    if (is_final(end) || restricted) return finish_short_of_tolerance(end, lower, upper, effects, result);
+    if (trusted) return end_untold();
+    const bool out_of_reach = end == End::unreachable || end == End::failed;
+    if (out_of_reach && !restricted && plane_.certify(solve)) return;
+    const double upper = prove_upper(solve, is_final(end) || restricted || (solved && !violated));
+    if (upper == 0 || solve.closes(lower, upper)) return conclude(solve, lower, upper);
+    if (!restricted && certify_refined(solve, end)) return;
+    if (is_final(end) || restricted) return finish_short_of_tolerance(solve, end, lower, upper);
     // Where the lower bound is as good as asked for, what still prices out is rounding: the bounds on the
     // normal keep the answer open, not missing points.
-    const bool points_are_missing = violated && (open || end != PrimalSimplex::End::bounded);
-    const bool again = !points_are_missing && end != PrimalSimplex::End::bounded;
+    const bool points_are_missing = violated && (open || end != End::bounded);
+    const bool again = !points_are_missing && end != End::bounded;
     const bool as_before = again && std::exchange(pivots_at_repair_, program_.pivots()) == program_.pivots();
     if (as_before || !prepare_next(end, points_are_missing))
-      return finish_short_of_tolerance(end, lower, upper, effects, result);
+      return finish_short_of_tolerance(solve, end, lower, upper);
   }
 }
 
 // `concluded`: there is no better basic solution to come.
-double Sifting::prove_upper(bool concluded) {
+double Sifting::prove_upper(const SiftingSolve& solve, bool concluded) {
   by_face_ = false;
-  if (!affords_inverse(*stopwatch_, n_ + 1, *kernels_)) return kInfinity;
+  if (!affords_inverse(solve.stopwatch, sets_.n() + 1, sets_.kernels())) return kInfinity;
   double upper = program_.proven_upper();
   if (upper < kInfinity || !concluded) return upper;
-  if (n_ >= kLeastToStall) upper = upper_of_face();
+  if (sets_.n() >= kLeastToStall) upper = face_.upper(solve);
   by_face_ = upper < kInfinity;
-  return by_face_ ? upper : upper_despite_residual();
+  return by_face_ ? upper : refined_.upper_despite_residual(solve);
 }
 
-void Sifting::conclude(double lower, double upper, Effects effects, DistanceResult& result) {
-  if (by_face_) return finish_with_face(lower, upper, effects, result);
-  if (upper == 0) return finish(DistanceStatus::contains_origin, 0, 0, effects, result);
-  finish(DistanceStatus::optimal, lower, upper, effects, result);
+void Sifting::conclude(const SiftingSolve& solve, double lower, double upper) {
+  if (by_face_) return face_.write(solve, lower, upper);
+  if (upper > 0) return write_answer(solve, DistanceStatus::optimal, lower, upper);
+  write_answer(solve, DistanceStatus::contains_origin, 0, 0);
+  last_.write_origin_weights(solve);
 }
 
 // The lower bound of the normal at hand. The normal of a program without a solution is tight at a vertex of
 // Q: h_Q is zero, but for rounding. True where the program can look for one that separates by a margin
 // instead.
-bool Sifting::price_or_separate(PrimalSimplex::End end, bool restricted, double& lower) {
-  const bool roughly = end == PrimalSimplex::End::unreachable && !restricted;
-  lower = price_everything(roughly);
-  if (!roughly || lower == kInfinity || violators_A_.any || violators_Q_.any) return false;
-  if (farkas_.empty()) farkas_.assign(program_.normal(), program_.normal() + n_);
+bool Sifting::price_or_separate(const SiftingSolve& solve, End end, double& lower) {
+  const bool roughly = end == End::unreachable && !sets_.is_restricted();
+  lower = solve.sets.price(program_, roughly);
+  if (!roughly || lower == kInfinity || sets_.has_violators()) return false;
+  if (!plane_.has_direction()) plane_.take(program_.normal(), sets_.n());
   if (program_.separate()) return true;
-  lower = price_everything(false);
+  lower = solve.sets.price(program_, false);
   return false;
 }
 
 // What the program's next solve has and the last one had not: points, wider bounds on the normal, a fresh
 // inverse. False when nothing is left to try.
-bool Sifting::prepare_next(PrimalSimplex::End end, bool points_are_missing) {
+bool Sifting::prepare_next(End end, bool points_are_missing) {
   if (points_are_missing) {
-    add_violators();
-  } else if (end == PrimalSimplex::End::bounded) {
+    sets_.add_violators();
+    program_.allow_repairs();
+  } else if (end == End::bounded) {
     program_.raise_bounds();
   } else {
     return program_.repair();
@@ -189,171 +208,96 @@ bool Sifting::prepare_next(PrimalSimplex::End end, bool points_are_missing) {
 
 // The simplex loop ends right after a pricing. Of complete sets in place its values bound the distance as
 // well as those of one more pass at better duals would, if that is good enough.
-bool Sifting::certify_as_priced(Effects effects, DistanceResult& result) {
-  if (!scaling_.trivial_A() || !scaling_.trivial_Q()) return false;
-  const double* y = program_.normal();
-  double* u = direction_.data();
-  for (int k = 0; k < n_; ++k) {
-    u[k] = y[k];
-    u[n_ + k] = -y[k];
-  }
-  h_A_ = {program_.priced_A(), dot_error(*A_, u)};
-  h_Q_ = {program_.priced_Q(), dot_error(*Q_, u)};
-  const double resolution = resolution_for(tolerance_);
-  if (!well_resolved(h_A_.value, h_A_.error, resolution) ||
-      !well_resolved(h_Q_.value, h_Q_.error, resolution)) {
-    return false;
-  }
-  const double lower = lower_bound(h_A_, h_Q_);
+bool Sifting::certify_as_priced(const SiftingSolve& solve) {
+  const std::optional<double> lower = sets_.bound_as_priced(program_);
+  if (!lower) return false;
   const double upper = program_.proven_upper();
-  if (upper == 0 || !Bounds(lower, upper).close(tolerance_)) return false;  // 0 is another status
-  counters_.support_queries += 2;
-  finish(DistanceStatus::optimal, lower, upper, effects, result);
+  if (upper == 0 || !solve.closes(*lower, upper)) return false;  // 0 is another status
+  sets_.counters().support_queries += 2;
+  write_answer(solve, DistanceStatus::optimal, *lower, upper);
+  return true;
+}
+
+// Where the objective is zero but for rounding, whatever the simplex is at: it may need many basis changes
+// more, without a gain, until no artificial column is left.
+bool Sifting::certify_zero(const SiftingSolve& solve) {
+  if (sets_.n() < kLeastToStall || !(program_.objective() < kNearlyZero) ||
+      program_.pivots() == pivots_at_zero_)
+    return false;
+  pivots_at_zero_ = program_.pivots();
+  if (!face_.proves_zero(solve)) return false;
+  sets_.price(program_, true);  // the result has the normal at hand
+  face_.write(solve, 0, 0);
+  return true;
+}
+
+// The second line of proof: the basis at hand to some 30 digits. False where the bounds stay apart.
+bool Sifting::certify_refined(const SiftingSolve& solve, End end) {
+  if (end != End::solved && end != End::failed) return false;
+  if (!affords_inverse(solve.stopwatch, sets_.n() + 1, sets_.kernels())) return false;
+  const double lower = refined_.lower(solve);
+  if (lower == kInfinity) return false;
+  const double upper = by_face_ ? face_.upper(solve) : refined_.upper(solve);
+  if (upper == 0 || !solve.closes(lower, upper)) return false;  // 0 is another status
+  conclude(solve, lower, upper);
   return true;
 }
 
 // The bounds keep the normal near the guess; where that is good, the first pass finds the right points the
 // sooner. Where most bounds are active or a pass has been spent on it, it is not, and raising them over the
 // sample costs next to nothing.
-bool Sifting::bounds_mislead() const noexcept {
-  const bool passes_are_cheap = n_ * (A_->size() + Q_->size()) < kCheapNumbers;
-  return !passes_are_cheap && (counters_.support_queries > 0 || 5 * program_.artificials() > 3 * n_);
+bool Sifting::bounds_mislead() noexcept {
+  const bool passes_are_cheap = sets_.n() * (sets_.A().set->size() + sets_.Q().set->size()) < kCheapNumbers;
+  return !passes_are_cheap &&
+         (sets_.counters().support_queries > 0 || 5 * program_.artificials() > 3 * sets_.n());
 }
 
-// At a degenerate optimum some weights are zero and cannot be proven nonnegative; and where a limit ended the
-// solve artificial columns may still carry weight. What they leave of the equations is paid for.
-double Sifting::upper_despite_residual() {
-  if (gauge_per_residual_ == 0) {
-    gauge_per_residual_ = gauge_bound_.compute(working_Q_, n_, *kernels_, *stopwatch_);
-  }
-  return gauge_per_residual_ < kInfinity ? program_.upper_with_residual(gauge_per_residual_) : kInfinity;
+bool Sifting::interior_may_help(End end) const noexcept {
+  if (end != End::stalled && end != End::failed) return false;
+  return interior_.state() == InteriorProof::State::untried && sets_.n() >= kLeastToStall &&
+         sets_.is_complete() && !sets_.is_restricted();
+}
+
+// True where the result is complete. Otherwise the simplex goes on, from a better start if there is one.
+bool Sifting::finish_inside(const SiftingSolve& solve) {
+  interior_.run(solve, sets_.direction());
+  if (interior_.certify_separated(solve) || interior_.certify(solve)) return true;
+  program_.be_patient();
+  if (interior_.state() == InteriorProof::State::converged) interior_.start(solve);
+  return false;
 }
 
 // Rounding (or a default pivot limit, which it takes rounding to reach) keeps the bounds apart. Over chosen
 // points the upper bound is all that is asked for.
-void Sifting::finish_short_of_tolerance(PrimalSimplex::End end, double lower, double upper, Effects effects,
-                                        DistanceResult& result) {
-  const bool restricted = !chosen_A_.empty();
-  const bool limited = end == PrimalSimplex::End::time_limit ||
-                       (end == PrimalSimplex::End::pivot_limit && pivots_are_limited_);
+void Sifting::finish_short_of_tolerance(const SiftingSolve& solve, End end, double lower, double upper) {
+  const bool restricted = sets_.is_restricted();
+  const bool limited = end == End::time_limit || (end == End::pivot_limit && pivots_are_limited_);
   bool late = false;
   if (!limited && !(restricted && upper < kInfinity)) {
-    if (!restricted && certify_twofold(effects, result)) return;
-    const ExactSimplex::End exact = finish_by_exact_simplex(lower, effects, result);
+    if (!restricted && last_.certify_twofold(solve)) return;
+    const ExactSimplex::End exact = last_.certify_exactly(solve, lower);
     if (exact == ExactSimplex::End::solved) return;
     late = exact == ExactSimplex::End::too_long;
   }
-  late = late || stopwatch_->expired();
-  if (!restricted) lower = std::max(lower, bound_inside(lower));
-  if (n_ >= kLeastToStall && !(upper < kInfinity)) ray_.find(working_A_, working_Q_, n_);
-  if (!(std::min(upper, ray_.upper()) < kInfinity) && certify_by_last_look(effects, result)) return;
-  if (ray_.upper() < upper)
-    return finish_with_ray(late ? DistanceStatus::time_limit : status_of(end), lower, effects, result);
-  finish(late ? DistanceStatus::time_limit : status_of(end), lower, upper, effects, result);
+  late = late || solve.stopwatch.expired();
+  if (!restricted) lower = std::max(lower, interior_.bound(solve, lower));
+  CommonRay& ray = interior_.ray();
+  if (sets_.n() >= kLeastToStall && !(upper < kInfinity)) ray.find(sets_.A().pool, sets_.Q().pool, sets_.n());
+  if (!(std::min(upper, ray.upper()) < kInfinity) && certify_by_last_look(solve)) return;
+  const DistanceStatus status = late ? DistanceStatus::time_limit : status_of(end);
+  if (ray.upper() < upper) return interior_.write_ray(solve, status, lower);
+  write_answer(solve, status, lower, upper);
 }
 
-// The basic columns, with indices into the sets, into start_.
-void Sifting::collect_basis() {
-  start_.clear();
-  for (int i = 0; i <= n_; ++i) {
-    const std::int64_t id = program_.basic_ids()[i];
-    if (id < 0) continue;
-    if (id % 2 == 1) {
-      start_.push_back(id_of_Q(working_Q_.index_in(*Q_, scaling_.factor_Q(), id / 2)));
-    } else {
-      start_.push_back(id_of_A(working_A_.index_in(*A_, scaling_.factor_A(), id / 2)));
-    }
-  }
-}
-
-// End::solved where the result is complete.
-ExactSimplex::End Sifting::finish_by_exact_simplex(double lower, Effects effects, DistanceResult& result) {
-  const bool restricted = !chosen_A_.empty();
-  collect_basis();
-  const ExactSimplex::End end = exact_.solve({A_, chosen_A_}, {Q_, chosen_Q_}, start_, *stopwatch_);
-  if (end == ExactSimplex::End::unreachable && !restricted) {
-    finish_exactly(DistanceStatus::unreachable, {kInfinity, kInfinity, kInfinity}, effects, result);
-    return ExactSimplex::End::solved;
-  }
-  if (end != ExactSimplex::End::solved) return end;
-  RoundedRatio distance = exact_.distance();
-  if (restricted) distance.below = scaled_down(lower, -scaling_.distance_shift());
-  const bool close = Bounds(distance.below, distance.above).close(tolerance_);
-  const DistanceStatus status = distance.above == 0 ? DistanceStatus::contains_origin
-                                : close             ? DistanceStatus::optimal
-                                                    : DistanceStatus::precision_limit;
-  finish_exactly(status, distance, effects, result);
-  return end;
-}
-
-// h_A(u) and h_Q(-u) over the whole sets at the program's normal; of sampled sets also the points that price
-// out.
-// The lower bound of the program's normal; `roughly`: with no more than the plain bound on rounding errors.
-double Sifting::price_everything(bool roughly) {
-  const double* y = program_.normal();
-  double* u = direction_.data();
-  double* v = u + n_;
-  for (int k = 0; k < n_; ++k) {
-    u[k] = Scaling::direction_component(scaling_.factor_A()[k], y[k]);
-    v[k] = -Scaling::direction_component(scaling_.factor_Q()[k], y[k]);
-  }
-  if (!working_A_.is_complete() || !working_Q_.is_complete()) {
-    const std::ptrdiff_t capacity = ColumnPool::growth(*A_);
-    const auto both = static_cast<std::size_t>(capacity + ColumnPool::growth(*Q_));
-    collected_.reserve(both);
-    collected_value_.reserve(both);
-    violators_A_.points = {collected_.data(), collected_value_.data(), capacity, 0, kInfinity};
-    violators_Q_.points = {collected_.data() + capacity, collected_value_.data() + capacity,
-                           ColumnPool::growth(*Q_), 0, kInfinity};
-  }
-  const double resolution = roughly ? std::numeric_limits<double>::max() : resolution_for(tolerance_);
-  h_A_ = price_set(*A_, working_A_, u, program_.threshold_A(), resolution, violators_A_);
-  h_Q_ = price_set(*Q_, working_Q_, v, program_.threshold_Q(), resolution, violators_Q_);
-  return lower_bound(h_A_, h_Q_);
-}
-
-SupportValue Sifting::price_set(const PointSet& S, const ColumnPool& working, const double* direction,
-                                double threshold, double resolution, Violators& violators) {
-  ++counters_.support_queries;
-  counters_.points_priced += S.size();
-  if (working.is_complete()) return support_value(*kernels_, S, direction, nullptr, resolution);
-  violators.points.threshold = threshold - violators.reach;
-  const double value = shared_pass(*kernels_, S, direction, violators.points, threads_, team_);
-  violators.any = drop_known(working, S.size(), threshold, violators.points);
-  violators.reach = violators.any ? kReach * (value - threshold) : 0;
-  const double error = dot_error(S, direction);
-  if (well_resolved(value, error, resolution)) return {value, error};
-  return support_value(*kernels_, S, direction, nullptr, resolution);
-}
-
-// Basic points lie on the threshold, and rounding may put any point of the working set above it. Whether a
-// new one is above.
-bool Sifting::drop_known(const ColumnPool& working, std::ptrdiff_t size, double threshold,
-                         Collection& found) {
-  bool any = false;
-  std::ptrdiff_t kept = 0;
-  for (std::ptrdiff_t i = 0; i < found.count; ++i) {
-    const std::int64_t index = std::min<std::int64_t>(found.index[i], size - 1);
-    if (working.holds(index)) continue;
-    any = any || found.value[i] > threshold;
-    found.index[kept] = index;
-    found.value[kept++] = found.value[i];
-  }
-  found.count = kept;
-  return any;
-}
-
-void Sifting::add_violators() {
-  const auto add = [](ColumnPool& working, const PointSet& S, const double* factor,
-                      const Collection& violators) {
-    for (std::ptrdiff_t i = 0; i < violators.count; ++i) {
-      working.add(S, factor, violators.index[i]);
-    }
-    working.fill_up();
-  };
-  add(working_A_, *A_, scaling_.factor_A(), violators_A_.points);
-  add(working_Q_, *Q_, scaling_.factor_Q(), violators_Q_.points);
-  program_.allow_repairs();
+// Where a limit on basis changes ends a solve that knows no upper bound: some steps of the interior-point
+// method, none of which is a basis change.
+bool Sifting::certify_by_last_look(const SiftingSolve& solve) {
+  const bool untried = interior_.state() == InteriorProof::State::untried && sets_.n() >= kLeastToStall;
+  if (!untried || !sets_.is_complete() || sets_.is_restricted()) return false;
+  const std::vector<double> guess(program_.normal(), program_.normal() + sets_.n());
+  interior_.run(solve, guess.data());
+  if (interior_.state() == InteriorProof::State::failed) return false;
+  return interior_.certify(solve);
 }
 
 }  // namespace raygauge
