@@ -7,7 +7,7 @@
 
 #include "cli/output/json_text.h"
 #include "raygauge/methods/result.h"
-#include "raygauge/queries/origin_in_interior.h"
+#include "raygauge/queries/membership.h"
 
 namespace raygauge::cli {
 

@@ -3,6 +3,7 @@
 #include "cli/output/output_file.h"
 
 #include <cstdio>
+#include <string_view>
 
 namespace raygauge::cli {
 
@@ -13,12 +14,16 @@ void add_force_option(Command& command, bool& force) {
 
 Output decided(const OutputRequest& request) { return {request.path, output_place(request)}; }
 
-void write_to(const Output& output, const std::string& bytes) {
+void write_to(const Output& output, const ByteSource& source) {
   if (output.place.way == OutputWay::standard_output) {
-    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+    source([](std::string_view bytes) { std::fwrite(bytes.data(), 1, bytes.size(), stdout); });
   } else {
-    write_output(output.place, bytes);
+    write_output(output.place, source);
   }
+}
+
+void write_to(const Output& output, const std::string& bytes) {
+  write_to(output, [&bytes](const ByteSink& put) { put(bytes); });
 }
 
 void print_path(const Output& output) {

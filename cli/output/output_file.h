@@ -29,7 +29,8 @@ struct Written {
   std::string bytes;
 };
 
-/// Writes to standard output, a stream or a file. Throws ResultsError.
+/// Writes to standard output, a stream or a file. Throws ResultsError, and what `source` throws.
+void write_to(const Output& output, const ByteSource& source);
 void write_to(const Output& output, const std::string& bytes);
 
 /// The path of what was written, on a line of standard output, unless that is where it went.

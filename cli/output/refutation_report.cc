@@ -82,25 +82,25 @@ bool is_wrong_answer(const Record& record, const KnownDistances& known) {
 
 }  // namespace
 
-RefutationReport refutation_report(const std::vector<Record>& records, const Filter& filter,
-                                   const GeneratorRegistry& generators) {
-  RefutationReport report;
+RefutationCount put_refutations(const std::vector<Record>& records, const Filter& filter,
+                                const GeneratorRegistry& generators, const ByteSink& put) {
+  RefutationCount count;
   const KnownDistances known(records);
   bool any = false;
   for (const Record& record : records) {
     if (!is_of_bodies(record) || !filter(record)) continue;
     any = true;
     if (!is_wrong_answer(record, known)) continue;
-    ++report.wrong;
+    ++count.wrong;
     const Instance instance = instance_of(record, generators);
     const auto refutation =
         refute(instance, claimed_distance(record), kWrongSignBeyond * unit_of_errors(record));
     if (!refutation) continue;
-    ++report.refuted;
-    report.lines += json_text(json_of(record, *refutation)) + '\n';
+    ++count.refuted;
+    put(json_text(json_of(record, *refutation)) + '\n');
   }
   if (!any) throw EmptySetError("--refutations: no record of the generator 'bodies' passes the filter");
-  return report;
+  return count;
 }
 
 }  // namespace raygauge::cli

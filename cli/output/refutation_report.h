@@ -3,25 +3,25 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "analysis/data/filter.h"
 #include "raygauge/sweep/instance.h"
 #include "raygauge/sweep/record.h"
+#include "results/run/atomic_file.h"
 
 namespace raygauge::cli {
 
-/// The refutations of wrong answers as text.
-struct RefutationReport {
-  std::string lines;        ///< one JSON object a line, as docs/analysis.md says
-  std::size_t wrong = 0;    ///< answers that are wrong, of competitors or of raygauge
-  std::size_t refuted = 0;  ///< those of them that have a line
+/// How many wrong answers there are, of competitors or of raygauge, and how many of them are refuted.
+struct RefutationCount {
+  std::size_t wrong = 0;
+  std::size_t refuted = 0;
 };
 
-/// Of the wrong answers (see verdict_on()) about two bodies in the records that pass the filter. The bodies
-/// are generated again. Throws EmptySetError if no record is of two bodies.
-RefutationReport refutation_report(const std::vector<Record>& records, const Filter& filter,
-                                   const GeneratorRegistry& generators);
+/// Puts a line, one JSON object as docs/analysis.md says, for each wrong answer (see verdict_on()) about two
+/// bodies in the records that pass the filter, as far as it can be refuted. The bodies are generated again.
+/// Throws EmptySetError if no record is of two bodies, and what `put` throws.
+RefutationCount put_refutations(const std::vector<Record>& records, const Filter& filter,
+                                const GeneratorRegistry& generators, const ByteSink& put);
 
 }  // namespace raygauge::cli

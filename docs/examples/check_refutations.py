@@ -59,10 +59,12 @@ def error(case):
 
 
 if __name__ == "__main__":
-    cases = [json.loads(line) for line in open(sys.argv[1], encoding="utf-8")]
-    units = [1 if case["quantity"] == "growth" else case["size"] for case in cases]
-    failed = [i for i, (case, unit) in enumerate(zip(cases, units), 1) if not error(case) > 5e-10 * unit]
-    print(f"{len(cases) - len(failed)} of {len(cases)} answers are refuted")
+    number, failed = 0, []
+    with open(sys.argv[1], encoding="utf-8") as lines:
+        for number, case in enumerate(map(json.loads, lines), 1):
+            if not error(case) > 5e-10 * (1 if case["quantity"] == "growth" else case["size"]):
+                failed.append(number)
+    print(f"{number - len(failed)} of {number} answers are refuted")
     for number in failed:
         print(f"line {number}: not refuted")
     sys.exit(1 if failed else 0)

@@ -51,16 +51,23 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
+[[noreturn]] void fail_to_write(const std::filesystem::path& path) {
+  throw ResultsError(path.string() + ": cannot write: " + system_reason(errno));
+}
+
 /// Writes a file that is to take the place of `replaced`, whose permissions it gets.
-bool write_durably(const std::filesystem::path& path, std::string_view bytes,
+void write_durably(const std::filesystem::path& path, const ByteSource& source,
                    const std::filesystem::path& replaced) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.value() < 0) return false;
+  if (file.value() < 0) fail_to_write(replaced);
   struct stat earlier {};
   // Where they cannot be set, as on some network disks, a file has the default ones.
   if (::stat(replaced.c_str(), &earlier) == 0 && ::fchmod(file.value(), earlier.st_mode & 07777) != 0)
     errno = 0;
-  return write_all(file.value(), bytes) && ::fsync(file.value()) == 0 && file.close();
+  source([&](std::string_view bytes) {
+    if (!write_all(file.value(), bytes)) fail_to_write(replaced);
+  });
+  if (::fsync(file.value()) != 0 || !file.close()) fail_to_write(replaced);
 }
 
 /// Brings a rename to the disk. File systems that cannot synchronise a folder have nothing to bring.
@@ -71,18 +78,31 @@ void synchronise_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, std::string_view bytes,
-                      const std::filesystem::path& temporary) {
-  if (!write_durably(temporary, bytes, path) || ::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
+void write_atomically(const std::filesystem::path& path, const ByteSource& source,
+                      std::filesystem::path temporary) {
+  if (temporary.empty()) temporary = path.string() + "." + std::to_string(::getpid()) + ".tmp";
+  try {
+    write_durably(temporary, source, path);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail_to_write(path);
+  } catch (...) {
     ::unlink(temporary.c_str());
-    throw ResultsError(path.string() + ": cannot write: " + system_reason(reason));
+    throw;
   }
   synchronise_folder(path.parent_path());
 }
 
-void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  write_atomically(path, bytes, path.string() + "." + std::to_string(::getpid()) + ".tmp");
+void write_atomically(const std::filesystem::path& path, std::string_view bytes,
+                      std::filesystem::path temporary) {
+  const ByteSource source = [bytes](const ByteSink& put) { put(bytes); };
+  write_atomically(path, source, std::move(temporary));
+}
+
+void write_in_place(const std::filesystem::path& path, const ByteSource& source) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
+  if (file.value() < 0) fail_to_write(path);
+  source([&](std::string_view bytes) {
+    if (!write_all(file.value(), bytes)) fail_to_write(path);
+  });
 }
 
 void move_durably(const std::filesystem::path& temporary, const std::filesystem::path& path) {
@@ -118,9 +138,7 @@ void AppendedFile::append(std::string_view block) {
       throw ResultsError(path_.string() + ": cannot write: " + system_reason(reason));
     }
   }
-  if (::fdatasync(descriptor_) != 0) {
-    throw ResultsError(path_.string() + ": cannot write: " + system_reason(errno));
-  }
+  if (::fdatasync(descriptor_) != 0) fail_to_write(path_);
 }
 
 std::string file_bytes(const std::filesystem::path& path) {

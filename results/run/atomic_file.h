@@ -3,20 +3,31 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
 
 namespace raygauge {
 
-/// Replaces `path` by a file of these bytes: written to `temporary` (in the same file system), brought to the
-/// disk, renamed. At every moment `path` is its old self or complete; its permissions stay. Throws
-/// ResultsError with the system's reason; `temporary` is then gone and `path` untouched.
-void write_atomically(const std::filesystem::path& path, std::string_view bytes,
-                      const std::filesystem::path& temporary);
+/// Takes the next bytes of what is written. Throws ResultsError with the system's reason.
+using ByteSink = std::function<void(std::string_view bytes)>;
 
-/// The same with a temporary file beside `path` that no other process uses.
-void write_atomically(const std::filesystem::path& path, std::string_view bytes);
+/// Gives all bytes of a file to a sink, part by part.
+using ByteSource = std::function<void(const ByteSink& put)>;
+
+/// Replaces `path` by a file of the bytes of `source`: written to `temporary` (in the same file system; if
+/// empty, a name beside `path` that no other process uses), brought to the disk, renamed. At every moment
+/// `path` is its old self or complete; its permissions stay. Throws ResultsError with the system's reason,
+/// and what `source` throws; `temporary` is then gone and `path` untouched.
+void write_atomically(const std::filesystem::path& path, const ByteSource& source,
+                      std::filesystem::path temporary = {});
+void write_atomically(const std::filesystem::path& path, std::string_view bytes,
+                      std::filesystem::path temporary = {});
+
+/// Writes the bytes of `source` to a device, a FIFO or an open file, which is there and stays. Throws as
+/// above.
+void write_in_place(const std::filesystem::path& path, const ByteSource& source);
 
 /// Brings the file `temporary` to the disk and renames it to `path`. Throws ResultsError; `temporary` is then
 /// gone and `path` untouched.

@@ -13,7 +13,6 @@
 #include <system_error>
 
 #include "results/hdf5/hdf5_library.h"
-#include "results/run/atomic_file.h"
 #include "results/run/run_directory.h"
 
 namespace raygauge {
@@ -122,20 +121,6 @@ OutputPlace place_in_stream(const OutputRequest& request) {
   return {OutputWay::stream, request.path};
 }
 
-void write_stream(const fs::path& path, std::string_view bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
-  bool good = descriptor >= 0;
-  while (good && !bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    good = written >= 0;
-    if (good) bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  const int reason = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!good) throw ResultsError(path.string() + ": cannot write: " + system_reason(reason));
-}
-
 }  // namespace
 
 fs::path behind_links(const fs::path& path) {
@@ -169,13 +154,17 @@ OutputPlace output_place(const OutputRequest& request) {
   return place_in_stream(request);
 }
 
-void write_output(const OutputPlace& place, std::string_view bytes) {
-  if (place.way == OutputWay::stream) return write_stream(place.path, bytes);
+void write_output(const OutputPlace& place, const ByteSource& source) {
+  if (place.way == OutputWay::stream) return write_in_place(place.path, source);
   const fs::path folder = place.path.parent_path();
   std::error_code error;
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) throw ResultsError(folder.string() + ": cannot create the folder: " + error.message());
-  write_atomically(place.path, bytes);
+  write_atomically(place.path, source);
+}
+
+void write_output(const OutputPlace& place, std::string_view bytes) {
+  write_output(place, [bytes](const ByteSink& put) { put(bytes); });
 }
 
 }  // namespace raygauge

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "results/exceptions.h"
+#include "results/run/atomic_file.h"
 
 namespace raygauge {
 
@@ -59,9 +60,10 @@ struct OutputPlace {
 /// Changes nothing. Throws OutputRefusedError.
 OutputPlace output_place(const OutputRequest& request);
 
-/// Writes `bytes` to a place that is not standard output, making the folders above it. A file appears whole,
-/// with the permissions of the one it replaces, or stays as it was. Throws ResultsError with the system's
-/// reason.
+/// Writes the bytes of `source` to a place that is not standard output, making the folders above it. A file
+/// appears whole, with the permissions of the one it replaces, or stays as it was. Throws ResultsError with
+/// the system's reason, and what `source` throws.
+void write_output(const OutputPlace& place, const ByteSource& source);
 void write_output(const OutputPlace& place, std::string_view bytes);
 
 /// The file that `path` leads to over symbolic links, whether it is there or not. Throws OutputRefusedError
