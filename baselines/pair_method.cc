@@ -9,7 +9,7 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 
 namespace raygauge {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/scene/edge_checker.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/cylinder.h"

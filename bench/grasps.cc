@@ -11,7 +11,7 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
-#include "raygauge/queries/depth.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/grasp_wrenches.h"
 

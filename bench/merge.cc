@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/sweep/timed_solve.h"
+#include "raygauge/sweep/method.h"
 #include "results/merge/merge_parts.h"
 #include "results/run/results_file.h"
 

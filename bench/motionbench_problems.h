@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/scene/body.h"
 #include "raygauge/scene/edge_checker.h"
+#include "raygauge/scene/scene.h"
 #include "scene/input/robot_file.h"
 #include "scene/input/srdf_file.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/sweep/order_statistics.h"
-#include "raygauge/sweep/timed_solve.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge::bench {
 namespace {

@@ -68,11 +68,12 @@ int export_refutations(const ExportArguments& arguments) {
   const Filter filter = filter_of(arguments.analysis);
   const Output output =
       output_of(arguments.refutations, OutputKind::text, {".jsonl"}, arguments.analysis, arguments.force);
-  const RefutationReport report =
-      refutation_report(read_files(arguments.analysis).records, filter, all_generators());
-  write_to(output, report.lines);
-  std::fprintf(stderr, "note: %s, %zu of them refuted\n", counted(report.wrong, "wrong answer").c_str(),
-               report.refuted);
+  const std::vector<Record> records = read_files(arguments.analysis).records;
+  RefutationCount count;
+  write_to(output,
+           [&](const ByteSink& put) { count = put_refutations(records, filter, all_generators(), put); });
+  std::fprintf(stderr, "note: %s, %zu of them refuted\n", counted(count.wrong, "wrong answer").c_str(),
+               count.refuted);
   return kAnswered;
 }
 

@@ -13,7 +13,7 @@
 #include "cli/input/point_source.h"
 #include "cli/input/toml_refusal.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 
 namespace raygauge::cli {
 namespace {

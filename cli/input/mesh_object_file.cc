@@ -12,7 +12,7 @@
 #include "cli/input/toml_refusal.h"
 #include "engine/meshes/convexity.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {

@@ -13,7 +13,7 @@
 #include "engine/lp/weighted_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
-#include "raygauge/sets/point_weight.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

@@ -11,7 +11,6 @@
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/point_weight.h"
 
 namespace raygauge {
 

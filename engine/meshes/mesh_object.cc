@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 
 #include <typeinfo>
 

@@ -9,7 +9,7 @@
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/methods/options.h"
-#include "raygauge/queries/depth.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {

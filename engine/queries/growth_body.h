@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raygauge/sets/minkowski_view.h"
+#include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {

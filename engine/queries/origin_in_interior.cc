@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/queries/origin_in_interior.h"
+#include "raygauge/queries/membership.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/contact_wrenches.h"
+#include "raygauge/sets/grasp_wrenches.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/linear_image.h"
+#include "raygauge/sets/affine_image.h"
 
 #include <algorithm>
 #include <cmath>

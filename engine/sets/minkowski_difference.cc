@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 
 #include <utility>
 

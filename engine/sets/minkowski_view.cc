@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/minkowski_view.h"
+#include "raygauge/sets/minkowski_sum.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/aligned_buffer.h"
-#include "raygauge/sets/minkowski_view.h"
+#include "raygauge/sets/minkowski_sum.h"
 
 namespace raygauge {
 

@@ -11,7 +11,7 @@
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/affine_image.h"
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sweep/method.h"
 

@@ -18,7 +18,7 @@
 #include "engine/sweep/share.h"
 #include "engine/threads/team.h"
 #include "engine/threads/thread_pin.h"
-#include "raygauge/sweep/timed_solve.h"
+#include "raygauge/sweep/method.h"
 
 namespace raygauge {
 namespace {

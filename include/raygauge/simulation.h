@@ -9,7 +9,5 @@
 #else
 #include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/friction.h"
-#include "raygauge/scene/moments.h"
-#include "raygauge/scene/siconos_friction.h"
 #include "raygauge/scene/simulation.h"
 #endif

@@ -12,7 +12,7 @@
 #include "python/bindings/results.h"
 #include "python/bindings/solving.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/depth.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/grasp_wrenches.h"
 

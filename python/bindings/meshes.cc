@@ -12,7 +12,7 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/set_docs.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 
 namespace raygauge::python {
 namespace {

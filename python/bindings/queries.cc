@@ -19,7 +19,6 @@
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/membership.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/queries/origin_in_interior.h"
 
 namespace raygauge::python {
 namespace {

@@ -7,7 +7,6 @@
 #include "python/sweeps/turn.h"
 #include "raygauge/sweep/instance.h"
 #include "raygauge/sweep/method.h"
-#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge::python {
 

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "engine/meshes/box_tree.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
 #include "results/exceptions.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/console/command_line.h"
-#include "raygauge/scene/scene_plan.h"
+#include "raygauge/scene/scene_run.h"
 #include "scene/file/scene_file.h"
 #include "scene/input/scene_source.h"
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/siconos_friction.h"
+#include "raygauge/scene/friction.h"
 
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>

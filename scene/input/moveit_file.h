@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/scene/body.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge::cli {
 

@@ -7,7 +7,7 @@
 
 #include "cli/input/mesh_file.h"
 #include "cli/input/xml_values.h"
-#include "raygauge/scene/placement.h"
+#include "raygauge/scene/motion.h"
 #include "scene/input/robot_formats.h"
 
 namespace raygauge::cli {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/meshes/box_tree.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "engine/meshes/box_tree.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "scene/input/scene_source.h"
 #include "scene/queries/timeline.h"
 

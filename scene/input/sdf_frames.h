@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/input/xml_values.h"
-#include "raygauge/scene/placement.h"
+#include "raygauge/scene/motion.h"
 
 namespace raygauge::cli {
 

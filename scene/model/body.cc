@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/body.h"
+#include "raygauge/scene/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/spatial_shape.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raygauge/scene/body.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge {
 

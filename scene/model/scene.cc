@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/half_space.h"
 
 namespace raygauge {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/meshes/box_tree.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "scene/page/plane_patch.h"
 #include "scene/page/support_mesh.h"
 

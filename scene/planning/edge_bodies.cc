@@ -9,7 +9,7 @@
 #include "engine/meshes/box_tree.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "scene/model/part_tree.h"
 #include "scene/queries/placed_pair.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/meshes/triangle_set.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/pose.h"
 #include "scene/planning/edge_search.h"
 

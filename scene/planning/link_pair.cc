@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "scene/planning/edge_pair.h"
 #include "scene/planning/joint_box.h"
 #include "scene/planning/touching_links.h"

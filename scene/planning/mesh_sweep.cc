@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "engine/meshes/triangle_pair.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 
 namespace raygauge {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "raygauge/scene/scene_plan.h"
+#include "raygauge/scene/scene_run.h"
 
 namespace raygauge {
 

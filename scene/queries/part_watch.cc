@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/point_set.h"
 

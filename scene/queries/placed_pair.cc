@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/floating_point.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {

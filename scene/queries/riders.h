@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "raygauge/scene/body.h"
 #include "raygauge/scene/continuous.h"
 #include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 
 namespace raygauge {
 namespace {

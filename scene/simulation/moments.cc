@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/moments.h"
+#include "raygauge/scene/dynamics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/frustum.h"
 #include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "scene/simulation/known_points.h"
 
 namespace raygauge {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "raygauge/scene/placement.h"
+#include "raygauge/scene/motion.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge {

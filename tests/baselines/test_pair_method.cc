@@ -20,7 +20,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "raygauge/queries/contact_patch.h"
-#include "raygauge/queries/depth.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "engine/numerics/number_text.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "tests/mesh_truth.h"
 #include "tests/soak/random_set.h"
 

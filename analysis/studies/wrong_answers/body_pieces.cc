@@ -12,8 +12,8 @@
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/frustum.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge {
 namespace {

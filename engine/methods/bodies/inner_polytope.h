@@ -7,7 +7,7 @@
 
 #include "engine/methods/bodies/facet_lanes.h"
 #include "engine/numerics/real.h"
-#include "raygauge/methods/depth_memory.h"
+#include "raygauge/methods/warm_start.h"
 
 namespace raygauge {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/sets/object_pair.h"
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 
 namespace raygauge {
 namespace {

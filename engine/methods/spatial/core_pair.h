@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/methods/spatial/pair_frames.h"
-#include "raygauge/methods/depth_memory.h"
+#include "raygauge/methods/warm_start.h"
 
 namespace raygauge {
 

@@ -10,7 +10,7 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/sets/convex_set.h"
-#include "raygauge/sets/point_weight.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 

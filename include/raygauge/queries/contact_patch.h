@@ -9,8 +9,8 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
+#include "raygauge/methods/warm_start.h"
 #include "raygauge/numerics/vector3.h"
-#include "raygauge/queries/warm_start.h"
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/pose.h"
 

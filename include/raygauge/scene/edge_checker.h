@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/scene/body.h"
 #include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/scene.h"
 
 namespace raygauge {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 namespace raygauge {
@@ -44,5 +45,9 @@ Eigen::VectorXd nonnegative_solution(const Eigen::MatrixXd& W, const Eigen::Vect
 
 /// The same measure for them: |r - max(0, r - s (W r + q))| / (s |q|).
 double nonnegative_residual(const Eigen::MatrixXd& W, const Eigen::VectorXd& q, const Eigen::VectorXd& r);
+
+/// Of the library raygauge::friction, by Siconos numerics: nonsmooth Gauss-Seidel on the contacts, from the
+/// first guess to a relative error of 1e-10 or 4000 passes, beyond which it gains little.
+std::unique_ptr<FrictionSolver> siconos_friction();
 
 }  // namespace raygauge

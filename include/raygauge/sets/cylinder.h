@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/frustum.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge {
 

@@ -9,6 +9,12 @@
 
 namespace raygauge {
 
+/// A point of a PointSet, by its index, and its weight in a convex combination.
+struct PointWeight {
+  std::ptrdiff_t index = 0;
+  double weight = 0;
+};
+
 class ClusterTree;
 struct IsotropicMap;
 

@@ -2,9 +2,63 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/sets/frustum.h"
+#include <memory>
+#include <string>
+
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
+
+class Axis;
+
+/// The hull of two discs across one axis, in R^n balls of n - 1 dimensions: what a truncated cone and a
+/// cylinder are, by the names of their own parameters. Its support function has a piece for each disc,
+///
+///     h(u) = max_i (u·p_i + r_i |u_⊥|),      s(u) = p_i + r_i u_⊥/|u_⊥|,      u_⊥ = u - (u·a) a,
+///
+/// with the Hessian r_i/|u_⊥| times the projector across the axis and u; the discs are its flat faces.
+class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
+ public:
+  const Vector& base() const noexcept { return base_; }
+  const Vector& top() const noexcept { return top_; }
+  double base_radius() const noexcept { return base_radius_; }
+  double top_radius() const noexcept { return top_radius_; }
+
+ protected:
+  /// `set` is its name in messages. The radii are the caller's to check.
+  Frustum(const std::string& set, const ConstVectorRef& base, double base_radius, const ConstVectorRef& top,
+          double top_radius);
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  bool do_spatial_shape(SpatialShape& shape) const override;
+  SupportStructure do_structure() const noexcept override;
+  const SmoothSupport* do_smooth() const noexcept override { return this; }
+  const FlatFaces* do_flat_faces() const noexcept override { return this; }
+  void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;
+  bool do_facet_normal(const double* u, const double* v, double* normal) const override;
+  void do_facet_point(const double* normal, const double* target, double* point) const override;
+  void do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const override;
+  bool do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const override;
+  void do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const override;
+
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
+  template <class Real>
+  bool find_facet_normal(const Real* u, const Real* v, Real* normal) const;
+  template <class Real>
+  void find_facet_point(const Real* normal, const Real* target, Real* point) const;
+
+  std::shared_ptr<const Axis> axis_;  // from base to top
+  Vector base_;
+  Vector top_;
+  double base_radius_;
+  double top_radius_;
+  double center_radius_;  // of a ball about the centre, inside
+};
 
 /// conv(D_b ∪ D_t), D_i = {x : |x - p_i| <= r_i, (x - p_i)·a = 0}: the truncated cone between two discs
 /// across the axis a = (p_t - p_b)/|p_t - p_b|; in R^n the discs are balls of n - 1 dimensions. r_t = 0 is a

@@ -12,7 +12,6 @@
 #include "raygauge/sweep/instance.h"
 #include "raygauge/sweep/method.h"
 #include "raygauge/sweep/record.h"
-#include "raygauge/sweep/timed_solve.h"
 
 namespace raygauge {
 

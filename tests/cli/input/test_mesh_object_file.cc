@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "tests/cli/input/mesh_text.h"
 #include "tests/results/support.h"
 

@@ -8,7 +8,7 @@
 
 #include "cli/input/set_source.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/sets/half_space.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/results/complaint.h"

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/depth.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/depth.h"
 #include "raygauge/queries/membership.h"
+#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/contact_wrenches.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/grasp_wrenches.h"
 #include "raygauge/sets/minkowski_sum.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/contact_wrenches.h"
+#include "raygauge/sets/grasp_wrenches.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/union_hull.h"
 

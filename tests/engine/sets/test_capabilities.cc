@@ -26,7 +26,6 @@
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_difference.h"
 #include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"

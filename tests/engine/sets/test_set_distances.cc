@@ -17,7 +17,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_difference.h"
+#include "raygauge/sets/minkowski_sum.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/simplex.h"
 #include "raygauge/sets/truncated_cone.h"

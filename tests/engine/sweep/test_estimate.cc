@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raygauge/sweep/timed_solve.h"
+#include "raygauge/sweep/method.h"
 #include "tests/engine/fake_components.h"
 
 namespace raygauge::test_estimate {

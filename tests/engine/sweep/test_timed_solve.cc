@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sweep/timed_solve.h"
+#include "raygauge/sweep/method.h"
 
 #include <gtest/gtest.h>
 

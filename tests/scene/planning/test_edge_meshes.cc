@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/scene/edge_checker.h"
 #include "tests/engine/meshes/mesh_shapes.h"
 #include "tests/scene/planning/random_robots.h"

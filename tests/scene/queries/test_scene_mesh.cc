@@ -8,7 +8,7 @@
 #include <string>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/meshes/mesh_object.h"
+#include "raygauge/meshes/mesh.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/sets/half_space.h"
 #include "tests/engine/meshes/mesh_shapes.h"

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/moments.h"
+#include "raygauge/scene/dynamics.h"
 
 #include <gtest/gtest.h>
 
