@@ -148,9 +148,9 @@ std::optional<RigidBody> RigidBody::of(const ConvexSet& S, Frusta frusta) {
     body->frame = pose * body->frame;
     return body;
   }
-  SpatialShape shape;
+  const SpatialShape* shape = S.spatial_shape();
   RigidBody body;
-  if (S.dimension() != 3 || !S.spatial_shape_unchecked(shape) || !take(S, shape, body)) return std::nullopt;
+  if (S.dimension() != 3 || shape == nullptr || !take(S, *shape, body)) return std::nullopt;
   if (body.kind == Kind::frustum && frusta == Frusta::refused) return std::nullopt;
   return body;
 }

@@ -9,18 +9,24 @@
 
 namespace raygauge {
 
+TriangleSet::TriangleSet() : ConvexSet(3) {
+  shape_->blocks = block_;
+  shape_->block_count = 1;
+  shape_->size = 3;
+  set_spatial_shape(shape_);
+}
+
 void TriangleSet::assign(const Mesh& mesh, std::int32_t i) noexcept {
   assign(mesh.tree().triangle(i));
   if (mesh.kind() != MeshKind::cloud) return;
-  is_ball_ = true;
-  radius_ = mesh.radius();
-  center_ = mesh.tree().triangle(i).corner[0];
-  for (double& magnitude : magnitude_) magnitude += radius_;
+  shape_->kind = SpatialShape::Kind::point;
+  shape_->radius = shape_->inner_radius = mesh.radius();
+  shape_->center = mesh.tree().triangle(i).corner[0];
+  shape_->extent = length(shape_->center);
+  for (double& magnitude : magnitude_) magnitude += shape_->radius;
 }
 
 void TriangleSet::assign(const TriangleCorners& triangle) noexcept {
-  is_ball_ = false;
-  radius_ = 0;
   constexpr int kLanes = PointSet::kLanes;
   for (int lane = 0; lane < kLanes; ++lane) {
     const Vector3& p = triangle.corner[std::min(lane, 2)];
@@ -32,7 +38,10 @@ void TriangleSet::assign(const TriangleCorners& triangle) noexcept {
     const double* row = block_ + std::ptrdiff_t{k} * kLanes;
     magnitude_[k] = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
   }
-  center_ = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) * (1.0 / 3);
+  shape_->kind = SpatialShape::Kind::points;
+  shape_->radius = shape_->inner_radius = 0;
+  shape_->center = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) * (1.0 / 3);
+  shape_->extent = length({magnitude_[0], magnitude_[1], magnitude_[2]});
 }
 
 double TriangleSet::do_support(const double* u, double* point) const {
@@ -46,33 +55,19 @@ double TriangleSet::do_support(const double* u, double* point) const {
     highest = i;
   }
   for (int k = 0; k < 3; ++k) point[k] = block_[k * kLanes + highest];
-  if (!is_ball_) return best;
+  if (!is_ball()) return best;
   double unit[3];
   const double size = normalize(u, 3, unit);
-  for (int k = 0; k < 3; ++k) point[k] += radius_ * unit[k];
-  return best + radius_ * size;
+  for (int k = 0; k < 3; ++k) point[k] += shape_->radius * unit[k];
+  return best + shape_->radius * size;
 }
 
 void TriangleSet::do_center(double* point) const {
-  point[0] = center_.x;
-  point[1] = center_.y;
-  point[2] = center_.z;
+  point[0] = shape_->center.x;
+  point[1] = shape_->center.y;
+  point[2] = shape_->center.z;
 }
 
 void TriangleSet::do_magnitude(double* magnitude) const { std::copy_n(magnitude_, 3, magnitude); }
-
-bool TriangleSet::do_spatial_shape(SpatialShape& shape) const {
-  shape.kind = is_ball_ ? SpatialShape::Kind::point : SpatialShape::Kind::points;
-  shape.center = center_;
-  shape.radius = shape.inner_radius = radius_;
-  shape.table = nullptr;
-  shape.extent = is_ball_ ? length(center_) : length({magnitude_[0], magnitude_[1], magnitude_[2]});
-  if (is_ball_) return true;
-  shape.coordinates = 3;
-  shape.blocks = block_;
-  shape.block_count = 1;
-  shape.size = 3;
-  return true;
-}
 
 }  // namespace raygauge

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "engine/meshes/box_tree.h"
 #include "engine/sets/spatial_shape.h"
 #include "raygauge/sets/point_set.h"
@@ -12,7 +14,7 @@ namespace raygauge {
 /// assigns it, and nobody else sees it meanwhile.
 class TriangleSet final : public ConvexSet {
  public:
-  TriangleSet() : ConvexSet(3) {}
+  TriangleSet();
 
   void assign(const TriangleCorners& triangle) noexcept;
 
@@ -24,15 +26,13 @@ class TriangleSet final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   SupportStructure do_structure() const noexcept override {
-    return is_ball_ ? SupportStructure::unknown : SupportStructure::polytope;
+    return is_ball() ? SupportStructure::unknown : SupportStructure::polytope;
   }
-  bool do_spatial_shape(SpatialShape& shape) const override;
+  bool is_ball() const noexcept { return shape_->kind == SpatialShape::Kind::point; }
 
   alignas(64) double block_[3 * PointSet::kLanes] = {};  // PointSet's layout: the last corner fills it up
   double magnitude_[3] = {0, 0, 0};
-  Vector3 center_;
-  bool is_ball_ = false;
-  double radius_ = 0;
+  std::shared_ptr<SpatialShape> shape_ = std::make_shared<SpatialShape>();
 };
 
 }  // namespace raygauge

@@ -15,6 +15,15 @@ namespace {
 constexpr double kUp = 1 + 0x1p-52, kDown = 1 - 0x1p-52;
 constexpr double kExact = 1e-14;  // the finest tolerance that distances are asked for
 
+// Without the ball that is added: of a capsule the segment, of a ball its centre. A ball inside core + r B is
+// one of radius r larger than one inside the core: for closed convex sets summands may be cancelled.
+SpatialShape core_of(const SpatialShape& shape) {
+  SpatialShape core = shape;
+  core.inner_radius = std::max(0.0, shape.inner_radius - shape.radius * (1 + 0x1p-50));
+  core.radius = 0;
+  return core;
+}
+
 }  // namespace
 
 bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -25,10 +34,11 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
     extent_[i] = pair_.shape(i).extent;
   }
   if (!has_balls()) return true;
-  core_[0].emplace(first);
-  core_[1].emplace(second);
+  for (int i = 0; i < 2; ++i) core_[i] = core_of(pair_.shape(i));
+  pair_.bind(core_[0], core_[1], pair_.dimension(), isa);
+  cores_.bind(core_[0], core_[1], pair_.dimension(), isa);
   cores_.expect_overlap();
-  return pair_.bind(*core_[0], *core_[1], isa);
+  return true;
 }
 
 // A ball in a pose is turned by an R whose RᵀR is 1 but for the defect.
@@ -178,7 +188,7 @@ bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
 
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
 bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer) {
-  if (!cores_.bind(*core_[0], *core_[1], isa_) || !cores_.place(pair_.pose(0), pair_.pose(1))) return false;
+  if (!cores_.place(pair_.pose(0), pair_.pose(1))) return false;
   double asked = tolerance;
   nearest_.clear();
   if (start != nullptr) nearest_ = *start;

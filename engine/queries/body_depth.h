@@ -3,13 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
 #include "engine/methods/bodies/body_oracles.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
-#include "engine/sets/core_of.h"
 #include "raygauge/methods/result.h"
 
 namespace raygauge {
@@ -86,7 +84,7 @@ class BodyDepth {
   void put_points(const Vector3& normal, const Vector3& a1, const Vector3& a2, BodyDepthAnswer& answer) const;
   void find_near_points(BodyDepthAnswer& answer, Vector3& a1, Vector3& a2);
 
-  std::optional<CoreOf> core_[2];
+  SpatialShape core_[2];  // without their balls, if there is one
   double radius_[2] = {0, 0}, extent_[2] = {0, 0};
   DoubleDouble ball_lower_, ball_upper_;  // of the sum of both balls, in their poses
   InstructionSet isa_ = InstructionSet::automatic;

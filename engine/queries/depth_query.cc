@@ -24,12 +24,6 @@ void put(const Vector3& v, int n, double scale, Vector& out) {
 
 }  // namespace
 
-double radius_of_ball(const ConvexSet& Q) {
-  SpatialShape shape;
-  if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
-  return length(shape.center) == 0 ? shape.radius : 0.0;
-}
-
 bool DepthQuery::solve_bodies(const Posed& A1, const Posed& A2, double radius, const DistanceOptions& options,
                               const DepthStart& start, ObjectDepth& result) {
   if (!bodies_.bind(A1.set, A2.set, options.instruction_set) ||

@@ -13,9 +13,6 @@
 
 namespace raygauge {
 
-/// Of a ball about the origin; 0 of every other set.
-double radius_of_ball(const ConvexSet& Q);
-
 /// The depth of two objects of R^1 to R^6 in any metric: by BodyDepth where the metric is a ball about the
 /// origin and both have fixed-size code, else by their support mappings in doubles. In larger spaces there
 /// are bounds only: 0, and the least of a few directions.

@@ -77,9 +77,11 @@ bool is_known(const RoundPair& round, bool wanted, double tolerance) {
 
 }  // namespace
 
-bool distance_by_formula(RoundPair& round, const SpatialShape& one, const SpatialShape& two, const Posed& A1,
-                         const Posed& A2, const FormulaGoal& goal, WarmStart* warm, ObjectDistance& result) {
-  if (!RoundPair::has_formula(one, two)) return false;
+bool distance_by_formula(RoundPair& round, const Posed& A1, const Posed& A2, const FormulaGoal& goal,
+                         WarmStart* warm, ObjectDistance& result) {
+  if (A1.set.spatial_shape() == nullptr || A2.set.spatial_shape() == nullptr) return false;
+  const SpatialShape &one = *A1.set.spatial_shape(), &two = *A2.set.spatial_shape();
+  if (A1.dimension() != 3 || A2.dimension() != 3 || !RoundPair::has_formula(one, two)) return false;
   const PoseNumbers pose_1(A1.pose), pose_2(A2.pose);
   if (!round.solve(one, two, pose_1, pose_2)) return false;
   const bool meet = round.upper() < 0, deep = meet && has_effect(goal.effects, ObjectEffects::depth);

@@ -14,11 +14,10 @@ struct FormulaGoal {
   ObjectEffects effects = ObjectEffects::none;
 };
 
-/// The whole answer by `round` for two bodies of R^3 with these shapes, where there is a formula: the
-/// distance, or the depth if it is asked for and they meet, and the gradient by pose. In one go, for what
-/// takes less time than a pair to be placed. False where there is no formula, or what it finds is not as
-/// precise as was asked for.
-bool distance_by_formula(RoundPair& round, const SpatialShape& one, const SpatialShape& two, const Posed& A1,
-                         const Posed& A2, const FormulaGoal& goal, WarmStart* warm, ObjectDistance& result);
+/// The whole answer by `round` for two bodies of R^3, where there is a formula: the distance, or the depth if
+/// it is asked for and they meet, and the gradient by pose. In one go, for what takes less time than a pair
+/// to be placed. False where there is no formula, or what it finds is not as precise as was asked for.
+bool distance_by_formula(RoundPair& round, const Posed& A1, const Posed& A2, const FormulaGoal& goal,
+                         WarmStart* warm, ObjectDistance& result);
 
 }  // namespace raygauge

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "engine/queries/formula_distance.h"
 
@@ -15,18 +14,15 @@ constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
 constexpr std::ptrdiff_t kPointsUnderLimit =
     10000;  // a hundred passes over so many end before the clock would be read
 
-// The radius of a ball about the origin; 0 for every other set.
-double radius_of_metric(const ConvexSet& Q, SpatialShape& shape) {
-  if (!Q.spatial_shape_unchecked(shape) || shape.kind != SpatialShape::Kind::point) return 0;
-  return shape.center.x == 0 && shape.center.y == 0 && shape.center.z == 0 ? shape.radius : 0.0;
+bool is_open(const DistanceOptions& options) {
+  return options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
 }
 
 }  // namespace
 
 bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceOptions& options) {
   asked_ = false;
-  const bool open = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
-  if (!open || !solve_.bind(first.set, second.set, options.instruction_set)) return false;
+  if (!is_open(options) || !solve_.bind(first.set, second.set, options.instruction_set)) return false;
   const bool limited = options.time_limit != std::numeric_limits<double>::infinity();
   return !limited || solve_.points() <= kPointsUnderLimit;
 }
@@ -45,26 +41,20 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
   if (result.contact_point.size() != 0) result.contact_point.resize(0);
 }
 
-bool SpatialQuery::bind(const Posed& A1, const Posed& A2, const ConvexSet& metric,
-                        const DistanceOptions& options) {
-  radius_ = radius_of_metric(metric, metric_);
-  return radius_ > 0 && metric.dimension() == A1.dimension() && bind(A1, A2, options);
-}
-
 bool SpatialQuery::by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                               const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                               ObjectDistance& result) {
-  bound_ = bind(A1, A2, metric, options);
-  return bound_ && solve_.dimension() == 3 &&
-         distance_by_formula(round_, solve_.pair().shape(0), solve_.pair().shape(1), A1, A2,
-                             {radius_, options.tolerance, effects}, warm, result);
+  const double radius = radius_of_ball(metric);
+  return radius > 0 && is_open(options) && metric.dimension() == 3 &&
+         distance_by_formula(round_, A1, A2, {radius, options.tolerance, effects}, warm, result);
 }
 
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
                             ObjectDistance& result) {
-  const bool bound = std::exchange(bound_, false) || bind(A1, A2, metric, options);
-  if (!bound || !place(A1, A2)) {
+  const double radius = radius_of_ball(metric);
+  const bool measures = radius > 0 && metric.dimension() == A1.dimension();
+  if (!measures || !bind(A1, A2, options) || !place(A1, A2)) {
     asked_ = false;
     proven_ = {};
     return false;
@@ -74,13 +64,11 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
   const int n = solve_.dimension();
   DistanceResult& distance = result.distance;
   const bool apart = answer.end != SpatialEnd::intersecting;
-  const double share = radius_ == 1 ? 1.0 : 1 / radius_;
-  const double lower = !apart         ? 0
-                       : radius_ == 1 ? answer.bounds.lower()
-                                      : answer.bounds.lower() * share * kDown;
-  const double upper = !apart         ? 0
-                       : radius_ == 1 ? answer.bounds.upper()
-                                      : answer.bounds.upper() * share * kUp;
+  const double share = radius == 1 ? 1.0 : 1 / radius;
+  const double lower = !apart        ? 0
+                       : radius == 1 ? answer.bounds.lower()
+                                     : answer.bounds.lower() * share * kDown;
+  const double upper = !apart ? 0 : radius == 1 ? answer.bounds.upper() : answer.bounds.upper() * share * kUp;
   if (!found) {
     proven_ = {{lower, upper}};
     for (int k = 0; lower > 0 && k < n; ++k) proven_.normal[k] = solve_.normal()[k] * share;

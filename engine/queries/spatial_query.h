@@ -31,7 +31,7 @@ class SpatialQuery {
               double threshold, WarmStart* warm, DistanceResult& result);
 
   /// Nothing is known of bodies before a query.
-  void begin() noexcept { asked_ = bound_ = false; }
+  void begin() noexcept { asked_ = false; }
 
   /// The whole answer of bodies that have a formula, see distance_by_formula(). Where there is none,
   /// distance() of the same bodies goes on.
@@ -56,16 +56,12 @@ class SpatialQuery {
 
  private:
   bool bind(const Posed& first, const Posed& second, const DistanceOptions& options);
-  bool bind(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options);
   bool place(const Posed& first, const Posed& second);
   void set_counters(DistanceResult& result) const;
 
   SpatialSolve solve_;
   RoundPair round_;
-  SpatialShape metric_;
-  double radius_ = 1;  // of the metric
   ProvenBounds proven_;
-  bool bound_ = false;  // by by_formula()
   bool asked_ = false;
 };
 

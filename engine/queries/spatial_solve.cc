@@ -40,6 +40,12 @@ bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, Instruc
   return pair_.bind(first, second, isa);
 }
 
+void SpatialSolve::bind(const SpatialShape& first, const SpatialShape& second, int n, InstructionSet isa) {
+  first_ = nullptr;
+  isa_ = isa;
+  pair_.bind(first, second, n, isa);
+}
+
 // Whether the start has vertices.
 bool SpatialSolve::begin_with_vertices(const PairStart* warm) {
   const bool known = warm != nullptr && warm->dimension == pair_.dimension() && pair_.has_vertices();

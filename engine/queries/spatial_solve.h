@@ -17,6 +17,9 @@ class SpatialSolve {
   /// in other spaces.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
 
+  /// The same of shapes in R^n; nothing is scaled about the origin then.
+  void bind(const SpatialShape& first, const SpatialShape& second, int n, InstructionSet isa);
+
   /// Curved bodies most likely meet, if they are near: steps in doubles, which prove it, are not left early.
   void expect_overlap() noexcept { near_curved_ = 1e-8; }
 

@@ -12,7 +12,14 @@ namespace raygauge {
 Ball::Ball(const ConstVectorRef& center, double radius)
     : ConvexSet(static_cast<int>(center.size())),
       center_(checked_finite("ball", "center", center)),
-      radius_(checked_nonnegative("ball", "radius", radius)) {}
+      radius_(checked_nonnegative("ball", "radius", radius)) {
+  SpatialShape shape;
+  if (!place(shape, center_, dimension())) return;
+  shape.kind = SpatialShape::Kind::point;
+  shape.radius = shape.inner_radius = radius_;
+  shape.extent = length(shape.center);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
+}
 
 double Ball::do_support(const double* u, double* point) const {
   const double length = normalize(u, dimension(), point);
@@ -55,14 +62,6 @@ bool Ball::do_touches_origin(double* u) const {
     u[k] = -center_[k];
   }
   return radius_ > 0 && difference.is_zero();
-}
-
-bool Ball::do_spatial_shape(SpatialShape& shape) const {
-  if (!place(shape, center_, dimension())) return false;
-  shape.kind = SpatialShape::Kind::point;
-  shape.radius = shape.inner_radius = radius_;
-  shape.extent = length(shape.center);
-  return true;
 }
 
 SupportStructure Ball::do_structure() const noexcept { return SupportStructure::smooth; }

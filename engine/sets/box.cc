@@ -24,6 +24,16 @@ Box::Box(const ConstVectorRef& lower, const ConstVectorRef& upper)
                                   std::to_string(upper_[k]));
     }
   }
+  SpatialShape shape;
+  if (!place(shape, 0.5 * lower_ + 0.5 * upper_, dimension())) return;
+  const Vector3 half = spatial(upper_, dimension()) - shape.center;
+  shape.kind = SpatialShape::Kind::box;
+  shape.axis.column[0] = half;
+  shape.base = spatial(lower_, dimension());
+  shape.top = spatial(upper_, dimension());
+  shape.inner_radius = std::min({half.x, half.y, dimension() == 3 ? half.z : half.x});
+  shape.extent = length(shape.center) + length(half);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 double Box::do_support(const double* u, double* point) const {
@@ -45,18 +55,6 @@ double Box::do_inner_radius(const double* c) const {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < dimension(); ++k) least = std::min({least, upper_[k] - c[k], c[k] - lower_[k]});
   return std::max(0.0, least * (1 - std::numeric_limits<double>::epsilon()));
-}
-
-bool Box::do_spatial_shape(SpatialShape& shape) const {
-  if (!place(shape, 0.5 * lower_ + 0.5 * upper_, dimension())) return false;
-  const Vector3 half = spatial(upper_, dimension()) - shape.center;
-  shape.kind = SpatialShape::Kind::box;
-  shape.axis.column[0] = half;
-  shape.base = spatial(lower_, dimension());
-  shape.top = spatial(upper_, dimension());
-  shape.inner_radius = std::min({half.x, half.y, dimension() == 3 ? half.z : half.x});
-  shape.extent = length(shape.center) + length(half);
-  return true;
 }
 
 SupportStructure Box::do_structure() const noexcept { return SupportStructure::polytope; }

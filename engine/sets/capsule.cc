@@ -16,6 +16,15 @@ Capsule::Capsule(const ConstVectorRef& p, const ConstVectorRef& q, double radius
       q_(checked_finite("capsule", "q", q)),
       radius_(checked_nonnegative("capsule", "radius", radius)) {
   check_dimension("capsule", "q", q.size(), dimension());
+  SpatialShape shape;
+  if (!place(shape, 0.5 * p_ + 0.5 * q_, dimension())) return;
+  shape.kind = SpatialShape::Kind::segment;
+  shape.axis.column[0] = spatial(q_, dimension()) - shape.center;
+  shape.base = spatial(p_, dimension());
+  shape.top = spatial(q_, dimension());
+  shape.radius = shape.inner_radius = radius_;
+  shape.extent = length(shape.center) + length(shape.axis.column[0]);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 double Capsule::do_support(const double* u, double* point) const {
@@ -47,18 +56,6 @@ double Capsule::do_inner_radius(const double* c) const {
   const double t = length_squared > 0 ? std::clamp(along / length_squared, 0.0, 1.0) : 0.0;
   for (int k = 0; k < n; ++k) nearest.data()[k] = (1 - t) * p_[k] + t * q_[k];
   return proven_length(radius_ - distance_between(nearest.data(), c, n), size, n);
-}
-
-bool Capsule::do_spatial_shape(SpatialShape& shape) const {
-  if (!place(shape, 0.5 * p_ + 0.5 * q_, dimension())) return false;
-  shape.kind = SpatialShape::Kind::segment;
-  shape.axis.column[0] = spatial(q_, dimension()) - shape.center;
-  shape.base = spatial(p_, dimension());
-  shape.top = spatial(q_, dimension());
-  shape.base_radius = shape.top_radius = 0;  // whatever the shape was of before
-  shape.radius = shape.inner_radius = radius_;
-  shape.extent = length(shape.center) + length(shape.axis.column[0]);
-  return true;
 }
 
 SupportStructure Capsule::do_structure() const noexcept { return SupportStructure::smooth; }

@@ -62,6 +62,4 @@ Vector ConvexSet::center() const {
   return point;
 }
 
-bool ConvexSet::do_spatial_shape(SpatialShape&) const { return false; }
-
 }  // namespace raygauge

@@ -54,6 +54,18 @@ Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen:
   check_finite_matrix("ellipsoid", "factor", factor_);
   shape_ = factor_ * factor_.transpose();
   inverse_ = std::make_shared<const BoundedInverse>(factor_);
+  const int n = dimension();
+  SpatialShape shape;
+  if (!place(shape, center_, n) || factor_.cols() != n) return;
+  shape.kind = SpatialShape::Kind::ellipsoid;
+  double square = 0;
+  for (int j = 0; j < n; ++j) {
+    shape.axis.column[j] = spatial(factor_.col(j), n);
+    square += dot(shape.axis.column[j], shape.axis.column[j]);
+  }
+  shape.inner_radius = inverse_->least_stretch() * (1 - 0x1p-50);
+  shape.extent = length(shape.center) + std::sqrt(square);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 template <class Real>
@@ -100,21 +112,6 @@ bool Ellipsoid::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   if (!solve_in_quad(factor_, false, z.data())) return false;
   std::copy_n(z.data(), n, normal);
   return solve_in_quad(factor_, true, normal);
-}
-
-bool Ellipsoid::do_spatial_shape(SpatialShape& shape) const {
-  const int n = dimension();
-  if (!place(shape, center_, n) || factor_.cols() != n) return false;
-  shape.kind = SpatialShape::Kind::ellipsoid;
-  shape.axis = {};
-  double square = 0;
-  for (int j = 0; j < n; ++j) {
-    shape.axis.column[j] = spatial(factor_.col(j), n);
-    square += dot(shape.axis.column[j], shape.axis.column[j]);
-  }
-  shape.inner_radius = inverse_->least_stretch() * (1 - 0x1p-50);
-  shape.extent = length(shape.center) + std::sqrt(square);
-  return true;
 }
 
 SupportStructure Ellipsoid::do_structure() const noexcept { return SupportStructure::smooth; }

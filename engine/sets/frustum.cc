@@ -27,7 +27,19 @@ Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base
       top_radius_(top_radius) {
   Vector center(dimension());
   Frustum::do_center(center.data());
-  center_radius_ = Frustum::do_inner_radius(center.data());
+  const double inner_radius = Frustum::do_inner_radius(center.data());
+  const int n = dimension();
+  SpatialShape shape;
+  if (n != 3 || !place(shape, center, n)) return;
+  shape.kind = SpatialShape::Kind::frustum;
+  shape.axis.column[0] = spatial(axis_->direction(), n);
+  shape.base = spatial(base_, n);
+  shape.top = spatial(top_, n);
+  shape.base_radius = base_radius_;
+  shape.top_radius = top_radius_;
+  shape.inner_radius = inner_radius;
+  shape.extent = std::max(length(shape.base), length(shape.top)) + std::max(base_radius_, top_radius_);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 double Frustum::do_support(const double* u, double* point) const {
@@ -132,21 +144,6 @@ void Frustum::find_facet_point(const Real* normal, const Real* target, Real* poi
   const Real radius = at_top ? top_radius_ : base_radius_;
   const Real away = std::min(axis_->radial_part(offset.data(), point), radius);
   for (int k = 0; k < n; ++k) point[k] = disc[k] + away * point[k];
-}
-
-bool Frustum::do_spatial_shape(SpatialShape& shape) const {
-  const int n = dimension();
-  if (n != 3) return false;
-  place(shape, 0.5 * base_ + 0.5 * top_, n);
-  shape.kind = SpatialShape::Kind::frustum;
-  shape.axis.column[0] = spatial(axis_->direction(), n);
-  shape.base = spatial(base_, n);
-  shape.top = spatial(top_, n);
-  shape.base_radius = base_radius_;
-  shape.top_radius = top_radius_;
-  shape.inner_radius = center_radius_;
-  shape.extent = std::max(length(shape.base), length(shape.top)) + std::max(base_radius_, top_radius_);
-  return true;
 }
 
 SupportStructure Frustum::do_structure() const noexcept { return SupportStructure::smooth; }

@@ -77,6 +77,18 @@ PNormBall::PNormBall(const ConstVectorRef& center, const ConstVectorRef& semi_ax
   for (int k = 0; k < dimension(); ++k) {
     checked_nonnegative("p-norm ball", "coordinate " + std::to_string(k) + " of semi_axes", semi_axes_[k]);
   }
+  const int n = dimension();
+  SpatialShape shape;
+  if (p_ != 2 || !place(shape, center_, n)) return;
+  const bool round = (semi_axes_.array() == semi_axes_[0]).all();
+  shape.kind = round ? SpatialShape::Kind::point : SpatialShape::Kind::ellipsoid;
+  shape.axis.column[0].x = semi_axes_[0];
+  shape.axis.column[1].y = semi_axes_[1];
+  if (n == 3) shape.axis.column[2].z = semi_axes_[2];
+  shape.radius = round ? semi_axes_[0] : 0.0;
+  shape.inner_radius = semi_axes_.minCoeff();
+  shape.extent = length(shape.center) + (round ? 0.0 : semi_axes_.norm());
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 template <class Real>
@@ -155,21 +167,6 @@ double PNormBall::do_gauge(const double* x, double* normal) const {
 }
 
 bool PNormBall::do_quad_gauge_normal(const Quad* x, Quad* normal) const { return norm(x, normal) > 0; }
-
-bool PNormBall::do_spatial_shape(SpatialShape& shape) const {
-  const int n = dimension();
-  if (p_ != 2 || !place(shape, center_, n)) return false;
-  const bool round = (semi_axes_.array() == semi_axes_[0]).all();
-  shape.kind = round ? SpatialShape::Kind::point : SpatialShape::Kind::ellipsoid;
-  shape.axis = {};
-  shape.axis.column[0].x = semi_axes_[0];
-  shape.axis.column[1].y = semi_axes_[1];
-  if (n == 3) shape.axis.column[2].z = semi_axes_[2];
-  shape.radius = round ? semi_axes_[0] : 0.0;
-  shape.inner_radius = semi_axes_.minCoeff();
-  shape.extent = length(shape.center) + (round ? 0.0 : semi_axes_.norm());
-  return true;
-}
 
 SupportStructure PNormBall::do_structure() const noexcept {
   return is_smooth() ? SupportStructure::smooth : SupportStructure::polytope;

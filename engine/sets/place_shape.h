@@ -13,13 +13,11 @@ Vector3 spatial(const Eigen::MatrixBase<Derived>& v, int n) {
   return {v[0], n > 1 ? v[1] : 0.0, n > 2 ? v[2] : 0.0};
 }
 
-/// Centres the shape of a set of R^2 or R^3, which has no ball yet; false in other spaces.
+/// Centres the new shape of a set of R^2 or R^3; false in other spaces.
 template <class Derived>
 bool place(SpatialShape& shape, const Eigen::MatrixBase<Derived>& center, int n) {
   if (n != 2 && n != 3) return false;
   shape.center = spatial(center, n);
-  shape.radius = shape.inner_radius = 0;
-  shape.table = nullptr;
   return true;
 }
 

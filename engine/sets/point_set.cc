@@ -63,6 +63,15 @@ PointSet::PointSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
   center_ = (points / static_cast<double>(size_)).rowwise().sum();
   center_ = center_.cwiseMax(points.rowwise().minCoeff()).cwiseMin(points.rowwise().maxCoeff());
   if (auto map = isotropic_map(points)) isotropic_ = std::make_unique<const IsotropicMap>(std::move(*map));
+  SpatialShape shape;
+  if (!place(shape, center_, dimension())) return;
+  shape.kind = SpatialShape::Kind::points;
+  shape.extent = std::sqrt(dot(magnitude_.data(), magnitude_.data(), dimension()));
+  shape.coordinates = dimension();
+  shape.blocks = data_.get();
+  shape.block_count = block_count_;
+  shape.size = size_;
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 PointSet::~PointSet() = default;
@@ -117,17 +126,6 @@ double PointSet::do_support(const double* u, double* point) const {
 void PointSet::do_center(double* point) const { Vector::Map(point, dimension()) = center_; }
 
 void PointSet::do_magnitude(double* magnitude) const { Vector::Map(magnitude, dimension()) = magnitude_; }
-
-bool PointSet::do_spatial_shape(SpatialShape& shape) const {
-  if (!place(shape, center_, dimension())) return false;
-  shape.kind = SpatialShape::Kind::points;
-  shape.extent = std::sqrt(dot(magnitude_.data(), magnitude_.data(), dimension()));
-  shape.coordinates = dimension();
-  shape.blocks = data_.get();
-  shape.block_count = block_count_;
-  shape.size = size_;
-  return true;
-}
 
 SupportStructure PointSet::do_structure() const noexcept {
   return size_ == 1 ? SupportStructure::point : SupportStructure::polytope;

@@ -73,13 +73,14 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
     if (points_->tree() == nullptr)  // which has another order
       surface = HullSurface(points_->points(), in_order(order, hull.triangles), extent_);
     table_ = std::make_shared<const DirectionTable>(points_->points(), std::move(surface));
-    SpatialShape shape;
-    points_->spatial_shape_unchecked(shape);
+    SpatialShape shape = *points_->spatial_shape();
     shape.center = {center_[0], center_[1], center_[2]};
     shape.extent = extent_;
     shape.inner_radius = inner_radius_;
     shape.table = table_.get();
-    shape_ = std::make_shared<const SpatialShape>(shape);
+    set_spatial_shape(std::make_shared<const SpatialShape>(shape));
+  } else if (const SpatialShape* shape = points_->spatial_shape()) {
+    set_spatial_shape(std::make_shared<const SpatialShape>(*shape));
   }
   if (!hull.found) return;
 
@@ -111,12 +112,6 @@ double PreparedSet::do_inner_radius(const double* c) const {
 }
 
 SupportStructure PreparedSet::do_structure() const noexcept { return points_->structure(); }
-
-bool PreparedSet::do_spatial_shape(SpatialShape& shape) const {
-  if (dimension() != 3) return points_->spatial_shape_unchecked(shape);
-  shape = *shape_;
-  return true;
-}
 
 std::ptrdiff_t PreparedSet::memory() const noexcept {
   const std::ptrdiff_t numbers = points_->block_count() * kLanes * dimension();

@@ -35,6 +35,13 @@ Simplex::Simplex(const ConstVectorRef& corner, const ConstVectorRef& legs)
       legs_(checked_finite("simplex", "legs", legs)) {
   check_dimension("simplex", "legs", legs.size(), dimension());
   vertices_ = exact_vertices(corner_, legs_);
+  if (!vertices_) return;
+  SpatialShape shape = *vertices_->spatial_shape();
+  double center[3] = {0, 0, 0};
+  Simplex::do_center(center);
+  shape.center = {center[0], center[1], center[2]};
+  shape.inner_radius = Simplex::do_inner_radius(center);
+  set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 
 double Simplex::do_support(const double* u, double* point) const {
@@ -76,15 +83,6 @@ double Simplex::do_inner_radius(const double* c) const {
   const double left = across - 4 * dimension() * std::numeric_limits<double>::epsilon();
   least = std::min(least, shortest * left / std::sqrt(steepness));
   return proven_length(least, size, dimension());
-}
-
-bool Simplex::do_spatial_shape(SpatialShape& shape) const {
-  if (!vertices_ || !vertices_->spatial_shape_unchecked(shape)) return false;
-  double center[3] = {0, 0, 0};
-  do_center(center);
-  shape.center = {center[0], center[1], center[2]};
-  shape.inner_radius = do_inner_radius(center);
-  return true;
 }
 
 SupportStructure Simplex::do_structure() const noexcept { return SupportStructure::polytope; }

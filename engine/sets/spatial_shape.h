@@ -6,13 +6,14 @@
 #include <cstdint>
 
 #include "raygauge/numerics/vector3.h"
+#include "raygauge/sets/convex_set.h"
 
 namespace raygauge {
 
 class DirectionTable;
 
 /// What fixed-size code needs of a set in R^2 or R^3: a core whose support function is evaluated in line, and
-/// the radius of a ball that is added to it. Made afresh for every query, from the set's own numbers.
+/// the radius of a ball that is added to it. Made when the set is.
 struct SpatialShape {
   enum class Kind : std::uint8_t {
     point,      ///< the centre
@@ -38,5 +39,13 @@ struct SpatialShape {
   std::ptrdiff_t size = 0;
   const DirectionTable* table = nullptr;  ///< of a prepared set
 };
+
+/// Of a ball of R^2 or R^3 about the origin; 0 of every other set.
+inline double radius_of_ball(const ConvexSet& Q) noexcept {
+  const SpatialShape* shape = Q.spatial_shape();
+  if (shape == nullptr || shape->kind != SpatialShape::Kind::point) return 0;
+  const Vector3& c = shape->center;
+  return c.x == 0 && c.y == 0 && c.z == 0 ? shape->radius : 0.0;
+}
 
 }  // namespace raygauge

@@ -63,9 +63,9 @@ double rounding_of(const SmallVector& magnitude) {
 
 // What a turn about the origin moves of S: S = core + radius B, and the ball B is the same from all sides.
 double reach_of_core(const ConvexSet& S, double reach) {
-  SpatialShape shape;
-  if (!S.spatial_shape_unchecked(shape) || !(shape.radius > 0)) return reach;
-  return std::min({reach, shape.extent, std::max(0.0, reach - shape.radius)}) * kOutward;
+  const SpatialShape* shape = S.spatial_shape();
+  if (shape == nullptr || !(shape->radius > 0)) return reach;
+  return std::min({reach, shape->extent, std::max(0.0, reach - shape->radius)}) * kOutward;
 }
 
 // Hulls of so many points are climbed: from here on a step costs less than a pass over the points.

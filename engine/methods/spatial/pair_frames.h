@@ -50,7 +50,7 @@ struct FirstBodyFrame {
   using Real = double;
   static constexpr bool kKeepsVertices = true;  // what follows a normal is curved; vertices stay in place
 
-  const SpatialShape& shape(int i) const noexcept { return body[i]; }
+  const SpatialShape& shape(int i) const noexcept { return *body[i]; }
 
   /// An outer normal of D as body i sees it, in its own frame.
   Vector3 into(int i, const Vector3& u) const noexcept { return i == 0 ? u : R.transposed_times(-u); }
@@ -65,7 +65,7 @@ struct FirstBodyFrame {
   }
   static void subtract(PairPoint<double>& point) noexcept { point.s = point.a1 - point.a2; }
 
-  SpatialShape body[2];
+  const SpatialShape* body[2] = {nullptr, nullptr};
   Matrix3 R;  // second frame to first
   Vector3 t;
 };

@@ -18,15 +18,7 @@ constexpr double kSmallest = 1e-70, kLargest = 1e70;
 
 constexpr double kIdentity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-bool is_segment(const SpatialShape& shape) {
-  return shape.kind == Kind::point || shape.kind == Kind::segment;
-}
 bool has_way_out(const SpatialShape& shape) { return shape.kind == Kind::box || shape.kind == Kind::frustum; }
-
-// Half of the segment; zero of a point.
-Vector3 half_of(const SpatialShape& shape) {
-  return shape.kind == Kind::segment ? shape.axis.column[0] : Vector3{};
-}
 
 // Where a body is, from the origin of the first one's frame: x -> R x + t, R by columns.
 struct Place {
@@ -46,65 +38,116 @@ struct Place {
 // Of the cores: bounds on the signed distance, without rounding, and what proves them.
 struct Found {
   double lower = 0, upper = -1;
-  Vector3 normal, point[2];
+  Vector3 normal, point_1, point_2;
   bool is_known = false;
 };
 
-// All but the lower bound.
-[[gnu::always_inline]] inline void finish(double error, Found& found) {
-  const Vector3 way = found.point[0] - found.point[1];
-  found.upper = length(way);
-  found.is_known = found.upper > error;
-  found.normal = way * (1 / found.upper);
+// Of two points: all but the lower bound, which is the upper one where the normal is that of both cores.
+[[gnu::always_inline]] inline Found between(const Vector3& p, const Vector3& q, double error) {
+  const Vector3 way = p - q;
+  const double square = dot(way, way), away = std::sqrt(square);
+  return {away, away, way * (away * (1 / square)), p, q, away > error};
 }
 
 [[gnu::always_inline]] inline Found between_points(const SpatialShape& first, const SpatialShape& second,
                                                    const Place& one, const Place& two, double error) {
-  Found found;
-  found.point[0] = one.turn(first.center);
-  found.point[1] = two.turn(second.center) + two.t;
-  finish(error, found);
-  found.lower = dot(found.normal, found.point[0] - found.point[1]);
-  return found;
+  return between(one.turn(first.center), two.turn(second.center) + two.t, error);
 }
 
 [[gnu::always_inline]] inline Found between_segments(const SpatialShape& first, const SpatialShape& second,
                                                      const Place& one, const Place& two, double error) {
-  Found found;
   const Vector3 p = one.turn(first.center), q = two.turn(second.center) + two.t;
-  const Vector3 x = one.turn(half_of(first)), y = two.turn(half_of(second));
+  Vector3 x, y;  // half of each; 0 of a point
+  if (!is_point(first)) x = one.turn(first.axis.column[0]);
+  if (!is_point(second)) y = two.turn(second.axis.column[0]);
   double s = 0, t = 0;
   nearest_of_segments(p, x, q, y, s, t);
-  found.point[0] = p + x * s;
-  found.point[1] = q + y * t;
-  finish(error, found);
+  Found found = between(p + x * s, q + y * t, error);
   found.lower = dot(found.normal, p - q) - std::fabs(dot(found.normal, x)) - std::fabs(dot(found.normal, y));
   return found;
 }
 
-// Of core `at` and the centre of a ball, in the frame of the core.
-template <class Core>
-[[gnu::always_inline]] inline Found from_core(const Core& core, int at, const Vector3& ball_center,
-                                              const Place& own, const Place& other, double error) {
-  Found found;
-  const Vector3 center = other.turn(ball_center) + other.t;
-  const Vector3 y = own.turn_back(center - own.t);
-  Vector3 on_core = core.nearest(y), outward = y - on_core;
-  const double away = length(outward);
-  if (away > 0) {
-    outward = outward * (1 / away);
-    found.upper = away;
-  } else {
-    found.upper = -core.way_out(y, outward);
-    on_core = y - outward * found.upper;
+// Of a core and a point y in its frame, found: the signed distance, by the support function of the core along
+// the normal, and to its surface.
+struct FromCore {
+  double lower = 0, upper = 0;
+  Vector3 outward;
+  bool is_known = true;
+};
+
+[[gnu::always_inline]] inline FromCore way_from(const BoxCore& core, const Vector3& y, double error) {
+  const Vector3 way = y - core.nearest(y);
+  const double square = dot(way, way);
+  if (square > 0) {
+    const double away = std::sqrt(square);
+    return {away, away, way * (away * (1 / square)), away > error};
   }
-  found.is_known = !(away > 0) || away > error;
-  const auto view = core.look(outward, InstructionSet::automatic);
-  found.lower = dot(outward, y) - view.height(view.index);
-  found.normal = own.turn(at == 0 ? -outward : outward);
-  found.point[at] = own.turn(on_core) + own.t;
-  found.point[1 - at] = center;
+  Vector3 outward;
+  const double room = core.way_out(y, outward);
+  return {-room, -room, outward};
+}
+
+// In the half-plane through the axis that holds y: (z, r) along the axis from the base and away from it.
+// There the core is a quadrangle with the corners (0, 0), (0, base radius), (full, top radius), (full, 0).
+[[gnu::always_inline]] inline FromCore way_from(const FrustumCore& core, const Vector3& y, double error) {
+  constexpr double kCancelled = 0.01;  // r²/|x|² below which the way from the axis is turned across it again
+  constexpr double kAtAxis = 1e-20;    // ... and below which any way across the axis does
+  const SpatialShape& shape = core.shape;
+  const Vector3 &a = shape.axis.column[0], x = y - shape.base;
+  const double base_radius = shape.base_radius, top_radius = shape.top_radius;
+  const double z = dot(x, a), full = dot(shape.top - shape.base, a), widening = top_radius - base_radius;
+  Vector3 radial = x - a * z;
+  double square = dot(radial, radial), across = std::sqrt(square), share = 1 / across;
+  if (!(square > kCancelled * dot(x, x))) {
+    radial = radial - a * dot(radial, a);
+    across = length(radial);
+    if (!(across * across > kAtAxis * dot(x, x))) radial = any_orthogonal(a);
+    share = 1 / length(radial);
+  }
+  FromCore found;
+  double along_z = 0, along_r = 0;  // the normal
+  const double from_top = z - full, slant = full * full + widening * widening;
+  const double beside = (across - base_radius) * full - z * widening;  // of the side, outside of it
+  const double foot = z * full + (across - base_radius) * widening;    // on the side
+  const bool is_inside = beside <= 0 && z > 0 && from_top < 0;
+  if (z <= 0 && across <= base_radius) {
+    along_z = -1;
+    found.upper = -z;
+  } else if (from_top >= 0 && across <= top_radius) {
+    along_z = 1;
+    found.upper = from_top;
+  } else if (is_inside || (foot >= 0 && foot <= slant)) {
+    const double scale = 1 / std::sqrt(slant);
+    found.upper = beside * scale;
+    along_z = -widening * scale;
+    along_r = full * scale;
+    if (is_inside && std::max(-z, from_top) >= found.upper) {
+      found.upper = std::max(-z, from_top);
+      along_z = -z > from_top ? -1.0 : 1.0;
+      along_r = 0;
+    }
+  } else {
+    const double way_z = foot < 0 ? z : from_top, way_r = across - (foot < 0 ? base_radius : top_radius);
+    found.upper = std::sqrt(way_z * way_z + way_r * way_r);
+    found.is_known = found.upper > error;
+    along_z = way_z / found.upper;
+    along_r = way_r / found.upper;
+  }
+  found.outward = a * along_z + radial * (along_r * share);
+  found.lower =
+      dot(found.outward, x) - std::max(along_r * base_radius, along_z * full + along_r * top_radius);
   return found;
+}
+
+// Of core kAt and the centre of a ball.
+template <int kAt, class Core>
+[[gnu::always_inline]] inline Found from_core(const Core& core, const Vector3& ball_center, const Place& own,
+                                              const Place& other, double error) {
+  const Vector3 center = other.turn(ball_center) + other.t;
+  const FromCore way = way_from(core, own.turn_back(center - own.t), error);
+  const Vector3 outward = own.turn(way.outward), on_core = center - outward * way.upper;
+  if constexpr (kAt == 0) return {way.lower, way.upper, -outward, on_core, center, way.is_known};
+  return {way.lower, way.upper, outward, center, on_core, way.is_known};
 }
 
 // Whether every other way out of a core is more than `longer` longer than the shortest.
@@ -132,7 +175,7 @@ bool has_one_way_out(const FrustumCore& core, const Vector3& y, double longer) {
 }  // namespace
 
 bool RoundPair::has_formula(const SpatialShape& first, const SpatialShape& second) noexcept {
-  if (is_segment(first)) return is_segment(second) || (is_point(first) && has_way_out(second));
+  if (is_between_ends(first)) return is_between_ends(second) || (is_point(first) && has_way_out(second));
   return has_way_out(first) && is_point(second);
 }
 
@@ -153,15 +196,15 @@ template <class Find>
   lower_ = found.lower - radius - error;
   upper_ = found.upper - radius + error;
   normal_ = found.normal;
-  point_1_ = origin + found.point[0] - found.normal * first.radius;
-  point_2_ = origin + found.point[1] + found.normal * second.radius;
+  point_1_ = origin + found.point_1 - found.normal * first.radius;
+  point_2_ = origin + found.point_2 + found.normal * second.radius;
   return found.is_known && size > kSmallest && size < kLargest;
 }
 
 bool RoundPair::solve(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
                       const PoseNumbers& pose_2) noexcept {
   if (is_point(first) && is_point(second)) return solve_points(first, second, pose_1, pose_2);
-  if (is_segment(first) && is_segment(second)) return solve_segments(first, second, pose_1, pose_2);
+  if (is_between_ends(first) && is_between_ends(second)) return solve_segments(first, second, pose_1, pose_2);
   const int at = is_point(first) ? 1 : 0;
   const bool is_box = (at == 0 ? first : second).kind == Kind::box;
   if (is_box)
@@ -193,9 +236,9 @@ template <class Core, int kAt>
   return solve_by(
       [&](const Place& one, const Place& two, double error) {
         if constexpr (kAt == 0)
-          return from_core(Core{first}, 0, second.center, one, two, error);
+          return from_core<0>(Core{first}, second.center, one, two, error);
         else
-          return from_core(Core{second}, 1, first.center, two, one, error);
+          return from_core<1>(Core{second}, first.center, two, one, error);
       },
       first, second, pose_1, pose_2);
 }
@@ -208,10 +251,10 @@ bool RoundPair::is_differentiable(const SpatialShape& first, const SpatialShape&
   const auto turn = [](const PoseNumbers& pose, const Vector3& x) {
     return Place{pose.R != nullptr ? pose.R : kIdentity, {}}.turn(x);
   };
-  if (is_point(first) && is_point(second)) return true;
-  if (is_segment(first) && is_segment(second)) {
+  if (is_between_ends(first) && is_between_ends(second)) {
     if (is_point(first) || is_point(second)) return true;
-    const Vector3 x = turn(pose_1, half_of(first)), y = turn(pose_2, half_of(second)), across = cross(x, y);
+    const Vector3 x = turn(pose_1, first.axis.column[0]), y = turn(pose_2, second.axis.column[0]);
+    const Vector3 across = cross(x, y);
     return dot(across, across) > kParallel * kParallel * dot(x, x) * dot(y, y);
   }
   const bool at_second = is_point(first);

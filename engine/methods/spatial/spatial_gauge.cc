@@ -26,22 +26,23 @@ Vector3 unit(const Vector3& v) { return v * (1 / length(v)); }
 }  // namespace
 
 bool SpatialGauge::Side::bind(const ConvexSet& S) {
-  if (!S.spatial_shape_unchecked(shape)) return false;
-  if (!with_core(shape, [](const auto& core) { return core.kPieces > 0; })) return false;
-  const double size = shape.extent + shape.radius;
+  shape = S.spatial_shape();
+  if (shape == nullptr) return false;
+  if (!with_core(*shape, [](const auto& core) { return core.kPieces > 0; })) return false;
+  const double size = shape->extent + shape->radius;
   error = kRounding * size;
-  tried = !has_discs(shape);
-  with_core(shape, [&](const auto& core) {
-    if constexpr (requires { core.kIsCurved; }) form = core.form(shape.axis);
+  tried = !has_discs(*shape);
+  with_core(*shape, [&](const auto& core) {
+    if constexpr (requires { core.kIsCurved; }) form = core.form(shape->axis);
   });
   return size > kSmallest && size < kLargest;
 }
 
 // M with {x : (x - c)ᵀ M⁻¹ (x - c) <= 1} roughly the set.
 Matrix3 SpatialGauge::Side::second_moment() const {
-  const double ball = shape.radius * shape.radius;
+  const double ball = shape->radius * shape->radius;
   Matrix3 M{{{ball, 0, 0}, {0, ball, 0}, {0, 0, ball}}};
-  const Matrix3 axes = with_core(shape, [](const auto& core) { return core.half_axes(); });
+  const Matrix3 axes = with_core(*shape, [](const auto& core) { return core.half_axes(); });
   for (const Vector3& axis : axes.column) {
     M.column[0] = M.column[0] + axis * axis.x;
     M.column[1] = M.column[1] + axis * axis.y;
@@ -52,18 +53,18 @@ Matrix3 SpatialGauge::Side::second_moment() const {
 
 // v is of length 1, but for rounding.
 void SpatialGauge::Side::look(const Vector3& v) {
-  with_core(shape, [&](const auto& core) {
+  with_core(*shape, [&](const auto& core) {
     const auto view = core.look(v, InstructionSet::automatic);
     count = core.kPieces;
     top = 0;
     for (int i = 0; i < core.kPieces; ++i) {
       const std::int32_t piece = core.kFirstPiece - i;
       point[i] = view.point(piece);
-      if (shape.radius > 0) point[i] = point[i] + v * shape.radius;
+      if (shape->radius > 0) point[i] = point[i] + v * shape->radius;
       height[i] = dot(v, point[i]);
       if (piece == view.index) top = i;
       curvature[i] = {};
-      if constexpr (requires { core.kIsCurved; }) curvature[i] = core.curvature(shape.axis, v, piece);
+      if constexpr (requires { core.kIsCurved; }) curvature[i] = core.curvature(shape->axis, v, piece);
     }
   });
 }
@@ -85,7 +86,7 @@ void SpatialGauge::Side::add_hessian(int piece, double weight, const Vector3* t,
 Vector3 SpatialGauge::rough_normal() const {
   const Matrix3 a = A_.second_moment(), q = Q_.second_moment();
   const Vector3 x = a.column[0] + q.column[0], y = a.column[1] + q.column[1], z = a.column[2] + q.column[2];
-  const Vector3 yz = cross(y, z), &c = A_.shape.center;
+  const Vector3 yz = cross(y, z), &c = A_.shape->center;
   const double determinant = dot(x, yz);
   if (!(determinant > 0)) return -c;
   return (yz * c.x + cross(z, x) * c.y + cross(x, y) * c.z) * (-1 / determinant);
@@ -98,8 +99,8 @@ bool SpatialGauge::begin(const Problem& problem) {
     return false;
   }
   constexpr double kOrigin[3] = {0, 0, 0};
-  const bool centered = is_zero(Q_.shape.center) && Q_.shape.inner_radius > 0;
-  radius_ = centered ? Q_.shape.inner_radius : problem.Q.inner_radius_unchecked(kOrigin);
+  const bool centered = is_zero(Q_.shape->center) && Q_.shape->inner_radius > 0;
+  radius_ = centered ? Q_.shape->inner_radius : problem.Q.inner_radius_unchecked(kOrigin);
   const double* start = problem.start;
   u_ = start != nullptr ? Vector3{start[0], start[1], start[2]} : rough_normal();
   const double size = length(u_);
@@ -131,7 +132,7 @@ bool SpatialGauge::closes(const Vector3& a, const Vector3& q) {
 // `flat`, whose directions are `sign` times u, on the disc whose normal is near.
 bool SpatialGauge::try_disc(Side& flat, Side& other, double sign) {
   if (flat.tried) return false;
-  const CoreDisc disc = disc_towards(flat.shape, u_ * sign);
+  const CoreDisc disc = disc_towards(*flat.shape, u_ * sign);
   const double along = sign * dot(u_, disc.normal);
   if (along * along < kNearAxis) return false;
   flat.tried = true;
@@ -190,7 +191,7 @@ bool SpatialGauge::step() {
   tangents[1] = cross(u_, tangents[0]);
   double h[3] = {0, 0, 0};
   gather(tangents, h);
-  const double rounding = A_.error + ratio_ * Q_.error, balls = A_.shape.radius + ratio_ * Q_.shape.radius;
+  const double rounding = A_.error + ratio_ * Q_.error, balls = A_.shape->radius + ratio_ * Q_.shape->radius;
   const double damping = kDamping * last_step_ * last_step_ * (h[0] + h[2]);
   const TangentMetric metric(tangents[0], tangents[1], h, balls + damping + rounding);
   ContactPiece<double> pieces[4];

@@ -31,7 +31,7 @@ class SpatialGauge : public Method {
  private:
   // One of the sets with the points of its pieces that are highest for the direction last asked for.
   struct Side {
-    SpatialShape shape;
+    const SpatialShape* shape = nullptr;
     Matrix3 form;      // of a curved core
     double error = 0;  // of a height, and of a point
     int count = 0;     // pieces

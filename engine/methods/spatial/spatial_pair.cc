@@ -39,15 +39,19 @@ void add_curvature(const Matrix3& form, const CoreCurvature& of, Matrix3& H) {
 }  // namespace
 
 bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
-  dimension_ = first.dimension();
-  if ((dimension_ != 2 && dimension_ != 3) || second.dimension() != dimension_) return false;
-  SpatialShape& one = frame_.body[0];
-  SpatialShape& two = frame_.body[1];
-  if (!first.spatial_shape_unchecked(one) || !second.spatial_shape_unchecked(two)) return false;
-  isa_ = isa;
-  size_of_shapes_ = one.extent + one.radius + two.extent + two.radius;
-  CorePair::begin();
+  const SpatialShape *one = first.spatial_shape(), *two = second.spatial_shape();
+  if (one == nullptr || two == nullptr || first.dimension() != second.dimension()) return false;
+  bind(*one, *two, first.dimension(), isa);
   return true;
+}
+
+void SpatialPair::bind(const SpatialShape& first, const SpatialShape& second, int n, InstructionSet isa) {
+  dimension_ = n;
+  frame_.body[0] = &first;
+  frame_.body[1] = &second;
+  isa_ = isa;
+  size_of_shapes_ = first.extent + first.radius + second.extent + second.radius;
+  CorePair::begin();
 }
 
 bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
@@ -57,8 +61,8 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   Vector3 t;
   read(first, dimension_, W_, w_);
   read(second, dimension_, R, t);
-  anchor_ = frame_.body[0].center;
-  anchor_radius_ = frame_.body[0].inner_radius;
+  anchor_ = shape(0).center;
+  anchor_radius_ = shape(0).inner_radius;
   for (int j = 0; j < 3; ++j) frame_.R.column[j] = W_.transposed_times(R.column[j]);
   apart_ = t - w_;
   frame_.t = W_.transposed_times(apart_);
@@ -69,7 +73,7 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   prisms_ = 0;
   known_radius_ = 0;
   if (dimension_ == 2) add_prism({0, 0, size});
-  between_centers_ = frame_.R * frame_.body[1].center + frame_.t - anchor_;
+  between_centers_ = frame_.R * shape(1).center + frame_.t - anchor_;
   if (is_curved()) place_axes();
   queries_ = 0;
   return true;
@@ -82,7 +86,7 @@ bool SpatialPair::share_center() const noexcept {
     ExactSum sum;
     for (int i = 0; i < 2; ++i) {
       const double sign = i == 0 ? 1.0 : -1.0;
-      const double c[3] = {frame_.body[i].center.x, frame_.body[i].center.y, frame_.body[i].center.z};
+      const double c[3] = {shape(i).center.x, shape(i).center.y, shape(i).center.z};
       if (pose_[i].R == nullptr) {
         sum.add(sign * c[j]);
         continue;
@@ -114,7 +118,7 @@ bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
   error_ = size * (kRounding + 4 * pose_[0].defect) + error_;
   const double c[3] = {origin.x, origin.y, origin.z};
   anchor_ = origin;
-  between_centers_ = frame_.R * frame_.body[1].center + frame_.t - anchor_;
+  between_centers_ = frame_.R * shape(1).center + frame_.t - anchor_;
   anchor_radius_ = first.inner_radius_unchecked(c);
   return anchor_radius_ > 0;
 }

@@ -22,8 +22,10 @@ using SpatialPoint = PairPoint<double>;
 /// more.
 class SpatialPair : public CorePair<FirstBodyFrame> {
  public:
-  /// The sets. False if one of them has no shape, or they live in other spaces than R^2 or R^3.
+  /// The sets, which must outlive it. False if one of them has no shape, or they live in different spaces.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
+  /// The shapes of sets of R^n, which must outlive it.
+  void bind(const SpatialShape& first, const SpatialShape& second, int n, InstructionSet isa);
 
   /// Where they are. False if their size is out of the range of squares.
   bool place(const PoseNumbers& first, const PoseNumbers& second);

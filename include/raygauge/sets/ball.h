@@ -23,7 +23,6 @@ class Ball final : public ConvexSet, private SmoothSupport, private GaugeFormula
   double do_inner_radius(const double* c) const override;
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
   bool do_touches_origin(double* u) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return this; }
   const GaugeFormula* do_gauge_formula() const noexcept override { return this; }

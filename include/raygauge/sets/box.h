@@ -23,7 +23,6 @@ class Box final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
 
   Vector lower_;

@@ -24,7 +24,6 @@ class Capsule final : public ConvexSet, private SmoothSupport {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return this; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;

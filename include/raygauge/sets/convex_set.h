@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "raygauge/numerics/dense.h"
 #include "raygauge/numerics/quad.h"
@@ -82,8 +84,8 @@ class ConvexSet {
 
   SupportStructure structure() const noexcept { return do_structure(); }
 
-  /// What fixed-size code needs of a set of R^2 or R^3. False, the default, for all other sets.
-  bool spatial_shape_unchecked(SpatialShape& shape) const { return do_spatial_shape(shape); }
+  /// What fixed-size code needs of a set of R^2 or R^3; nullptr for all other sets.
+  const SpatialShape* spatial_shape() const noexcept { return shape_.get(); }
 
   /// The optional capabilities, each nullptr where S does not have it, as by default. They live as long as S.
   const SmoothSupport* smooth() const noexcept { return do_smooth(); }
@@ -101,6 +103,9 @@ class ConvexSet {
   /// Throws InvalidParameterError unless dimension >= 1.
   explicit ConvexSet(int dimension);
 
+  /// What spatial_shape() is from now on: constructors set it.
+  void set_spatial_shape(std::shared_ptr<const SpatialShape> shape) noexcept { shape_ = std::move(shape); }
+
  private:
   virtual double do_support(const double* u, double* point) const = 0;
   virtual void do_center(double* point) const = 0;
@@ -111,13 +116,13 @@ class ConvexSet {
 
   virtual double do_inner_radius(const double* c) const;
   virtual SupportStructure do_structure() const noexcept { return SupportStructure::unknown; }
-  virtual bool do_spatial_shape(SpatialShape& shape) const;
   virtual const SmoothSupport* do_smooth() const noexcept { return nullptr; }
   virtual const FlatFaces* do_flat_faces() const noexcept { return nullptr; }
   virtual const GaugeFormula* do_gauge_formula() const noexcept { return nullptr; }
   virtual const CoordinateSymmetry* do_symmetry() const noexcept { return nullptr; }
 
   int dimension_;
+  std::shared_ptr<const SpatialShape> shape_;
 };
 
 }  // namespace raygauge

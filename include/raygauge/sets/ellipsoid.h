@@ -29,7 +29,6 @@ class Ellipsoid final : public ConvexSet, private SmoothSupport, private GaugeFo
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return this; }
   const GaugeFormula* do_gauge_formula() const noexcept override;

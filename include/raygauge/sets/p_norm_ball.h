@@ -32,7 +32,6 @@ class PNormBall final : public ConvexSet,
   double do_inner_radius(const double* c) const override;
   double do_gauge(const double* x, double* normal) const override;
   bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return is_smooth() ? this : nullptr; }
   const GaugeFormula* do_gauge_formula() const noexcept override { return has_gauge() ? this : nullptr; }

@@ -98,7 +98,6 @@ class PointSet final : public ConvexSet, private SmoothSupport {
   double do_support(const double* u, double* point) const override;
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return size_ == 1 ? this : nullptr; }
   void do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const override;

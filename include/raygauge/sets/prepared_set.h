@@ -46,7 +46,6 @@ class PreparedSet final : public ConvexSet {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return points_->smooth(); }
 
@@ -57,8 +56,7 @@ class PreparedSet final : public ConvexSet {
   double inner_radius_ = 0;  // about it
   double extent_ = 0;
   std::ptrdiff_t vertex_count_ = 0;
-  std::shared_ptr<const DirectionTable> table_;  // for n = 3, as the shape is
-  std::shared_ptr<const SpatialShape> shape_;
+  std::shared_ptr<const DirectionTable> table_;  // for n = 3
 };
 
 }  // namespace raygauge

@@ -27,7 +27,6 @@ class Simplex final : public ConvexSet {
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
   SupportStructure do_structure() const noexcept override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
 
   Vector corner_;
   Vector legs_;

@@ -34,7 +34,6 @@ class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
   void do_center(double* point) const override;
   void do_magnitude(double* magnitude) const override;
   double do_inner_radius(const double* c) const override;
-  bool do_spatial_shape(SpatialShape& shape) const override;
   SupportStructure do_structure() const noexcept override;
   const SmoothSupport* do_smooth() const noexcept override { return this; }
   const FlatFaces* do_flat_faces() const noexcept override { return this; }
@@ -57,7 +56,6 @@ class Frustum : public ConvexSet, private SmoothSupport, private FlatFaces {
   Vector top_;
   double base_radius_;
   double top_radius_;
-  double center_radius_;  // of a ball about the centre, inside
 };
 
 /// conv(D_b ∪ D_t), D_i = {x : |x - p_i| <= r_i, (x - p_i)·a = 0}: the truncated cone between two discs

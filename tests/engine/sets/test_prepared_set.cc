@@ -84,8 +84,7 @@ TEST(PreparedSet, ListsTheHighestPointOfEveryDirection) {
   Random random(12);
   for (const Cloud& cloud : clouds(random)) {
     const PreparedSet prepared(cloud.points);
-    SpatialShape shape;
-    ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+    const SpatialShape& shape = *prepared.spatial_shape();
     ASSERT_NE(shape.table, nullptr);
     const Eigen::Vector3d magnitude = cloud.points.cwiseAbs().rowwise().maxCoeff();
     for (const Eigen::Vector3d& u : directions(random)) {
@@ -103,8 +102,7 @@ TEST(PreparedSet, ListsFewPointsOfASphere) {
   Random random(15);
   for (const int N : {8, 200, 2000}) {
     const PreparedSet prepared(gaussian(3, N, random).colwise().normalized());
-    SpatialShape shape;
-    ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+    const SpatialShape& shape = *prepared.spatial_shape();
     for (const Eigen::Vector3d& u : directions(random))
       EXPECT_GE(shape.table->highest({u.x(), u.y(), u.z()}), 0);
     EXPECT_LT(prepared.memory(), 30000 + 200 * N);
@@ -121,8 +119,7 @@ TEST(PreparedSet, ListsFewPointsOfANeedle) {
       const Eigen::MatrixXd points =
           rotation * axes.asDiagonal() * gaussian(3, 2000, random).colwise().normalized();
       const PreparedSet prepared(points);
-      SpatialShape shape;
-      ASSERT_TRUE(prepared.spatial_shape_unchecked(shape));
+      const SpatialShape& shape = *prepared.spatial_shape();
       for (const Eigen::Vector3d& w : directions(random)) {
         for (const Eigen::Vector3d& u : {w, Eigen::Vector3d(across * w)}) {
           const std::int32_t listed = shape.table->highest({u.x(), u.y(), u.z()});

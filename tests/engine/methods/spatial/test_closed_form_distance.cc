@@ -60,8 +60,7 @@ TEST(NearestInCore, IsInTheSetAndItsTangentPlaneHoldsTheSetOff) {
   Draw draw(5);
   for (int trial = 0; trial < 2000; ++trial) {
     for (const SetPointer& S : draw_sets(draw)) {
-      SpatialShape shape;
-      ASSERT_TRUE(S->spatial_shape_unchecked(shape));
+      const SpatialShape& shape = *S->spatial_shape();
       const Vector3d p = draw.vector(trial % 2 == 0 ? 3 : 20);
       const Vector3d q = dense(nearest_in(shape, spatial(p))), u = p - q;
       const PreciseVector3 precisely = nearest_in(shape, precise(spatial(p)));
@@ -78,8 +77,7 @@ TEST(NearestInCore, IsInTheSetAndItsTangentPlaneHoldsTheSetOff) {
 
 TEST(NearestInCore, OfAPointInsideIsThatPoint) {
   const Cylinder cylinder(Vector3d(0, 0, -1), Vector3d(0, 0, 1), 1);
-  SpatialShape shape;
-  ASSERT_TRUE(cylinder.spatial_shape_unchecked(shape));
+  const SpatialShape& shape = *cylinder.spatial_shape();
   EXPECT_NEAR((dense(nearest_in(shape, Vector3{0.3, -0.4, 0.5})) - Vector3d(0.3, -0.4, 0.5)).norm(), 0,
               1e-15);
 }

@@ -80,11 +80,10 @@ double widest_gap(const Case& at, Random& random) {
 }
 
 void expect_true(const Case& at, const std::string& name, Random& random) {
-  SpatialShape shape[2];
-  ASSERT_TRUE(at.set[0]->spatial_shape_unchecked(shape[0]) && at.set[1]->spatial_shape_unchecked(shape[1]));
-  if (!RoundPair::has_formula(shape[0], shape[1])) return;
+  const SpatialShape &one = *at.set[0]->spatial_shape(), &two = *at.set[1]->spatial_shape();
+  if (!RoundPair::has_formula(one, two)) return;
   RoundPair pair;
-  if (!pair.solve(shape[0], shape[1], PoseNumbers(&at.pose[0]), PoseNumbers(&at.pose[1]))) return;
+  if (!pair.solve(one, two, PoseNumbers(&at.pose[0]), PoseNumbers(&at.pose[1]))) return;
   EXPECT_LE(pair.upper() - pair.lower(), kNoise) << name;
   const V n = dense(pair.normal());
   EXPECT_NEAR(n.norm(), 1, 1e-14) << name;
@@ -187,10 +186,8 @@ TEST(RoundPair, HasAGradientWhereThereIsOneShortestWay) {
 
 TEST(RoundPair, SaysNothingWhereRoundingHidesTheDirection) {
   const Capsule one(V(-1, 0, 0), V(1, 0, 0), 0.5), two(V(0, -1, 0), V(0, 1, 0), 0.5);
-  SpatialShape shape[2];
-  ASSERT_TRUE(one.spatial_shape_unchecked(shape[0]) && two.spatial_shape_unchecked(shape[1]));
   RoundPair pair;
-  EXPECT_FALSE(pair.solve(shape[0], shape[1], {}, {}));
+  EXPECT_FALSE(pair.solve(*one.spatial_shape(), *two.spatial_shape(), {}, {}));
   ObjectDistanceSolver solver;
   const Ball metric(V::Zero(), 1);
   const ObjectDistance& r = solver.solve(one, two, metric, ObjectEffects::depth);
