@@ -4,11 +4,12 @@
 
 #include <cmath>
 
-#include "engine/proof/bounds.h"
-#include "engine/queries/pose_gradients.h"
+#include "engine/methods/spatial/round_pair.h"
 
 namespace raygauge {
 namespace {
+
+using Formula = RoundPair::Formula;
 
 // From lengths to those that the metric measures, rounded outward.
 struct Scale {
@@ -21,34 +22,39 @@ struct Scale {
   double share = 1, down = 1, up = 1;
 };
 
-void put(const Vector3& v, double scale, Vector& out) {
-  if (out.size() != 3) out.resize(3);
+[[gnu::noinline]] void resize(Vector& v, int n) { v.resize(n); }
+
+[[gnu::always_inline]] inline void put(const Vector3& v, Vector& out) {
+  if (out.size() != 3) resize(out, 3);
   double* x = out.data();
-  x[0] = v.x * scale;
-  x[1] = v.y * scale;
-  x[2] = v.z * scale;
+  x[0] = v.x;
+  x[1] = v.y;
+  x[2] = v.z;
 }
 
-void clear(Vector& v) {
-  if (v.size() != 0) v.resize(0);
+[[gnu::always_inline]] inline void clear(Vector& v) {
+  if (v.size() != 0) resize(v, 0);
 }
 
-void put_distance(const RoundPair& round, const Scale& scale, bool points, ObjectDistance& result) {
+[[gnu::noinline]] void clear(ObjectDepth& depth) { depth = ObjectDepth(); }
+
+[[gnu::always_inline]] inline void put_distance(const RoundPair& round, const Scale& scale, bool points,
+                                                ObjectDistance& result) {
   result.distance.status = DistanceStatus::optimal;
-  result.distance.lower = round.lower() * scale.down;
-  result.distance.upper = result.distance.distance = round.upper() * scale.up;
-  put(round.normal(), scale.share, result.distance.normal);
+  result.distance.lower = round.lower * scale.down;
+  result.distance.upper = result.distance.distance = round.upper * scale.up;
+  put(round.normal * scale.share, result.distance.normal);
   result.closest_point_evaluations = points ? 1 : 0;
   if (points) {
-    put(round.point_1(), 1, result.closest_point_1);
-    put(round.point_2(), 1, result.closest_point_2);
+    put(round.point_1, result.closest_point_1);
+    put(round.point_2, result.closest_point_2);
   } else {
     clear(result.closest_point_1);
     clear(result.closest_point_2);
   }
 }
 
-void put_overlap(ObjectDistance& result) {
+[[gnu::always_inline]] inline void put_overlap(ObjectDistance& result) {
   result.distance.status = DistanceStatus::contains_origin;
   result.distance.lower = result.distance.upper = result.distance.distance = 0;
   clear(result.distance.normal);
@@ -57,46 +63,61 @@ void put_overlap(ObjectDistance& result) {
   clear(result.closest_point_2);
 }
 
-void put_depth(const RoundPair& round, const Scale& scale, ObjectDepth& depth) {
-  depth.lower = -round.upper() * scale.down;
-  depth.depth = depth.upper = -round.lower() * scale.up;
+[[gnu::always_inline]] inline void put_depth(const RoundPair& round, const Scale& scale, ObjectDepth& depth) {
+  depth.lower = -round.upper * scale.down;
+  depth.depth = depth.upper = -round.lower * scale.up;
   depth.status = DistanceStatus::optimal;
-  put(round.normal(), scale.share, depth.normal);
-  put(round.point_1(), 1, depth.point_1);
-  put(round.point_2(), 1, depth.point_2);
+  put(round.normal * scale.share, depth.normal);
+  put(round.point_1, depth.point_1);
+  put(round.point_2, depth.point_2);
   depth.evaluations = depth.iterations = 1;
   depth.support_queries = 2;
 }
 
-// The bounds count as everywhere: those of the distance, or of the depth.
-bool is_known(const RoundPair& round, bool wanted, double tolerance) {
-  const bool apart = round.lower() > 0, meet = round.upper() < 0;
-  const double upper = apart ? round.upper() : -round.lower();
-  return (apart || meet) && (!wanted || round.upper() - round.lower() <= tolerance * upper);
+Vector3 origin_of(const Posed& body) {
+  if (body.pose == nullptr) return {};
+  const double* t = body.pose->translation_data();
+  return {t[0], t[1], t[2]};
 }
 
-}  // namespace
+// With one normal and one pair of points.
+[[gnu::always_inline]] inline void put_gradient(const RoundPair& round, const Vector3& normal,
+                                                const Posed& A1, const Posed& A2, PoseGradient& gradient) {
+  gradient.kind = GradientKind::unique;
+  gradient.candidates.clear();
+  gradient.body_1 = {normal, cross(round.point_1 - origin_of(A1), normal)};
+  gradient.body_2 = {-normal, cross(normal, round.point_2 - origin_of(A2))};
+}
 
-bool distance_by_formula(RoundPair& round, const Posed& A1, const Posed& A2, const FormulaGoal& goal,
-                         WarmStart* warm, ObjectDistance& result) {
-  if (A1.set.spatial_shape() == nullptr || A2.set.spatial_shape() == nullptr) return false;
+// The bounds count as everywhere: those of the distance, or of the depth.
+bool is_close(const RoundPair& round, bool wanted, double tolerance) {
+  const bool apart = round.lower > 0, meet = round.upper < 0;
+  const double upper = apart ? round.upper : -round.lower;
+  return (apart || meet) && (!wanted || round.upper - round.lower <= tolerance * upper);
+}
+
+// One function for each formula: what all begin with is little, and the compiler keeps it in registers.
+template <Formula kFormula>
+[[gnu::noinline]] bool answer_by(const Posed& A1, const Posed& A2, double radius, double tolerance,
+                                 ObjectEffects effects, WarmStart* warm, ObjectDistance& result) {
   const SpatialShape &one = *A1.set.spatial_shape(), &two = *A2.set.spatial_shape();
-  if (A1.dimension() != 3 || A2.dimension() != 3 || !RoundPair::has_formula(one, two)) return false;
-  const PoseNumbers pose_1(A1.pose), pose_2(A2.pose);
-  if (!round.solve(one, two, pose_1, pose_2)) return false;
-  const bool meet = round.upper() < 0, deep = meet && has_effect(goal.effects, ObjectEffects::depth);
-  if (!is_known(round, deep || !meet, goal.tolerance)) return false;
-  const bool by_pose = has_effect(goal.effects, ObjectEffects::pose_gradient) && (deep || !meet);
-  if (by_pose && !round.is_differentiable(one, two, pose_1, pose_2)) return false;
-  const Scale scale(goal.radius);
+  RoundPair round;
+  round.solve<kFormula>(one, two, PoseNumbers(A1.pose), PoseNumbers(A2.pose));
+  const bool meet = round.upper < 0, deep = meet && has_effect(effects, ObjectEffects::depth);
+  if (!round.is_known || !is_close(round, deep || !meet, tolerance)) return false;
+  const bool by_pose = has_effect(effects, ObjectEffects::pose_gradient) && (deep || !meet);
+  if (by_pose && !RoundPair::is_differentiable(0.5 * (round.lower + round.upper), one, two,
+                                               PoseNumbers(A1.pose), PoseNumbers(A2.pose)))
+    return false;
+  const Scale scale(radius);
   if (meet)
     put_overlap(result);
   else
-    put_distance(round, scale, has_effect(goal.effects, ObjectEffects::closest_points), result);
+    put_distance(round, scale, has_effect(effects, ObjectEffects::closest_points), result);
   if (deep)
     put_depth(round, scale, result.depth);
   else if (!std::isnan(result.depth.depth))
-    result.depth = ObjectDepth();
+    clear(result.depth);
   DistanceResult& distance = result.distance;
   distance.counters = {};
   distance.counters.outer_iterations = distance.counters.ray_iterations = 1;
@@ -104,19 +125,38 @@ bool distance_by_formula(RoundPair& round, const Posed& A1, const Posed& A2, con
   distance.sigma = distance.seconds = DistanceResult::kUnset;
   distance.origin_weights.clear();
   clear(distance.contact_point);
-  result.gradient_evaluations = 0;
+  const bool gradient = has_effect(effects, ObjectEffects::gradient) && (deep || !meet);
+  result.gradient_evaluations = gradient ? 1 : 0;
+  if (gradient) {
+    put(round.normal * scale.share, result.gradient_1);
+    put(round.normal * -scale.share, result.gradient_2);
+  } else {
+    clear(result.gradient_1);
+    clear(result.gradient_2);
+  }
   result.pose_gradient_evaluations = by_pose ? 1 : 0;
   result.pose_gradient.kind = GradientKind::none;
-  if (by_pose)
-    put_single_gradient(A1, A2, round.normal() * scale.share, round.point_1(), round.point_2(),
-                        result.pose_gradient);
+  if (by_pose) put_gradient(round, round.normal * scale.share, A1, A2, result.pose_gradient);
   if (warm == nullptr) return true;
   warm->overlap = false;
   warm->dimension = 3;
   warm->count = 0;
-  const Vector3 normal = meet && !deep ? Vector3{} : round.normal();
+  const Vector3 normal = meet && !deep ? Vector3{} : round.normal;
   warm->normal = {normal.x, normal.y, normal.z};
   return true;
+}
+
+}  // namespace
+
+bool distance_by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric, double tolerance,
+                         ObjectEffects effects, WarmStart* warm, ObjectDistance& result) {
+  const SpatialShape *one = A1.set.spatial_shape(), *two = A2.set.spatial_shape();
+  if (one == nullptr || two == nullptr || A1.dimension() != 3 || A2.dimension() != 3) return false;
+  const double radius = radius_of_ball(metric);
+  if (!(radius > 0) || metric.dimension() != 3) return false;
+  return RoundPair::with(RoundPair::formula(*one, *two), [&]<Formula kFormula>() {
+    return answer_by<kFormula>(A1, A2, radius, tolerance, effects, warm, result);
+  });
 }
 
 }  // namespace raygauge

@@ -34,7 +34,7 @@ struct Ladder::Due {
   }
   static bool always(const Ladder& /*ladder*/, const Ask& /*ask*/) { return true; }
   static bool open_to_bodies(const Ladder& ladder, const Ask& /*ask*/) {
-    return ladder.options_.method != DistanceMethod::zheng_yamane && ladder.options_.max_iterations == 0;
+    return is_open_to_bodies(ladder.options_);
   }
   static bool body_distance(const Ladder& ladder, const Ask& ask) {
     return open_to_bodies(ladder, ask) && !ask.is_distance_open;
@@ -323,19 +323,9 @@ const DistanceResult& Ladder::gauge(Ask& ask) {
   return answer_.distance;
 }
 
-ObjectDistance& Ladder::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
-                                 ObjectEffects effects, WarmStart* warm) {
-  bodies_.begin();
-  const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
-  if (!by_search && bodies_.by_formula(A1, A2, metric, options_, effects, warm, answer_)) return answer_;
-  Ask ask(Question::distance, A1, A2, warm);
-  ask.metric = &metric;
-  ask.object_effects = effects;
-  return distance(ask);
-}
-
 // The distance writes over the normal of the solve before, from which a depth may begin.
 ObjectDistance& Ladder::distance(Ask& ask) {
+  bodies_.begin();
   const int n = ask.first.dimension();
   const bool had_depth = !std::isnan(answer_.depth.depth);
   const bool wants_depth = has_effect(ask.object_effects, ObjectEffects::depth);

@@ -62,11 +62,12 @@ class Ladder {
   void set_options(const DistanceOptions& options);
   void set_stop(std::function<bool()> stop) { stop_ = std::move(stop); }
 
+  /// Of the last distance, or of a formula that needs no ladder.
+  ObjectDistance& answer() noexcept { return answer_; }
+
   /// Each answer lives until the next question.
   const DistanceResult& gauge(Ask& ask);
   ObjectDistance& distance(Ask& ask);
-  ObjectDistance& distance(const Posed& A1, const Posed& A2, const ConvexSet& metric, ObjectEffects effects,
-                           WarmStart* warm);
   const DistanceResult& growth(Ask& ask);
   const SeparationResult& separation(Ask& ask);
 

@@ -187,7 +187,6 @@ bool Ladder::Solve::distance(Ladder& ladder, Ask& ask) {
   other.is_growth_open = true;
   other.time_limit = ladder.time_left();
   std::swap(ladder.answer_.distance, ladder.outer_);
-  ladder.bodies_.begin();
   ladder.distance(other);
   std::swap(ladder.answer_.distance, ladder.outer_);
   const DistanceResult &growth = ladder.answer_.distance, &found = ladder.outer_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/queries/formula_distance.h"
 #include "engine/queries/ladder.h"
 
 namespace raygauge {
@@ -21,6 +22,17 @@ void add_gradients(ObjectEffects effects, ObjectDistance& result) {
     result.gradient_1.resize(0);
     result.gradient_2.resize(0);
   }
+}
+
+[[gnu::noinline]] const ObjectDistance& solve_by_search(Ladder& ladder, const Posed& A1, const Posed& A2,
+                                                        const ConvexSet& Q, ObjectEffects effects,
+                                                        WarmStart* warm) {
+  Ask ask(Question::distance, A1, A2, warm);
+  ask.metric = &Q;
+  ask.object_effects = effects;
+  ObjectDistance& result = ladder.distance(ask);
+  add_gradients(effects, result);
+  return result;
 }
 
 }  // namespace
@@ -42,9 +54,13 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
                                                   ObjectEffects effects, WarmStart* warm) {
   if (has_effect(effects, ObjectEffects::pose_gradient)) effects = effects | ObjectEffects::closest_points;
-  ObjectDistance& result = ladder_->distance(A1, A2, Q, effects, warm);
-  add_gradients(effects, result);
-  return result;
+  const DistanceOptions& options = ladder_->options();
+  const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
+  if (!by_search && is_open_to_bodies(options) &&
+      distance_by_formula(A1, A2, Q, options.tolerance, effects, warm, ladder_->answer())) {
+    return ladder_->answer();
+  }
+  return solve_by_search(*ladder_, A1, A2, Q, effects, warm);
 }
 
 }  // namespace raygauge

@@ -56,15 +56,6 @@ void PoseGradients::begin(const Posed& A1, const Posed& A2, const SpatialPair* p
   for (int i = 0; i < 2; ++i) origin_[i] = origin_of(*posed_[i]);
 }
 
-void put_single_gradient(const Posed& A1, const Posed& A2, const Vector3& by_translation, const Vector3& x1,
-                         const Vector3& x2, PoseGradient& gradient) {
-  const Vector3& n = by_translation;
-  gradient.kind = GradientKind::unique;
-  gradient.candidates.clear();
-  gradient.body_1 = {n, cross(x1 - origin_of(A1), n)};
-  gradient.body_2 = negative({n, cross(x2 - origin_of(A2), n)});
-}
-
 bool PoseGradients::bind() {
   if (pair_ == nullptr) return faces_.bind(*posed_[0], *posed_[1], isa_);
   if (pair_ != faces_.pair()) faces_.bind(*pair_);

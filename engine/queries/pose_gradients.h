@@ -11,10 +11,6 @@
 
 namespace raygauge {
 
-/// Of a distance, or of minus a depth, with one normal and one pair of points.
-void put_single_gradient(const Posed& A1, const Posed& A2, const Vector3& by_translation, const Vector3& x1,
-                         const Vector3& x2, PoseGradient& gradient);
-
 /// Gradients by pose, of the answers of other queries. It keeps its memory.
 class PoseGradients {
  public:

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/queries/formula_distance.h"
+#include "engine/sets/spatial_shape.h"
 
 namespace raygauge {
 namespace {
@@ -14,15 +14,12 @@ constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
 constexpr std::ptrdiff_t kPointsUnderLimit =
     10000;  // a hundred passes over so many end before the clock would be read
 
-bool is_open(const DistanceOptions& options) {
-  return options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
-}
-
 }  // namespace
 
 bool SpatialQuery::bind(const Posed& first, const Posed& second, const DistanceOptions& options) {
   asked_ = false;
-  if (!is_open(options) || !solve_.bind(first.set, second.set, options.instruction_set)) return false;
+  if (!is_open_to_bodies(options) || !solve_.bind(first.set, second.set, options.instruction_set))
+    return false;
   const bool limited = options.time_limit != std::numeric_limits<double>::infinity();
   return !limited || solve_.points() <= kPointsUnderLimit;
 }
@@ -39,14 +36,6 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
   result.sigma = result.seconds = DistanceResult::kUnset;
   result.origin_weights.clear();
   if (result.contact_point.size() != 0) result.contact_point.resize(0);
-}
-
-bool SpatialQuery::by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric,
-                              const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
-                              ObjectDistance& result) {
-  const double radius = radius_of_ball(metric);
-  return radius > 0 && is_open(options) && metric.dimension() == 3 &&
-         distance_by_formula(round_, A1, A2, {radius, options.tolerance, effects}, warm, result);
 }
 
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,

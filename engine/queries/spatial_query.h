@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/methods/spatial/round_pair.h"
 #include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
 #include "raygauge/methods/options.h"
@@ -17,7 +16,12 @@ struct ProvenBounds {
   double normal[3] = {0, 0, 0};  ///< that proves the lower one, as DistanceResult::normal
 };
 
-/// Queries about bodies of R^2 and R^3 by SpatialSolve, where the options leave the way to it open. Each
+/// Whether the options leave the way to fixed-size code open.
+inline bool is_open_to_bodies(const DistanceOptions& options) noexcept {
+  return options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
+}
+
+/// Queries about bodies of R^2 and R^3 by SpatialSolve, where is_open_to_bodies(). Each
 /// function returns false where it has no answer that is as precise as was asked for; what it has proven
 /// nevertheless is in proven().
 class SpatialQuery {
@@ -32,11 +36,6 @@ class SpatialQuery {
 
   /// Nothing is known of bodies before a query.
   void begin() noexcept { asked_ = false; }
-
-  /// The whole answer of bodies that have a formula, see distance_by_formula(). Where there is none,
-  /// distance() of the same bodies goes on.
-  bool by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options,
-                  ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
 
   /// Of the last query: the support points that its answer ended with.
   const SpatialCombination& combination() const noexcept { return solve_.answer().combination; }
@@ -60,7 +59,6 @@ class SpatialQuery {
   void set_counters(DistanceResult& result) const;
 
   SpatialSolve solve_;
-  RoundPair round_;
   ProvenBounds proven_;
   bool asked_ = false;
 };

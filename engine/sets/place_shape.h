@@ -18,6 +18,7 @@ template <class Derived>
 bool place(SpatialShape& shape, const Eigen::MatrixBase<Derived>& center, int n) {
   if (n != 2 && n != 3) return false;
   shape.center = spatial(center, n);
+  shape.is_centered = center.isZero(0);
   return true;
 }
 

@@ -14,7 +14,7 @@
 #include "engine/sets/cluster_tree.h"
 #include "engine/sets/direction_table.h"
 #include "engine/sets/hull_3d.h"
-#include "engine/sets/spatial_shape.h"
+#include "engine/sets/place_shape.h"
 
 namespace raygauge {
 namespace {
@@ -74,7 +74,7 @@ PreparedSet::PreparedSet(const Eigen::Ref<const Eigen::MatrixXd>& points)
       surface = HullSurface(points_->points(), in_order(order, hull.triangles), extent_);
     table_ = std::make_shared<const DirectionTable>(points_->points(), std::move(surface));
     SpatialShape shape = *points_->spatial_shape();
-    shape.center = {center_[0], center_[1], center_[2]};
+    place(shape, center_, 3);
     shape.extent = extent_;
     shape.inner_radius = inner_radius_;
     shape.table = table_.get();

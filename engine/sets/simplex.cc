@@ -37,10 +37,10 @@ Simplex::Simplex(const ConstVectorRef& corner, const ConstVectorRef& legs)
   vertices_ = exact_vertices(corner_, legs_);
   if (!vertices_) return;
   SpatialShape shape = *vertices_->spatial_shape();
-  double center[3] = {0, 0, 0};
-  Simplex::do_center(center);
-  shape.center = {center[0], center[1], center[2]};
-  shape.inner_radius = Simplex::do_inner_radius(center);
+  Vector center(dimension());
+  Simplex::do_center(center.data());
+  place(shape, center, dimension());
+  shape.inner_radius = Simplex::do_inner_radius(center.data());
   set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 

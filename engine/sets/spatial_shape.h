@@ -25,8 +25,9 @@ struct SpatialShape {
   };
 
   Kind kind = Kind::point;
-  Vector3 center;           ///< ConvexSet::center
-  double radius = 0;        ///< of the ball added
+  bool is_centered = false;  ///< the centre is known to be the origin
+  Vector3 center;            ///< ConvexSet::center
+  double radius = 0;         ///< of the ball added
   double extent = 0;        ///< at least |x| for every point of the core, and for what they are computed from
   double inner_radius = 0;  ///< of a ball about the centre inside the set, proven; 0 where none is known
   Matrix3 axis;
@@ -44,8 +45,7 @@ struct SpatialShape {
 inline double radius_of_ball(const ConvexSet& Q) noexcept {
   const SpatialShape* shape = Q.spatial_shape();
   if (shape == nullptr || shape->kind != SpatialShape::Kind::point) return 0;
-  const Vector3& c = shape->center;
-  return c.x == 0 && c.y == 0 && c.z == 0 ? shape->radius : 0.0;
+  return shape->is_centered ? shape->radius : 0.0;
 }
 
 }  // namespace raygauge

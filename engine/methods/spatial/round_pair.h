@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "engine/methods/spatial/pair_frames.h"
 
 namespace raygauge {
@@ -13,46 +16,44 @@ namespace raygauge {
 /// Nothing is made of the sets beforehand, and nothing is kept. Everything is taken about the origin of the
 /// first body's frame along the axes of the world. The bounds are proven by what was found: points, and the
 /// support function along the normal; where a centre is inside, by a ball around it inside the core. Rounding
-/// errors are covered as in SpatialPair.
-class RoundPair {
- public:
-  static bool has_formula(const SpatialShape& first, const SpatialShape& second) noexcept;
+/// errors are covered as in SpatialPair. All is in line: the formulas take less time than calls.
+struct RoundPair {
+  enum class Formula : std::uint8_t {
+    none,
+    points,
+    point_and_segment,
+    segment_and_point,
+    segments,
+    point_and_box,
+    box_and_point,
+    point_and_frustum,
+    frustum_and_point,
+  };
 
-  /// Of bodies that have a formula. False, and nothing is said, where sizes are out of the range of squares,
-  /// or rounding hides a direction.
-  bool solve(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
-             const PoseNumbers& pose_2) noexcept;
+  /// Which formula two bodies of R^3 have.
+  static Formula formula(const SpatialShape& first, const SpatialShape& second) noexcept;
 
-  /// Whether the signed distance that was found for these has a gradient for certain: one normal and one pair
-  /// of points.
-  bool is_differentiable(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
-                         const PoseNumbers& pose_2) const noexcept;
+  /// What use.operator()<formula>() returns; false where there is none.
+  template <class Use>
+  [[gnu::always_inline]] static inline bool with(Formula formula, const Use& use);
 
-  /// Of the signed distance.
-  double lower() const noexcept { return lower_; }
-  double upper() const noexcept { return upper_; }
+  /// Bodies that have this formula, where they stand.
+  template <Formula kFormula>
+  [[gnu::always_inline]] inline void solve(const SpatialShape& first, const SpatialShape& second,
+                                           const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept;
 
-  /// From the second body to the first: what proves lower(), of length 1.
-  const Vector3& normal() const noexcept { return normal_; }
+  /// Whether a signed distance of this value has a gradient for certain: one normal and one pair of points.
+  static bool is_differentiable(double value, const SpatialShape& first, const SpatialShape& second,
+                                const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept;
 
-  /// Of the surfaces, in the world: a1 - a2 is the signed distance times the normal.
-  const Vector3& point_1() const noexcept { return point_1_; }
-  const Vector3& point_2() const noexcept { return point_2_; }
-
- private:
-  template <class Find>
-  bool solve_by(const Find& find, const SpatialShape& first, const SpatialShape& second,
-                const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept;
-  bool solve_points(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
-                    const PoseNumbers& pose_2) noexcept;
-  bool solve_segments(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
-                      const PoseNumbers& pose_2) noexcept;
-  template <class Core, int kAt>
-  bool solve_core(const SpatialShape& first, const SpatialShape& second, const PoseNumbers& pose_1,
-                  const PoseNumbers& pose_2) noexcept;
-
-  double lower_ = 0, upper_ = 0;
-  Vector3 normal_, point_1_, point_2_;
+  double lower, upper;       ///< of the signed distance
+  Vector3 normal;            ///< from the second body to the first: what proves `lower`, of length 1
+  Vector3 point_1, point_2;  ///< of the surfaces, in the world: their difference is the signed distance times
+                             ///< the normal
+  bool is_known;             ///< false where sizes are out of the range of squares, or rounding hides a
+                             ///< direction: then the rest says nothing
 };
 
 }  // namespace raygauge
+
+#include "engine/methods/spatial/round_pair_formulas.h"

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/methods/spatial/nearest_of_segments.h"
+#include "engine/methods/spatial/round_pair.h"
+
+namespace raygauge {
+namespace round_pair {
+
+using Kind = SpatialShape::Kind;
+
+// As of SpatialPair, whose chain of operations is longer; a quarter more for the sums of the bounds.
+inline constexpr double kRounding = 320 * 0x1p-53;
+inline constexpr double kSmallest = 1e-70, kLargest = 1e70;
+
+inline constexpr double kIdentity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+// Where a body is, from the origin of the first one's frame: x -> R x + t, R by columns.
+struct Place {
+  const double* R = nullptr;
+  Vector3 t;
+
+  Vector3 turn(const Vector3& x) const noexcept {
+    return {R[0] * x.x + R[3] * x.y + R[6] * x.z, R[1] * x.x + R[4] * x.y + R[7] * x.z,
+            R[2] * x.x + R[5] * x.y + R[8] * x.z};
+  }
+  Vector3 turn_back(const Vector3& u) const noexcept {
+    return {R[0] * u.x + R[1] * u.y + R[2] * u.z, R[3] * u.x + R[4] * u.y + R[5] * u.z,
+            R[6] * u.x + R[7] * u.y + R[8] * u.z};
+  }
+  Vector3 center_of(const SpatialShape& shape) const noexcept {
+    return shape.is_centered ? t : turn(shape.center) + t;
+  }
+};
+
+// Of the cores: bounds on the signed distance, without rounding, and what proves them.
+struct Found {
+  double lower = 0, upper = -1;
+  Vector3 normal, point_1, point_2;
+  bool is_known = false;
+};
+
+// Of two points: all but the lower bound, which is the upper one where the normal is that of both cores.
+[[gnu::always_inline]] inline Found between(const Vector3& p, const Vector3& q, double error) {
+  const Vector3 way = p - q;
+  const double square = dot(way, way), away = std::sqrt(square);
+  return {away, away, way * (away * (1 / square)), p, q, away > error};
+}
+
+// The first core is the point p, the second one q ± y.
+[[gnu::always_inline]] inline Found between(const Vector3& p, const Vector3& q, const Vector3& y,
+                                            double error) {
+  const Vector3 way = p - q;
+  const double square = dot(y, y), share = square > 0 ? dot(way, y) / square : 0;
+  Found found = between(p, q + y * std::clamp(share, -1.0, 1.0), error);
+  found.lower = dot(found.normal, way) - std::fabs(dot(found.normal, y));
+  return found;
+}
+
+[[gnu::always_inline]] inline Found between(const Vector3& p, const Vector3& x, const Vector3& q,
+                                            const Vector3& y, double error) {
+  double s = 0, t = 0;
+  nearest_of_segments(p, x, q, y, s, t);
+  Found found = between(p + x * s, q + y * t, error);
+  found.lower = dot(found.normal, p - q) - std::fabs(dot(found.normal, x)) - std::fabs(dot(found.normal, y));
+  return found;
+}
+
+[[gnu::always_inline]] inline Found turned(const Found& found) {
+  return {found.lower, found.upper, -found.normal, found.point_2, found.point_1, found.is_known};
+}
+
+// Of a core and a point y in its frame: the signed distance from below, by the support function of the core
+// along the normal, and from above, by the way to its surface.
+struct FromCore {
+  double lower = 0, upper = 0;
+  Vector3 outward;
+  bool is_known = true;
+};
+
+[[gnu::always_inline]] inline FromCore way_from(const BoxCore& core, const Vector3& y, double error) {
+  const Vector3 way = y - core.nearest(y);
+  const double square = dot(way, way);
+  if (square > 0) {
+    const double away = std::sqrt(square);
+    return {away, away, way * (away * (1 / square)), away > error};
+  }
+  Vector3 outward;
+  const double room = core.way_out(y, outward);
+  return {-room, -room, outward};
+}
+
+// In the half-plane through the axis that holds y: (z, r) along the axis from the base and away from it.
+// There the core is a quadrangle with the corners (0, 0), (0, base radius), (full, top radius), (full, 0).
+[[gnu::always_inline]] inline FromCore way_from(const FrustumCore& core, const Vector3& y, double error) {
+  constexpr double kCancelled = 0.01;  // r²/|x|² below which the way from the axis is turned across it again
+  constexpr double kAtAxis = 1e-20;    // ... and below which any way across the axis does
+  const SpatialShape& shape = core.shape;
+  const Vector3 &a = shape.axis.column[0], x = y - shape.base;
+  const double base_radius = shape.base_radius, top_radius = shape.top_radius;
+  const double z = dot(x, a), full = dot(shape.top - shape.base, a), widening = top_radius - base_radius;
+  Vector3 radial = x - a * z;
+  double square = dot(radial, radial), across = std::sqrt(square), share = across * (1 / square);
+  if (!(square > kCancelled * dot(x, x))) {
+    radial = radial - a * dot(radial, a);
+    across = length(radial);
+    if (!(across * across > kAtAxis * dot(x, x))) radial = any_orthogonal(a);
+    share = 1 / length(radial);
+  }
+  FromCore found;
+  double along_z = 0, along_r = 0;  // the normal
+  const double from_top = z - full, slant = full * full + widening * widening;
+  const double beside = (across - base_radius) * full - z * widening;  // of the side, outside of it
+  const double foot = z * full + (across - base_radius) * widening;    // on the side
+  const bool is_inside = beside <= 0 && z > 0 && from_top < 0;
+  if (z <= 0 && across <= base_radius) {
+    along_z = -1;
+    found.upper = -z;
+  } else if (from_top >= 0 && across <= top_radius) {
+    along_z = 1;
+    found.upper = from_top;
+  } else if (is_inside || (foot >= 0 && foot <= slant)) {
+    const double scale = std::sqrt(slant) * (1 / slant);
+    found.upper = beside * scale;
+    along_z = -widening * scale;
+    along_r = full * scale;
+    if (is_inside && std::max(-z, from_top) >= found.upper) {
+      found.upper = std::max(-z, from_top);
+      along_z = -z > from_top ? -1.0 : 1.0;
+      along_r = 0;
+    }
+  } else {
+    const double way_z = foot < 0 ? z : from_top, way_r = across - (foot < 0 ? base_radius : top_radius);
+    found.upper = std::sqrt(way_z * way_z + way_r * way_r);
+    found.is_known = found.upper > error;
+    along_z = way_z / found.upper;
+    along_r = way_r / found.upper;
+  }
+  found.outward = a * along_z + radial * (along_r * share);
+  found.lower =
+      dot(found.outward, x) - std::max(along_r * base_radius, along_z * full + along_r * top_radius);
+  return found;
+}
+
+// The first core is a point, the second one is `core`, where it stands.
+template <class Core>
+[[gnu::always_inline]] inline Found from_core(const Vector3& center, const Core& core, const Place& own,
+                                              double error) {
+  const FromCore way = way_from(core, own.turn_back(center - own.t), error);
+  const Vector3 outward = own.turn(way.outward);
+  return {way.lower, way.upper, outward, center, center - outward * way.upper, way.is_known};
+}
+
+template <RoundPair::Formula kFormula>
+[[gnu::always_inline]] inline Found find(const SpatialShape& first, const SpatialShape& second,
+                                         const Place& one, const Place& two, double error) {
+  using F = RoundPair::Formula;
+  if constexpr (kFormula == F::points) return between(one.center_of(first), two.center_of(second), error);
+  if constexpr (kFormula == F::point_and_segment)
+    return between(one.center_of(first), two.center_of(second), two.turn(second.axis.column[0]), error);
+  if constexpr (kFormula == F::segment_and_point)
+    return turned(find<F::point_and_segment>(second, first, two, one, error));
+  if constexpr (kFormula == F::segments)
+    return between(one.center_of(first), one.turn(first.axis.column[0]), two.center_of(second),
+                   two.turn(second.axis.column[0]), error);
+  if constexpr (kFormula == F::point_and_box)
+    return from_core(one.center_of(first), BoxCore{second}, two, error);
+  if constexpr (kFormula == F::box_and_point)
+    return turned(find<F::point_and_box>(second, first, two, one, error));
+  if constexpr (kFormula == F::point_and_frustum)
+    return from_core(one.center_of(first), FrustumCore{second}, two, error);
+  if constexpr (kFormula == F::frustum_and_point)
+    return turned(find<F::point_and_frustum>(second, first, two, one, error));
+}
+
+}  // namespace round_pair
+
+inline RoundPair::Formula RoundPair::formula(const SpatialShape& first, const SpatialShape& second) noexcept {
+  using F = Formula;
+  using Kind = SpatialShape::Kind;
+  if (first.kind == Kind::point) {
+    constexpr F kOther[] = {F::points, F::point_and_segment, F::point_and_box,
+                            F::none,   F::point_and_frustum, F::none};
+    return kOther[static_cast<int>(second.kind)];
+  }
+  if (second.kind == Kind::point) {
+    constexpr F kOther[] = {F::points, F::segment_and_point, F::box_and_point,
+                            F::none,   F::frustum_and_point, F::none};
+    return kOther[static_cast<int>(first.kind)];
+  }
+  return first.kind == Kind::segment && second.kind == Kind::segment ? F::segments : F::none;
+}
+
+template <class Use>
+[[gnu::always_inline]] inline bool RoundPair::with(Formula formula, const Use& use) {
+  switch (formula) {
+    case Formula::none:
+      return false;
+    case Formula::points:
+      return use.template operator()<Formula::points>();
+    case Formula::point_and_segment:
+      return use.template operator()<Formula::point_and_segment>();
+    case Formula::segment_and_point:
+      return use.template operator()<Formula::segment_and_point>();
+    case Formula::segments:
+      return use.template operator()<Formula::segments>();
+    case Formula::point_and_box:
+      return use.template operator()<Formula::point_and_box>();
+    case Formula::box_and_point:
+      return use.template operator()<Formula::box_and_point>();
+    case Formula::point_and_frustum:
+      return use.template operator()<Formula::point_and_frustum>();
+    case Formula::frustum_and_point:
+      return use.template operator()<Formula::frustum_and_point>();
+  }
+  return false;
+}
+
+template <RoundPair::Formula kFormula>
+[[gnu::always_inline]] inline void RoundPair::solve(const SpatialShape& first, const SpatialShape& second,
+                                                    const PoseNumbers& pose_1,
+                                                    const PoseNumbers& pose_2) noexcept {
+  using namespace round_pair;
+  const auto vector = [](const double* t) { return t != nullptr ? Vector3{t[0], t[1], t[2]} : Vector3{}; };
+  const Vector3 origin = vector(pose_1.t), apart = vector(pose_2.t) - origin;
+  const Place one{pose_1.R != nullptr ? pose_1.R : kIdentity, {}},
+      two{pose_2.R != nullptr ? pose_2.R : kIdentity, apart};
+  const double radius = first.radius + second.radius;
+  const double size =
+      first.extent + second.extent + radius + std::fabs(apart.x) + std::fabs(apart.y) + std::fabs(apart.z);
+  const double error = size * (kRounding + 2.5 * (pose_1.defect + pose_2.defect));
+  const Found found = find<kFormula>(first, second, one, two, error);
+  lower = found.lower - radius - error;
+  upper = found.upper - radius + error;
+  normal = found.normal;
+  point_1 = origin + found.point_1 - found.normal * first.radius;
+  point_2 = origin + found.point_2 + found.normal * second.radius;
+  is_known = found.is_known && size > kSmallest && size < kLargest;
+}
+
+}  // namespace raygauge
