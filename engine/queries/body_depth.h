@@ -92,11 +92,12 @@ class BodyDepth {
   SpatialPair pair_;  // the cores
   DepthSearch<double> quick_;
   DepthSearch<DoubleDouble> precise_;
-  Vector3 normal_;           // of the answer, in the frame of the first body, outward of S1 - S2
-  double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
-  double floor_ = 0;         // proven of the depth of the cores
-  PairStart nearest_;        // of the cores, where these are apart
-  bool has_points_ = false;  // of the answer
+  Vector3 normal_;              // of the answer, in the frame of the first body, outward of S1 - S2
+  HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
+  double tiny_ = 0;             // at least |s| on the difference of cores that are as good as one point
+  double floor_ = 0;            // proven of the depth of the cores
+  PairStart nearest_;           // of the cores, where these are apart
+  bool has_points_ = false;     // of the answer
   enum class Source : std::uint8_t { none, hull, quick, precise } source_ = Source::none;  // searched last
 };
 

@@ -56,6 +56,7 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   const Bounds bounds(down(ball_lower_ + lower), up(ball_upper_ + height * (1 + 0x1p-48)));
   if (!bounds.close(tolerance)) return false;
   source_ = Source::hull;
+  plane_ = nearest;
   has_points_ = true;
   answer.bounds = bounds;
   answer.status = DistanceStatus::optimal;
@@ -69,14 +70,20 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
 }
 
 void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {
+  constexpr double kRounding = 1 + 1e-9;
+  const double most = plane_.room + relative * (plane_.room + ball_upper_.rounded());
+  if (plane_.second > most * kRounding) return;
   const InHull in = in_hull();
-  const double room = in.nearest(isa_).room, cosine = std::cos(angle);
-  const double most = room + relative * (room + ball_upper_.rounded());
-  in.surface->for_near(in.own, in.own_half, most, [&](const Vector3& plane) {
+  const double cosine = std::cos(angle);
+  const auto add = [&](const Vector3& plane) {
     const Vector3 n = in.is_second ? -(pair_.rotation() * plane) : plane;
     const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
     if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
-  });
+  };
+  if (dot(in.own_half, in.own_half) > 0)
+    in.surface->for_near_of_sum(in.own, in.own_half, most, add);
+  else
+    in.surface->for_near(in.own, most, isa_, add);
 }
 
 }  // namespace raygauge

@@ -133,7 +133,7 @@ void BodyFaces::sample(int i, double margin) {
   }
 }
 
-bool BodyFaces::find(const Vector3& normal, double margin, double beside, double crossing) {
+void BodyFaces::list_faces(const Vector3& normal, double margin) {
   constexpr double kLeastMargin = 1e-7;  // of the width: what a normal may be off by
   normal_ = has_shapes_ ? pair_.to_body(&normal.x) : normal;
   face_.begin(normal_);
@@ -144,6 +144,15 @@ bool BodyFaces::find(const Vector3& normal, double margin, double beside, double
       sample(i, std::max(margin, kLeastMargin * width_[i]));
     }
   }
+}
+
+bool BodyFaces::has_crossing_edges(const Vector3& normal, double margin, double crossing) {
+  list_faces(normal, margin);
+  return face_.are_crossing_segments(crossing);
+}
+
+bool BodyFaces::find(const Vector3& normal, double margin, double beside, double crossing) {
+  list_faces(normal, margin);
   return face_.find(noise_ * std::max(1.0, factor_), beside, crossing);
 }
 

@@ -40,6 +40,9 @@ class BodyFaces {
   /// if there is none.
   bool find(const Vector3& normal, double margin, double beside, double crossing);
 
+  /// Whether the faces across it are two edges that cross, see CommonFace::are_crossing_segments.
+  bool has_crossing_edges(const Vector3& normal, double margin, double crossing);
+
   /// Of the cores, in the frame of the faces: a point of body i in the world, what its ball adds included.
   CommonFace& face() noexcept { return face_; }
   Vector3 to_world(int i, const Vector3& point) const;
@@ -84,6 +87,7 @@ class BodyFaces {
   bool bind_views(const Posed& A1, const Posed& A2);
   void add(int i, const Vector3& x);
   void list(int i, double margin);
+  void list_faces(const Vector3& normal, double margin);
   void sample(int i, double margin);
   double height(int i, const Vector3& u, Vector3& point) const;
   Vector3 into(int i, const Vector3& outward) const;

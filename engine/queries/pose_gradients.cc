@@ -176,8 +176,11 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
   if (!by_ball || (other_normals_.empty() && is_rounded())) return;
   const Vector3 way = by_translation * (-1 / length(by_translation));
   if (other_normals_.empty() && has_one_top(way)) return;
+  const bool bound = bind();
+  if (bound && other_normals_.empty() && faces_.has_crossing_edges(way, kTilt * faces_.size(), kParallel))
+    return;
   gradient.kind = GradientKind::undecided;
-  if (!bind()) return;
+  if (!bound) return;
   add_candidates(by_translation, way, 0, gradient);
   const std::size_t own = gradient.candidates.size();
   int number = 0;

@@ -111,11 +111,12 @@ HullSurface::Nearest HullSurface::nearest_of_sum(const Vector3& y, const Vector3
   const double long_half = length(half), reach = 2 * std::sqrt(3.0) * (extent_ + long_half);
   if (edges_.empty() || !(length(y) <= extent_ + long_half)) return {};
   Nearest found;
-  found.room = std::numeric_limits<double>::infinity();
+  found.room = found.second = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < kLanes * blocks_.size(); ++i) {
     const Vector3 n = normal(i);
     const double along = std::fabs(dot(n, half)), room = room_of(i, y) + along;
     if (!(room > 2 * turned_ * reach)) return {};
+    found.second = std::min(found.second, std::max(room, found.room));
     if (!(room < found.room)) continue;
     found.room = room;
     found.normal = n;
@@ -129,8 +130,8 @@ HullSurface::Nearest HullSurface::nearest_of_sum(const Vector3& y, const Vector3
     const Vector3 &n = side.normal, a = edge.end[0] - y, b = edge.end[1] - y;
     const double room = std::min(dot(n, a), dot(n, b)) - std::fabs(dot(n, half));
     if (!(room > 2 * side.turned * reach) || !(side.turned < kMostTurned)) return {};
-    if (!(room < found.room)) continue;
-    found = {room, n, true, {edge.end[0], edge.end[1]}};
+    found.second = std::min(found.second, std::max(room, found.room));
+    if (room < found.room) found = {room, n, found.second, true, {edge.end[0], edge.end[1]}};
   }
   if (is_parallel && !found.is_edge) return {};
   found.room -= 2 * kHeight * reach;
@@ -149,7 +150,19 @@ HullSurface::Nearest HullSurface::nearest(const Vector3& y, InstructionSet isa) 
   const double reach = 2 * std::sqrt(3.0) * extent_;  // |x - y| and more
   if (!(room > 2 * turned_ * reach)) return {};
   const auto at = static_cast<std::size_t>(index);
-  return {room - kHeight * reach, normal(at), false, {}};
+  return {room - kHeight * reach, normal(at), 0, false, {}};
+}
+
+// False where there are too many to list.
+bool HullSurface::list_near(const Vector3& y, double most, InstructionSet isa,
+                            Planes& planes) const noexcept {
+  const double u[4] = {y.x, y.y, y.z, -1};
+  double value[Planes::kMost];
+  Collection found{planes.index, value, Planes::kMost, 0, -most - std::fabs(most) * 0x1p-50};
+  const double threshold = found.threshold;
+  kernels_for(isa).collect(blocks_.front().x, 0, static_cast<std::ptrdiff_t>(blocks_.size()), 4, u, &found);
+  planes.count = found.count;
+  return found.threshold == threshold && found.count < found.capacity;
 }
 
 }  // namespace raygauge

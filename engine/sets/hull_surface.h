@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "raygauge/numerics/instruction_set.h"
@@ -22,6 +23,7 @@ class HullSurface {
   struct Nearest {
     double room = 0;  ///< a ball about the point that is inside the hull, rounding errors covered; 0: none is
     Vector3 normal;   ///< outward, of length 1
+    double second = 0;     ///< of a sum with a segment: how far the other planes are at least
     bool is_edge = false;  ///< of a sum with a segment: the plane is along an edge of the hull ...
     Vector3 end[2];        ///< ... between these
   };
@@ -47,9 +49,17 @@ class HullSurface {
   /// moved to the same end. No room either where the segment is parallel to the plane.
   Nearest nearest_of_sum(const Vector3& y, const Vector3& half) const noexcept;
 
-  /// Calls use(normal) for every plane that is at most `most` from y, of the sum with a segment.
+  /// Calls use(normal) for every plane that is at most `most` from y.
   template <class Use>
-  void for_near(const Vector3& y, const Vector3& half, double most, const Use& use) const {
+  void for_near(const Vector3& y, double most, InstructionSet isa, const Use& use) const {
+    Planes near;
+    if (!list_near(y, most, isa, near)) return for_near_of_sum(y, {}, most, use);
+    for (std::ptrdiff_t i = 0; i < near.count; ++i) use(normal(static_cast<std::size_t>(near.index[i])));
+  }
+
+  /// The same of the sum with a segment.
+  template <class Use>
+  void for_near_of_sum(const Vector3& y, const Vector3& half, double most, const Use& use) const {
     for (std::size_t i = 0; i < kLanes * blocks_.size(); ++i) {
       const Vector3 n = normal(i);
       if (room_of(i, y) + std::fabs(dot(n, half)) <= most) use(n);
@@ -85,6 +95,13 @@ class HullSurface {
     double turned = 0;  ///< how far it may be from the true one
   };
 
+  struct Planes {
+    static constexpr int kMost = 16;
+    std::int64_t index[kMost];
+    std::ptrdiff_t count = 0;
+  };
+
+  bool list_near(const Vector3& y, double most, InstructionSet isa, Planes& planes) const noexcept;
   Vector3 normal(std::size_t i) const noexcept { return blocks_[i / kLanes].normal(i % kLanes); }
   double room_of(std::size_t i, const Vector3& y) const noexcept {
     return blocks_[i / kLanes].low[i % kLanes] - dot(normal(i), y);

@@ -96,6 +96,17 @@ bool CommonFace::find(double noise, double beside, double crossing) {
   return !pairs_.empty();
 }
 
+bool CommonFace::are_crossing_segments(double crossing) const {
+  constexpr double kWithin = 1 - 1e-5;  // of half of each
+  const std::vector<Vector3>&one = side_[0].points, &two = side_[1].points;
+  if (one.size() != 2 || two.size() != 2) return false;
+  const Vector3 x = one[1] - one[0], y = two[1] - two[0], way = two[0] + two[1] - one[0] - one[1];
+  const Vector3 across_x = cross(normal_, x), across_y = cross(normal_, y);
+  const double area = dot(x, across_y), share_1 = dot(way, across_y), share_2 = dot(way, across_x);
+  return area * area > crossing * crossing * dot(x, x) * dot(y, y) &&
+         std::fabs(share_1) < kWithin * std::fabs(area) && std::fabs(share_2) < kWithin * std::fabs(area);
+}
+
 double CommonFace::sine_of_segments() const {
   return raygauge::length(cross(side_[0].direction, side_[1].direction));
 }

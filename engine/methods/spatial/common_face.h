@@ -33,6 +33,10 @@ class CommonFace {
   /// faces are farther apart.
   bool find(double noise, double beside, double crossing);
 
+  /// Whether both faces are segments of two points that were added, the sine of the angle between which is
+  /// above `crossing`, and cross well within: then they have one point in common, without a find().
+  bool are_crossing_segments(double crossing) const;
+
   /// The corners, in order.
   std::vector<FacePair>& pairs() noexcept { return pairs_; }
   int pairs_count() const noexcept { return static_cast<int>(pairs_.size()); }

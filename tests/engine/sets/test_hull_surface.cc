@@ -50,8 +50,11 @@ TEST(HullSurface, OfABoxKnowsTheNearestSide) {
   EXPECT_EQ(side.normal.y, 1);
   EXPECT_NEAR(surface.nearest({0, 0, 0}, kIsa).room, 1, kNoise);
   int near = 0;
-  surface.for_near({0, 0, 0}, {}, 1 + 1e-9, [&](const Vector3& n) { near += std::fabs(n.x) == 1 ? 1 : 0; });
+  const auto count = [&](const Vector3& n) { near += std::fabs(n.x) == 1 ? 1 : 0; };
+  surface.for_near({0, 0, 0}, 1 + 1e-9, kIsa, count);
   EXPECT_EQ(near, 4);  // two triangles on either side
+  surface.for_near_of_sum({0, 0, 0}, {}, 1 + 1e-9, count);
+  EXPECT_EQ(near, 8);
 }
 
 // Half sizes 1, 2, 3; the segment adds its own, and cuts no way short. Along an edge of two sides' it has
@@ -62,6 +65,8 @@ TEST(HullSurface, WithASegmentIsLargerByIt) {
   EXPECT_NEAR(side.room, 1.5, kNoise);
   EXPECT_EQ(std::fabs(side.normal.x), 1);
   EXPECT_FALSE(side.is_edge);
+  EXPECT_NEAR(side.second, 1.5, kNoise);  // on the other side
+  EXPECT_NEAR(surface.nearest_of_sum({0.5, 0, 0}, {0.125, 0.125, 0.125}).second, 0.625, kNoise);
   // Out of an edge along z: across it and the segment, (3, -4, 0)/5 from (1, -2).
   const HullSurface::Nearest edge = surface.nearest_of_sum({0.5, -1.5, 0}, {4, 3, 0.01});
   EXPECT_TRUE(edge.is_edge);
