@@ -11,17 +11,6 @@ namespace {
 
 using Formula = RoundPair::Formula;
 
-// From lengths to those that the metric measures, rounded outward.
-struct Scale {
-  explicit Scale(double radius) {
-    if (radius == 1) return;
-    share = 1 / radius;
-    down = share * (1 - 0x1p-50);
-    up = share * (1 + 0x1p-50);
-  }
-  double share = 1, down = 1, up = 1;
-};
-
 [[gnu::noinline]] void resize(Vector& v, int n) { v.resize(n); }
 
 [[gnu::always_inline]] inline void put(const Vector3& v, Vector& out) {
@@ -38,12 +27,11 @@ struct Scale {
 
 [[gnu::noinline]] void clear(ObjectDepth& depth) { depth = ObjectDepth(); }
 
-[[gnu::always_inline]] inline void put_distance(const RoundPair& round, const Scale& scale, bool points,
-                                                ObjectDistance& result) {
+[[gnu::always_inline]] inline void put_distance(const RoundPair& round, bool points, ObjectDistance& result) {
   result.distance.status = DistanceStatus::optimal;
-  result.distance.lower = round.lower * scale.down;
-  result.distance.upper = result.distance.distance = round.upper * scale.up;
-  put(round.normal * scale.share, result.distance.normal);
+  result.distance.lower = round.lower;
+  result.distance.upper = result.distance.distance = round.upper;
+  put(round.normal, result.distance.normal);
   result.closest_point_evaluations = points ? 1 : 0;
   if (points) {
     put(round.point_1, result.closest_point_1);
@@ -63,11 +51,11 @@ struct Scale {
   clear(result.closest_point_2);
 }
 
-[[gnu::always_inline]] inline void put_depth(const RoundPair& round, const Scale& scale, ObjectDepth& depth) {
-  depth.lower = -round.upper * scale.down;
-  depth.depth = depth.upper = -round.lower * scale.up;
+[[gnu::always_inline]] inline void put_depth(const RoundPair& round, ObjectDepth& depth) {
+  depth.lower = -round.upper;
+  depth.depth = depth.upper = -round.lower;
   depth.status = DistanceStatus::optimal;
-  put(round.normal * scale.share, depth.normal);
+  put(round.normal, depth.normal);
   put(round.point_1, depth.point_1);
   put(round.point_2, depth.point_2);
   depth.evaluations = depth.iterations = 1;
@@ -81,12 +69,28 @@ Vector3 origin_of(const Posed& body) {
 }
 
 // With one normal and one pair of points.
-[[gnu::always_inline]] inline void put_gradient(const RoundPair& round, const Vector3& normal,
-                                                const Posed& A1, const Posed& A2, PoseGradient& gradient) {
+[[gnu::always_inline]] inline void put_gradient(const RoundPair& round, const Posed& A1, const Posed& A2,
+                                                PoseGradient& gradient) {
   gradient.kind = GradientKind::unique;
   gradient.candidates.clear();
-  gradient.body_1 = {normal, cross(round.point_1 - origin_of(A1), normal)};
-  gradient.body_2 = {-normal, cross(normal, round.point_2 - origin_of(A2))};
+  gradient.body_1 = {round.normal, cross(round.point_1 - origin_of(A1), round.normal)};
+  gradient.body_2 = {-round.normal, cross(round.normal, round.point_2 - origin_of(A2))};
+}
+
+// From lengths to those that a ball of this radius measures, rounded outward.
+[[gnu::noinline]] void scale_to_radius(double radius, ObjectDistance& result) {
+  const double share = 1 / radius, down = share * (1 - 0x1p-50), up = share * (1 + 0x1p-50);
+  DistanceResult& distance = result.distance;
+  ObjectDepth& depth = result.depth;
+  distance.lower *= down;
+  distance.upper = distance.distance *= up;
+  depth.lower *= down;
+  depth.upper = depth.depth *= up;
+  for (Vector* v : {&distance.normal, &depth.normal, &result.gradient_1, &result.gradient_2}) *v *= share;
+  PoseGradient& gradient = result.pose_gradient;
+  if (gradient.kind == GradientKind::none) return;
+  for (Twist* twist : {&gradient.body_1, &gradient.body_2})
+    *twist = {twist->linear * share, twist->angular * share};
 }
 
 // The bounds count as everywhere: those of the distance, or of the depth.
@@ -109,13 +113,12 @@ template <Formula kFormula>
   if (by_pose && !RoundPair::is_differentiable(0.5 * (round.lower + round.upper), one, two,
                                                PoseNumbers(A1.pose), PoseNumbers(A2.pose)))
     return false;
-  const Scale scale(radius);
   if (meet)
     put_overlap(result);
   else
-    put_distance(round, scale, has_effect(effects, ObjectEffects::closest_points), result);
+    put_distance(round, has_effect(effects, ObjectEffects::closest_points), result);
   if (deep)
-    put_depth(round, scale, result.depth);
+    put_depth(round, result.depth);
   else if (!std::isnan(result.depth.depth))
     clear(result.depth);
   DistanceResult& distance = result.distance;
@@ -128,15 +131,16 @@ template <Formula kFormula>
   const bool gradient = has_effect(effects, ObjectEffects::gradient) && (deep || !meet);
   result.gradient_evaluations = gradient ? 1 : 0;
   if (gradient) {
-    put(round.normal * scale.share, result.gradient_1);
-    put(round.normal * -scale.share, result.gradient_2);
+    put(round.normal, result.gradient_1);
+    put(-round.normal, result.gradient_2);
   } else {
     clear(result.gradient_1);
     clear(result.gradient_2);
   }
   result.pose_gradient_evaluations = by_pose ? 1 : 0;
   result.pose_gradient.kind = GradientKind::none;
-  if (by_pose) put_gradient(round, round.normal * scale.share, A1, A2, result.pose_gradient);
+  if (by_pose) put_gradient(round, A1, A2, result.pose_gradient);
+  if (radius != 1) scale_to_radius(radius, result);
   if (warm == nullptr) return true;
   warm->overlap = false;
   warm->dimension = 3;

@@ -13,9 +13,9 @@ using round_pair::kIdentity, round_pair::Kind, round_pair::Place;
 // Whether every other way out of a core is more than `longer` longer than the shortest.
 bool has_one_way_out(const BoxCore& core, const Vector3& y, double longer) {
   const Vector3 low = y - core.shape.base, high = core.shape.top - y;
-  double room[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
-  std::partial_sort(room, room + 2, room + 6);
-  return room[0] + longer < room[1];
+  const double room[6] = {low.x, low.y, low.z, high.x, high.y, high.z};
+  const double most = *std::min_element(room, room + 6) + longer;
+  return std::count_if(room, room + 6, [most](double each) { return each <= most; }) == 1;
 }
 
 // Near the axis all ways through the side are as long.
@@ -26,7 +26,8 @@ bool has_one_way_out(const FrustumCore& core, const Vector3& y, double longer) {
   const Vector3 x = y - shape.base;
   const double down = dot(x, axis.a), full = axis.full(shape), up = full - down;
   const double across = length(axis.without(x)), widening = shape.top_radius - shape.base_radius;
-  const double side = ((shape.base_radius - across) * full + down * widening) / std::hypot(full, widening);
+  const double side =
+      ((shape.base_radius - across) * full + down * widening) / std::sqrt(full * full + widening * widening);
   if (side + longer < std::min(down, up))
     return across > kBesideAxis * std::max(shape.base_radius, shape.top_radius);
   return std::min(down, up) + longer < std::min(side, std::max(down, up));

@@ -135,10 +135,12 @@ struct FromCore {
     }
   } else {
     const double way_z = foot < 0 ? z : from_top, way_r = across - (foot < 0 ? base_radius : top_radius);
-    found.upper = std::sqrt(way_z * way_z + way_r * way_r);
+    const double away = way_z * way_z + way_r * way_r;  // its square
+    found.upper = std::sqrt(away);
     found.is_known = found.upper > error;
-    along_z = way_z / found.upper;
-    along_r = way_r / found.upper;
+    const double scale = found.upper * (1 / away);
+    along_z = way_z * scale;
+    along_r = way_r * scale;
   }
   found.outward = a * along_z + radial * (along_r * share);
   found.lower =
