@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "bench/program.h"
@@ -34,11 +36,24 @@ struct Settings {
   int threads = 1;
 };
 
-// Of the whole process: threads count by what they work.
-double processor_seconds() {
+double seconds_of(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Of the whole process: threads count by what they work.
+double processor_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+// Threads of a library that was just loaded (OpenBLAS, of Siconos) look for work for a tenth of a second.
+void wait_for_idle_threads() {
+  constexpr int kMost = 40;
+  constexpr double kIdle = 1e-3;  // of the tenth of a second
+  for (int k = 0; k < kMost; ++k) {
+    const double before = processor_seconds();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (processor_seconds() - before < kIdle) return;
+  }
 }
 
 class Bin {
@@ -101,16 +116,19 @@ class Bin {
   Dynamics dynamics_;
 };
 
-/// Processor seconds at the end of each step, from its beginning.
+/// Seconds at the end of each step, from the beginning: of all processors together, and on the clock.
 struct Run {
   Simulation found;
-  std::vector<double> ends;
+  std::vector<double> ends, walls;
 };
 
 Run timed(const Bin& bin, FrictionSolver* friction, SimulationHooks hooks) {
   Run run;
-  const double begin = processor_seconds();
-  hooks.progress = [&run, begin](double /*share*/) { run.ends.push_back(processor_seconds() - begin); };
+  const double begin = processor_seconds(), start = seconds_of(CLOCK_MONOTONIC);
+  hooks.progress = [&run, begin, start](double /*share*/) {
+    run.ends.push_back(processor_seconds() - begin);
+    run.walls.push_back(seconds_of(CLOCK_MONOTONIC) - start);
+  };
   run.found = simulate(bin.scene(), bin.dynamics(), friction, hooks);
   return run;
 }
@@ -131,14 +149,14 @@ Run timed_engine(const Bin& bin, const std::string& name) {
   return run;
 }
 
-double mean_milliseconds(const Run& run, std::size_t first, std::size_t count) {
-  const double before = first == 0 ? 0 : run.ends[first - 1];
-  return 1e3 * (run.ends[first + count - 1] - before) / static_cast<double>(count);
+double mean_milliseconds(const std::vector<double>& ends, std::size_t first, std::size_t count) {
+  const double before = first == 0 ? 0 : ends[first - 1];
+  return 1e3 * (ends[first + count - 1] - before) / static_cast<double>(count);
 }
 
 void print_rows(const Run& own, const Run& engine, std::size_t stretch) {
-  std::printf("%8s %10s %10s %8s %10s %10s %10s\n", "until", "own ms", "engine ms", "ratio", "contacts",
-              "substeps", "residual");
+  std::printf("%8s %10s %10s %10s %8s %10s %10s %10s\n", "until", "own ms", "wall ms", "engine ms", "ratio",
+              "contacts", "substeps", "residual");
   for (std::size_t first = 0; first < own.ends.size(); first += stretch) {
     const std::size_t count = std::min(stretch, own.ends.size() - first);
     double contacts = 0, substeps = 0, residual = 0;
@@ -148,10 +166,11 @@ void print_rows(const Run& own, const Run& engine, std::size_t stretch) {
       substeps += static_cast<double>(row.substeps);
       residual = std::max(residual, row.residual);
     }
-    const double mine = mean_milliseconds(own, first, count);
-    const double its = engine.ends.empty() ? 0 : mean_milliseconds(engine, first, count);
-    std::printf("%8.3f %10.3f %10.3f %8.2f %10.1f %10.2f %10.1e\n", own.found.steps[first + count - 1].time,
-                mine, its, its > 0 ? mine / its : 0, contacts / static_cast<double>(count),
+    const double mine = mean_milliseconds(own.ends, first, count);
+    const double its = engine.ends.empty() ? 0 : mean_milliseconds(engine.ends, first, count);
+    std::printf("%8.3f %10.3f %10.3f %10.3f %8.2f %10.1f %10.2f %10.1e\n",
+                own.found.steps[first + count - 1].time, mine, mean_milliseconds(own.walls, first, count),
+                its, its > 0 ? mine / its : 0, contacts / static_cast<double>(count),
                 substeps / static_cast<double>(count), residual);
   }
 }
@@ -163,7 +182,7 @@ void options(CLI::App& app, Settings& settings) {
   app.add_option("--tolerance", settings.tolerance, "How deep bodies may overlap, relative to the smallest");
   app.add_option("--stretch", settings.stretch, "Steps that a row is the mean of")
       ->check(CLI::PositiveNumber);
-  app.add_option("--threads", settings.threads, "Of the own steps; times are those of all threads together");
+  app.add_option("--threads", settings.threads, "Of the own steps; own ms are those of all threads together");
   app.add_option("--engine", settings.engine, "Beside it: bullet, ode, mujoco, or none");
 }
 
@@ -178,6 +197,7 @@ void run(const Settings& settings) {
   const auto friction = loaded_friction();
   SimulationHooks hooks;
   hooks.threads = settings.threads;
+  wait_for_idle_threads();
   const Run own = timed(bin, friction.get(), hooks);
   const Run engine = settings.engine == "none" ? Run() : timed_engine(bin, settings.engine);
   print_rows(own, engine, static_cast<std::size_t>(settings.stretch));

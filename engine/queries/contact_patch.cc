@@ -106,9 +106,10 @@ const ContactPatch& ContactPatchSolver::Work::solve(const Posed& A1, const Posed
   patch_.upper = apart ? found.distance.upper : -std::max(found.depth.lower, 0.0);
   patch_.status = apart ? found.distance.status : found.depth.status;
   const Vector& out = apart ? found.distance.normal : found.depth.normal;
-  if (patch_.lower > margin || out.size() != n || !faces_.bind(A1, A2, isa_)) return patch_;
+  if (out.size() != n) return patch_;
   patch_.normal = spatial(out, n);
   patch_.normal = patch_.normal * (-1 / length(patch_.normal));
+  if (patch_.lower > margin || !faces_.bind(A1, A2, isa_)) return patch_;
   const Vector &point_1 = apart ? found.closest_point_1 : found.depth.point_1,
                &point_2 = apart ? found.closest_point_2 : found.depth.point_2;
   if (faces_.is_rounded() && point_1.size() == n && point_2.size() == n) {

@@ -145,12 +145,16 @@ bool GroupStepper::corrected(double dt) {
     // Deep ones are to end less deep, by what a whole step would do: no shorter one is to push harder.
     const double share = std::min(1.0, dt / dynamics_.step);
     const double least = std::min((1 - (1 - kRecovered) * share) * start, -kDeep * scales_.delta);
-    const double last = pairs_.distance_at(pair, end_of(dt));
     const double asked = (1 - share) * std::min(start, 0.0) - pair.correction;
-    const double sag = std::max(0.0, asked - last) / 4;
     const double deepest = std::min(-kSag * scales_.delta, start);  // half way
-    const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
-    const double closer = last - std::max(least, for_sag);
+    // Rises with the distance at the end, so that any lower bound that asks for nothing is enough.
+    const auto lacking = [&](double last) {
+      const double sag = std::max(0.0, asked - last) / 4;
+      const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
+      return last - std::max(least, for_sag);
+    };
+    if (lacking(pairs_.plane_distance_at(pair, end_of(dt))) >= 0) continue;
+    const double closer = lacking(pairs_.distance_at(pair, end_of(dt)));
     if (!(closer < 0)) continue;
     pair.correction += closer - share * kDeep / 2 * scales_.delta;
     any = true;

@@ -26,10 +26,6 @@ double rounded_up(double band) {
   return std::ldexp(std::ceil(mantissa * 16) / 16, exponent);
 }
 
-Placement placement_of(const SimulatedBody& body, int n) {
-  return {SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
-}
-
 // Around a part of a body that stands, by support points: closer than around the ball, of a wall or a floor.
 std::optional<Eigen::AlignedBox3d> standing_box(const SimulatedPart& part, const SimulatedBody& owner) {
   const ConvexSet& S = *part.body.parts.front().set;
@@ -78,6 +74,7 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
         candidates_->push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, nullptr});
     }
   }
+  number_candidates();
 }
 
 NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bodies,
@@ -89,6 +86,7 @@ NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bod
       counters_(counters),
       n_(all.n_),
       candidates_(all.candidates_),
+      first_candidates_(all.first_candidates_),
       parts_of_(all.parts_of_),
       scope_(all.scope_),
       standing_(all.standing_),
@@ -116,14 +114,25 @@ double NearPairs::travel(int number, double t, double dt) const {
   return (body.v.norm() + g * dt + body.spin.norm() * p.body.reach) * dt;
 }
 
+void NearPairs::number_candidates() {
+  first_candidates_.assign(parts_.size() + 1, candidates_->size());
+  for (std::size_t k = candidates_->size(); k-- > 0;)
+    first_candidates_[static_cast<std::size_t>((*candidates_)[k].part_a)] = k;
+  for (std::size_t i = parts_.size(); i-- > 0;)
+    first_candidates_[i] = std::min(first_candidates_[i], first_candidates_[i + 1]);
+}
+
+// At the place that it has where every part after the first makes a candidate with it, or before.
 NearPairs::Candidate* NearPairs::candidate_of(int part_a, int part_b) {
-  const std::pair<int, int> wanted(std::min(part_a, part_b), std::max(part_a, part_b));
-  const auto found = std::lower_bound(candidates_->begin(), candidates_->end(), wanted,
-                                      [](const Candidate& one, const std::pair<int, int>& parts) {
-                                        return std::pair(one.part_a, one.part_b) < parts;
-                                      });
-  const bool is = found != candidates_->end() && std::pair(found->part_a, found->part_b) == wanted;
-  return is ? &*found : nullptr;
+  const auto [first, second] = std::minmax(part_a, part_b);
+  const auto row = candidates_->begin();
+  const auto begin = row + static_cast<std::ptrdiff_t>(first_candidates_[static_cast<std::size_t>(first)]);
+  const auto end = row + static_cast<std::ptrdiff_t>(first_candidates_[static_cast<std::size_t>(first) + 1]);
+  const std::ptrdiff_t place = second - first - 1;
+  if (place < end - begin && begin[place].part_b == second) return &begin[place];
+  const auto found = std::lower_bound(begin, end, second,
+                                      [](const Candidate& one, int wanted) { return one.part_b < wanted; });
+  return found != end && found->part_b == second ? &*found : nullptr;
 }
 
 void NearPairs::take_travels(double t, double dt) {
@@ -178,49 +187,6 @@ bool NearPairs::may_meet(const Candidate& candidate, double beyond) {
   return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
 }
 
-void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
-                     PartContact& contact) {
-  ++counters_.contact_queries;
-  const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].body.parts.front().set;
-  const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].body.parts.front().set;
-  const Pose pose_a(Eigen::MatrixXd(at_a.R), Eigen::VectorXd(at_a.t)),
-      pose_b(Eigen::MatrixXd(at_b.R), Eigen::VectorXd(at_b.t));
-  finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
-}
-
-bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {
-  return at_a.t == a.t && at_a.R == a.R && at_b.t == b.t && at_b.R == b.R;
-}
-
-Placement NearPairs::place_of(int number) const {
-  return placement_of(bodies_[static_cast<std::size_t>(part(number).owner)], n_);
-}
-
-// Of bodies that lie still it is known.
-const PartContact& NearPairs::contact_now(Candidate& candidate, double band) {
-  const Placement at_a = place_of(candidate.part_a), at_b = place_of(candidate.part_b);
-  if (!candidate.known) candidate.known = std::make_unique<KnownLook>();
-  KnownLook& known = *candidate.known;
-  if (known.band == band && known.previous == candidate.normal && known.is_of(at_a, at_b))
-    return known.contact;
-  look(candidate, at_a, at_b, band, known.contact);
-  known.at_a = at_a;
-  known.at_b = at_b;
-  known.previous = candidate.normal;
-  known.band = band;
-  return known.contact;
-}
-
-// Whether both parts lie still within this substep, at a signed distance of `least` or more.
-bool NearPairs::stays(const Candidate& candidate, double least) const {
-  const auto is_still = [this](int number) {
-    return bodies_[static_cast<std::size_t>(part(number).owner)].still;
-  };
-  return candidate.known && is_still(candidate.part_a) && is_still(candidate.part_b) &&
-         candidate.known->is_of(place_of(candidate.part_a), place_of(candidate.part_b)) &&
-         candidate.known->contact.lower >= least;
-}
-
 // Before its step, a body's motion is not known: its travel is that of its velocities.
 std::vector<NearPair>& NearPairs::find(double t, double dt) {
   for (const NearPair& pair : near_) candidate_of(pair.part_a, pair.part_b)->near = -1;
@@ -241,8 +207,9 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
     const double band = 2 * (swept_[static_cast<std::size_t>(pair.part_a)].travel +
                              swept_[static_cast<std::size_t>(pair.part_b)].travel) +
                         scales_.delta;
-    pair.contact = contact_now(candidate, rounded_up(band));
-    if (pair.contact.points.empty()) continue;
+    const PartContact* const contact = contact_now(candidate, rounded_up(band), rounded_up(band));
+    if (contact == nullptr || contact->points.empty()) continue;
+    pair.contact = *contact;
     candidate.normal = pair.contact.normal;
     candidate.near = static_cast<int>(near_.size());
     near_.push_back(std::move(pair));
@@ -311,18 +278,13 @@ std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const s
   std::vector<std::pair<int, int>> all;
   for (Candidate* const met : may_meet_) {
     const auto a = static_cast<std::size_t>(met->part_a), b = static_cast<std::size_t>(met->part_b);
-    const PartContact& contact = contact_now(*met, rounded_up(2 * (travels[a] + travels[b]) + scales_.delta));
-    if (contact.lower > (swept_[a].travel + swept_[b].travel) * kOutward + scales_.delta) continue;
+    const double band = rounded_up(2 * (travels[a] + travels[b]) + scales_.delta);
+    const double meets = (swept_[a].travel + swept_[b].travel) * kOutward + scales_.delta;
+    const PartContact* const contact = contact_now(*met, band, std::max(band, meets));
+    if (contact == nullptr || contact->lower > meets) continue;
     all.emplace_back(parts_[a].owner, parts_[b].owner);
   }
   return all;
-}
-
-double NearPairs::distance_at(const NearPair& pair, double end) {
-  PartContact then;
-  look(*candidate_of(pair.part_a, pair.part_b), bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
-       bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then);
-  return then.lower;
 }
 
 void NearPairs::hand_motions() {

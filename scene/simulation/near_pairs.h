@@ -77,6 +77,10 @@ class NearPairs {
   /// A lower bound on the signed distance at the end of their motions.
   double distance_at(const NearPair& pair, double end);
 
+  /// The same by planes across the normal where they are now, or as either body turns it: sooner known, not
+  /// as close, and true but for rounding. -infinity of a half-space whose plane has turned.
+  double plane_distance_at(const NearPair& pair, double end) const;
+
   /// The time up to which it is proven that no pair comes closer than -δ, as the bodies' motions have them.
   /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.
   double proven_until(double t, double end);
@@ -93,7 +97,7 @@ class NearPairs {
   bool nothing_touched() const noexcept { return nothing_touched_; }
 
  private:
-  // What a look() found, and of what.
+  // What a look() found, and of what; or that planes across its normal are so far apart now (no band).
   struct KnownLook {
     Placement at_a, at_b;
     Eigen::Vector3d previous;  // normal
@@ -127,7 +131,10 @@ class NearPairs {
   void sweep(double beyond);
   void sweep(double t, double dt, double beyond);
   bool may_meet(const Candidate& candidate, double beyond);
+  void number_candidates();
   Candidate* candidate_of(int part_a, int part_b);
+  double between_planes(int part_a, int part_b, const Eigen::Vector3d& normal, const Placement& at_a,
+                        const Placement& at_b) const;
   Eigen::Vector3d middle(int part) const;
   double travel(int part, double t, double dt) const;
   void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
@@ -137,7 +144,10 @@ class NearPairs {
                        double most);
   double proven_pair(const Candidate& candidate, double t, double end);
   Placement place_of(int number) const;
-  const PartContact& contact_now(Candidate& candidate, double band);
+  const PartContact* contact_now(Candidate& candidate, double band, double beyond);
+  bool is_known_beyond(const Candidate& candidate, const Placement& at_a, const Placement& at_b,
+                       double beyond) const;
+  bool stays_away(const Candidate& candidate) const;
   bool stays(const Candidate& candidate, double least) const;
   PartContact look_at(const Candidate& candidate, double t, double band);
   double least_of(const Candidate& candidate, const TimedLook& first, const TimedLook& last, double enough,
@@ -152,6 +162,7 @@ class NearPairs {
   SimulationCounters& counters_;
   int n_;
   std::shared_ptr<std::vector<Candidate>> candidates_;  // by their parts; groups share them, none the same
+  std::vector<std::size_t> first_candidates_;           // of each part as the first, and their count
   std::vector<std::vector<int>> parts_of_;              // each body
   std::vector<int> scope_;                              // parts of the members
   std::vector<Swept> swept_;                            // of each part

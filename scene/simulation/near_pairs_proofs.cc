@@ -137,8 +137,10 @@ double NearPairs::proven_pair(const Candidate& candidate, double t, double end) 
   constexpr double kInside = 1 - 1e-9;
   const NearPair* near = candidate.near < 0 ? nullptr : &near_[static_cast<std::size_t>(candidate.near)];
   const Body &a = part(candidate.part_a).body, &b = part(candidate.part_b).body;
-  if (near == nullptr || near->role == PairRole::apart)
-    return stays(candidate, scales_.arrival()) ? end : free_until(a, b, t, end, scales_.arrival());
+  if (near == nullptr || near->role == PairRole::apart) {
+    const bool away = stays_away(candidate) || stays(candidate, scales_.arrival());
+    return away ? end : free_until(a, b, t, end, scales_.arrival());
+  }
   nothing_touched_ = false;
   const Eigen::Vector3d& normal = near->contact.normal;
   const double deep = std::max(0.0, -near->contact.lower);
