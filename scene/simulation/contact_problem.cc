@@ -46,6 +46,11 @@ std::map<int, int> numbers_of(const std::vector<ContactUnknown*>& contacts,
   return numbers;
 }
 
+// Whether friction is, for one of them.
+bool is_named(const std::vector<ContactUnknown*>& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [](const ContactUnknown* c) { return c->mu; });
+}
+
 }  // namespace
 
 void push_apart(const ContactUnknown& contact, std::vector<SimulatedBody>& bodies) {
@@ -72,15 +77,29 @@ std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknow
   return all;
 }
 
+// The largest islands first: they take longest.
 double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies) {
-  double residual = 0;
+  constexpr std::size_t kFewest = 32;  // contacts that are worth a second thread
+  std::vector<std::vector<ContactUnknown*>> islands;
   for (const std::vector<std::size_t>& numbers : islands_of(contacts, bodies)) {
-    std::vector<ContactUnknown*> island;
+    std::vector<ContactUnknown*>& island = islands.emplace_back();
     for (const std::size_t c : numbers) island.push_back(&contacts[c]);
-    residual = std::max(residual, solve_island(island, bodies));
+    count(island);
   }
+  std::stable_sort(islands.begin(), islands.end(),
+                   [](const auto& one, const auto& other) { return one.size() > other.size(); });
+  std::vector<double> residuals(islands.size(), 0);
+  share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
+             [&](std::size_t k) { residuals[k] = solve_island(islands[k], bodies); });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
-  return residual;
+  return residuals.empty() ? 0 : *std::max_element(residuals.begin(), residuals.end());
+}
+
+void ContactProblem::count(const std::vector<ContactUnknown*>& contacts) {
+  if (is_named(contacts))
+    ++counters_.friction_problems;
+  else
+    ++counters_.frictionless_problems;
 }
 
 // By velocities that are scaled by the root of the mass matrix: of the body's six numbers.
@@ -118,8 +137,8 @@ FrictionIsland ContactProblem::island_of(const std::vector<ContactUnknown*>& con
   return island;
 }
 
-double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
-                                    const std::vector<SimulatedBody>& bodies) {
+double ContactProblem::solve_island(const std::vector<ContactUnknown*>& contacts,
+                                    const std::vector<SimulatedBody>& bodies) const {
   const FrictionIsland island = island_of(contacts, bodies);
   Eigen::VectorXd r(3 * static_cast<Eigen::Index>(contacts.size()));
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -132,14 +151,8 @@ double ContactProblem::solve_island(std::vector<ContactUnknown*>& contacts,
 }
 
 double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
-                                Eigen::VectorXd& r) {
-  const bool named =
-      std::any_of(contacts.begin(), contacts.end(), [](const ContactUnknown* c) { return c->mu; });
-  if (named) {
-    ++counters_.friction_problems;
-    return solve_friction(island, friction_, r);
-  }
-  ++counters_.frictionless_problems;
+                                Eigen::VectorXd& r) const {
+  if (is_named(contacts)) return solve_friction(island, friction_, r);
   const FrictionProblem problem = island.dense();
   const auto count = static_cast<Eigen::Index>(contacts.size());
   const Eigen::MatrixXd normals = problem.W(Eigen::seqN(0, count, 3), Eigen::seqN(0, count, 3));

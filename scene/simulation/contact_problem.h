@@ -7,6 +7,7 @@
 #include "raygauge/scene/friction.h"
 #include "scene/simulation/friction_island.h"
 #include "scene/simulation/near_pairs.h"
+#include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulated_body.h"
 
 namespace raygauge {
@@ -36,19 +37,25 @@ class ContactProblem {
   ContactProblem(int dimension, FrictionSolver* friction, SimulationCounters& counters)
       : n_(dimension), friction_(friction), counters_(counters) {}
 
+  /// From here on islands are shared with the other threads of a team. What is found does not depend on it.
+  void share_with(ChunkTeam& team) { team_ = &team; }
+
   /// Finds the impulses and pushes the bodies. The largest relative residual.
   double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
 
  private:
-  double solve_island(std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies);
+  void count(const std::vector<ContactUnknown*>& contacts);
+  double solve_island(const std::vector<ContactUnknown*>& contacts,
+                      const std::vector<SimulatedBody>& bodies) const;
   FrictionIsland island_of(const std::vector<ContactUnknown*>& contacts,
                            const std::vector<SimulatedBody>& bodies) const;
   double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
-                  Eigen::VectorXd& r);
+                  Eigen::VectorXd& r) const;
 
   int n_;
   FrictionSolver* friction_;
   SimulationCounters& counters_;
+  ChunkTeam* team_ = nullptr;
 };
 
 }  // namespace raygauge

@@ -45,6 +45,11 @@ GroupStepper::GroupStepper(const Dynamics& dynamics, const NearPairs& pairs,
   }
 }
 
+void GroupStepper::share_with(ChunkTeam& team, int threads) {
+  pairs_.share_with(team, threads);
+  problem_.share_with(team);
+}
+
 GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<SimulatedBody>& bodies, double from,
                              double to, std::int64_t number) {
   result_ = GroupStep();

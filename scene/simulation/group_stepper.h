@@ -37,6 +37,9 @@ class GroupStepper {
   GroupStepper(const Dynamics& dynamics, const NearPairs& pairs, const std::vector<SimulatedBody>& bodies,
                std::vector<SimulatedPart> parts, FrictionSolver* friction, std::function<bool()> stop);
 
+  /// As NearPairs::share_with(): for a group that is large.
+  void share_with(ChunkTeam& team, int threads);
+
   /// From the states of its bodies among all `bodies`. `number`: of the step, for its records.
   GroupStep step(const BodyGroup& group, const std::vector<SimulatedBody>& bodies, double from, double to,
                  std::int64_t number);
@@ -68,6 +71,7 @@ class GroupStepper {
   bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
   bool catch_closing(double dt);
   bool corrected(double dt);
+  double correction(const NearPair& pair, double dt, PairTools& tools);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point, double dt) const;
   bool limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed);
   void limit_pushes(double end);
@@ -97,6 +101,7 @@ class GroupStepper {
   double t_ = 0;
   double end_of_step_ = 0;
   std::vector<NearPair>* near_ = nullptr;
+  std::vector<double> more_;              // that near pairs are to be asked for
   std::vector<ContactUnknown> contacts_;  // of the substep in work
   std::vector<ContactUnknown> last_;      // of the problem before, ...
   double last_dt_ = 0;                    // ... which was asked for so long a time

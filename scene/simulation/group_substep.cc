@@ -130,36 +130,43 @@ bool GroupStepper::catch_closing(double dt) {
 }
 
 // Normals turn and faces roll: where bodies would end closer than the problem said, it asks for that much
-// more. Their way bends: half way they are closer than at both ends by a quarter of what the end is off.
+// more.
 bool GroupStepper::corrected(double dt) {
+  std::vector<NearPair>& near = *near_;
+  more_.assign(near.size(), 0);
+  pairs_.for_each_near([&](std::size_t k, PairTools& tools) { more_[k] = correction(near[k], dt, tools); });
   bool any = false;
-  for (NearPair& pair : *near_) {
-    if (pair.role != PairRole::contact) continue;
-    const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
-                        &b = bodies_[static_cast<std::size_t>(pair.b)];
-    const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
-    const double reach = body(pair.a).reach + body(pair.b).reach;
-    const double start = pair.contact.lower;
-    const bool deep = start < -kDeep * scales_.delta;
-    if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) continue;
-    // Deep ones are to end less deep, by what a whole step would do: no shorter one is to push harder.
-    const double share = std::min(1.0, dt / dynamics_.step);
-    const double least = std::min((1 - (1 - kRecovered) * share) * start, -kDeep * scales_.delta);
-    const double asked = (1 - share) * std::min(start, 0.0) - pair.correction;
-    const double deepest = std::min(-kSag * scales_.delta, start);  // half way
-    // Rises with the distance at the end, so that any lower bound that asks for nothing is enough.
-    const auto lacking = [&](double last) {
-      const double sag = std::max(0.0, asked - last) / 4;
-      const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
-      return last - std::max(least, for_sag);
-    };
-    if (lacking(pairs_.plane_distance_at(pair, end_of(dt))) >= 0) continue;
-    const double closer = lacking(pairs_.distance_at(pair, end_of(dt)));
-    if (!(closer < 0)) continue;
-    pair.correction += closer - share * kDeep / 2 * scales_.delta;
-    any = true;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    near[k].correction += more_[k];
+    any = any || more_[k] < 0;
   }
   return any;
+}
+
+// What a pair is to be asked for more, below 0. Its way bends: half way it is closer than at both ends by a
+// quarter of what the end is off.
+double GroupStepper::correction(const NearPair& pair, double dt, PairTools& tools) {
+  if (pair.role != PairRole::contact) return 0;
+  const SimulatedBody &a = body(pair.a), &b = body(pair.b);
+  const double turn = std::max(a.spin.norm(), b.spin.norm()) * dt;
+  const double reach = a.reach + b.reach;
+  const double start = pair.contact.lower;
+  const bool deep = start < -kDeep * scales_.delta;
+  if (!deep && turn * turn * std::min(reach, 1e150) < kDeep / 2 * scales_.delta) return 0;
+  // Deep ones are to end less deep, by what a whole step would do: no shorter one is to push harder.
+  const double share = std::min(1.0, dt / dynamics_.step);
+  const double least = std::min((1 - (1 - kRecovered) * share) * start, -kDeep * scales_.delta);
+  const double asked = (1 - share) * std::min(start, 0.0) - pair.correction;
+  const double deepest = std::min(-kSag * scales_.delta, start);  // half way
+  // Rises with the distance at the end, so that any lower bound that asks for nothing is enough.
+  const auto lacking = [&](double last) {
+    const double sag = std::max(0.0, asked - last) / 4;
+    const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
+    return last - std::max(least, for_sag);
+  };
+  if (lacking(pairs_.plane_distance_at(pair, end_of(dt))) >= 0) return 0;
+  const double closer = lacking(pairs_.distance_at(pair, end_of(dt), tools));
+  return closer < 0 ? closer - share * kDeep / 2 * scales_.delta : 0;
 }
 
 // What contacts ask for beyond rest gives bodies no energy above `allowed`; it does move them. False: it

@@ -54,10 +54,8 @@ NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::ve
       n_(scene.dimension()),
       candidates_(std::make_shared<std::vector<Candidate>>()),
       parts_of_(bodies.size()),
-      scope_(parts.size()),
-      finder_(scales.delta / 8),
-      solver_(n_),
-      planes_(std::make_unique<PairSolver>(n_)) {
+      scope_(parts.size()) {
+  add_tools();
   std::iota(scope_.begin(), scope_.end(), 0);
   std::set<BodyPair> ignored;
   for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
@@ -89,12 +87,27 @@ NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bod
       first_candidates_(all.first_candidates_),
       parts_of_(all.parts_of_),
       scope_(all.scope_),
-      standing_(all.standing_),
-      finder_(scales_.delta / 8),
-      solver_(n_),
-      planes_(std::make_unique<PairSolver>(n_)) {}
+      standing_(all.standing_) {
+  add_tools();
+}
 
 NearPairs::~NearPairs() = default;
+
+PairTools::PairTools(int dimension, double miss)
+    : finder(miss), solver(dimension), planes(std::make_unique<PairSolver>(dimension)) {}
+
+PairTools::~PairTools() = default;
+
+void NearPairs::add_tools() { tools_.add(std::make_unique<PairTools>(n_, scales_.delta / 8)); }
+
+void NearPairs::share_with(ChunkTeam& team, int threads) {
+  team_ = &team;
+  while (static_cast<int>(tools_.all().size()) < threads) add_tools();
+}
+
+void NearPairs::take_counters() {
+  for (const auto& tools : tools_.all()) counters_ += std::exchange(tools->counters, SimulationCounters());
+}
 
 // Of the ball around a part.
 Eigen::Vector3d NearPairs::middle(int number) const {
@@ -193,26 +206,21 @@ std::vector<NearPair>& NearPairs::find(double t, double dt) {
   std::swap(before_, near_);
   near_.clear();
   sweep(t, dt, scales_.delta);
-  for (Candidate* const met : may_meet_) {
-    Candidate& candidate = *met;
-    NearPair pair{candidate.part_a,
-                  candidate.part_b,
-                  parts_[static_cast<std::size_t>(candidate.part_a)].owner,
-                  parts_[static_cast<std::size_t>(candidate.part_b)].owner,
-                  candidate.law,
-                  {},
-                  0,
-                  PairRole::apart,
-                  0};
-    const double band = 2 * (swept_[static_cast<std::size_t>(pair.part_a)].travel +
-                             swept_[static_cast<std::size_t>(pair.part_b)].travel) +
-                        scales_.delta;
-    const PartContact* const contact = contact_now(candidate, rounded_up(band), rounded_up(band));
-    if (contact == nullptr || contact->points.empty()) continue;
-    pair.contact = *contact;
-    candidate.normal = pair.contact.normal;
+  found_.resize(may_meet_.size());
+  for_each(may_meet_.size(), [this](std::size_t k, PairTools& tools) {
+    Candidate& candidate = *may_meet_[k];
+    const double band = rounded_up(2 * (swept_[static_cast<std::size_t>(candidate.part_a)].travel +
+                                        swept_[static_cast<std::size_t>(candidate.part_b)].travel) +
+                                   scales_.delta);
+    found_[k] = contact_now(candidate, band, band, tools);
+  });
+  for (std::size_t k = 0; k < may_meet_.size(); ++k) {
+    if (found_[k] == nullptr || found_[k]->points.empty()) continue;
+    Candidate& candidate = *may_meet_[k];
+    candidate.normal = found_[k]->normal;
     candidate.near = static_cast<int>(near_.size());
-    near_.push_back(std::move(pair));
+    near_.push_back({candidate.part_a, candidate.part_b, part(candidate.part_a).owner,
+                     part(candidate.part_b).owner, candidate.law, *found_[k], 0, PairRole::apart, 0});
   }
   for (const NearPair& pair : before_) {
     Candidate& candidate = *candidate_of(pair.part_a, pair.part_b);
@@ -276,13 +284,23 @@ std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const s
   }
   sweep(scales_.delta);
   std::vector<std::pair<int, int>> all;
-  for (Candidate* const met : may_meet_) {
-    const auto a = static_cast<std::size_t>(met->part_a), b = static_cast<std::size_t>(met->part_b);
-    const double band = rounded_up(2 * (travels[a] + travels[b]) + scales_.delta);
-    const double meets = (swept_[a].travel + swept_[b].travel) * kOutward + scales_.delta;
-    const PartContact* const contact = contact_now(*met, band, std::max(band, meets));
-    if (contact == nullptr || contact->lower > meets) continue;
-    all.emplace_back(parts_[a].owner, parts_[b].owner);
+  const auto meets = [this](const Candidate& met) {
+    const double both = swept_[static_cast<std::size_t>(met.part_a)].travel +
+                        swept_[static_cast<std::size_t>(met.part_b)].travel;
+    return both * kOutward + scales_.delta;
+  };
+  found_.resize(may_meet_.size());
+  for_each(may_meet_.size(), [&](std::size_t k, PairTools& tools) {
+    Candidate& met = *may_meet_[k];
+    const double both =
+        travels[static_cast<std::size_t>(met.part_a)] + travels[static_cast<std::size_t>(met.part_b)];
+    const double band = rounded_up(2 * both + scales_.delta);
+    found_[k] = contact_now(met, band, std::max(band, meets(met)), tools);
+  });
+  for (std::size_t k = 0; k < may_meet_.size(); ++k) {
+    const Candidate& met = *may_meet_[k];
+    if (found_[k] == nullptr || found_[k]->lower > meets(met)) continue;
+    all.emplace_back(part(met.part_a).owner, part(met.part_b).owner);
   }
   return all;
 }

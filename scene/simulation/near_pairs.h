@@ -10,6 +10,7 @@
 #include "raygauge/scene/continuous.h"
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_finder.h"
+#include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulated_body.h"
 #include "scene/simulation/simulation_part.h"
 
@@ -40,11 +41,26 @@ struct ContactScales {
   double arrival() const noexcept { return delta / 4; }   ///< the distance at which an impact is computed
 };
 
+/// What one thread needs to look at pairs. It counts for itself.
+struct PairTools {
+  PairTools(int dimension, double miss);
+  ~PairTools();
+
+  ContactFinder finder;
+  ContinuousSolver solver;
+  std::unique_ptr<class PairSolver> planes;
+  SimulationCounters counters;
+};
+
 /// Which parts are near each other, and what is proven of them over a substep. One a simulation.
 class NearPairs {
  public:
   NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
             std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters);
+
+  /// From here on the work of a step is shared with the other threads of a team, `threads` with the caller.
+  /// What is found does not depend on it.
+  void share_with(ChunkTeam& team, int threads);
 
   /// Of the same pairs, for a group of bodies at a time, which another thread's does not share.
   NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bodies, std::vector<SimulatedPart>& parts,
@@ -74,8 +90,14 @@ class NearPairs {
   /// Bodies that react and may meet where each moves by `ways` at most, in pairs, before a step of length dt.
   std::vector<std::pair<int, int>> meeting(double t, double dt, const std::vector<double>& ways);
 
+  /// Calls work(k, tools) for every near pair k of the last find(), on any thread.
+  template <class Work>
+  void for_each_near(const Work& work) {
+    for_each(near_.size(), work);
+  }
+
   /// A lower bound on the signed distance at the end of their motions.
-  double distance_at(const NearPair& pair, double end);
+  double distance_at(const NearPair& pair, double end, PairTools& tools);
 
   /// The same by planes across the normal where they are now, or as either body turns it: sooner known, not
   /// as close, and true but for rounding. -infinity of a half-space whose plane has turned.
@@ -138,22 +160,36 @@ class NearPairs {
   Eigen::Vector3d middle(int part) const;
   double travel(int part, double t, double dt) const;
   void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
-            PartContact& contact);
+            PartContact& contact, PairTools& tools);
   const SimulatedPart& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
   double overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from, double to,
-                       double most);
-  double proven_pair(const Candidate& candidate, double t, double end);
+                       double most, PairTools& tools);
+  bool is_apart(const Candidate& candidate) const;
+  bool is_known_proven(const Candidate& candidate) const;
+  double most_overlap(const NearPair& pair) const;
+  double proven_pair(const Candidate& candidate, double t, double end, PairTools& tools);
   Placement place_of(int number) const;
-  const PartContact* contact_now(Candidate& candidate, double band, double beyond);
+  const PartContact* contact_now(Candidate& candidate, double band, double beyond, PairTools& tools);
   bool is_known_beyond(const Candidate& candidate, const Placement& at_a, const Placement& at_b,
                        double beyond) const;
   bool stays_away(const Candidate& candidate) const;
   bool stays(const Candidate& candidate, double least) const;
-  PartContact look_at(const Candidate& candidate, double t, double band);
+  PartContact look_at(const Candidate& candidate, double t, double band, PairTools& tools);
   double least_of(const Candidate& candidate, const TimedLook& first, const TimedLook& last, double enough,
-                  int halvings);
-  double free_until(const Body& a, const Body& b, double from, double to, double contact);
+                  int halvings, PairTools& tools);
+  double free_until(const Body& a, const Body& b, double from, double to, double contact, PairTools& tools);
   void hand_motions();
+  void add_tools();
+  void take_counters();
+
+  // Some at a time: a chunk takes some µs more than it takes to hand it out.
+  template <class Work>
+  void for_each(std::size_t count, const Work& work) {
+    constexpr std::size_t kChunk = 4;
+    share_work(team_, count, kChunk, false,
+               [&](std::size_t k) { tools_.lend([&](PairTools& tools) { work(k, tools); }); });
+    take_counters();
+  }
 
   const Dynamics& dynamics_;
   const std::vector<SimulatedBody>& bodies_;
@@ -170,9 +206,11 @@ class NearPairs {
   std::vector<int> order_;                                    // of the parts, by where their boxes begin
   std::vector<Candidate*> may_meet_;                          // of the last sweep
   std::vector<NearPair> near_, before_;                       // of the last find(), and of the one before it
-  ContactFinder finder_;
-  ContinuousSolver solver_;
-  std::unique_ptr<class PairSolver> planes_;
+  std::vector<const PartContact*> found_;                     // of each of may_meet_
+  std::vector<Candidate*> in_doubt_;                          // of may_meet_, where a proof takes work
+  std::vector<double> proven_;                                // of these
+  SharedTools<PairTools> tools_;
+  ChunkTeam* team_ = nullptr;
   bool nothing_touched_ = true;
   bool contact_ended_proof_ = false;
 };

@@ -19,13 +19,13 @@ Placement placement_of(const SimulatedBody& body, int n) {
 }  // namespace
 
 void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
-                     PartContact& contact) {
-  ++counters_.contact_queries;
+                     PartContact& contact, PairTools& tools) {
+  ++tools.counters.contact_queries;
   const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].body.parts.front().set;
   const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].body.parts.front().set;
   const Pose pose_a(Eigen::MatrixXd(at_a.R), Eigen::VectorXd(at_a.t)),
       pose_b(Eigen::MatrixXd(at_b.R), Eigen::VectorXd(at_b.t));
-  finder_.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
+  tools.finder.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
 }
 
 bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {
@@ -42,8 +42,9 @@ bool NearPairs::is_known_beyond(const Candidate& candidate, const Placement& at_
                                 double beyond) const {
   KnownLook& known = *candidate.known;
   if (known.is_of(at_a, at_b)) return known.contact.lower > beyond;
-  const double size =
-      at_a.t.norm() + at_b.t.norm() + part(candidate.part_a).body.reach + part(candidate.part_b).body.reach;
+  const double size = at_a.t.norm() + at_b.t.norm() +
+                      part(candidate.part_a).body.parts.front().turned_magnitude +
+                      part(candidate.part_b).body.parts.front().turned_magnitude;
   const double apart =
       between_planes(candidate.part_a, candidate.part_b, known.contact.normal, at_a, at_b) - kRounding * size;
   if (!(apart > beyond)) return false;
@@ -57,14 +58,15 @@ bool NearPairs::is_known_beyond(const Candidate& candidate, const Placement& at_
 
 // Of bodies that lie still it is known. None: farther apart than `beyond`, which is more than the band by so
 // much that a look would say so too.
-const PartContact* NearPairs::contact_now(Candidate& candidate, double band, double beyond) {
+const PartContact* NearPairs::contact_now(Candidate& candidate, double band, double beyond,
+                                          PairTools& tools) {
   const Placement at_a = place_of(candidate.part_a), at_b = place_of(candidate.part_b);
   if (candidate.known && is_known_beyond(candidate, at_a, at_b, kSurely * beyond)) return nullptr;
   if (!candidate.known) candidate.known = std::make_unique<KnownLook>();
   KnownLook& known = *candidate.known;
   if (known.band == band && known.previous == candidate.normal && known.is_of(at_a, at_b))
     return &known.contact;
-  look(candidate, at_a, at_b, band, known.contact);
+  look(candidate, at_a, at_b, band, known.contact, tools);
   known.at_a = at_a;
   known.at_b = at_b;
   known.previous = candidate.normal;
@@ -93,10 +95,10 @@ bool NearPairs::stays(const Candidate& candidate, double least) const {
          candidate.known->contact.lower >= least;
 }
 
-double NearPairs::distance_at(const NearPair& pair, double end) {
+double NearPairs::distance_at(const NearPair& pair, double end, PairTools& tools) {
   PartContact then;
   look(*candidate_of(pair.part_a, pair.part_b), bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
-       bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then);
+       bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then, tools);
   return then.lower;
 }
 

@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/group_stepper.h"
 #include "scene/simulation/near_pairs.h"
+#include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulation_part.h"
 
 namespace raygauge {
@@ -35,7 +37,6 @@ class Simulator {
   std::vector<std::vector<int>> groups_of(const std::vector<double>& ways, double dt);
   void expect_ways(double dt);
   std::vector<BodyGroup> with_memory(const std::vector<std::vector<int>>& members) const;
-  int threads_for(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps) const;
   void step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps);
   bool went_too_far(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps, double to);
   void take(const std::vector<BodyGroup>& groups, std::vector<GroupStep>& steps);
@@ -53,8 +54,11 @@ class Simulator {
   ContactScales scales_;
   std::optional<NearPairs> pairs_;
   FrictionSolver* friction_;
-  std::unique_ptr<FrictionSolver> in_turn_;              // the same, of many threads
-  std::vector<std::unique_ptr<GroupStepper>> steppers_;  // one a thread
+  std::unique_ptr<FrictionSolver> in_turn_;  // the same, of many threads
+  ChunkTeam team_;
+  std::thread::id begun_;                // the thread that began, which asks the hooks
+  std::unique_ptr<GroupStepper> whole_;  // for large groups, with all threads
+  SharedTools<GroupStepper> steppers_;   // for the others, one a thread
   std::atomic<bool> stopped_ = false;
   double t_ = 0;
   std::vector<ContactUnknown> last_;  // contacts of the last substeps

@@ -1,9 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -63,17 +60,24 @@ std::vector<GroupStep> kept(const std::vector<BodyGroup>& before, std::vector<Gr
 
 void Simulator::make_steppers() {
   const int threads = std::max(1, hooks_.threads);
+  begun_ = std::this_thread::get_id();
   if (friction_ != nullptr && threads > 1) in_turn_ = std::make_unique<InTurn>(*friction_);
   FrictionSolver* const friction = in_turn_ ? in_turn_.get() : friction_;
-  for (int k = 0; k < threads; ++k) {
-    steppers_.push_back(std::make_unique<GroupStepper>(dynamics_, *pairs_, bodies_, parts_, friction,
-                                                       [this] { return stop_now(); }));
-  }
+  const auto stepper = [&] {
+    return std::make_unique<GroupStepper>(dynamics_, *pairs_, bodies_, parts_, friction,
+                                          [this] { return stop_now(); });
+  };
+  whole_ = stepper();
+  if (threads == 1) return;
+  for (int k = 0; k < threads; ++k) steppers_.add(stepper());
+  team_.resize(threads);
+  pairs_->share_with(team_, threads);
+  whole_->share_with(team_, threads);
 }
 
 // Asked on the thread that began.
 bool Simulator::stop_now() {
-  if (omp_get_thread_num() == 0 && hooks_.stop && hooks_.stop()) stopped_ = true;
+  if (std::this_thread::get_id() == begun_ && hooks_.stop && hooks_.stop()) stopped_ = true;
   return stopped_;
 }
 
@@ -126,40 +130,31 @@ std::vector<BodyGroup> Simulator::with_memory(const std::vector<std::vector<int>
   return groups;
 }
 
-// Few bodies are sooner done than threads wake up.
-int Simulator::threads_for(const std::vector<BodyGroup>& groups, const std::vector<GroupStep>& steps) const {
-  constexpr std::size_t kFewest = 16;  // outside the largest group
-  std::size_t all = 0, largest = 0;
+// Those that are not done. A large group is shared by all threads, one after the other; small ones are, each
+// by one.
+void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps) {
+  constexpr std::size_t kSmall = 16;  // bodies
+  const auto number = static_cast<std::int64_t>(log_.steps.size());
+  const std::size_t threads = std::max<std::size_t>(1, steppers_.all().size());
+  std::size_t bodies = 0;
+  for (std::size_t k = 0; k < groups.size(); ++k) bodies += steps[k].done ? 0 : groups[k].bodies.size();
+  const std::size_t large = std::max(kSmall, bodies / (2 * threads));
+  std::vector<std::size_t> small;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (steps[k].done) continue;
-    all += groups[k].bodies.size();
-    largest = std::max(largest, groups[k].bodies.size());
+    if (threads == 1 || bodies < kSmall || groups[k].bodies.size() > large)
+      steps[k] = whole_->step(groups[k], bodies_, t_, to, number);
+    else
+      small.push_back(k);
   }
-  return all - largest < kFewest ? 1 : static_cast<int>(std::min(steppers_.size(), groups.size()));
-}
-
-// Those that are not done.
-void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps) {
-  const auto count = static_cast<int>(groups.size());
-  const auto number = static_cast<std::int64_t>(log_.steps.size());
-  std::vector<std::exception_ptr> errors(groups.size());
-  const int threads = threads_for(groups, steps);
-#pragma omp parallel for default(none) shared(count, number, errors, groups, steps, to) schedule(dynamic) \
-    num_threads(threads) if (threads > 1)
-  for (int k = 0; k < count; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    if (steps[at].done) continue;
-    try {
-      GroupStepper& stepper = *steppers_[static_cast<std::size_t>(omp_get_thread_num())];
-      steps[at] = stepper.step(groups[at], bodies_, t_, to, number);
-    } catch (...) {
-      errors[at] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
-  for (const auto& stepper : steppers_) log_.counters += stepper->take_counters();
+  constexpr std::size_t kChunk = 4;  // groups
+  share_work(&team_, small.size(), kChunk, true, [&](std::size_t k) {
+    const std::size_t at = small[k];
+    steppers_.lend(
+        [&](GroupStepper& stepper) { steps[at] = stepper.step(groups[at], bodies_, t_, to, number); });
+  });
+  log_.counters += whole_->take_counters();
+  for (const auto& stepper : steppers_.all()) log_.counters += stepper->take_counters();
 }
 
 // Bodies have gone farther than their groups were made for: these are made anew, with room for it.
