@@ -7,16 +7,6 @@
 #include <cmath>
 
 namespace raygauge {
-Eigen::Vector3d nearest_in_cone(const Eigen::Vector3d& x, double mu) {
-  const double tangential = x.tail<2>().norm();
-  if (tangential <= mu * x[0]) return x;
-  if (mu * tangential <= -x[0]) return Eigen::Vector3d::Zero();
-  const double normal = (x[0] + mu * tangential) / (1 + mu * mu);
-  Eigen::Vector3d nearest;
-  nearest << normal, mu * normal / tangential * x.tail<2>();
-  return nearest;
-}
-
 namespace {
 
 double scale_of(const Eigen::MatrixXd& W) {

@@ -65,31 +65,25 @@ FrictionProblem FrictionIsland::dense() const {
   return problem;
 }
 
-IslandVelocities::IslandVelocities(const FrictionIsland& island, const Eigen::VectorXd& r)
-    : y_(Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, island.bodies)) {
+void IslandVelocities::reset(const FrictionIsland& island, const Eigen::VectorXd& r) {
+  y_.setZero(6, island.bodies);
   for (std::size_t c = 0; c < island.contacts.size(); ++c)
     push(island.contacts[c], r.segment<3>(3 * static_cast<Eigen::Index>(c)));
-}
-
-double law_error(const IslandContact& contact, const IslandVelocities& velocities, double bound,
-                 const Eigen::VectorXd& r, std::size_t c) {
-  const double s = bound > 0 ? 1 / bound : 1.0;
-  Eigen::Vector3d changed = velocities.of(contact);
-  changed[0] += contact.mu * changed.tail<2>().norm();
-  const Eigen::Vector3d here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-  return (here - nearest_in_cone(here - s * changed, contact.mu)).squaredNorm();
 }
 
 double island_residual(const FrictionIsland& island, double bound, const Eigen::VectorXd& r) {
   const double size = island.size_of_q();
   if (!(size > 0)) return r.norm();
-  const double s = bound > 0 ? 1 / bound : 1.0;
-  const IslandVelocities velocities(island, r);
+  return island_residual(island, bound, size, IslandVelocities(island, r), r);
+}
+
+double island_residual(const FrictionIsland& island, double bound, double size_of_q,
+                       const IslandVelocities& velocities, const Eigen::VectorXd& r) {
+  const double s = step_of(bound);
   double square = 0;
-  for (std::size_t c = 0; c < island.contacts.size(); ++c) {
-    square += law_error(island.contacts[c], velocities, bound, r, c);
-  }
-  return std::sqrt(square) / (s * size);
+  for (std::size_t c = 0; c < island.contacts.size(); ++c)
+    square += law_error(island.contacts[c], velocities, s, r, c);
+  return std::sqrt(square) / (s * size_of_q);
 }
 
 }  // namespace raygauge

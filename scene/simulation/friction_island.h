@@ -38,7 +38,10 @@ struct FrictionIsland {
 /// The scaled velocities of the bodies that the impulses give: Σ A r.
 class IslandVelocities {
  public:
-  IslandVelocities(const FrictionIsland& island, const Eigen::VectorXd& r);
+  IslandVelocities() = default;
+  IslandVelocities(const FrictionIsland& island, const Eigen::VectorXd& r) { reset(island, r); }
+
+  void reset(const FrictionIsland& island, const Eigen::VectorXd& r);
 
   Eigen::Vector3d of(const IslandContact& contact) const {
     Eigen::Vector3d u = contact.q;
@@ -57,11 +60,23 @@ class IslandVelocities {
 };
 
 /// How far r leaves the contact c from its law: the length of r - (its nearest point in the cone of r - s
-/// u'), squared, with s = 1 / bound and u' the velocity as in friction_residual().
-double law_error(const IslandContact& contact, const IslandVelocities& velocities, double bound,
-                 const Eigen::VectorXd& r, std::size_t c);
+/// u'), squared, with s = 1/‖W‖ and u' the velocity as in friction_residual().
+inline double law_error(const IslandContact& contact, const IslandVelocities& velocities, double s,
+                        const Eigen::VectorXd& r, std::size_t c) {
+  Eigen::Vector3d changed = velocities.of(contact);
+  changed[0] += contact.mu * changed.tail<2>().norm();
+  const Eigen::Vector3d here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
+  return (here - nearest_in_cone(here - s * changed, contact.mu)).squaredNorm();
+}
+
+/// s of a bound on ‖W‖.
+inline double step_of(double bound) { return bound > 0 ? 1 / bound : 1.0; }
 
 /// friction_residual() with `bound` in place of ‖W‖, which it is not below: so neither is this residual.
 double island_residual(const FrictionIsland& island, double bound, const Eigen::VectorXd& r);
+
+/// The same where the velocities that r gives, and |q| > 0, are known.
+double island_residual(const FrictionIsland& island, double bound, double size_of_q,
+                       const IslandVelocities& velocities, const Eigen::VectorXd& r);
 
 }  // namespace raygauge

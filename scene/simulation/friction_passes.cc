@@ -83,8 +83,10 @@ class Passes {
     }
   }
 
-  void pass(Eigen::VectorXd& r) {
-    IslandVelocities velocities(island_, r);
+  /// Gives the velocities that go with the new r.
+  const IslandVelocities& pass(Eigen::VectorXd& r) {
+    IslandVelocities& velocities = velocities_;
+    velocities.reset(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
       if (block_.has(c)) continue;
       const IslandContact& contact = island_.contacts[c];
@@ -95,6 +97,7 @@ class Passes {
       velocities.push(contact, here - before);
     }
     if (block_.size() > 0) block_.solve(island_, velocities, r);
+    return velocities;
   }
 
   /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
@@ -104,7 +107,8 @@ class Passes {
     double most = 0;
     std::size_t worst = 0;
     for (std::size_t c = 0; c < own_.size(); ++c) {
-      const double error = block_.has(c) ? 0 : law_error(island_.contacts[c], velocities, bound, r, c);
+      const double error =
+          block_.has(c) ? 0 : law_error(island_.contacts[c], velocities, step_of(bound), r, c);
       if (!(error > most)) continue;
       most = error;
       worst = c;
@@ -122,6 +126,7 @@ class Passes {
  private:
   const FrictionIsland& island_;
   std::vector<Own> own_;
+  IslandVelocities velocities_;
   FrictionBlock block_;
 };
 
@@ -133,7 +138,7 @@ class Extrapolation {
   void forget() { count_ = 0; }
 
   /// Where to go on after r with the change f = g - r and the value g.
-  Eigen::VectorXd next(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
+  void next(const Eigen::VectorXd& f, const Eigen::VectorXd& g, Eigen::VectorXd& here) {
     if (count_ > 0) {
       const Eigen::Index at = (count_ - 1) % kMemory;
       changes_.col(at) = f - f_;
@@ -142,23 +147,27 @@ class Extrapolation {
     }
     f_ = f;
     g_ = g;
+    here = g;
     const Eigen::Index known = std::min(count_++, kMemory);
-    if (known == 0) return g;
-    Eigen::MatrixXd products = products_.topLeftCorner(known, known);
+    if (known == 0) return;
+    Square products = products_.topLeftCorner(known, known);
     products.diagonal() *= 1 + kRounding;
-    const Eigen::VectorXd shares = products.ldlt().solve(changes_.leftCols(known).transpose() * f);
-    if (!shares.allFinite()) return g;
-    return g - values_.leftCols(known) * shares;
+    Few shares(known);
+    for (Eigen::Index k = 0; k < known; ++k) shares[k] = changes_.col(k).dot(f);
+    shares = Few(products.ldlt().solve(shares));
+    if (!shares.allFinite()) return;
+    for (Eigen::Index k = 0; k < known; ++k) here -= shares[k] * values_.col(k);
   }
 
  private:
   static constexpr double kRounding = 1e-13;
+  using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMemory, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMemory, kMemory>;
 
   void learn(Eigen::Index at) {
     const Eigen::Index known = std::min(count_, kMemory);
-    const Eigen::VectorXd products = changes_.leftCols(known).transpose() * changes_.col(at);
-    products_.block(0, at, known, 1) = products;
-    products_.block(at, 0, 1, known) = products.transpose();
+    for (Eigen::Index k = 0; k < known; ++k)
+      products_(k, at) = products_(at, k) = changes_.col(k).dot(changes_.col(at));
   }
 
   Eigen::Index count_ = 0;
@@ -171,7 +180,12 @@ class Extrapolation {
 class Descent {
  public:
   Descent(const FrictionIsland& island, double bound, Eigen::VectorXd& r)
-      : island_(island), bound_(bound), passes_(island), r_(r), best_(island_residual(island, bound, r)) {}
+      : island_(island),
+        bound_(bound),
+        size_of_q_(island.size_of_q()),
+        passes_(island),
+        r_(r),
+        best_(island_residual(island, bound, r)) {}
 
   double best() const { return best_; }
 
@@ -180,18 +194,19 @@ class Descent {
   }
 
   void extrapolated(int patience) {
+    if (!(best_ > kEnough)) return;
     Extrapolation extrapolation(r_.size());
-    Eigen::VectorXd here = r_;
+    Eigen::VectorXd here = r_, f(r_.size());
     double last = std::numeric_limits<double>::infinity();
     begin();
     for (int k = 0; k < kMostPasses && best_ > kEnough; ++k) {
-      const Eigen::VectorXd g = passed(k, here);
-      const Eigen::VectorXd f = g - here;
+      pass_from(k, here);
+      f = g_ - here;
       const double size = f.norm();
       if (!(size > 0) || has_stalled(k, patience)) break;
       if (size <= kWorse * last) {
         last = std::min(last, size);
-        here = extrapolation.next(f, g);
+        extrapolation.next(f, g_, here);
       } else {  // the extrapolation has left what it was learnt from
         extrapolation.forget();
         last = std::numeric_limits<double>::infinity();
@@ -203,8 +218,10 @@ class Descent {
   void plain(int patience) {
     Eigen::VectorXd here = r_;
     begin();
-    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, patience); ++k)
-      here = passed(k, here);
+    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, patience); ++k) {
+      pass_from(k, here);
+      here = g_;
+    }
   }
 
  private:
@@ -213,19 +230,19 @@ class Descent {
     gained_at_ = 0;
   }
 
-  Eigen::VectorXd passed(int k, const Eigen::VectorXd& here) {
-    Eigen::VectorXd g = here;
-    passes_.pass(g);
-    const double residual = island_residual(island_, bound_, g);
+  // To g_.
+  void pass_from(int k, const Eigen::VectorXd& here) {
+    g_ = here;
+    const IslandVelocities& velocities = passes_.pass(g_);
+    const double residual = island_residual(island_, bound_, size_of_q_, velocities, g_);
     if (residual < best_) {
       best_ = residual;
-      r_ = g;
+      r_ = g_;
     }
     if (best_ < kGain * gained_) {
       gained_ = best_;
       gained_at_ = k;
     }
-    return g;
   }
 
   bool has_stalled(int k, int patience) const {
@@ -233,9 +250,10 @@ class Descent {
   }
 
   const FrictionIsland& island_;
-  double bound_;
+  double bound_, size_of_q_;
   Passes passes_;
   Eigen::VectorXd& r_;
+  Eigen::VectorXd g_;  // where the last pass has led
   double best_, gained_ = 0;
   int gained_at_ = 0;
 };

@@ -100,7 +100,7 @@ class NearPairs {
   double distance_at(const NearPair& pair, double end, PairTools& tools);
 
   /// The same by planes across the normal where they are now, or as either body turns it: sooner known, not
-  /// as close, and true but for rounding. -infinity of a half-space whose plane has turned.
+  /// as close, and true but for rounding. -infinity of a half-space.
   double plane_distance_at(const NearPair& pair, double end) const;
 
   /// The time up to which it is proven that no pair comes closer than -δ, as the bodies' motions have them.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 
 #include "scene/simulation/near_pairs.h"
 
@@ -8,6 +9,7 @@
 namespace raygauge {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kOutward = 1 + 1e-9;
 constexpr double kRounding = 1e-12;  // of what is added up
 constexpr double kSurely = 1.01;     // what is as much farther than a band is so by any way to measure it
@@ -104,6 +106,8 @@ double NearPairs::distance_at(const NearPair& pair, double end, PairTools& tools
 
 double NearPairs::between_planes(int part_a, int part_b, const Eigen::Vector3d& normal, const Placement& at_a,
                                  const Placement& at_b) const {
+  // A half-space has one normal, and its plane is found as fast.
+  if (!part(part_a).body.is_bounded() || !part(part_b).body.is_bounded()) return -kInfinity;
   const auto height = [this, &normal](int number, const Placement& at, double sign) {
     Eigen::Vector3d point = Eigen::Vector3d::Zero(), along = point;
     along.head(n_) = sign * at.R.transpose() * normal.head(n_);

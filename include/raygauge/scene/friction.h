@@ -32,7 +32,14 @@ class FrictionSolver {
 };
 
 /// The point of {r : |r_t| <= μ r_n} nearest to x = (x_n, x_t1, x_t2).
-Eigen::Vector3d nearest_in_cone(const Eigen::Vector3d& x, double mu);
+inline Eigen::Vector3d nearest_in_cone(const Eigen::Vector3d& x, double mu) {
+  const double tangential = x.tail<2>().norm();
+  if (tangential <= mu * x[0]) return x;
+  if (mu * tangential <= -x[0]) return Eigen::Vector3d::Zero();
+  const double normal = (x[0] + mu * tangential) / (1 + mu * mu);
+  const double share = mu * normal / tangential;
+  return {normal, share * x[1], share * x[2]};
+}
 
 /// How far r is from a solution, relative to |q|: with s = 1/‖W‖ and the velocities ũ = u + μ|u_t| e_n of De
 /// Saxcé, |r - P_K(r - s ũ)| / (s |q|), P_K the projection to the cones of friction. 0 for q = 0.
