@@ -272,7 +272,7 @@ double pass_over_friction(const FrictionIsland& island, double bound, Eigen::Vec
   for (int k = 0; many && k < kMostBlocks && descent.best() > kSolvedFriction && descent.grow_block(); ++k)
     descent.extrapolated(kBlockPatience);
   if (descent.best() > kSolvedFriction) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
-  return descent.best();
+  return island_residual(island, bound, r);  // passes have it but for rounding
 }
 
 }  // namespace raygauge
