@@ -17,7 +17,7 @@ namespace {
 // where nothing is known of a step before, as in towers that begin to stand.
 double rough_friction(std::size_t contacts, bool first) {
   if (contacts <= kFewContacts) return 1e-10;
-  if (contacts <= 60 || (contacts <= 150 && first)) return kSolvedFriction;
+  if (contacts <= 60 || (contacts <= 150 && first)) return enough_friction(contacts, first);
   return contacts <= 150 ? 1e-7 : 1e-3;
 }
 

@@ -265,13 +265,14 @@ class Descent {
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
   const bool many = count > kFewContacts;
+  const double enough = enough_friction(count, r.isZero(0));
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(r.size());
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent descent(island, bound, r);
   descent.extrapolated(kPatience);
-  for (int k = 0; many && k < kMostBlocks && descent.best() > kSolvedFriction && descent.grow_block(); ++k)
+  for (int k = 0; many && k < kMostBlocks && descent.best() > enough && descent.grow_block(); ++k)
     descent.extrapolated(kBlockPatience);
-  if (descent.best() > kSolvedFriction) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
+  if (descent.best() > enough) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
   return island_residual(island, bound, r);  // passes have it but for rounding
 }
 
