@@ -55,11 +55,13 @@ double EnergyLimit::slack(const std::vector<std::size_t>& island,
   return kRounding * energies;
 }
 
-bool EnergyLimit::is_broken(const std::vector<ContactUnknown>& contacts) const {
+std::vector<std::size_t> EnergyLimit::broken(const std::vector<ContactUnknown>& contacts) const {
+  std::vector<std::size_t> all;
   for (const std::vector<std::size_t>& island : islands_of(contacts, free_)) {
-    if (gain(island, contacts) > slack(island, contacts)) return true;
+    if (gain(island, contacts) > slack(island, contacts)) all.insert(all.end(), island.begin(), island.end());
   }
-  return false;
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 // The gain is a quadratic of the share: that of 0, 1/2 and 1 give it.

@@ -22,8 +22,8 @@ class EnergyLimit {
   EnergyLimit(const std::vector<SimulatedBody>& free, std::vector<double> allowed)
       : free_(free), allowed_(std::move(allowed)) {}
 
-  /// Whether an island gains energy by its impulses.
-  bool is_broken(const std::vector<ContactUnknown>& contacts) const;
+  /// The contacts of the islands that gain energy by their impulses, in rising order.
+  std::vector<std::size_t> broken(const std::vector<ContactUnknown>& contacts) const;
 
   /// Of each island the impulses p = q + s (p - q) of the largest s in [0, 1] that keeps the limit; `rest`
   /// are the impulses q of the same contacts where they ask for nothing. Impulses in friction cones stay in

@@ -28,7 +28,6 @@ constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solv
 constexpr int kMostBlocks = 16;
 constexpr std::size_t kLargestBlock = 20, kLargestOfRough = 40;
 constexpr double kRough = 1e-6;
-constexpr int kTurns = 3;            // of the direction of slip, in one solve of a contact
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
 
@@ -50,23 +49,21 @@ Eigen::Vector3d nearer(const Own& own, double mu, const Eigen::Vector3d& b, Eige
   return r;
 }
 
-// 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b. `last`: the direction of slip is near what it says.
+// Towards 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b: what slips turns into the direction that r
+// so far asks for, once a pass.
 Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last) {
   if (b[0] >= 0) return Eigen::Vector3d::Zero();
   if (!(mu > 0)) return {-b[0] / own.W(0, 0), 0, 0};
-  Eigen::Vector3d sticks = -(own.inverse * b);
+  const Eigen::Vector3d sticks = -(own.inverse * b);
   if (sticks.tail<2>().norm() <= mu * sticks[0]) return sticks;
   Eigen::Vector3d r = last[0] > 0 ? last : sticks;
-  Eigen::Vector2d u = Eigen::Vector2d::Zero();
-  for (int turn = 0; turn < kTurns; ++turn) {
-    u = b.tail<2>() + own.W.bottomRows<2>() * r;
-    const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
-    const double length = way.norm();
-    const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
-    if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
-    r[0] = -b[0] / slope;
-    r.tail<2>() = mu * r[0] / length * way;
-  }
+  const Eigen::Vector2d u = b.tail<2>() + own.W.bottomRows<2>() * r;
+  const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
+  const double length = way.norm();
+  const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
+  if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
+  r[0] = -b[0] / slope;
+  r.tail<2>() = mu * r[0] / length * way;
   return u.dot(r.tail<2>()) > 0 ? nearer(own, mu, b, last) : r;
 }
 

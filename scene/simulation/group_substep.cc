@@ -173,11 +173,17 @@ double GroupStepper::correction(const NearPair& pair, double dt, PairTools& tool
 // would not.
 bool GroupStepper::limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed) {
   const EnergyLimit limit(free_, std::move(allowed));
-  if (!limit.is_broken(contacts)) return false;
-  std::vector<ContactUnknown> rest = contacts;
-  for (ContactUnknown& contact : rest) contact.offset = std::max(contact.offset, 0.0);
+  const std::vector<std::size_t> broken = limit.broken(contacts);
+  if (broken.empty()) return false;
+  std::vector<ContactUnknown> asked;
+  for (const std::size_t c : broken) {
+    asked.push_back(contacts[c]);
+    asked.back().offset = std::max(contacts[c].offset, 0.0);
+  }
   copy_members(free_, limited_);
-  result_.row.residual = std::max(result_.row.residual, problem_.solve(rest, limited_));
+  result_.row.residual = std::max(result_.row.residual, problem_.solve(asked, limited_));
+  std::vector<ContactUnknown> rest = contacts;
+  for (std::size_t k = 0; k < broken.size(); ++k) rest[broken[k]] = asked[k];
   limit.keep(contacts, rest);
   copy_members(free_, limited_);
   for (const ContactUnknown& contact : contacts) push_apart(contact, limited_);
