@@ -54,9 +54,9 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   const FrictionProblem problem = island.dense();
   const Eigen::VectorXd passes = r, nothing = Eigen::VectorXd::Zero(r.size());
   double residual = friction_residual(problem, r);
-  if (few) take_better(problem, guess, residual, r);
-  if (residual > kSolvedFriction) take_better(problem, passes, residual, r);
-  if (residual > kSolvedFriction) take_better(problem, few ? nothing : guess, residual, r);
+  take_better(problem, passes, residual, r);
+  if (residual > kSolvedFriction) take_better(problem, guess, residual, r);
+  if (residual > kSolvedFriction && few) take_better(problem, nothing, residual, r);
   residual = follow_friction_paths(problem, guess, few ? 2 : 1, residual, r);
   if (residual > std::max(kSolvedFriction, rough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;
