@@ -28,6 +28,7 @@ constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solv
 constexpr int kMostBlocks = 16;
 constexpr std::size_t kLargestBlock = 20, kLargestOfRough = 40;
 constexpr double kRough = 1e-6;
+constexpr int kTurns = 3;            // of what slips, in one solve of a contact where one does not arrive
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
 
@@ -49,21 +50,25 @@ Eigen::Vector3d nearer(const Own& own, double mu, const Eigen::Vector3d& b, Eige
   return r;
 }
 
-// Towards 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b: what slips turns into the direction that r
-// so far asks for, once a pass.
-Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last) {
+// Towards 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b. What slips turns so many times into the
+// direction that r so far asks for. `last`: it is near that.
+Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last,
+                       int turns) {
   if (b[0] >= 0) return Eigen::Vector3d::Zero();
   if (!(mu > 0)) return {-b[0] / own.W(0, 0), 0, 0};
   const Eigen::Vector3d sticks = -(own.inverse * b);
   if (sticks.tail<2>().norm() <= mu * sticks[0]) return sticks;
   Eigen::Vector3d r = last[0] > 0 ? last : sticks;
-  const Eigen::Vector2d u = b.tail<2>() + own.W.bottomRows<2>() * r;
-  const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
-  const double length = way.norm();
-  const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
-  if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
-  r[0] = -b[0] / slope;
-  r.tail<2>() = mu * r[0] / length * way;
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();
+  for (int turn = 0; turn < turns; ++turn) {
+    u = b.tail<2>() + own.W.bottomRows<2>() * r;
+    const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
+    const double length = way.norm();
+    const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
+    if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
+    r[0] = -b[0] / slope;
+    r.tail<2>() = mu * r[0] / length * way;
+  }
   return u.dot(r.tail<2>()) > 0 ? nearer(own, mu, b, last) : r;
 }
 
@@ -80,6 +85,9 @@ class Passes {
     }
   }
 
+  /// From here on each contact is solved more closely.
+  void be_thorough() { turns_ = kTurns; }
+
   /// Gives the velocities that go with the new r.
   const IslandVelocities& pass(Eigen::VectorXd& r) {
     IslandVelocities& velocities = velocities_;
@@ -90,7 +98,7 @@ class Passes {
       auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
       const Eigen::Vector3d before = here;
       const Eigen::Vector3d b = velocities.of(contact) - own_[c].W * before;
-      here = solved(own_[c], contact.mu, b, before);
+      here = solved(own_[c], contact.mu, b, before, turns_);
       velocities.push(contact, here - before);
     }
     if (block_.size() > 0) block_.solve(island_, velocities, r);
@@ -124,6 +132,7 @@ class Passes {
   const FrictionIsland& island_;
   std::vector<Own> own_;
   IslandVelocities velocities_;
+  int turns_ = 1;
   FrictionBlock block_;
 };
 
@@ -185,6 +194,8 @@ class Descent {
         best_(island_residual(island, bound, r)) {}
 
   double best() const { return best_; }
+
+  void be_thorough() { passes_.be_thorough(); }
 
   bool grow_block() {
     return passes_.grow_block(bound_, r_, best_ > kRough ? kLargestOfRough : kLargestBlock);
@@ -267,6 +278,7 @@ double pass_over_friction(const FrictionIsland& island, double bound, Eigen::Vec
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent descent(island, bound, r);
   descent.extrapolated(kPatience);
+  descent.be_thorough();
   for (int k = 0; many && k < kMostBlocks && descent.best() > enough && descent.grow_block(); ++k)
     descent.extrapolated(kBlockPatience);
   if (descent.best() > enough) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
