@@ -62,6 +62,27 @@ using Formula = RoundPair::Formula;
   depth.support_queries = 2;
 }
 
+[[gnu::always_inline]] inline void put_counters(bool deep, ObjectDistance& result) {
+  DistanceResult& distance = result.distance;
+  distance.counters = {};
+  distance.counters.outer_iterations = distance.counters.ray_iterations = 1;
+  distance.counters.support_queries = deep ? 0 : 2;  // the depth counts them
+  distance.sigma = distance.seconds = DistanceResult::kUnset;
+  distance.origin_weights.clear();
+  clear(distance.contact_point);
+}
+
+[[gnu::always_inline]] inline void put_gradient(const RoundPair& round, bool wanted, ObjectDistance& result) {
+  result.gradient_evaluations = wanted ? 1 : 0;
+  if (wanted) {
+    put(round.normal, result.gradient_1);
+    put(-round.normal, result.gradient_2);
+  } else {
+    clear(result.gradient_1);
+    clear(result.gradient_2);
+  }
+}
+
 Vector3 origin_of(const Posed& body) {
   if (body.pose == nullptr) return {};
   const double* t = body.pose->translation_data();
@@ -69,8 +90,8 @@ Vector3 origin_of(const Posed& body) {
 }
 
 // With one normal and one pair of points.
-[[gnu::always_inline]] inline void put_gradient(const RoundPair& round, const Posed& A1, const Posed& A2,
-                                                PoseGradient& gradient) {
+[[gnu::always_inline]] inline void put_pose_gradient(const RoundPair& round, const Posed& A1, const Posed& A2,
+                                                     PoseGradient& gradient) {
   gradient.kind = GradientKind::unique;
   gradient.candidates.clear();
   gradient.body_1 = {round.normal, cross(round.point_1 - origin_of(A1), round.normal)};
@@ -121,25 +142,11 @@ template <Formula kFormula>
     put_depth(round, result.depth);
   else if (!std::isnan(result.depth.depth))
     clear(result.depth);
-  DistanceResult& distance = result.distance;
-  distance.counters = {};
-  distance.counters.outer_iterations = distance.counters.ray_iterations = 1;
-  distance.counters.support_queries = deep ? 0 : 2;  // the depth counts them
-  distance.sigma = distance.seconds = DistanceResult::kUnset;
-  distance.origin_weights.clear();
-  clear(distance.contact_point);
-  const bool gradient = has_effect(effects, ObjectEffects::gradient) && (deep || !meet);
-  result.gradient_evaluations = gradient ? 1 : 0;
-  if (gradient) {
-    put(round.normal, result.gradient_1);
-    put(-round.normal, result.gradient_2);
-  } else {
-    clear(result.gradient_1);
-    clear(result.gradient_2);
-  }
+  put_counters(deep, result);
+  put_gradient(round, has_effect(effects, ObjectEffects::gradient) && (deep || !meet), result);
   result.pose_gradient_evaluations = by_pose ? 1 : 0;
   result.pose_gradient.kind = GradientKind::none;
-  if (by_pose) put_gradient(round, A1, A2, result.pose_gradient);
+  if (by_pose) put_pose_gradient(round, A1, A2, result.pose_gradient);
   if (radius != 1) scale_to_radius(radius, result);
   if (warm == nullptr) return true;
   warm->overlap = false;

@@ -94,57 +94,73 @@ struct FromCore {
   return {-room, -room, outward};
 }
 
-// In the half-plane through the axis that holds y: (z, r) along the axis from the base and away from it.
-// There the core is a quadrangle with the corners (0, 0), (0, base radius), (full, top radius), (full, 0).
+// In the half-plane through the axis that holds a point: (z, r) along the axis from the base and away from
+// it. There a cylinder or a cone is a quadrangle with the corners (0, 0), (0, base radius), (full, top
+// radius), (full, 0).
+struct Profile {
+  double base_radius, top_radius, full;
+
+  double height(double n_z, double n_r) const {
+    return std::max(n_r * base_radius, n_z * full + n_r * top_radius);
+  }
+
+  // Of the way to the surface its length, negative inside, and the normal.
+  [[gnu::always_inline]] inline double way_from(double z, double r, double& n_z, double& n_r) const {
+    const double from_top = z - full, widening = top_radius - base_radius;
+    const double slant = full * full + widening * widening;
+    const double beside = (r - base_radius) * full - z * widening;  // of the side, outside of it
+    const double foot = z * full + (r - base_radius) * widening;    // on the side
+    const bool is_inside = beside <= 0 && z > 0 && from_top < 0;
+    double length = 0;
+    n_z = n_r = 0;
+    if (z <= 0 && r <= base_radius) {
+      n_z = -1;
+      length = -z;
+    } else if (from_top >= 0 && r <= top_radius) {
+      n_z = 1;
+      length = from_top;
+    } else if (is_inside || (foot >= 0 && foot <= slant)) {
+      const double scale = std::sqrt(slant) * (1 / slant);
+      length = beside * scale;
+      n_z = -widening * scale;
+      n_r = full * scale;
+      if (is_inside && std::max(-z, from_top) >= length) {
+        length = std::max(-z, from_top);
+        n_z = -z > from_top ? -1.0 : 1.0;
+        n_r = 0;
+      }
+    } else {
+      const double way_z = foot < 0 ? z : from_top, way_r = r - (foot < 0 ? base_radius : top_radius);
+      const double square = way_z * way_z + way_r * way_r;
+      length = std::sqrt(square);
+      n_z = way_z * (length * (1 / square));
+      n_r = way_r * (length * (1 / square));
+    }
+    return length;
+  }
+};
+
 [[gnu::always_inline]] inline FromCore way_from(const FrustumCore& core, const Vector3& y, double error) {
   constexpr double kCancelled = 0.01;  // r²/|x|² below which the way from the axis is turned across it again
   constexpr double kAtAxis = 1e-20;    // ... and below which any way across the axis does
   const SpatialShape& shape = core.shape;
   const Vector3 &a = shape.axis.column[0], x = y - shape.base;
-  const double base_radius = shape.base_radius, top_radius = shape.top_radius;
-  const double z = dot(x, a), full = dot(shape.top - shape.base, a), widening = top_radius - base_radius;
+  const double z = dot(x, a);
   Vector3 radial = x - a * z;
-  double square = dot(radial, radial), across = std::sqrt(square), share = across * (1 / square);
+  double square = dot(radial, radial), r = std::sqrt(square), share = r * (1 / square);
   if (!(square > kCancelled * dot(x, x))) {
     radial = radial - a * dot(radial, a);
-    across = length(radial);
-    if (!(across * across > kAtAxis * dot(x, x))) radial = any_orthogonal(a);
+    r = length(radial);
+    if (!(r * r > kAtAxis * dot(x, x))) radial = any_orthogonal(a);
     share = 1 / length(radial);
   }
+  const Profile profile{shape.base_radius, shape.top_radius, dot(shape.top - shape.base, a)};
   FromCore found;
-  double along_z = 0, along_r = 0;  // the normal
-  const double from_top = z - full, slant = full * full + widening * widening;
-  const double beside = (across - base_radius) * full - z * widening;  // of the side, outside of it
-  const double foot = z * full + (across - base_radius) * widening;    // on the side
-  const bool is_inside = beside <= 0 && z > 0 && from_top < 0;
-  if (z <= 0 && across <= base_radius) {
-    along_z = -1;
-    found.upper = -z;
-  } else if (from_top >= 0 && across <= top_radius) {
-    along_z = 1;
-    found.upper = from_top;
-  } else if (is_inside || (foot >= 0 && foot <= slant)) {
-    const double scale = std::sqrt(slant) * (1 / slant);
-    found.upper = beside * scale;
-    along_z = -widening * scale;
-    along_r = full * scale;
-    if (is_inside && std::max(-z, from_top) >= found.upper) {
-      found.upper = std::max(-z, from_top);
-      along_z = -z > from_top ? -1.0 : 1.0;
-      along_r = 0;
-    }
-  } else {
-    const double way_z = foot < 0 ? z : from_top, way_r = across - (foot < 0 ? base_radius : top_radius);
-    const double away = way_z * way_z + way_r * way_r;  // its square
-    found.upper = std::sqrt(away);
-    found.is_known = found.upper > error;
-    const double scale = found.upper * (1 / away);
-    along_z = way_z * scale;
-    along_r = way_r * scale;
-  }
-  found.outward = a * along_z + radial * (along_r * share);
-  found.lower =
-      dot(found.outward, x) - std::max(along_r * base_radius, along_z * full + along_r * top_radius);
+  double n_z = 0, n_r = 0;
+  found.upper = profile.way_from(z, r, n_z, n_r);
+  found.is_known = !(std::fabs(found.upper) <= error);  // else rounding hides the way to a rim
+  found.outward = a * n_z + radial * (n_r * share);
+  found.lower = dot(found.outward, x) - profile.height(n_z, n_r);
   return found;
 }
 
