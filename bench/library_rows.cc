@@ -25,7 +25,8 @@ struct Truth {
   bool certified = false;
 };
 
-// One query of ours, cold and warm.
+// One query of ours, cold and warm: that one to and fro between both poses, each from the memory of the
+// other.
 struct Ours {
   std::function<void()> cold, warm;
 };
@@ -96,25 +97,26 @@ void measure_distance(const Contender& contender, const Places& at, LibraryTalli
            : truth_of(first.distance);
   const auto effects = meet ? kDeep : kPoints;
   const auto query = meet ? RAYGAUGE_DEPTH : RAYGAUGE_DISTANCE;
-  WarmStart memory;
+  bool moved = false;
   Ours ours;
   ours.cold = [&] { solver.solve(at.one, at.two, metric, effects); };
   ours.warm = [&] {
-    memory = kept;
-    solver.solve(at.one, at.moved, metric, effects, &memory);
+    moved = !moved;
+    solver.solve(at.one, moved ? at.moved : at.two, metric, effects, &kept);
   };
   contender.measure(query, truth, contender.pair.size, ours, tallies[query]);
 }
 
 void measure_growth(const Contender& contender, const Places& at, LibraryTallies& tallies) {
   GrowthDistanceSolver solver(options_for(contender.tolerance));
-  WarmStart kept, memory;
+  WarmStart kept;
   const Truth truth = truth_of(solver.solve_about_centers(at.one, at.two, &kept));
+  bool moved = false;
   Ours ours;
   ours.cold = [&] { solver.solve_about_centers(at.one, at.two); };
   ours.warm = [&] {
-    memory = kept;
-    solver.solve_about_centers(at.one, at.moved, &memory);
+    moved = !moved;
+    solver.solve_about_centers(at.one, moved ? at.moved : at.two, &kept);
   };
   contender.measure(RAYGAUGE_GROWTH, truth, truth.upper, ours, tallies[RAYGAUGE_GROWTH]);
 }
