@@ -206,6 +206,25 @@ TEST(PoseGradient, OfParallelFacesIsOneSided) {
   }
 }
 
+// The top edge of a cube that stands on an edge, along y, below an edge of another one along x or along y.
+TEST(PoseGradient, OfEdgesIsUniqueWhereTheyCross) {
+  const Box cube(V(-1, -1, -1), V(1, 1, 1));
+  const double eighth = std::atan(1.0);
+  const Eigen::Quaterniond on_edge_y(Eigen::AngleAxisd(eighth, V::UnitY())),
+      on_edge_x(Eigen::AngleAxisd(eighth, V::UnitX()));
+  const Pose below(on_edge_y, V(0, 0, 0));
+  ObjectDistanceSolver solver;
+  for (const double height : {3.0, 2.5}) {  // apart by 3 - 2√2, and deep
+    const auto kind = [&](const Eigen::Quaterniond& q, double x, double y) {
+      const Pose above(q, V(x, y, height));
+      return solver.solve({cube, below}, {cube, above}, euclidean(3), kWanted).pose_gradient.kind;
+    };
+    EXPECT_EQ(kind(on_edge_x, 0.3, 0.2), GradientKind::unique);
+    EXPECT_EQ(kind(on_edge_y, 0, 0.2), GradientKind::one_sided);  // parallel
+    EXPECT_EQ(kind(on_edge_y, 0, 0), GradientKind::one_sided);
+  }
+}
+
 TEST(PoseGradient, OfSeveralNearestFacetsIsTheGreatestOfThem) {
   ObjectDistanceSolver solver(options(1e-10));
   const Box A(V(-1, -1, -1), V(1, 1, 1)), B(V(-2, -2, -2), V(2, 2, 2));
