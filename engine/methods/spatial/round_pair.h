@@ -46,11 +46,11 @@ struct RoundPair {
   static bool is_differentiable(double value, const SpatialShape& first, const SpatialShape& second,
                                 const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept;
 
-  double lower, upper;       ///< of the signed distance
-  Vector3 normal;            ///< from the second body to the first: what proves `lower`, of length 1
+  double lower = 0, upper = 0;  ///< of the signed distance
+  Vector3 normal;               ///< from the second body to the first: what proves `lower`, of length 1
   Vector3 point_1, point_2;  ///< of the surfaces, in the world: their difference is the signed distance times
                              ///< the normal
-  bool is_known;             ///< false where sizes are out of the range of squares, or rounding hides a
+  bool is_known = false;     ///< false where sizes are out of the range of squares, or rounding hides a
                              ///< direction: then the rest says nothing
 };
 
