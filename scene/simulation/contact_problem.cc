@@ -90,7 +90,9 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
   std::vector<double> residuals(islands.size(), 0);
   share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
-             [&](std::size_t k) { residuals[k] = solve_island(islands[k], bodies); });
+             [&](std::size_t first, std::size_t last) {
+               for (std::size_t k = first; k < last; ++k) residuals[k] = solve_island(islands[k], bodies);
+             });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
   return residuals.empty() ? 0 : *std::max_element(residuals.begin(), residuals.end());
 }

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kOutward = 1 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kWorthWaking = 32;  // pairs, once a step
 
 // To a few digits, so that the last bits of a step's length tell no band from another.
 double rounded_up(double band) {
@@ -290,13 +291,14 @@ std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const s
     return both * kOutward + scales_.delta;
   };
   found_.resize(may_meet_.size());
-  for_each(may_meet_.size(), [&](std::size_t k, PairTools& tools) {
+  const auto look = [&](std::size_t k, PairTools& tools) {
     Candidate& met = *may_meet_[k];
     const double both =
         travels[static_cast<std::size_t>(met.part_a)] + travels[static_cast<std::size_t>(met.part_b)];
     const double band = rounded_up(2 * both + scales_.delta);
     found_[k] = contact_now(met, band, std::max(band, meets(met)), tools);
-  });
+  };
+  for_each(may_meet_.size(), look, may_meet_.size() >= kWorthWaking);
   for (std::size_t k = 0; k < may_meet_.size(); ++k) {
     const Candidate& met = *may_meet_[k];
     if (found_[k] == nullptr || found_[k]->lower > meets(met)) continue;

@@ -184,10 +184,13 @@ class NearPairs {
 
   // Some at a time: a chunk takes some µs more than it takes to hand it out.
   template <class Work>
-  void for_each(std::size_t count, const Work& work) {
+  void for_each(std::size_t count, const Work& work, bool wake = false) {
     constexpr std::size_t kChunk = 4;
-    share_work(team_, count, kChunk, false,
-               [&](std::size_t k) { tools_.lend([&](PairTools& tools) { work(k, tools); }); });
+    share_work(team_, count, kChunk, wake, [&](std::size_t first, std::size_t last) {
+      tools_.lend([&](PairTools& tools) {
+        for (std::size_t k = first; k < last; ++k) work(k, tools);
+      });
+    });
     take_counters();
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -55,20 +56,19 @@ class SharedTools {
   std::vector<Tool*> free_;
 };
 
-/// work(k) once for every k in 0 … count - 1, by the threads of a team in chunks of `size`, or by the caller
-/// alone (no team, one chunk). Rethrows what was thrown first. Threads that sleep are woken where asked.
+/// work(first, last) for the numbers 0 … count - 1 in chunks of `size`, each once, by the threads of a team,
+/// or for all at once by the caller alone (no team, one chunk). Rethrows what was thrown first. Threads that
+/// sleep are woken where asked.
 template <class Work>
 void share_work(ChunkTeam* team, std::size_t count, std::size_t size, bool wake, const Work& work) {
   if (team == nullptr || count <= size) {
-    for (std::size_t k = 0; k < count; ++k) work(k);
+    if (count > 0) work(std::size_t{0}, count);
     return;
   }
   FirstError error;
   team->run(static_cast<int>((count + size - 1) / size), wake, [&](int chunk) {
-    error.guard([&] {
-      const std::size_t first = static_cast<std::size_t>(chunk) * size;
-      for (std::size_t k = first; k < count && k < first + size; ++k) work(k);
-    });
+    const std::size_t first = static_cast<std::size_t>(chunk) * size;
+    error.guard([&] { work(first, std::min(count, first + size)); });
   });
   error.rethrow();
 }

@@ -130,28 +130,33 @@ std::vector<BodyGroup> Simulator::with_memory(const std::vector<std::vector<int>
   return groups;
 }
 
-// Those that are not done. A large group is shared by all threads, one after the other; small ones are, each
-// by one.
+// Those that are not done. A group of most bodies is shared by all threads; the others are, each by one, the
+// largest first.
 void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps) {
-  constexpr std::size_t kSmall = 16;  // bodies
+  constexpr std::size_t kFewest = 16;  // bodies that are worth a second thread
   const auto number = static_cast<std::int64_t>(log_.steps.size());
   const std::size_t threads = std::max<std::size_t>(1, steppers_.all().size());
   std::size_t bodies = 0;
-  for (std::size_t k = 0; k < groups.size(); ++k) bodies += steps[k].done ? 0 : groups[k].bodies.size();
-  const std::size_t large = std::max(kSmall, bodies / (2 * threads));
-  std::vector<std::size_t> small;
+  std::vector<std::size_t> open;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (steps[k].done) continue;
-    if (threads == 1 || bodies < kSmall || groups[k].bodies.size() > large)
-      steps[k] = whole_->step(groups[k], bodies_, t_, to, number);
-    else
-      small.push_back(k);
+    open.push_back(k);
+    bodies += groups[k].bodies.size();
   }
-  constexpr std::size_t kChunk = 4;  // groups
-  share_work(&team_, small.size(), kChunk, true, [&](std::size_t k) {
-    const std::size_t at = small[k];
-    steppers_.lend(
-        [&](GroupStepper& stepper) { steps[at] = stepper.step(groups[at], bodies_, t_, to, number); });
+  std::stable_sort(open.begin(), open.end(), [&groups](std::size_t one, std::size_t other) {
+    return groups[one].bodies.size() > groups[other].bodies.size();
+  });
+  std::size_t next = 0;  // of the groups that one thread takes
+  while (next < open.size() && (threads == 1 || bodies < kFewest ||
+                                groups[open[next]].bodies.size() > std::max(kFewest, bodies / threads)))
+    ++next;
+  for (std::size_t k = 0; k < next; ++k)
+    steps[open[k]] = whole_->step(groups[open[k]], bodies_, t_, to, number);
+  share_work(&team_, open.size() - next, 1, true, [&](std::size_t first, std::size_t last) {
+    steppers_.lend([&](GroupStepper& stepper) {
+      for (std::size_t k = next + first; k < next + last; ++k)
+        steps[open[k]] = stepper.step(groups[open[k]], bodies_, t_, to, number);
+    });
   });
   log_.counters += whole_->take_counters();
   for (const auto& stepper : steppers_.all()) log_.counters += stepper->take_counters();
