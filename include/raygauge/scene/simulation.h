@@ -73,7 +73,7 @@ struct BodyState {
 };
 
 struct SimulationHooks {
-  int threads = 1;  ///< for bodies that cannot meet within a step; what is found does not depend on it
+  int threads = 1;  ///< share groups of bodies, and a large one's pairs; what is found does not depend on it
   std::function<bool()> stop;                  ///< true: end here; a step that is not done is taken back
   std::function<void(double share)> progress;  ///< of the time that is done
   std::function<bool()> due;                   ///< after a step: whether to call `store` now
