@@ -15,6 +15,7 @@
 #include "engine/queries/separation_bins.h"
 #include "engine/sets/parameters.h"
 #include "engine/threads/chunk_team.h"
+#include "engine/threads/shared_tools.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
@@ -141,37 +142,22 @@ std::exception_ptr named(std::exception_ptr error, std::ptrdiff_t i) {
 }  // namespace
 
 struct PairBatch::Team {
-  // The solvers of a thread, each made by the thread that first needs it.
+  // The solvers of one thread at a time, each made when it is first needed.
   struct alignas(64) Member {
     std::optional<DistanceSolver> gauge;
     std::optional<ObjectDistanceSolver> distance;
     std::optional<GrowthDistanceSolver> growth;
     std::optional<SeparationBins> separation;
     WarmStart warm;  // of the pair before, on a path
-    std::atomic<bool> taken = false;
+    int number = 0;
   };
 
-  // A member that no other thread has as long as this lives. There are as many as threads.
-  class Turn {
-   public:
-    explicit Turn(std::vector<Member>& members) : members_(members) {
-      while (members[number_].taken.exchange(true, std::memory_order_acquire))
-        number_ = (number_ + 1) % members.size();
+  Team(const DistanceOptions& given, int threads) : options(given) {
+    const int count = in_range(given, threads);
+    for (int k = 0; k < count; ++k) {
+      members.add(std::make_unique<Member>());
+      members.all().back()->number = k;
     }
-    ~Turn() { member().taken.store(false, std::memory_order_release); }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-    Member& member() const noexcept { return members_[number_]; }
-    int number() const noexcept { return static_cast<int>(number_); }
-
-   private:
-    std::vector<Member>& members_;
-    std::size_t number_ = 0;
-  };
-
-  Team(const DistanceOptions& given, int threads)
-      : options(given), members(static_cast<std::size_t>(in_range(given, threads))) {
     options.threads = 1;
     helpers.be_patient();
   }
@@ -201,7 +187,7 @@ struct PairBatch::Team {
   // work(first, last) for all chunks of 0 … count - 1, on all threads.
   template <class Work>
   void run(std::ptrdiff_t count, const Work& work) {
-    const int threads = static_cast<int>(members.size());
+    const int threads = static_cast<int>(members.all().size());
     const std::ptrdiff_t chunk = chunk_of(count, threads), chunks = (count + chunk - 1) / chunk;
     if (const auto useful = static_cast<int>(std::clamp<std::ptrdiff_t>(chunks, 1, threads)); useful > size)
       helpers.resize(size = useful);
@@ -227,7 +213,7 @@ struct PairBatch::Team {
 
   DistanceOptions options;
   std::function<bool()> stop;
-  std::vector<Member> members;
+  SharedTools<Member> members;
   int size = 1;  // threads of `helpers`, with the caller
   ChunkTeam helpers;
 };
@@ -268,15 +254,15 @@ void PairBatch::Team::share(std::size_t pairs, const Begin& begin, const Solve& 
   };
   run(static_cast<std::ptrdiff_t>(pairs), [&](std::ptrdiff_t from, std::ptrdiff_t to) {
     if (ended.load(std::memory_order_relaxed)) return;
-    const Turn turn(members);
-    const auto first = static_cast<std::size_t>(from), last = static_cast<std::size_t>(to);
-    std::size_t i = first;
-    std::optional<decltype(begin(turn.member(), first, last, 0, i))> open;
-    const bool begun = attempt(i, [&] { open.emplace(begin(turn.member(), first, last, turn.number(), i)); });
-    bool go_on = begun;
-    for (i = first; i < last && go_on; ++i) {
-      if ((*open)(i)) go_on = attempt(i, [&] { solve(turn.member(), i, turn.number()); });
-    }
+    members.lend([&](Member& member) {
+      const auto first = static_cast<std::size_t>(from), last = static_cast<std::size_t>(to);
+      std::size_t i = first;
+      std::optional<decltype(begin(member, first, last, 0, i))> open;
+      bool go_on = attempt(i, [&] { open.emplace(begin(member, first, last, member.number, i)); });
+      for (i = first; i < last && go_on; ++i) {
+        if ((*open)(i)) go_on = attempt(i, [&] { solve(member, i, member.number); });
+      }
+    });
   });
   if (error) std::rethrow_exception(error);
 }
@@ -289,10 +275,10 @@ PairBatch& PairBatch::operator=(PairBatch&&) noexcept = default;
 
 void PairBatch::set_stop(std::function<bool()> stop) {
   team_->stop = std::move(stop);
-  for (Team::Member& member : team_->members) {
-    if (member.gauge) member.gauge->set_stop(team_->stop);
-    if (member.distance) member.distance->set_stop(team_->stop);
-    if (member.growth) member.growth->set_stop(team_->stop);
+  for (const auto& member : team_->members.all()) {
+    if (member->gauge) member->gauge->set_stop(team_->stop);
+    if (member->distance) member->distance->set_stop(team_->stop);
+    if (member->growth) member->growth->set_stop(team_->stop);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/threads/shared_tools.h"
 #include "raygauge/scene/continuous.h"
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/contact_finder.h"

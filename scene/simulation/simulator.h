@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/threads/shared_tools.h"
 #include "raygauge/scene/simulation.h"
 #include "scene/simulation/group_stepper.h"
 #include "scene/simulation/near_pairs.h"
