@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <memory>
+#include <string_view>
 
 #include "analysis/data/parameter_columns.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
+#include "cli/console/interrupt.h"
 #include "cli/input/registries.h"
 #include "cli/output/counted.h"
 #include "cli/output/output_file.h"
@@ -55,6 +57,9 @@ bool exported_scene(const ExportArguments& arguments) {
   return true;
 }
 
+/// A signal came: a file that is not whole is taken back.
+struct Interrupted {};
+
 /// Proofs that answers about two bodies are wrong, and how many of them could be proven.
 int export_refutations(const ExportArguments& arguments) {
   for (const auto& [option, given] :
@@ -70,8 +75,21 @@ int export_refutations(const ExportArguments& arguments) {
       output_of(arguments.refutations, OutputKind::text, {".jsonl"}, arguments.analysis, arguments.force);
   const std::vector<Record> records = read_files(arguments.analysis).records;
   RefutationCount count;
-  write_to(output,
-           [&](const ByteSink& put) { count = put_refutations(records, filter, all_generators(), put); });
+  const InterruptGuard guard(nullptr);
+  const auto unless_interrupted = [](const ByteSink& put) {
+    return [&put](std::string_view line) {
+      if (InterruptGuard::signal() != 0) throw Interrupted();
+      put(line);
+    };
+  };
+  try {
+    write_to(output, [&](const ByteSink& put) {
+      count = put_refutations(records, filter, all_generators(), unless_interrupted(put));
+    });
+  } catch (const Interrupted&) {
+    std::fputs("interrupted\n", stderr);
+    return interrupted_status();
+  }
   std::fprintf(stderr, "note: %s, %zu of them refuted\n", counted(count.wrong, "wrong answer").c_str(),
                count.refuted);
   return kAnswered;

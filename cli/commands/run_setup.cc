@@ -168,7 +168,7 @@ int report_end(const RunArguments& arguments, const Experiment& experiment, cons
   std::fprintf(stderr, "interrupted: %zu of %s %s %s; continue with\n  %s\n", stored,
                counted(cells, "cell").c_str(), cells == 1 ? "is" : "are", place.c_str(),
                resume_command(arguments, stored > 0).c_str());
-  return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
+  return interrupted_status();
 }
 
 }  // namespace raygauge::cli

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "cli/console/exit_status.h"
+
 namespace raygauge::cli {
 namespace {
 
@@ -46,5 +48,10 @@ InterruptGuard::~InterruptGuard() {
 }
 
 int InterruptGuard::signal() noexcept { return received_signal.load(); }
+
+int interrupted_status() noexcept {
+  const int signal = InterruptGuard::signal();
+  return kInterrupted + (signal == 0 ? 0 : signal - SIGINT);
+}
 
 }  // namespace raygauge::cli

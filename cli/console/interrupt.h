@@ -6,6 +6,9 @@
 
 namespace raygauge::cli {
 
+/// The program's exit status once a signal has ended its work; the one of SIGINT where another cause has.
+int interrupted_status() noexcept;
+
 /// While it lives, the first SIGINT or SIGTERM is kept for the program to act on when it suits; the second
 /// one ends the program at once. One object at a time.
 class InterruptGuard {

@@ -221,7 +221,7 @@ class SceneJob {
       std::fprintf(stderr, "interrupted: %zu of %zu cells are safe; continue with\n  %s\n",
                    done_.size() + static_cast<std::size_t>(summary.cells_done), plan_.cells.size(),
                    resume_command(arguments_, target_).c_str());
-      return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
+      return interrupted_status();
     }
     writer_->finish();
     if (!arguments_.quiet) print_end(writer_->results(), summary, path_);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -212,7 +211,7 @@ class SimulateJob {
   int say_interrupted() const {
     std::fprintf(stderr, "interrupted: all steps that were done are safe; continue with\n  %s\n",
                  resume_command(arguments_, path_).c_str());
-    return kInterrupted + (InterruptGuard::signal() == 0 ? 0 : InterruptGuard::signal() - SIGINT);
+    return interrupted_status();
   }
 
   void print_end() const {

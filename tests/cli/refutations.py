@@ -5,11 +5,15 @@
     refutations.py --raygauge PROGRAM --check check_refutations.py
 """
 import argparse
+import fcntl
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 # A solver that is wrong in every way: its tolerance is the size of the bodies.
 EXPERIMENT = """name = "wrong"
@@ -67,6 +71,26 @@ class Sweep:
     def fail_unless(self, holds, text):
         self.failures += [] if holds else [text]
 
+    def check_interrupted(self):
+        """SIGINT while a reader is slow: the line at hand is the last one."""
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        command = [self.arguments.raygauge, "export", "wrong.h5", "--refutations", "pipe"]
+        with open(os.open(pipe, os.O_RDONLY | os.O_NONBLOCK), "rb") as reader:
+            fcntl.fcntl(reader, 1031, 4096)  # F_SETPIPE_SZ
+            os.set_blocking(reader.fileno(), True)
+            with subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True) as program:
+                lines = []
+                while not lines and program.poll() is None:  # the end of the file, until it is opened there
+                    lines += filter(None, [reader.readline()])
+                    time.sleep(0.01)
+                program.send_signal(signal.SIGINT)
+                lines += reader.readlines()
+                said = program.stderr.read()
+        pipe.unlink()
+        held = program.returncode == 130 and said == "interrupted\n" and len(lines) < len(self.cases)
+        self.fail_unless(held, f"interrupted: status {program.returncode}, {len(lines)} lines, {said}")
+
     def check(self):
         wrong = int(self.said.split()[1])
         self.fail_unless(wrong == len(self.cases) > 20, f"{len(self.cases)} lines: {self.said}")
@@ -77,6 +101,7 @@ class Sweep:
         self.fail_unless(verified, checked.stdout)
         for proof in self.proofs:
             self.check_spoilt(proof)
+        self.check_interrupted()
         table = self.raygauge("table", "wrong.h5", "--wrong").stdout
         self.fail_unless("Who is wrong" in table and "fcl_libccd" in table, table)
         return wrong

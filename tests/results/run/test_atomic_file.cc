@@ -32,6 +32,18 @@ TEST(AtomicFile, StaysAsItWasWhereTheNewOneCannotBeWritten) {
   EXPECT_EQ(entries_of(folder.path()), std::vector<std::string>{"x"});
 }
 
+TEST(AtomicFile, StaysAsItWasWhereItsSourceFails) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("x"), "old");
+  const ByteSource fails = [](const ByteSink& put) {
+    put("half of");
+    throw ResultsError("no more");
+  };
+  EXPECT_EQ(error_of([&] { write_atomically(folder.file("x"), fails); }), "no more");
+  EXPECT_EQ(read_bytes(folder.file("x")), "old");
+  EXPECT_EQ(entries_of(folder.path()), std::vector<std::string>{"x"});
+}
+
 TEST(AtomicFile, AFolderIsNotReplaced) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("x"));
