@@ -108,6 +108,45 @@ constexpr bool is_artificial(std::int64_t id) { return id < 0; }
 /// Result of bringing one column into the basis.
 enum class PivotResult : std::uint8_t { ok, no_pivot };
 
+/// Points over which the simplex walks from facet to facet; see Kernels::walk_facets. All vectors in R^n,
+/// n <= 16, are of 16 numbers, padded with zeros.
+struct FacetWalk {
+  int n = 0;
+  const double* points = nullptr;       ///< of length 1 at most, one after the other
+  const std::int32_t* order = nullptr;  ///< place i holds point order[i]
+  const float* blocks = nullptr;        ///< all places, in blocks of 16; lanes beyond the last one hold 0
+  const double* wanted = nullptr;       ///< b
+  float* target = nullptr;              ///< the same in single precision
+  int listed = 0;                       ///< blocks of which points are chosen: ...
+  float share_of_highest = 0;           ///< ... those with b·p above so much of the highest
+  int room = 0;                         ///< columns that are chosen at most, but for 15
+  int pivot_limit = 0;
+
+  float* R = nullptr;          ///< in/out: n columns of B⁻¹
+  float* y = nullptr;          ///< in/out: Σ_i R_ik
+  std::int32_t* id = nullptr;  ///< in/out: the places of the basic columns
+  int chosen = 0;              ///< out: columns
+  int pivots = 0;              ///< out
+
+  double* share = nullptr;  ///< out, where it arrived: x = R b refined, what is below zero cut off,
+  double* rest = nullptr;   ///< b - B x as computed,
+  double* dual = nullptr;   ///< and y refined
+
+  float* x = nullptr;        ///< scratch: R b
+  float* columns = nullptr;  ///< scratch for the chosen points: n rows of `stride`, a multiple of 16
+  std::ptrdiff_t stride = 0;
+  std::int32_t* place = nullptr;  ///< scratch: of each
+  float* cost = nullptr;          ///< scratch, a number a place in the list and a column: 1 - y·p
+  float* along = nullptr;         ///< scratch, the same
+};
+
+/// How a walk over facets ended.
+enum class WalkEnd : std::uint8_t {
+  arrived,   ///< x >= 0, but for rounding
+  no_facet,  ///< none of the points bounds the step, or rounding is in the way
+  too_long,  ///< after pivot_limit basis changes
+};
+
 /// Points with u·p > threshold, found while taking the maximum; see Kernels::collect.
 struct Collection {
   std::int64_t* index = nullptr;  ///< capacity entries
@@ -195,10 +234,21 @@ struct Kernels {
   double (*collect)(const double* blocks, std::ptrdiff_t first_block, std::ptrdiff_t last_block, int n,
                     const double* u, Collection* collection);
 
+  /// The same of points and u in single precision, in blocks of 16.
+  double (*collect_single)(const float* blocks, std::ptrdiff_t first_block, std::ptrdiff_t last_block, int n,
+                           const float* u, Collection* collection);
+
   /// Brings `column` (m entries, padded with zeros) with reduced cost cost - y·column into the basis; the
   /// identity of the column that leaves is written to `left`.
   PivotResult (*pivot)(BasisView* basis, const double* column, double cost, double reduced_cost,
                        std::int64_t id, bool bland, std::int64_t* left);
+
+  /// Dual simplex on min Σβ, Σ β_j p_j = b, β >= 0 over some of the points, in single precision; the row that
+  /// leaves by the steepest edge. y·p <= 1 for all points at the start.
+  WalkEnd (*walk_facets)(FacetWalk* walk);
+
+  /// Then `count` more points, by their places, some of them with y·p > 1: the primal simplex goes on.
+  WalkEnd (*add_to_walk)(FacetWalk* walk, const std::int32_t* places, int count);
 
   /// Primal simplex on the LP of Example 2 over the priced points, entering the best point of A and the best
   /// of Q after each pricing. Basis rows: n coordinates, then convexity; m = n + 1.

@@ -9,6 +9,7 @@
 
 #include "engine/kernels/box_separation_kernels.h"
 #include "engine/kernels/certificate_kernels.h"
+#include "engine/kernels/facet_walk_kernels.h"
 #include "engine/kernels/gram_kernels.h"
 #include "engine/kernels/hull_separation_kernels.h"
 #include "engine/kernels/inverse_kernels.h"
@@ -26,8 +27,11 @@ const Kernels kKernels = {kWidth,
                           best_vertex,
                           price_lanes,
                           best_of_lanes,
-                          collect,
+                          collect<double>,
+                          collect<float>,
                           pivot,
+                          walk_facets,
+                          add_to_walk,
                           simplex_loop,
                           norms,
                           subtract_collected,

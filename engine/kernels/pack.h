@@ -82,6 +82,7 @@ inline Vec<float>::Pack floats_of(F f) {
 
 // b where one of them is NaN.
 inline Pack maximum(Pack a, Pack b) { return a > b ? a : b; }
+inline Vec<float>::Pack maximum(Vec<float>::Pack a, Vec<float>::Pack b) { return a > b ? a : b; }
 inline Pack minimum(Pack a, Pack b) { return a < b ? a : b; }
 inline Pack magnitude(Pack a) {
   return reinterpret_cast<Pack>(reinterpret_cast<IndexPack>(a) & broadcast_index(0x7fffffffffffffff));

@@ -259,51 +259,57 @@ void halve(Collection* c) {
 }
 
 // Adds those of one block's products that are above the threshold.
-inline void collect_block(const Pack* sum, std::ptrdiff_t b, Collection* c) {
+template <class Real>
+inline void collect_block(const typename Vec<Real>::Pack* sum, std::ptrdiff_t b, Collection* c) {
+  using V = Vec<Real>;
   for (int t = 0; t < kPacksPerBlock; ++t) {
-    for (unsigned above = lanes_above(sum[t], c->threshold); above != 0; above &= above - 1) {
+    for (unsigned above = lanes_above(sum[t], static_cast<Real>(c->threshold)); above != 0;
+         above &= above - 1) {
       const int lane = lowest_bit(above);
       const double v = sum[t][lane];
       if (c->count == c->capacity) halve(c);
       if (!(v > c->threshold)) continue;  // raised since
-      c->index[c->count] = b * kLanes + t * kWidth + lane;
+      c->index[c->count] = b * V::kPoints + t * V::kCount + lane;
       c->value[c->count++] = v;
     }
   }
 }
 
-template <int N>
-double collect_n(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
+template <int N, class Real>
+double collect_n(const Real* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const Real* u,
                  Collection* collection) {
-  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * kLanes;
+  using V = Vec<Real>;
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(N > 0 ? N : n) * V::kPoints;
   constexpr int kGroup = 4;  // blocks between two looks at the threshold
-  Pack best = broadcast(-kInfinity);
+  auto best = broadcast(static_cast<Real>(-kInfinity));
   std::ptrdiff_t b = first;
   for (; b + kGroup <= last; b += kGroup) {
-    Pack sum[kGroup][kPacksPerBlock];
+    typename V::Pack sum[kGroup][kPacksPerBlock];
     dot_blocks<N, kGroup>(blocks + b * stride, n, u, sum);
-    Pack top = sum[0][0];
+    auto top = sum[0][0];
     for (int g = 0; g < kGroup; ++g) {
       for (int t = 0; t < kPacksPerBlock; ++t) top = maximum(top, sum[g][t]);
     }
     best = maximum(best, top);
-    if (lanes_above(top, collection->threshold) != 0) [[unlikely]] {
-      for (int g = 0; g < kGroup; ++g) collect_block(sum[g], b + g, collection);
+    if (lanes_above(top, static_cast<Real>(collection->threshold)) != 0) [[unlikely]] {
+      for (int g = 0; g < kGroup; ++g) collect_block<Real>(sum[g], b + g, collection);
     }
   }
   for (; b < last; ++b) {
-    Pack sum[kPacksPerBlock];
+    typename V::Pack sum[kPacksPerBlock];
     dot_block<N>(blocks + b * stride, n, u, sum);
     for (int t = 0; t < kPacksPerBlock; ++t) best = maximum(best, sum[t]);
-    collect_block(sum, b, collection);
+    collect_block<Real>(sum, b, collection);
   }
   return largest_lane(best);
 }
 
-double collect(const double* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const double* u,
+template <class Real>
+double collect(const Real* blocks, std::ptrdiff_t first, std::ptrdiff_t last, int n, const Real* u,
                Collection* collection) {
-  return with_dimension(
-      n, [=](auto N) { return collect_n<decltype(N)::value>(blocks, first, last, n, u, collection); });
+  return with_dimension(n, [=](auto N) -> double {
+    return collect_n<decltype(N)::value>(blocks, first, last, n, u, collection);
+  });
 }
 
 // Of points that are stored in double or in single precision, as many blocks at a time as have chains of

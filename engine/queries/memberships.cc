@@ -17,6 +17,7 @@
 #include "engine/numerics/floating_point.h"
 #include "engine/proof/certificate.h"
 #include "engine/queries/membership_options.h"
+#include "engine/queries/point_gauges.h"
 #include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/queries/membership.h"
@@ -27,55 +28,19 @@
 namespace raygauge {
 namespace {
 
-using Points = Eigen::Ref<const Eigen::MatrixXd>;
-using Indices = std::vector<std::size_t>;
+using Points = PointGauges::Points;
+using Indices = PointGauges::Indices;
 
-constexpr std::size_t kFirstBlock = 256, kBlock = 4096;  // points after which new normals are kept
-constexpr std::ptrdiff_t kMostNormals = 1024;            // kept, and half as many as S has points: a solve
-                                                         // takes some ten passes over S
-
-// Bounds of the gauges of S at single points, in the numbers of X that are asked for. The batch keeps its
-// solvers.
-class PointGauges {
- public:
-  PointGauges(const ConvexSet& S, const PointsOptions& options)
-      : S_(&S),
-        batch_(options_of_membership(S, options.tolerance), options.threads),
-        points_(static_cast<std::size_t>(std::max(options.threads, 1))) {
-    if (options.stop) batch_.set_stop(options.stop);
-  }
-
-  // The gauges of X's columns `which`; both sets in `pose`, if there is one. Normals, of n doubles, if asked.
-  void solve(const Points& X, const Indices& which, const Pose* pose, bool with_normals) {
-    const int n = S_->dimension();
-    lower.assign(which.size(), 0.0);
-    upper.assign(which.size(), kInfinity);
-    normal.assign(with_normals ? which.size() * static_cast<std::size_t>(n) : 0, 0.0);
-    BatchAnswers answers;
-    answers.lower = lower;
-    answers.upper = upper;
-    answers.normal = normal;
-    const auto pair = [&](std::size_t i, int thread) {
-      std::optional<PointSet>& point = points_[static_cast<std::size_t>(thread)];
-      point.emplace(Eigen::MatrixXd(X.col(static_cast<Eigen::Index>(which[i]))));
-      return pose == nullptr ? PosedPair{*point, *S_} : PosedPair{{*point, *pose}, {*S_, *pose}};
-    };
-    batch_.gauge_distances(which.size(), pair, n, answers);
-  }
-
-  std::vector<double> lower, upper, normal;
-
- private:
-  const ConvexSet* S_;
-  PairBatch batch_;
-  std::vector<std::optional<PointSet>> points_;  // of each thread
-};
+constexpr std::size_t kFirstBlock = 256, kBlock = 65536;  // points after which new normals are kept
+constexpr std::size_t kFirstGauges = 4096;
+constexpr std::ptrdiff_t kMostNormals = 1024;  // kept, and half as many as S has points: a solve
+                                               // takes some ten passes over S
 
 // What single solves proved about a point set S, for all points. S is seen from near its centre c: S' holds
 // the rounded differences, whose errors are covered by a bound on the gauge of any small vector.
 class KnownHull {
  public:
-  KnownHull(const PointSet& S, const PointsOptions& options) : S_(&S), options_(options), c_(S.center()) {
+  KnownHull(const PointSet& S, const PointsOptions& options) : S_(&S), c_(S.center()) {
     const int n = S.dimension();
     Eigen::MatrixXd shifted(n, S.size());
     Vector p(n);
@@ -88,7 +53,6 @@ class KnownHull {
     shifted_.emplace(shifted);
     gauges_.emplace(*shifted_, options);
     measure_axes();
-    take_sample(4);
   }
 
   // Decides `which` points where it can; the others are left in `which`.
@@ -99,12 +63,7 @@ class KnownHull {
       return is_beyond(x) && note(answers[i], Membership::outside);
     });
     if (!(per_residual_ < kInfinity)) return;
-    if (sample_gauges_) {
-      const std::size_t asked = which.size();
-      ask(*sample_gauges_, X, which, answers);
-      if (sample_every_ * which.size() > asked) take_sample(sample_every_ / 2);
-    }
-    ask(*gauges_, X, which, answers);
+    ask(X, which, answers);
   }
 
  private:
@@ -117,40 +76,24 @@ class KnownHull {
     which = std::move(rest);
   }
 
-  // By single solves for all points of S' or for some.
-  void ask(PointGauges& gauges, const Points& X, Indices& which, std::vector<Membership>& answers) {
+  // By the gauges of S'.
+  void ask(const Points& X, Indices& which, std::vector<Membership>& answers) {
     const int n = S_->dimension();
     Eigen::MatrixXd seen(n, std::ssize(which));
     for (std::size_t i = 0; i < which.size(); ++i)
       seen.col(static_cast<Eigen::Index>(i)) = X.col(static_cast<Eigen::Index>(which[i])) - c_;
     Indices all(which.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    gauges.solve(seen, all, nullptr, true);
+    gauges_->solve(seen, all, nullptr, true);
     std::size_t k = 0;
     drop(which, [&](std::size_t i) {
       const std::size_t at = k++;
       const auto x = seen.col(static_cast<Eigen::Index>(at));
-      if (is_at_most_one(gauges.upper[at], x)) return note(answers[i], Membership::inside);
-      if (!(gauges.lower[at] > 1)) return false;
-      const Vector w = -Vector::Map(gauges.normal.data() + at * static_cast<std::size_t>(n), n);
+      if (is_at_most_one(gauges_->upper[at], x)) return note(answers[i], Membership::inside);
+      if (!(gauges_->lower[at] > 1)) return false;
+      const Vector w = -Vector::Map(gauges_->normal.data() + at * static_cast<std::size_t>(n), n);
       return separates(w, X.col(static_cast<Eigen::Index>(i))) && note(answers[i], Membership::outside);
     });
-  }
-
-  // Every fourth point, or every other: what is in their hull is in that of all, and is proven in half the
-  // time or two thirds. A sample is kept as long as it leaves at most a quarter of the points open, or half
-  // of them.
-  void take_sample(std::size_t every) {
-    constexpr std::ptrdiff_t kLeast = 16;  // points a dimension
-    const std::ptrdiff_t size = S_->size() / static_cast<std::ptrdiff_t>(every);
-    sample_every_ = every;
-    sample_gauges_.reset();
-    if (every == 1 || size < kLeast * S_->dimension()) return;
-    Eigen::MatrixXd sample(S_->dimension(), size);
-    for (std::ptrdiff_t j = 0; j < size; ++j)
-      shifted_->copy_point(static_cast<std::ptrdiff_t>(every) * j, sample.col(j).data());
-    sample_.emplace(sample);
-    sample_gauges_.emplace(*sample_, options_);
   }
 
   static bool note(Membership& answer, Membership proven) {
@@ -161,17 +104,8 @@ class KnownHull {
   // The gauges of ±e_k in S', and G with gauge_{S-c}(r) <= G |r|∞. With e the rounding of S',
   // e_k = Σβ p' = Σβ (p - c) + r, |r|∞ <= e Σβ, so that G <= G' / (1 - e G').
   void measure_axes() {
+    axis_gauge_ = gauges_->axis_gauges();
     const int n = S_->dimension();
-    Eigen::MatrixXd axes(n, 2 * n);
-    axes << Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
-    Indices all(static_cast<std::size_t>(2 * n));
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    gauges_->solve(axes, all, nullptr, false);
-    axis_gauge_.resize(n);
-    for (int k = 0; k < n; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      axis_gauge_[k] = std::max(gauges_->upper[at], gauges_->upper[at + static_cast<std::size_t>(n)]);
-    }
     const double sum = axis_gauge_.sum() * (1 + (n + 1) * kUnitRoundoff);
     if (rounding_ * sum < 0.5) per_residual_ = sum / (1 - rounding_ * sum) * (1 + 8 * kUnitRoundoff);
   }
@@ -237,11 +171,9 @@ class KnownHull {
   }
 
   const PointSet* S_;
-  const PointsOptions& options_;
   Vector c_;
-  std::optional<PointSet> shifted_, sample_;
-  std::optional<PointGauges> gauges_, sample_gauges_;
-  std::size_t sample_every_ = 1;
+  std::optional<PointSet> shifted_;
+  std::optional<PointGauges> gauges_;
   double rounding_ = 0;              // of any coordinate of S'
   double per_residual_ = kInfinity;  // G
   Vector axis_gauge_;
@@ -258,19 +190,19 @@ void check_points(const char* query, const ConvexSet& S, const Points& X, const 
 // Consecutive numbers, one block after the other: the first ones are short, so that later ones profit.
 class Blocks {
  public:
-  explicit Blocks(std::size_t count) : count_(count) {}
+  Blocks(std::size_t count, std::size_t first) : count_(count), size_(first) {}
 
   bool next(Indices& which) {
     const std::size_t size = std::min(size_, count_ - first_);
     which.resize(size);
     std::iota(which.begin(), which.end(), first_);
     first_ += size;
-    size_ = std::min(2 * size_, kBlock);
+    size_ = std::min(4 * size_, kBlock);
     return size > 0;
   }
 
  private:
-  std::size_t count_, first_ = 0, size_ = kFirstBlock;
+  std::size_t count_, first_ = 0, size_;
 };
 
 }  // namespace
@@ -281,7 +213,7 @@ std::vector<GaugeBounds> gauges(const ConvexSet& S, const Points& X, const Point
   std::vector<GaugeBounds> bounds(count, {0, kInfinity});
   PointGauges solver(S, options);
   Vector normal(S.dimension());
-  Blocks blocks(count);
+  Blocks blocks(count, kFirstGauges);
   for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;
     solver.solve(X, which, nullptr, false);
@@ -307,7 +239,7 @@ std::vector<Membership> memberships(const ConvexSet& S, const Points& X, const P
   std::optional<KnownHull> known;
   if (const PointSet* points = as_point_set(S); points != nullptr && X.cols() > 4 * X.rows())
     known.emplace(*points, options);
-  Blocks blocks(count);
+  Blocks blocks(count, kFirstBlock);
   for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;
     if (known) known->decide(X, which, answers);

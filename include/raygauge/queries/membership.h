@@ -44,15 +44,15 @@ struct PointsOptions {
       stop;  ///< asked often and by all threads; once true, the other points stay unanswered
 };
 
-/// gauge() of each column of X; [0, inf] of one that `stop` left out. Throws as gauge(), for a column of X in
-/// the words of PairBatch.
+/// gauge() of each column of X; [0, inf] of one that `stop` left out. Where X has 1024 columns and more, a
+/// hull of 60 n to 65 536 points, n <= 16, is walked from facet to facet: the dual simplex starts from what
+/// was found for a point near by. Throws as gauge(), for a column of X in the words of PairBatch.
 std::vector<GaugeBounds> gauges(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
                                 const PointsOptions& options = {});
 
 /// contains() of each column of X; `undecided` of one that `stop` left out. Of a point set S most points are
 /// answered by what others proved. x is outside where an earlier point's normal w has w·x > h_S(w). It is
-/// inside where Σ |x - c|_k max(gauge_{S-c}(e_k), gauge_{S-c}(-e_k)) <= 1, or in the hull of a few of S's
-/// points. Throws as gauges().
+/// inside where Σ |x - c|_k max(gauge_{S-c}(e_k), gauge_{S-c}(-e_k)) <= 1. Throws as gauges().
 std::vector<Membership> memberships(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
                                     const PointsOptions& options = {});
 

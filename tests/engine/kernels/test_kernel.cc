@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -90,9 +91,9 @@ TEST_P(EveryInstructionSet, CollectsExactlyThePointsAboveTheThreshold) {
       const PointSet S(points);
       const Vector values = points.transpose() * u;
       const double threshold = values.mean();
-      std::vector<std::int64_t> index(static_cast<std::size_t>(N + 8));
+      std::vector<std::int64_t> index(static_cast<std::size_t>(N + 16));
       std::vector<double> value(index.size());
-      Collection collection{index.data(), value.data(), N + 8, 0, threshold};
+      Collection collection{index.data(), value.data(), N + 16, 0, threshold};
       const double maximum = kernels().collect(S.data(), 0, S.block_count(), n, u.data(), &collection);
 
       std::vector<std::int64_t> expected;
@@ -102,6 +103,19 @@ TEST_P(EveryInstructionSet, CollectsExactlyThePointsAboveTheThreshold) {
       ASSERT_EQ(maximum, values.maxCoeff());
       ASSERT_EQ(collected_points(collection, N), expected) << "n = " << n << ", N = " << N;
       ASSERT_EQ(collection.threshold, threshold);
+
+      // In single precision likewise: integers are exact there.
+      const Eigen::VectorXf single = u.cast<float>();
+      const auto at_half = static_cast<float>(std::floor(threshold) + 0.5);
+      Collection collected{index.data(), value.data(), N + 16, 0, at_half};
+      ASSERT_EQ(
+          kernels().collect_single(S.single_data(), 0, S.single_block_count(), n, single.data(), &collected),
+          values.maxCoeff());
+      expected.clear();
+      for (int i = 0; i < N; ++i) {
+        if (values[i] > at_half) expected.push_back(i);
+      }
+      ASSERT_EQ(collected_points(collected, N), expected) << "n = " << n << ", N = " << N;
     }
   }
 }

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/kernels/kernel.h"
+#include "engine/numerics/aligned_buffer.h"
+#include "engine/threads/chunk_team.h"
+#include "engine/threads/shared_tools.h"
+#include "raygauge/sets/point_set.h"
+
+namespace raygauge {
+
+/// Proven bounds of the gauge of a set at one point.
+struct WalkAnswer {
+  double lower = 0;
+  double upper = 0;
+  bool closed = false;  ///< within the tolerance; the other values say nothing without
+};
+
+/// The points of a set as walks read them: times a power of two, so that all have length 1 at most.
+struct WalkedPoints {
+  static constexpr int kRow = 16;  ///< numbers a point, the last ones 0
+
+  /// `gauge_of_axes`: at least max(gauge(e_k), gauge(-e_k)).
+  WalkedPoints(const PointSet& S, const Vector& gauge_of_axes, double tolerance, const Kernels& kernels);
+
+  const Kernels* kernels;
+  const PointSet* S;
+  int n;
+  double tolerance;
+  int exponent = 0;            ///< of that power
+  bool usable = false;         ///< few coordinates, in the range of single precision
+  AlignedBuffer<double> rows;  ///< the points, times that power
+  Vector magnitude;            ///< max_i |p_ik|, times that power
+  Vector axis_gauge;           ///< by that power
+};
+
+class FacetWalker;
+
+/// Gauges of a hull of points at many points, by walks from facet to facet. Points are asked in groups, each
+/// about a facet that a solve has found; within a group each point starts from that of the facets found
+/// before it whose plane it is farthest beyond, and the dual simplex walks over those of the set's points
+/// that are near. Of the last facet it is proven, by a pass in single precision over what may reach its plane
+/// and by products in double, that no point is beyond; those that are join the others, and the primal simplex
+/// goes on. A group is walked on one thread, so that answers do not depend on their number.
+class FacetWalks {
+ public:
+  /// `gauge_of_axes` as in WalkedPoints.
+  FacetWalks(const PointSet& S, const Vector& gauge_of_axes, double tolerance, int threads,
+             const Kernels& kernels = best_kernels());
+  ~FacetWalks();
+
+  /// Whether the points suit: of few coordinates, not too far apart in size, and their lists shorter.
+  bool usable() const noexcept { return points_.usable; }
+
+  /// How many facets there should be for a number of points, and how many there are.
+  static std::ptrdiff_t facets_for(std::size_t points) noexcept;
+  std::ptrdiff_t facets() const noexcept { return std::ssize(normals_); }
+
+  /// A facet of S by the normal of its plane, of any length.
+  void add_facet(const Vector& normal);
+
+  /// The gauges at X's columns `which`, and normals, n doubles each, where there is room. Those that a stop
+  /// left out are not closed.
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& X, std::span<const std::size_t> which,
+             const std::function<bool()>& stop, std::span<WalkAnswer> answers, std::span<double> normals);
+
+ private:
+  void sort_by_group(const Eigen::Ref<const Eigen::MatrixXd>& X, std::span<const std::size_t> which);
+
+  WalkedPoints points_;
+  std::vector<Vector> normals_;        // w of the facets, with w·p <= 1
+  AlignedBuffer<double> blocks_;       // of them
+  std::vector<std::size_t> first_;     // of each group among
+  std::vector<std::size_t> by_group_;  // positions in `which`
+  std::vector<std::size_t> group_of_;
+  ChunkTeam team_;
+  SharedTools<FacetWalker> walkers_;
+};
+
+}  // namespace raygauge
