@@ -78,7 +78,7 @@ const ObjectDistance& MeshDistanceSolver::solve(const PosedMesh& A1, const Posed
   check_pose(A1.pose);
   check_pose(A2.pose);
   check_effects(effects);
-  return search_->distance(A1, A2, effects, warm);
+  return search_->distance(MeshPair(A1, A2), effects, warm);
 }
 
 const ObjectDistance& MeshDistanceSolver::solve(const PosedMesh& A1, const Posed& A2, ObjectEffects effects,
@@ -87,7 +87,7 @@ const ObjectDistance& MeshDistanceSolver::solve(const PosedMesh& A1, const Posed
   check_pose(A1.pose);
   check_set(A2);
   check_effects(effects);
-  return search_->distance(A1, A2, effects, warm);
+  return search_->distance(MeshPair(A1, A2), effects, warm);
 }
 
 const ObjectDistance& MeshDistanceSolver::solve(const Posed& A1, const Posed& A2, ObjectEffects effects,
@@ -114,14 +114,14 @@ Separation MeshDistanceSolver::separation(const Posed& A1, const Posed& A2, Mesh
 Separation MeshDistanceSolver::separation(const PosedMesh& A1, const PosedMesh& A2, MeshWarmStart* warm) {
   check_pose(A1.pose);
   check_pose(A2.pose);
-  return search_->separation(A1, A2, warm);
+  return search_->separation(MeshPair(A1, A2), warm);
 }
 
 Separation MeshDistanceSolver::separation(const PosedMesh& A1, const Posed& A2, MeshWarmStart* warm) {
   if (const Mesh* other = as_mesh(A2.set)) return separation(A1, posed(*other, A2.pose), warm);
   check_pose(A1.pose);
   check_set(A2);
-  return search_->separation(A1, A2, warm);
+  return search_->separation(MeshPair(A1, A2), warm);
 }
 
 bool MeshDistanceSolver::meets_if_moved(double way) { return search_->meets_if_moved(way); }
