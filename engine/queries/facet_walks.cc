@@ -54,9 +54,8 @@ FacetWalks::FacetWalks(const PointSet& S, const Vector& gauge_of_axes, double to
                        const Kernels& kernels)
     : points_(S, gauge_of_axes, tolerance, kernels) {
   if (!usable()) return;
-  for (int k = 0; k < threads; ++k) walkers_.add(std::make_unique<FacetWalker>(points_));
+  for (int k = 0; k < threads; ++k) walkers_.add(std::make_unique<std::unique_ptr<FacetWalker>>());
   team_.be_patient();
-  team_.resize(threads);
 }
 
 FacetWalks::~FacetWalks() = default;
@@ -106,17 +105,19 @@ void FacetWalks::sort_by_group(const Eigen::Ref<const Eigen::MatrixXd>& X,
 void FacetWalks::solve(const Eigen::Ref<const Eigen::MatrixXd>& X, std::span<const std::size_t> which,
                        const std::function<bool()>& stop, std::span<WalkAnswer> answers,
                        std::span<double> normals) {
+  team_.resize(static_cast<int>(std::clamp<std::ptrdiff_t>(facets(), 1, std::ssize(walkers_.all()))));
   sort_by_group(X, which);
   std::mutex mutex;
   std::exception_ptr error;
   std::atomic<bool> ended = false;
   const auto walk_group = [&](std::size_t group) {
-    walkers_.lend([&](FacetWalker& walker) {
-      if (first_[group] == first_[group + 1] || !walker.begin(normals_[group])) return;
+    walkers_.lend([&](std::unique_ptr<FacetWalker>& walker) {
+      if (!walker) walker = std::make_unique<FacetWalker>(points_);
+      if (first_[group] == first_[group + 1] || !walker->begin(normals_[group])) return;
       for (std::size_t k = first_[group]; k < first_[group + 1]; ++k) {
         const std::size_t at = by_group_[k], n = static_cast<std::size_t>(points_.n);
         const double* x = X.col(static_cast<Eigen::Index>(which[at])).data();
-        answers[at] = walker.gauge(x, normals.empty() ? nullptr : normals.data() + at * n);
+        answers[at] = walker->gauge(x, normals.empty() ? nullptr : normals.data() + at * n);
       }
     });
   };

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -80,7 +81,7 @@ class FacetWalks {
   std::vector<std::size_t> by_group_;  // positions in `which`
   std::vector<std::size_t> group_of_;
   ChunkTeam team_;
-  SharedTools<FacetWalker> walkers_;
+  SharedTools<std::unique_ptr<FacetWalker>> walkers_;  // each made when it is first lent
 };
 
 }  // namespace raygauge
