@@ -270,7 +270,7 @@ std::int32_t DepthSearch<Real>::walk_to_exit(const Vector3& u) const {
     if (!(weights_along(at, u, weight) < std::numeric_limits<double>::infinity())) return -1;
     const auto least = std::min_element(weight, weight + 3);
     if (!(*least < 0)) return at;
-    at = polytope_.facet(at).neighbour[(least - weight + 1) % 3];
+    at = facet_at(polytope_.facet(at).beyond[(least - weight + 1) % 3]);
   }
   return -1;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "raygauge/numerics/vector3.h"
+
 namespace raygauge {
 
 /// Eight triangles, one to a lane, as structure of arrays.
@@ -18,5 +20,8 @@ struct alignas(64) FacetLanes {
 /// What InnerPolytope<double>::measure does, of all lanes, for corners of length at most `size`; the same
 /// bits whatever the machine.
 void measure_facets(double size, FacetLanes& lanes);
+
+/// The same of facets i from corners i and i + 1 of the rim to `apex`.
+void measure_fan_of_facets(double size, const Vector3& apex, FacetLanes& lanes);
 
 }  // namespace raygauge

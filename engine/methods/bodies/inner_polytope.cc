@@ -43,9 +43,10 @@ void InnerPolytope<Real>::begin_octahedron(const DepthPoint<Real>* corners, doub
     const std::int32_t x = i >> 2, y = 2 + (i >> 1 & 1), z = 4 + (i & 1);
     const bool is_even = (x + y + z) % 2 == 0;
     DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(make(x, is_even ? y : z, is_even ? z : y))];
-    facet.neighbour[0] = i ^ (is_even ? 1 : 2);
-    facet.neighbour[1] = i ^ 4;
-    facet.neighbour[2] = i ^ (is_even ? 2 : 1);
+    // The edges of the facet beyond are the same ones in the opposite order.
+    facet.beyond[0] = edge_of(i ^ (is_even ? 1 : 2), 2);
+    facet.beyond[1] = edge_of(i ^ 4, 1);
+    facet.beyond[2] = edge_of(i ^ (is_even ? 2 : 1), 0);
   }
   measure_made();
 }
@@ -60,7 +61,7 @@ void InnerPolytope<Real>::join(const DepthMemory& memory, double size) {
   mark_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     std::copy_n(memory.facets()[i].corner.begin(), 3, facets_[i].corner);
-    std::copy_n(memory.facets()[i].neighbour.begin(), 3, facets_[i].neighbour);
+    std::copy_n(memory.facets()[i].beyond.begin(), 3, facets_[i].beyond);
     facets_[i].stamp = ++stamps_;
     made_[i] = static_cast<std::int32_t>(i);
   }
@@ -89,14 +90,14 @@ std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
 
 template <class Real>
 void InnerPolytope<Real>::record_facets(DepthMemory& memory) const {
-  const auto byte = [](auto number) { return static_cast<std::uint8_t>(number); };
   memory.facets_.reserve(facets_.size());  // all or none, should memory end
   for (const DepthFacet<Real>& from : facets_) {
     if (from.stamp == 0) continue;
     DepthMemory::Facet& facet = memory.facets_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      facet.corner[k] = byte(place_[static_cast<std::size_t>(from.corner[k])]);
-      facet.neighbour[k] = byte(mark_[static_cast<std::size_t>(from.neighbour[k])]);
+      facet.corner[k] = static_cast<std::uint8_t>(place_[static_cast<std::size_t>(from.corner[k])]);
+      const auto place = static_cast<std::int32_t>(mark_[static_cast<std::size_t>(facet_at(from.beyond[k]))]);
+      facet.beyond[k] = static_cast<std::uint16_t>(edge_of(place, corner_at(from.beyond[k])));
     }
   }
 }
@@ -116,8 +117,11 @@ bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
   make(2, 1, 3);
   make(0, 2, 3);
   measure_made();
-  constexpr std::int32_t kNeighbours[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  for (std::size_t i = 0; i < 4; ++i) std::copy_n(kNeighbours[i], 3, facets_[i].neighbour);
+  constexpr std::int32_t kBeyond[4][3] = {{edge_of(1, 0), edge_of(2, 0), edge_of(3, 0)},
+                                          {edge_of(0, 0), edge_of(3, 2), edge_of(2, 1)},
+                                          {edge_of(0, 1), edge_of(1, 2), edge_of(3, 1)},
+                                          {edge_of(0, 2), edge_of(2, 2), edge_of(1, 1)}};
+  for (std::size_t i = 0; i < 4; ++i) std::copy_n(kBeyond[i], 3, facets_[i].beyond);
   return true;
 }
 
@@ -145,6 +149,19 @@ void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
   if (!(size > kLeastFacetNormal && least > needed)) facet.offset = std::min(facet.offset, 0.0);
 }
 
+// Of the lanes, for those that were made, from `first` on.
+template <class Real>
+void InnerPolytope<Real>::read_lanes(std::size_t first, std::size_t count) {
+  if constexpr (kIsDouble<Real>) {
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[first + lane])];
+      facet.n = {lanes_.n[0][lane], lanes_.n[1][lane], lanes_.n[2][lane]};
+      facet.reach = lanes_.reach[lane];
+      facet.offset = lanes_.offset[lane];
+    }
+  }
+}
+
 // Those that were made, eight at a time in doubles.
 template <class Real>
 void InnerPolytope<Real>::measure_made() {
@@ -164,27 +181,51 @@ void InnerPolytope<Real>::measure_made() {
         }
       }
       measure_facets(size_, lanes_);
+      read_lanes(first, count);
+    }
+  }
+}
+
+// The same of those from the edges of the rim to a new corner.
+template <class Real>
+void InnerPolytope<Real>::measure_fan(const Vector& apex) {
+  if constexpr (!kIsDouble<Real>) {
+    measure_made();
+  } else {
+    constexpr std::size_t kCount = FacetLanes::kCount;
+    for (std::size_t first = 0; first < rim_count_; first += kCount) {
+      const std::size_t count = std::min(kCount, rim_count_ - first);
       for (std::size_t lane = 0; lane < count; ++lane) {
-        DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[first + lane])];
-        facet.n = {lanes_.n[0][lane], lanes_.n[1][lane], lanes_.n[2][lane]};
-        facet.reach = lanes_.reach[lane];
-        facet.offset = lanes_.offset[lane];
+        const Edge& edge = rim_[first + lane];
+        const Vector &from = point(edge.from).s, &to = point(edge.to).s;
+        lanes_.corner[0][0][lane] = from.x;
+        lanes_.corner[0][1][lane] = from.y;
+        lanes_.corner[0][2][lane] = from.z;
+        lanes_.corner[1][0][lane] = to.x;
+        lanes_.corner[1][1][lane] = to.y;
+        lanes_.corner[1][2][lane] = to.z;
       }
+      measure_fan_of_facets(size_, apex, lanes_);
+      read_lanes(first, count);
     }
   }
 }
 
 template <class Real>
-std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int32_t c) {
-  std::int32_t index = 0;
+std::int32_t InnerPolytope<Real>::room_for_facet() {
   if (free_.empty()) {
-    index = facet_count();
     facets_.emplace_back();
     mark_.push_back(0);
-  } else {
-    index = free_.back();
-    free_.pop_back();
+    return facet_count() - 1;
   }
+  const std::int32_t index = free_.back();
+  free_.pop_back();
+  return index;
+}
+
+template <class Real>
+std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int32_t c) {
+  const std::int32_t index = room_for_facet();
   DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(index)];
   facet.corner[0] = a;
   facet.corner[1] = b;
@@ -199,79 +240,80 @@ bool InnerPolytope<Real>::sees(std::int32_t i, const Vector& x) const {
   return high(above(facet(i), x)) > noise_;
 }
 
-// The rim of the facets that x sees, in order, by walking around them; and these facets.
+// The rim of the facets that x sees, in order, by walking around them; and these facets. Of F facets the
+// whole surface has 3 F/2 edges.
 template <class Real>
 void InnerPolytope<Real>::find_rim(std::int32_t first, const Vector& x) {
-  ++searches_;
-  rim_.clear();
-  seen_.assign(1, first);
-  mark_[static_cast<std::size_t>(first)] = searches_;
-  stack_.assign(1, {first, 0, 3});
-  while (!stack_.empty()) {
-    Visit& visit = stack_.back();
-    if (visit.left == 0) {
-      stack_.pop_back();
-      continue;
-    }
-    const int edge = visit.edge;
-    visit.edge = kNext[edge];
-    --visit.left;
-    const DepthFacet<Real>& here = facet(visit.facet);
-    const std::int32_t beyond = here.neighbour[edge], from = here.corner[edge], to = here.corner[kNext[edge]];
-    const bool known = mark_[static_cast<std::size_t>(beyond)] == searches_;
-    if (known) continue;
-    if (!sees(beyond, x)) {
-      rim_.push_back({from, to, beyond});
-      continue;
-    }
-    mark_[static_cast<std::size_t>(beyond)] = searches_;
-    seen_.push_back(beyond);
-    const DepthFacet<Real>& other = facet(beyond);
-    int entry = 0;
-    while (entry < 2 && other.corner[entry] != to) ++entry;
-    stack_.push_back({beyond, kNext[entry], 2});
+  const std::size_t most = 2 * facets_.size() + 3;
+  if (stack_.size() < most) {
+    stack_.resize(2 * most);
+    seen_.resize(2 * most);
+    rim_.resize(2 * most);
   }
+  const std::int64_t search = ++searches_;
+  std::int64_t* const mark = mark_.data();
+  std::int32_t *const bottom = stack_.data(), *top = bottom, *seen = seen_.data();
+  Edge* rim = rim_.data();
+  const auto enter = [&](std::int32_t i) {
+    mark[i] = search;
+    *seen++ = i;
+  };
+  enter(first);
+  for (const int corner : {2, 1, 0}) *top++ = edge_of(first, corner);
+  while (top != bottom) {
+    const std::int32_t edge = *--top;
+    const DepthFacet<Real>& here = facet(facet_at(edge));
+    const std::int32_t back = here.beyond[corner_at(edge)], beyond = facet_at(back);
+    if (mark[beyond] == search) continue;
+    if (!sees(beyond, x)) {
+      *rim++ = {here.corner[corner_at(edge)], here.corner[kNext[corner_at(edge)]], back};
+      continue;
+    }
+    enter(beyond);
+    const int next = kNext[corner_at(back)];
+    *top++ = edge_of(beyond, kNext[next]);
+    *top++ = edge_of(beyond, next);
+  }
+  seen_count_ = static_cast<std::size_t>(seen - seen_.data());
+  rim_count_ = static_cast<std::size_t>(rim - rim_.data());
 }
 
 template <class Real>
 bool InnerPolytope<Real>::is_loop() const {
-  if (rim_.size() < 3) return false;
-  for (std::size_t i = 0; i < rim_.size(); ++i) {
-    if (rim_[i].to != rim_[i + 1 < rim_.size() ? i + 1 : 0].from) return false;
+  if (rim_count_ < 3) return false;
+  for (std::size_t i = 0; i < rim_count_; ++i) {
+    if (rim_[i].to != rim_[i + 1 < rim_count_ ? i + 1 : 0].from) return false;
   }
   return true;
 }
 
-template <class Real>
-void InnerPolytope<Real>::link(std::int32_t i, std::int32_t from, std::int32_t to, std::int32_t neighbour) {
-  DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(i)];
-  for (int e = 0; e < 3; ++e) {
-    if (facet.corner[e] == from && facet.corner[kNext[e]] == to) facet.neighbour[e] = neighbour;
-  }
-}
-
+// The places of the facets that are seen are taken first.
 template <class Real>
 RAYGAUGE_FUSED bool InnerPolytope<Real>::add(std::int32_t first, const DepthPoint<Real>& added) {
   find_rim(first, added.s);
   if (!is_loop()) return false;
   const auto apex = static_cast<std::int32_t>(points_.size());
   points_.push_back(added);
-  for (const std::int32_t i : seen_) {
-    facets_[static_cast<std::size_t>(i)].stamp = 0;
-    free_.push_back(i);
+  for (std::size_t k = rim_count_; k < seen_count_; ++k) {
+    facets_[static_cast<std::size_t>(seen_[k])].stamp = 0;
+    free_.push_back(seen_[k]);
   }
-  made_.clear();
-  for (const Edge& edge : rim_) {
-    const std::int32_t i = make(edge.from, edge.to, apex);
-    facets_[static_cast<std::size_t>(i)].neighbour[0] = edge.beyond;
-    link(edge.beyond, edge.to, edge.from, i);
-  }
-  measure_made();
-  for (std::size_t k = 0; k < made_.size(); ++k) {
+  made_.resize(rim_count_);
+  for (std::size_t k = 0; k < rim_count_; ++k) made_[k] = k < seen_count_ ? seen_[k] : room_for_facet();
+  for (std::size_t k = 0; k < rim_count_; ++k) {
+    const Edge& edge = rim_[k];
     DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[k])];
-    facet.neighbour[1] = made_[k + 1 < made_.size() ? k + 1 : 0];
-    facet.neighbour[2] = made_[k > 0 ? k - 1 : made_.size() - 1];
+    facet.corner[0] = edge.from;
+    facet.corner[1] = edge.to;
+    facet.corner[2] = apex;
+    facet.stamp = ++stamps_;
+    facet.beyond[0] = edge.beyond;
+    facet.beyond[1] = edge_of(made_[k + 1 < rim_count_ ? k + 1 : 0], 2);
+    facet.beyond[2] = edge_of(made_[k > 0 ? k - 1 : rim_count_ - 1], 1);
+    facets_[static_cast<std::size_t>(facet_at(edge.beyond))].beyond[corner_at(edge.beyond)] =
+        edge_of(made_[k], 0);
   }
+  measure_fan(added.s);
   return true;
 }
 

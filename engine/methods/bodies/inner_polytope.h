@@ -21,15 +21,20 @@ struct DepthPoint {
   std::int32_t index_1 = -1, index_2 = -1;
 };
 
+/// An edge of a facet, from its corner 0, 1 or 2 to the next one: one number.
+constexpr std::int32_t edge_of(std::int32_t facet, int corner) { return 4 * facet + corner; }
+constexpr std::int32_t facet_at(std::int32_t edge) { return edge >> 2; }
+constexpr int corner_at(std::int32_t edge) { return edge & 3; }
+
 /// A triangle of the surface, its corners counterclockwise seen from outside.
 template <class Real>
 struct DepthFacet {
   std::int32_t corner[3] = {};
-  std::int32_t neighbour[3] = {};  ///< beyond the edge from corner i to corner i + 1
-  BasicVector3<Real> n;            ///< outward, of length 1 to a few rounding units
-  Real reach{};                    ///< max n·s over the corners
-  double offset = 0;               ///< n·x >= offset for every x in the triangle, proven for the n stored
-  std::int64_t stamp = 0;          ///< 0: not a facet any more
+  std::int32_t beyond[3] = {};  ///< the edge from corner i to corner i + 1 as that of the facet beyond it
+  BasicVector3<Real> n;         ///< outward, of length 1 to a few rounding units
+  Real reach{};                 ///< max n·s over the corners
+  double offset = 0;            ///< n·x >= offset for every x in the triangle, proven for the n stored
+  std::int64_t stamp = 0;       ///< 0: not a facet any more
 };
 
 /// The surface of a polytope P whose corners are points of D: begin() makes a tetrahedron, add() replaces the
@@ -97,29 +102,28 @@ class InnerPolytope {
   struct Edge {
     std::int32_t from, to, beyond;
   };
-  struct Visit {
-    std::int32_t facet;
-    int edge, left;
-  };
 
   std::size_t number(DepthMemory& memory);
   void record_facets(DepthMemory& memory) const;
   void restart(double size);
   void join(const DepthMemory& memory, double size);
   std::int32_t make(std::int32_t a, std::int32_t b, std::int32_t c);
+  std::int32_t room_for_facet();
   void measure_made();
+  void measure_fan(const Vector& apex);
+  void read_lanes(std::size_t first, std::size_t count);
   void measure(DepthFacet<Real>& facet) const;
   void find_rim(std::int32_t facet, const Vector& x);
   bool is_loop() const;
   bool sees(std::int32_t facet, const Vector& x) const;
-  void link(std::int32_t facet, std::int32_t from, std::int32_t to, std::int32_t neighbour);
 
   std::vector<DepthPoint<Real>> points_;
   std::vector<DepthFacet<Real>> facets_;
   std::vector<std::int32_t> free_, made_, seen_;
   std::vector<std::int64_t> mark_;  // of facets: the search that has seen them
   std::vector<Edge> rim_;
-  std::vector<Visit> stack_;
+  std::vector<std::int32_t> stack_;             // edges to be crossed
+  std::size_t rim_count_ = 0, seen_count_ = 0;  // of what the last search has put there
   FacetLanes lanes_;
   std::vector<std::int32_t> place_;  // of what is recorded
   std::int64_t stamps_ = 0, searches_ = 0;

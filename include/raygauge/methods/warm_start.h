@@ -22,7 +22,8 @@ class DepthMemory {
     std::int32_t index_1 = -1, index_2 = -1;
   };
   struct Facet {
-    std::array<std::uint8_t, 3> corner{}, neighbour{};
+    std::array<std::uint8_t, 3> corner{};
+    std::array<std::uint16_t, 3> beyond{};
   };
 
   bool empty() const noexcept { return facets_.empty(); }
