@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/methods/bodies/body_oracles.h"
+#include "engine/methods/bodies/zonotope_depth.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/proof/bounds.h"
 #include "engine/queries/spatial_solve.h"
@@ -77,7 +78,9 @@ class BodyDepth {
   InHull in_hull() const;
   Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) const;
   bool leave_hull(double tolerance, BodyDepthAnswer& answer);
+  bool leave_boxes(double tolerance, BodyDepthAnswer& answer);
   void add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const;
+  void add_near_facets(double relative, double angle, std::vector<Vector3>& normals) const;
   void search(double tolerance, const PairStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
   template <class Real>
   void take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer);
@@ -94,11 +97,18 @@ class BodyDepth {
   DepthSearch<DoubleDouble> precise_;
   Vector3 normal_;              // of the answer, in the frame of the first body, outward of S1 - S2
   HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
-  double tiny_ = 0;             // at least |s| on the difference of cores that are as good as one point
-  double floor_ = 0;            // proven of the depth of the cores
-  PairStart nearest_;           // of the cores, where these are apart
-  bool has_points_ = false;     // of the answer
-  enum class Source : std::uint8_t { none, hull, quick, precise } source_ = Source::none;  // searched last
+  ZonotopeDepth boxes_;
+  double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
+  double floor_ = 0;         // proven of the depth of the cores
+  PairStart nearest_;        // of the cores, where these are apart
+  bool has_points_ = false;  // of the answer
+  enum class Source : std::uint8_t {
+    none,
+    hull,
+    boxes,
+    quick,
+    precise
+  } source_ = Source::none;  // searched last
 };
 
 }  // namespace raygauge

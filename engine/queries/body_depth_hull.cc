@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 //
-// The depth of a ball or a capsule whose core is in a hull with a known surface: no search.
+// The depth of bodies of which all facets are known: no search. A ball or a capsule whose core is in a hull
+// with a known surface; two boxes, or a box and a capsule.
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +68,44 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   put_points(normal_, in.is_second ? other : other + way, in.is_second ? other - way : other, answer);
   pair_.to_world(-normal_, &answer.normal.x);
   return true;
+}
+
+// The difference of both cores is a sum of segments.
+bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
+  if (pair_.dimension() != 3) return false;
+  const Matrix3& R = pair_.rotation();
+  boxes_.begin(-pair_.between_centers());
+  if (!for_generators(pair_.shape(0), [&](const Vector3& g) { boxes_.add_first(g); }) ||
+      !for_generators(pair_.shape(1), [&](const Vector3& g) { boxes_.add(R * g); }) ||
+      !boxes_.solve(2 * pair_.size()))
+    return false;
+  const double error = 2 * pair_.error(), lower = boxes_.lower() - error;
+  if (!(lower > 0)) return false;
+  const Bounds bounds(down(ball_lower_ + lower * (1 - 0x1p-48)),
+                      up(ball_upper_ + (boxes_.upper() + error) * (1 + 0x1p-48)));
+  Vector3 of_first;
+  if (!bounds.close(tolerance) || !boxes_.find_contact(of_first)) return false;
+  source_ = Source::boxes;
+  has_points_ = true;
+  answer.bounds = bounds;
+  answer.status = DistanceStatus::optimal;
+  answer.iterations = 1;
+  answer.support_queries += pair_.queries();
+  normal_ = boxes_.normal();
+  const Vector3 a1 = pair_.shape(0).center + of_first;
+  put_points(normal_, a1, a1 - normal_ * boxes_.upper(), answer);
+  pair_.to_world(-normal_, &answer.normal.x);
+  return true;
+}
+
+void BodyDepth::add_near_facets(double relative, double angle, std::vector<Vector3>& normals) const {
+  constexpr double kRounding = 1 + 1e-9;
+  const double most = boxes_.upper() + relative * (boxes_.upper() + ball_upper_.rounded());
+  const double cosine = std::cos(angle);
+  boxes_.for_near(most * kRounding, [&](const Vector3& n) {
+    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
+  });
 }
 
 void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {

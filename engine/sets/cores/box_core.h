@@ -57,6 +57,12 @@ struct BoxCore {
     for_vertices_near_top(*this, v, margin, isa, use);
   }
 
+  template <class Use>
+  void generators(const Use& use) const {
+    const Matrix3 axes = half_axes();
+    for (const Vector3& each : axes.column) use(each);
+  }
+
   Matrix3 half_axes() const {
     const Vector3& half = shape.axis.column[0];
     return {{{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};

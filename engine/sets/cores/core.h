@@ -34,6 +34,7 @@ namespace raygauge {
 ///                                 certain; x is highest for some unit vector v, and v·back is `height`
 ///     way_to(x, i), along(way, i)         of a point x of rim i, and back
 ///     ends_around(x)              of a core without area: the vertices between which x is
+///     generators(use)             calls use(g) for the half edges whose segments [-g, g] add up to the core
 ///     disc(v)                     the flat disc on the side of v
 ///
 /// This is the only place that tells kinds apart.
@@ -96,6 +97,18 @@ inline CoreDisc disc_towards(const SpatialShape& shape, const Vector3& v) {
   return with_core(shape, [&v](const auto& core) {
     if constexpr (requires { core.disc(v); }) return core.disc(v);
     return CoreDisc{};
+  });
+}
+
+/// Calls use(g) for the generators of a core; false where it is no sum of segments.
+template <class Use>
+bool for_generators(const SpatialShape& shape, const Use& use) {
+  return with_core(shape, [&use](const auto& core) {
+    if constexpr (requires { core.generators(use); }) {
+      core.generators(use);
+      return true;
+    }
+    return false;
   });
 }
 

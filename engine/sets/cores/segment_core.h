@@ -52,6 +52,11 @@ struct SegmentCore {
     return {2, {nearer, 1 - nearer}, square > 0 ? 0.5 + 0.5 * std::fabs(along) / square : 1.0};
   }
 
+  template <class Use>
+  void generators(const Use& use) const {
+    use(shape.axis.column[0]);
+  }
+
   Matrix3 half_axes() const { return {{shape.axis.column[0], {}, {}}}; }
 };
 
