@@ -45,11 +45,13 @@ template <class Real>
 void DepthSearch<Real>::probe(const Vector& u, DepthPoint<Real>& point, bool is_unit) {
   const double height = oracle_->support(u, point);
   point.u = rounded(u);
-  const bool known = is_unit && oracle_->is_euclidean();
-  const double metric = known ? kUnitDown : oracle_->metric_lower(u);
-  if (!(metric > 0)) return;
-  const double size = known ? kUnitUp : length(rounded(u)) * kUp;
-  const double upper = std::max((height + oracle_->error() * size) / metric * kUp, 0.0);
+  double upper = (height + oracle_->error() * kUnitUp) * kUnitUp * kUnitUp;
+  if (!is_unit || !oracle_->is_euclidean()) {
+    const double metric = oracle_->metric_lower(u);
+    if (!(metric > 0)) return;
+    upper = (height + oracle_->error() * length(rounded(u)) * kUp) / metric * kUp;
+  }
+  upper = std::max(upper, 0.0);
   if (upper < upper_) {
     upper_ = upper;
     normal_ = u;
@@ -101,7 +103,8 @@ template <class Real>
 double DepthSearch<Real>::value_of(const DepthFacet<Real>& facet) const {
   const double certain = facet.offset - oracle_->error() * kUp;
   if (!(certain > 0)) return certain;
-  const double metric = oracle_->is_euclidean() ? kUnitUp : oracle_->metric_upper(facet.n);
+  if (oracle_->is_euclidean()) return certain * kUnitDown * kUnitDown;
+  const double metric = oracle_->metric_upper(facet.n);
   return metric > 0 ? certain / metric * kDown : std::numeric_limits<double>::infinity();
 }
 

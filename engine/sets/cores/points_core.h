@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/kernels/kernel.h"
 #include "engine/sets/cores/core_parts.h"
@@ -60,23 +62,19 @@ struct PointsCore {
     return highest_in_pass(v, isa, height);
   }
 
-  /// Without a branch, as which one it is cannot be guessed; places behind the last point repeat it.
+  /// Without a branch, as which one it is cannot be guessed: the last three bits of a height give way to the
+  /// index. Places behind the last point repeat it.
   std::int32_t highest_of_block(const Vector3& v) const {
+    constexpr std::uint64_t kIndex = kLanes - 1;
     const double *x = shape.blocks, *y = x + kLanes, *z = y + kLanes;
     double height[kLanes];
-    std::int32_t index[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      height[i] = v.x * x[i] + v.y * y[i] + v.z * z[i];
-      index[i] = i;
-    }
-    for (int half = kLanes / 2; half > 0; half /= 2) {
-      for (int i = 0; i < half; ++i) {
-        const bool higher = height[i + half] > height[i];
-        height[i] = higher ? height[i + half] : height[i];
-        index[i] = higher ? index[i + half] : index[i];
-      }
-    }
-    return std::min(index[0], static_cast<std::int32_t>(shape.size) - 1);
+    for (int i = 0; i < kLanes; ++i) height[i] = v.x * x[i] + v.y * y[i] + v.z * z[i];
+    for (std::uint64_t i = 0; i < kLanes; ++i)
+      height[i] = std::bit_cast<double>((std::bit_cast<std::uint64_t>(height[i]) & ~kIndex) | i);
+    for (int half = kLanes / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i) height[i] = height[i + half] > height[i] ? height[i + half] : height[i];
+    const auto index = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(height[0]) & kIndex);
+    return std::min(index, static_cast<std::int32_t>(shape.size) - 1);
   }
 
   /// Every point that may be the highest, but for rounding in doubles, is compared precisely.
