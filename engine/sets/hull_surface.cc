@@ -9,13 +9,14 @@
 #include <utility>
 
 #include "engine/kernels/kernel.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kUnit = 0x1p-53;
-constexpr std::size_t kMostTriangles = 8192;         // of more a search looks at fewer
-constexpr std::size_t kMostTrianglesWithEdges = 64;  // beyond, a search is as fast
+constexpr std::size_t kMostTriangles = 8192;          // of more a search looks at fewer
+constexpr std::size_t kMostTrianglesWithEdges = 512;  // beyond, a search is as fast
 constexpr double kMostTurned = 1e-9;
 
 // Of a height n·x, and of what |n| may differ from 1, relative to the size.
@@ -86,22 +87,88 @@ void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
     if (from > to) continue;
     const auto back = std::lower_bound(directed.begin(), directed.end(), std::array<int, 3>{to, from, 0});
     const auto a = points.col(from), b = points.col(to);
-    edges_.push_back({{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}},
-                      static_cast<std::size_t>(triangle),
-                      static_cast<std::size_t>((*back)[2])});
+    edges_.push_back({{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}}});
+    beside_.push_back({static_cast<std::uint16_t>(triangle), static_cast<std::uint16_t>((*back)[2])});
+  }
+}
+
+// Of each lane the least room and the second; up[i] is -1 where n_i·half > 0, else 0.
+RAYGAUGE_VECTORS void HullSurface::measure_planes(const Block* blocks, std::size_t count, const Vector3& y,
+                                                  const Vector3& half, std::int64_t* up,
+                                                  LeastLanes& least) noexcept {
+  typedef double Pack __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+  typedef std::int64_t Mask __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+  Pack room = Pack{} + std::numeric_limits<double>::infinity(), second = room, index{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = [](const double* x) { return *reinterpret_cast<const Pack*>(x); };
+    const Pack nx = row(blocks[i].x), ny = row(blocks[i].y), nz = row(blocks[i].z);
+    const Pack of_half = nx * half.x + ny * half.y + nz * half.z;
+    const Pack here =
+        row(blocks[i].low) - (nx * y.x + ny * y.y + nz * y.z) + (of_half < 0.0 ? -of_half : of_half);
+    *reinterpret_cast<Mask*>(up + kLanes * i) = of_half > 0.0;
+    const Pack higher = here > room ? here : room;
+    second = higher < second ? higher : second;
+    index = here < room ? Pack{} + static_cast<double>(kLanes * i) : index;
+    room = here < room ? here : room;
+  }
+  *reinterpret_cast<Pack*>(least.room) = room;
+  *reinterpret_cast<Pack*>(least.second) = second;
+  *reinterpret_cast<Pack*>(least.index) = index;
+}
+
+RAYGAUGE_VECTORS void HullSurface::measure_sides(const Vector3& y, const Vector3& half,
+                                                 SideLanes& lanes) noexcept {
+  const Vector3 center = y, up = half;
+  const double of_half = dot(up, up);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const Vector3 way{lanes.way[0][i], lanes.way[1][i], lanes.way[2][i]};
+    const Vector3 a = Vector3{lanes.end[0][i], lanes.end[1][i], lanes.end[2][i]} - center, b = a + way;
+    const Vector3 across = cross(way, up);
+    const double scale = 1 / std::sqrt(dot(across, across));
+    const Vector3 n = across * scale;
+    const double of_a = dot(n, a), of_b = dot(n, b);
+    lanes.normal[0][i] = n.x;
+    lanes.normal[1][i] = n.y;
+    lanes.normal[2][i] = n.z;
+    lanes.room[i] = (of_a < of_b ? of_a : of_b) - std::fabs(dot(n, up));
+    lanes.turned[i] = kEdges * std::sqrt(dot(way, way) * of_half) * scale + kNormal;
   }
 }
 
 // With both ends of the edge a, b: from the right triangle's end to the left one's, which is e x,
-// ((b - a) × (e x + e x))/2.
-HullSurface::Side::Side(const HullSurface& hull, const Edge& edge, const Vector3& half) {
-  const bool left = dot(hull.normal(edge.left), half) > 0, right = dot(hull.normal(edge.right), half) > 0;
-  is_there = left != right;
-  if (!is_there) return;
-  const Vector3 along = edge.end[1] - edge.end[0], across = cross(along, left ? half : -half);
-  const double size = length(across);
-  normal = across * (1 / size);
-  turned = kEdges * length(along) * length(half) / size + kNormal;
+// ((b - a) × (e x + e x))/2. False where it is not certain on which side a parallelogram is.
+bool HullSurface::take_sides(const Vector3& y, const Vector3& half, const std::int64_t* up, double reach,
+                             Nearest& found) const noexcept {
+  std::uint16_t there[3 * kMostTrianglesWithEdges / 2 + 1];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    there[count] = static_cast<std::uint16_t>(i);
+    count += (up[beside_[i].left] ^ up[beside_[i].right]) & 1;
+  }
+  SideLanes sides;
+  for (std::size_t first = 0; first < count; first += kLanes) {
+    const std::size_t used = std::min(kLanes, count - first);
+    for (std::size_t lane = 0; lane < used; ++lane) {
+      const std::size_t i = there[first + lane];
+      const int from = up[beside_[i].left] != 0 ? 0 : 1;
+      const Vector3 &a = edges_[i].end[from], way = edges_[i].end[1 - from] - a;
+      for (int k = 0; k < 3; ++k) {
+        sides.end[k][lane] = (&a.x)[k];
+        sides.way[k][lane] = (&way.x)[k];
+      }
+    }
+    measure_sides(y, half, sides);
+    for (std::size_t lane = 0; lane < used; ++lane) {
+      const double room = sides.room[lane], turned = sides.turned[lane];
+      if (!(room > 2 * turned * reach) || !(turned < kMostTurned)) return false;
+      found.second = std::min(found.second, std::max(room, found.room));
+      if (!(room < found.room)) continue;
+      const Edge& edge = edges_[there[first + lane]];
+      const Vector3 n{sides.normal[0][lane], sides.normal[1][lane], sides.normal[2][lane]};
+      found = {room, n, found.second, true, {edge.end[0], edge.end[1]}};
+    }
+  }
+  return true;
 }
 
 // The corners of all that is moved are those of a closed surface: what the triangles and parallelograms leave
@@ -110,29 +177,23 @@ HullSurface::Nearest HullSurface::nearest_of_sum(const Vector3& y, const Vector3
   constexpr double kParallel = 1e-6;
   const double long_half = length(half), reach = 2 * std::sqrt(3.0) * (extent_ + long_half);
   if (edges_.empty() || !(length(y) <= extent_ + long_half)) return {};
+  alignas(64) std::int64_t up[kMostTrianglesWithEdges];
+  LeastLanes least;
+  measure_planes(blocks_.data(), blocks_.size(), y, half, up, least);
   Nearest found;
   found.room = found.second = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kLanes * blocks_.size(); ++i) {
-    const Vector3 n = normal(i);
-    const double along = std::fabs(dot(n, half)), room = room_of(i, y) + along;
-    if (!(room > 2 * turned_ * reach)) return {};
-    found.second = std::min(found.second, std::max(room, found.room));
+  std::size_t at = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double room = least.room[lane];
+    found.second = std::min({found.second, least.second[lane], std::max(room, found.room)});
     if (!(room < found.room)) continue;
     found.room = room;
-    found.normal = n;
-    found.is_edge = !(along > kParallel * long_half);
+    at = static_cast<std::size_t>(least.index[lane]) + lane;
   }
-  const bool is_parallel = found.is_edge;
-  found.is_edge = false;
-  for (const Edge& edge : edges_) {
-    const Side side(*this, edge, half);
-    if (!side.is_there) continue;
-    const Vector3 &n = side.normal, a = edge.end[0] - y, b = edge.end[1] - y;
-    const double room = std::min(dot(n, a), dot(n, b)) - std::fabs(dot(n, half));
-    if (!(room > 2 * side.turned * reach) || !(side.turned < kMostTurned)) return {};
-    found.second = std::min(found.second, std::max(room, found.room));
-    if (room < found.room) found = {room, n, found.second, true, {edge.end[0], edge.end[1]}};
-  }
+  if (!(found.room > 2 * turned_ * reach)) return {};
+  found.normal = normal(at);
+  const bool is_parallel = !(std::fabs(dot(found.normal, half)) > kParallel * long_half);
+  if (!take_sides(y, half, up, reach, found)) return {};
   if (is_parallel && !found.is_edge) return {};
   found.room -= 2 * kHeight * reach;
   return found;

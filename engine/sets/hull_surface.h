@@ -38,7 +38,7 @@ class HullSurface {
 
   bool empty() const noexcept { return blocks_.empty(); }
   std::size_t memory() const noexcept {
-    return blocks_.size() * sizeof(Block) + edges_.size() * sizeof(Edge);
+    return blocks_.size() * sizeof(Block) + edges_.size() * (sizeof(Edge) + sizeof(Beside));
   }
 
   /// No room where y is outside, or so near the surface that rounding hides the side.
@@ -64,9 +64,12 @@ class HullSurface {
       const Vector3 n = normal(i);
       if (room_of(i, y) + std::fabs(dot(n, half)) <= most) use(n);
     }
-    for (const Edge& edge : edges_) {
-      const Side side(*this, edge, half);
-      if (side.is_there && dot(side.normal, edge.end[0] - y) <= most) use(side.normal);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const bool left = dot(normal(beside_[i].left), half) > 0;
+      if (left == (dot(normal(beside_[i].right), half) > 0)) continue;
+      const Vector3 way = edges_[i].end[1] - edges_[i].end[0], across = cross(way, left ? half : -half);
+      const Vector3 n = across * (1 / length(across));
+      if (dot(n, edges_[i].end[0] - y) <= most) use(n);
     }
   }
 
@@ -84,15 +87,23 @@ class HullSurface {
   /// From end 0 to end 1 counterclockwise around triangle `left`, the other way around `right`.
   struct Edge {
     Vector3 end[2];
-    std::size_t left = 0, right = 0;
+  };
+  struct Beside {
+    std::uint16_t left, right;
   };
 
-  /// The parallelogram of an edge and a segment, its normal by the order of its corners.
-  struct Side {
-    Side(const HullSurface& hull, const Edge& edge, const Vector3& half);
-    bool is_there;
-    Vector3 normal;     ///< of length 1
-    double turned = 0;  ///< how far it may be from the true one
+  /// Of all planes i in lane i % kLanes: the least room about a point, the second, and which plane that is.
+  struct alignas(64) LeastLanes {
+    double room[kLanes], second[kLanes], index[kLanes];
+  };
+
+  /// Parallelograms of edges and a segment, one to a lane.
+  struct alignas(64) SideLanes {
+    /// `way`: from an end to the other, in the order of the corners, and half the segment, as seen from
+    /// outside.
+    double end[3][kLanes] = {}, way[3][kLanes] = {};
+    /// Out; `turned`: how far a normal may be from the true one.
+    double normal[3][kLanes], room[kLanes], turned[kLanes];
   };
 
   struct Planes {
@@ -106,10 +117,16 @@ class HullSurface {
   double room_of(std::size_t i, const Vector3& y) const noexcept {
     return blocks_[i / kLanes].low[i % kLanes] - dot(normal(i), y);
   }
+  static void measure_planes(const Block* blocks, std::size_t count, const Vector3& y, const Vector3& half,
+                             std::int64_t* up, LeastLanes& least) noexcept;
+  static void measure_sides(const Vector3& y, const Vector3& half, SideLanes& lanes) noexcept;
+  bool take_sides(const Vector3& y, const Vector3& half, const std::int64_t* up, double reach,
+                  Nearest& found) const noexcept;
   void list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const std::vector<int>& triangles);
 
   std::vector<Block> blocks_;
   std::vector<Edge> edges_;  // none of large hulls
+  std::vector<Beside> beside_;
   double extent_ = 0;
   double turned_ = 0;  // how far a normal may be from that of its triangle
 };
