@@ -77,6 +77,13 @@ HullSurface::HullSurface(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const
 
 void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                              const std::vector<int>& triangles) {
+  std::vector<int> corners = triangles;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const int i : corners) corners_.push_back({points(0, i), points(1, i), points(2, i)});
+  const auto number = [&corners](int i) {
+    return static_cast<std::uint16_t>(std::lower_bound(corners.begin(), corners.end(), i) - corners.begin());
+  };
   std::vector<std::array<int, 3>> directed;  // from, to, triangle
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::size_t first = i - i % 3;
@@ -86,9 +93,9 @@ void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
   for (const auto& [from, to, triangle] : directed) {
     if (from > to) continue;
     const auto back = std::lower_bound(directed.begin(), directed.end(), std::array<int, 3>{to, from, 0});
-    const auto a = points.col(from), b = points.col(to);
-    edges_.push_back({{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}}});
-    beside_.push_back({static_cast<std::uint16_t>(triangle), static_cast<std::uint16_t>((*back)[2])});
+    edges_.push_back({{number(from), number(to)},
+                      static_cast<std::uint16_t>(triangle),
+                      static_cast<std::uint16_t>((*back)[2])});
   }
 }
 
@@ -96,8 +103,8 @@ void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
 RAYGAUGE_VECTORS void HullSurface::measure_planes(const Block* blocks, std::size_t count, const Vector3& y,
                                                   const Vector3& half, std::int64_t* up,
                                                   LeastLanes& least) noexcept {
-  typedef double Pack __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
-  typedef std::int64_t Mask __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+  using Pack [[gnu::vector_size(sizeof(double) * kLanes), gnu::may_alias]] = double;
+  using Mask [[gnu::vector_size(sizeof(double) * kLanes), gnu::may_alias]] = std::int64_t;
   Pack room = Pack{} + std::numeric_limits<double>::infinity(), second = room, index{};
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = [](const double* x) { return *reinterpret_cast<const Pack*>(x); };
@@ -143,15 +150,15 @@ bool HullSurface::take_sides(const Vector3& y, const Vector3& half, const std::i
   std::size_t count = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     there[count] = static_cast<std::uint16_t>(i);
-    count += (up[beside_[i].left] ^ up[beside_[i].right]) & 1;
+    count += (up[edges_[i].left] ^ up[edges_[i].right]) & 1;
   }
   SideLanes sides;
   for (std::size_t first = 0; first < count; first += kLanes) {
     const std::size_t used = std::min(kLanes, count - first);
     for (std::size_t lane = 0; lane < used; ++lane) {
-      const std::size_t i = there[first + lane];
-      const int from = up[beside_[i].left] != 0 ? 0 : 1;
-      const Vector3 &a = edges_[i].end[from], way = edges_[i].end[1 - from] - a;
+      const Edge& edge = edges_[there[first + lane]];
+      const int from = up[edge.left] != 0 ? 0 : 1;
+      const Vector3 &a = corners_[edge.end[from]], way = corners_[edge.end[1 - from]] - a;
       for (int k = 0; k < 3; ++k) {
         sides.end[k][lane] = (&a.x)[k];
         sides.way[k][lane] = (&way.x)[k];
@@ -165,7 +172,7 @@ bool HullSurface::take_sides(const Vector3& y, const Vector3& half, const std::i
       if (!(room < found.room)) continue;
       const Edge& edge = edges_[there[first + lane]];
       const Vector3 n{sides.normal[0][lane], sides.normal[1][lane], sides.normal[2][lane]};
-      found = {room, n, found.second, true, {edge.end[0], edge.end[1]}};
+      found = {room, n, found.second, true, {corners_[edge.end[0]], corners_[edge.end[1]]}};
     }
   }
   return true;
@@ -178,7 +185,7 @@ HullSurface::Nearest HullSurface::nearest_of_sum(const Vector3& y, const Vector3
   const double long_half = length(half), reach = 2 * std::sqrt(3.0) * (extent_ + long_half);
   if (edges_.empty() || !(length(y) <= extent_ + long_half)) return {};
   alignas(64) std::int64_t up[kMostTrianglesWithEdges];
-  LeastLanes least;
+  LeastLanes least{};
   measure_planes(blocks_.data(), blocks_.size(), y, half, up, least);
   Nearest found;
   found.room = found.second = std::numeric_limits<double>::infinity();

@@ -38,7 +38,7 @@ class HullSurface {
 
   bool empty() const noexcept { return blocks_.empty(); }
   std::size_t memory() const noexcept {
-    return blocks_.size() * sizeof(Block) + edges_.size() * (sizeof(Edge) + sizeof(Beside));
+    return blocks_.size() * sizeof(Block) + edges_.size() * sizeof(Edge) + corners_.size() * sizeof(Vector3);
   }
 
   /// No room where y is outside, or so near the surface that rounding hides the side.
@@ -64,12 +64,12 @@ class HullSurface {
       const Vector3 n = normal(i);
       if (room_of(i, y) + std::fabs(dot(n, half)) <= most) use(n);
     }
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const bool left = dot(normal(beside_[i].left), half) > 0;
-      if (left == (dot(normal(beside_[i].right), half) > 0)) continue;
-      const Vector3 way = edges_[i].end[1] - edges_[i].end[0], across = cross(way, left ? half : -half);
-      const Vector3 n = across * (1 / length(across));
-      if (dot(n, edges_[i].end[0] - y) <= most) use(n);
+    for (const Edge& edge : edges_) {
+      const bool left = dot(normal(edge.left), half) > 0;
+      if (left == (dot(normal(edge.right), half) > 0)) continue;
+      const Vector3 &a = corners_[edge.end[0]], way = corners_[edge.end[1]] - a;
+      const Vector3 across = cross(way, left ? half : -half), n = across * (1 / length(across));
+      if (dot(n, a - y) <= most) use(n);
     }
   }
 
@@ -84,12 +84,9 @@ class HullSurface {
     Vector3 normal(std::size_t lane) const noexcept { return {x[lane], y[lane], z[lane]}; }
   };
 
-  /// From end 0 to end 1 counterclockwise around triangle `left`, the other way around `right`.
+  /// From corner end[0] to end[1] counterclockwise around triangle `left`, the other way around `right`.
   struct Edge {
-    Vector3 end[2];
-  };
-  struct Beside {
-    std::uint16_t left, right;
+    std::uint16_t end[2], left, right;
   };
 
   /// Of all planes i in lane i % kLanes: the least room about a point, the second, and which plane that is.
@@ -126,7 +123,7 @@ class HullSurface {
 
   std::vector<Block> blocks_;
   std::vector<Edge> edges_;  // none of large hulls
-  std::vector<Beside> beside_;
+  std::vector<Vector3> corners_;
   double extent_ = 0;
   double turned_ = 0;  // how far a normal may be from that of its triangle
 };

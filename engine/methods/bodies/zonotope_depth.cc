@@ -34,7 +34,7 @@ RAYGAUGE_VECTORS void ZonotopeDepth::measure(const ZonotopeDepth& of, double siz
       const bool is_flat = !(length > kParallel * product);
       const double inverse = 1 / length, scale = is_flat ? 0.0 : inverse;
       double sum = 0;
-      for (int k = 0; k < kMost; ++k) sum += std::fabs(dot(across, half[k]));
+      for (const Vector3& g : half) sum += std::fabs(dot(across, g));
       const double height = (sum - std::fabs(dot(across, c))) * scale;
       const double lower = height - (kTurned * product * scale + kHeight) * size;
       const double lost = length / std::sqrt(longer);
