@@ -88,13 +88,18 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   }
   std::stable_sort(islands.begin(), islands.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
-  std::vector<double> residuals(islands.size(), 0);
+  std::vector<Solved> solved(islands.size());
   share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
              [&](std::size_t first, std::size_t last) {
-               for (std::size_t k = first; k < last; ++k) residuals[k] = solve_island(islands[k], bodies);
+               for (std::size_t k = first; k < last; ++k) solved[k] = solve_island(islands[k], bodies);
              });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
-  return residuals.empty() ? 0 : *std::max_element(residuals.begin(), residuals.end());
+  double residual = 0;
+  for (Solved& one : solved) {
+    residual = std::max(residual, one.residual);
+    known_.push_back(std::move(one));
+  }
+  return residual;
 }
 
 void ContactProblem::count(const std::vector<ContactUnknown*>& contacts) {
@@ -139,17 +144,32 @@ FrictionIsland ContactProblem::island_of(const std::vector<ContactUnknown*>& con
   return island;
 }
 
-double ContactProblem::solve_island(const std::vector<ContactUnknown*>& contacts,
-                                    const std::vector<SimulatedBody>& bodies) const {
-  const FrictionIsland island = island_of(contacts, bodies);
-  Eigen::VectorXd r(3 * static_cast<Eigen::Index>(contacts.size()));
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    r.segment<3>(3 * static_cast<Eigen::Index>(c)) = frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
-  const double residual = impulses(contacts, island, r);
+const ContactProblem::Solved* ContactProblem::known(const Solved& asked) const {
+  const auto found = std::find_if(known_.rbegin(), known_.rend(), [&asked](const Solved& one) {
+    return one.first == asked.first && one.island == asked.island;
+  });
+  return found == known_.rend() ? nullptr : &*found;
+}
+
+ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnknown*>& contacts,
+                                                    const std::vector<SimulatedBody>& bodies) const {
+  Solved one;
+  one.first = {contacts.front()->a, contacts.front()->b};
+  one.island = island_of(contacts, bodies);
+  if (const Solved* const before = known(one)) {
+    one.r = before->r;
+    one.residual = before->residual;
+  } else {
+    one.r.resize(3 * static_cast<Eigen::Index>(contacts.size()));
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      one.r.segment<3>(3 * static_cast<Eigen::Index>(c)) =
+          frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
+    one.residual = impulses(contacts, one.island, one.r);
+  }
   for (std::size_t c = 0; c < contacts.size(); ++c)
     contacts[c]->impulse =
-        frame_of(contacts[c]->normal, n_).transpose() * r.segment<3>(3 * static_cast<Eigen::Index>(c));
-  return residual;
+        frame_of(contacts[c]->normal, n_).transpose() * one.r.segment<3>(3 * static_cast<Eigen::Index>(c));
+  return one;
 }
 
 double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,

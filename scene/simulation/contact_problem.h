@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "raygauge/scene/friction.h"
@@ -40,13 +41,25 @@ class ContactProblem {
   /// From here on islands are shared with the other threads of a team. What is found does not depend on it.
   void share_with(ChunkTeam& team) { team_ = &team; }
 
-  /// Finds the impulses and pushes the bodies. The largest relative residual.
+  /// From here on no island is known.
+  void forget() { known_.clear(); }
+
+  /// Finds the impulses and pushes the bodies. The largest relative residual. An island that has been solved
+  /// since forget() is not solved again.
   double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
 
  private:
+  struct Solved {
+    std::pair<int, int> first;  // bodies of its first contact
+    FrictionIsland island;
+    Eigen::VectorXd r;
+    double residual = 0;
+  };
+
   void count(const std::vector<ContactUnknown*>& contacts);
-  double solve_island(const std::vector<ContactUnknown*>& contacts,
+  Solved solve_island(const std::vector<ContactUnknown*>& contacts,
                       const std::vector<SimulatedBody>& bodies) const;
+  const Solved* known(const Solved& asked) const;
   FrictionIsland island_of(const std::vector<ContactUnknown*>& contacts,
                            const std::vector<SimulatedBody>& bodies) const;
   double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
@@ -56,6 +69,7 @@ class ContactProblem {
   FrictionSolver* friction_;
   SimulationCounters& counters_;
   ChunkTeam* team_ = nullptr;
+  std::vector<Solved> known_;
 };
 
 }  // namespace raygauge

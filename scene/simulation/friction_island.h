@@ -18,6 +18,8 @@ struct IslandContact {
   ContactSlope A_a = ContactSlope::Zero(), A_b = ContactSlope::Zero();
   Eigen::Vector3d q = Eigen::Vector3d::Zero();
   double mu = 0;
+
+  bool operator==(const IslandContact&) const = default;
 };
 
 /// The problem of FrictionProblem by its bodies: W has the blocks Σ A_cᵀ A_d over the bodies that the
@@ -30,6 +32,8 @@ struct FrictionIsland {
 
   /// At least ‖W‖.
   double bound_of_W() const;
+
+  bool operator==(const FrictionIsland&) const = default;
 
   /// With numbers of some other problem in directions along which nothing moves: the third of the plane.
   FrictionProblem dense() const;

@@ -230,6 +230,7 @@ bool GroupStepper::bounce() {
 // One substep of at most dt, shorter where the proof ends; false: its end could not be proven.
 bool GroupStepper::move(double dt) {
   const double asked = dt;
+  problem_.forget();
   save(before_);
   for (int trial = 0; trial < kMostTrials; ++trial) {
     restore(before_);
