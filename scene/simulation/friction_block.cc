@@ -7,6 +7,7 @@
 
 #include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/friction_newton.h"
+#include "scene/simulation/friction_passes.h"
 
 namespace raygauge {
 namespace {
@@ -29,10 +30,11 @@ FrictionBlock::FrictionBlock(const FrictionIsland& island, std::set<int> bodies)
 }
 
 bool FrictionBlock::has(std::size_t contact) const {
-  return std::binary_search(contacts_.begin(), contacts_.end(), contact);
+  return !lost_ && std::binary_search(contacts_.begin(), contacts_.end(), contact);
 }
 
 void FrictionBlock::solve(const FrictionIsland& island, IslandVelocities& velocities, Eigen::VectorXd& r) {
+  if (lost_) return;
   Eigen::VectorXd before(problem_.q.size()), u(problem_.q.size());
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     before.segment<3>(row_of(k)) = r.segment<3>(row_of(contacts_[k]));
@@ -40,8 +42,10 @@ void FrictionBlock::solve(const FrictionIsland& island, IslandVelocities& veloci
   }
   problem_.q = u - problem_.W * before;
   Eigen::VectorXd after = before;
-  const double residual = improve_friction(problem_, after, is_new_ ? kRoundsOfNewton : 1);
-  if (is_new_) follow_friction_paths(problem_, before, 2, residual, after);
+  double residual = improve_friction(problem_, after, 0);
+  if (residual > kSolvedFriction && paths_-- > 0)
+    residual = stiffen_contacts(problem_, before, residual, after);
+  lost_ = is_new_ && residual > kSolvedFriction;
   is_new_ = false;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     velocities.push(island.contacts[contacts_[k]], (after - before).segment<3>(row_of(k)));

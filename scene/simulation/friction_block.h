@@ -22,7 +22,7 @@ class FrictionBlock {
   std::size_t size() const { return contacts_.size(); }
   bool has(std::size_t contact) const;
 
-  /// By Newton's method from r; if that fails the first time, by smoothed problems. `velocities`: those of r.
+  /// By Newton's method from r, or by softer contacts. `velocities`: those of r.
   void solve(const FrictionIsland& island, IslandVelocities& velocities, Eigen::VectorXd& r);
 
  private:
@@ -30,6 +30,8 @@ class FrictionBlock {
   std::vector<std::size_t> contacts_;  // in rising order
   FrictionProblem problem_;
   bool is_new_ = true;
+  int paths_ = 2;      // that may still be followed
+  bool lost_ = false;  // it could not be solved: its contacts are left to passes, until it grows
 };
 
 }  // namespace raygauge

@@ -43,6 +43,25 @@ double follow_friction_paths(const FrictionProblem& problem, const Eigen::Vector
   return residual;
 }
 
+double stiffen_contacts(const FrictionProblem& problem, const Eigen::VectorXd& start, double residual,
+                        Eigen::VectorXd& r) {
+  constexpr double kSoftest = 1e-2, kStiffer = 0.1;  // of W
+  constexpr int kSteps = 10;
+  double softness = kSoftest * problem.W.diagonal().maxCoeff();
+  FrictionProblem soft = problem;
+  Eigen::VectorXd trial = start;
+  for (int step = 0; step < kSteps; ++step) {
+    soft.W.diagonal() = problem.W.diagonal().array() + softness;
+    if (improve_friction(soft, trial, 0) > kSolvedFriction) break;
+    if (friction_residual(problem, trial) <= kSolvedFriction) break;
+    softness *= kStiffer;
+  }
+  const double found = improve_friction(problem, trial, 0);
+  if (!(found < residual)) return residual;
+  r = std::move(trial);
+  return found;
+}
+
 // By passes, and Newton's method from where they or the step before have ended, or from nothing.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
@@ -57,6 +76,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   take_better(problem, passes, residual, r);
   if (residual > kSolvedFriction) take_better(problem, guess, residual, r);
   if (residual > kSolvedFriction && few) take_better(problem, nothing, residual, r);
+  if (residual > kSolvedFriction) residual = stiffen_contacts(problem, passes, residual, r);
   residual = follow_friction_paths(problem, guess, few ? 2 : 1, residual, r);
   if (residual > std::max(kSolvedFriction, rough) && friction != nullptr) {
     Eigen::VectorXd trial = guess;

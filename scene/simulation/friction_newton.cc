@@ -11,19 +11,20 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostSteps = 30;
-constexpr int kMostHalves = 6;       // of one step
+constexpr int kMostHalves = 16;      // of one step
+constexpr double kSteep = 1e4;       // times ρ: bodies that slip by little are told from such that stick
 constexpr double kEnough = 1e-14;    // of |q|: as small as rounding lets it be
 constexpr double kRedundant = 1e-9;  // of W: contacts of one face on another share what they carry at will
 
 /// The equations and their slope at r.
 class Equations {
  public:
-  explicit Equations(const FrictionProblem& problem)
+  Equations(const FrictionProblem& problem, double factor)
       : problem_(problem), size_(problem.q.size()), F_(size_), slope_(size_, size_) {
     W_ = problem.W;
     W_.diagonal().array() += kRedundant * problem.W.diagonal().maxCoeff();
     for (Eigen::Index at = 0; at < size_; at += 3)
-      scale_.push_back(1 / std::max(problem.W.block<3, 3>(at, at).norm(), 1e-300));
+      scale_.push_back(factor / std::max(problem.W.block<3, 3>(at, at).norm(), 1e-300));
   }
 
   /// |F|; F and the slope are kept if the latter is asked for.
@@ -125,16 +126,19 @@ double improve_friction(const FrictionProblem& problem, Eigen::VectorXd& r, int 
   constexpr double kSolved = 1e-11;
   double best = friction_residual(problem, r);
   if (!(best > kEnough)) return best;
-  Equations equations(problem);
+  Equations usual(problem, 1), steep(problem, kSteep);
   Eigen::VectorXd relaxed = r;
-  best = newton(problem, equations, r);
+  best = newton(problem, usual, r);
+  if (best > kSolved) best = newton(problem, steep, r);
   for (int round = 0, passes = 5; round < rounds && best > kSolved; ++round, passes = passes * 3 / 2) {
     relax(problem, passes, relaxed);
-    Eigen::VectorXd trial = relaxed;
-    const double found = newton(problem, equations, trial);
-    if (found >= best) continue;
-    best = found;
-    r = trial;
+    for (Equations* const equations : {&usual, &steep}) {
+      Eigen::VectorXd trial = relaxed;
+      const double found = newton(problem, *equations, trial);
+      if (found >= best) continue;
+      best = found;
+      r = trial;
+    }
   }
   return best;
 }

@@ -8,7 +8,8 @@ namespace raygauge {
 
 inline constexpr int kRoundsOfNewton = 6;
 
-/// Newton's method on the equations of Alart and Curnier (1991), with ρ = 1/‖W of the contact‖:
+/// Newton's method on the equations of Alart and Curnier (1991), with ρ = 1/‖W of the contact‖ and then 1e4
+/// times that, by which bodies that slip by little are told from such that stick:
 ///
 ///     r_n = a,  a = max(0, r_n - ρ u_n),     r_t = the point of the disc of radius μ a nearest to r_t - ρ
 ///     u_t.

@@ -26,7 +26,7 @@ constexpr int kPlainPatienceOfMany = 100;
 constexpr int kMore = 8;            // ... or within so many where it is small enough
 constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
 constexpr int kMostBlocks = 16;
-constexpr std::size_t kLargestBlock = 20, kLargestOfRough = 40;
+constexpr std::size_t kLargestBlock = 24, kLargestOfRough = 40;
 constexpr double kRough = 1e-6;
 constexpr int kTurns = 3;            // of what slips, in one solve of a contact where one does not arrive
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
