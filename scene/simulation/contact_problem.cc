@@ -97,7 +97,7 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   double residual = 0;
   for (Solved& one : solved) {
     residual = std::max(residual, one.residual);
-    known_.push_back(std::move(one));
+    if (!one.was_known) known_.push_back(std::move(one));
   }
   return residual;
 }
@@ -159,6 +159,7 @@ ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnk
   if (const Solved* const before = known(one)) {
     one.r = before->r;
     one.residual = before->residual;
+    one.was_known = true;
   } else {
     one.r.resize(3 * static_cast<Eigen::Index>(contacts.size()));
     for (std::size_t c = 0; c < contacts.size(); ++c)

@@ -54,6 +54,7 @@ class ContactProblem {
     FrictionIsland island;
     Eigen::VectorXd r;
     double residual = 0;
+    bool was_known = false;
   };
 
   void count(const std::vector<ContactUnknown*>& contacts);
