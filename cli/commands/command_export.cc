@@ -92,6 +92,7 @@ int export_refutations(const ExportArguments& arguments) {
   }
   std::fprintf(stderr, "note: %s, %zu of them refuted\n", counted(count.wrong, "wrong answer").c_str(),
                count.refuted);
+  if (!count.open.empty()) std::fprintf(stderr, "note: not refuted: %s\n", count.open.c_str());
   return kAnswered;
 }
 

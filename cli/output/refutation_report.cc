@@ -80,6 +80,12 @@ bool is_wrong_answer(const Record& record, const KnownDistances& known) {
   return verdict == Verdict::inexact || verdict == Verdict::wrong_sign;
 }
 
+std::string name_of(const Record& record) {
+  return std::string(record.method) + " (" + std::string(record.method_parameters) + ") of " +
+         std::string(record.generator_parameters) + ", seed " + std::to_string(record.seed) +
+         ", repetition " + std::to_string(record.repetition);
+}
+
 }  // namespace
 
 RefutationCount put_refutations(const std::vector<Record>& records, const Filter& filter,
@@ -95,7 +101,10 @@ RefutationCount put_refutations(const std::vector<Record>& records, const Filter
     const Instance instance = instance_of(record, generators);
     const auto refutation =
         refute(instance, claimed_distance(record), kWrongSignBeyond * unit_of_errors(record));
-    if (!refutation) continue;
+    if (!refutation) {
+      if (count.open.empty()) count.open = name_of(record);
+      continue;
+    }
     ++count.refuted;
     put(json_text(json_of(record, *refutation)) + '\n');
   }

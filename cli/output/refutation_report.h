@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "analysis/data/filter.h"
@@ -16,6 +17,7 @@ namespace raygauge::cli {
 struct RefutationCount {
   std::size_t wrong = 0;
   std::size_t refuted = 0;
+  std::string open;  ///< the first of the others, in words: its method and its bodies
 };
 
 /// Puts a line, one JSON object as docs/analysis.md says, for each wrong answer (see verdict_on()) about two

@@ -32,9 +32,10 @@ Body shrunk(const Body& S, double factor) {
   return std::make_shared<AffineImage>(S, M, (1 - factor) * S->center());
 }
 
-DistanceOptions precise() {
+DistanceOptions precise(DistanceMethod method = DistanceMethod::automatic) {
   DistanceOptions options;
   options.tolerance = 1e-9;
+  options.method = method;
   return options;
 }
 
@@ -44,7 +45,7 @@ std::optional<std::pair<Vector, Vector>> close_points(const Body& A1, const Body
   const Ball unit(Vector::Zero(A1->dimension()), 1.0);
   ObjectDistanceSolver solver(precise());
   double factor = kShrink;  // hulls have weights for inner points only
-  GrowthDistanceSolver growth;
+  GrowthDistanceSolver growth(precise(DistanceMethod::newton));
   const DistanceResult& grown = growth.solve_about_centers(*A1, *A2);
   if (grown.upper < kOneCenter) {
     const Vector between = 0.5 * (A1->center() + A2->center());
@@ -138,9 +139,7 @@ std::optional<Refutation> of_growth(const Claim& claim) {
   // Bodies that are scaled by a little less do not meet, and a point between them is inside of both once they
   // are scaled by a little more, even of bodies that are 1e3 times as long as they are thick.
   constexpr double kLess = 1 - 1e-9, kMore = 1 + 8e-7;
-  DistanceOptions options = precise();
-  options.method = DistanceMethod::newton;
-  GrowthDistanceSolver solver(options);
+  GrowthDistanceSolver solver(precise(DistanceMethod::newton));
   const DistanceResult growth = solver.solve_about_centers(*claim.A1, *claim.A2);
   for (const double sign : {1.0, -1.0}) {
     const Vector u = sign * growth.normal;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "raygauge/queries/growth_distance.h"
@@ -154,6 +155,29 @@ TEST(Refutation, OfAGrowthDistanceIsANormalOrAPointOfBothGrownBodies) {
         EXPECT_FALSE(refute(instance, growth.distance, 1e-5).has_value()) << "the truth";
       }
     }
+  }
+}
+
+// Bodies a thousand times as long as they are thick that overlap by a tenth of what they are said to be
+// apart.
+TEST(Refutation, OfNeedlesThatHardlyOverlap) {
+  std::mt19937_64 random(51);
+  std::normal_distribution<double> normal;
+  const auto direction = [&] {
+    return Vector3d(normal(random), normal(random), normal(random)).normalized();
+  };
+  const auto needle = std::make_shared<Box>(Vector3d(-0.5, -5e-4, -5e-4), Vector3d(0.5, 5e-4, 5e-4));
+  const auto rod = std::make_shared<Capsule>(Vector3d(-0.5, 0, 0), Vector3d(0.5, 0, 0), 5e-4);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(i, direction()).toRotationMatrix();
+    const Body A1 = AffineImage::rigid(needle, turned, Vector3d::Zero());
+    const Vector3d u = direction();
+    Vector3d at_1, at_2;
+    A1->support_unchecked(u.data(), at_1.data());
+    const Vector3d back = -u;
+    rod->support_unchecked(back.data(), at_2.data());
+    const Body A2 = moved(rod, at_1 - at_2 - 4e-9 * u);
+    EXPECT_TRUE(refute(instance_of(A1, A2), 4e-8, 1e-9).has_value()) << i;
   }
 }
 
