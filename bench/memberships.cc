@@ -52,7 +52,9 @@ void contains_batch(benchmark::State& state) {
 
 void gauge_batch(benchmark::State& state) {
   const Workload work(state);
-  for (auto _ : state) benchmark::DoNotOptimize(gauges(work.hull, work.points).data());
+  PointsOptions options;
+  options.threads = static_cast<int>(state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(gauges(work.hull, work.points, options).data());
   report(state, kPoints);
 }
 
@@ -79,9 +81,16 @@ void distances(benchmark::internal::Benchmark* benchmark) {
   for (const int percent : {50, 70, 100, 200}) benchmark->Arg(percent);
 }
 
+void distances_on_threads(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"percent", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int percent : {50, 70, 100, 200}) {
+    for (const int threads : {1, 2}) benchmark->Args({percent, threads});
+  }
+}
+
 BENCHMARK(contains_batch)->Apply(distances);
 BENCHMARK(contains_single)->Apply(distances);
-BENCHMARK(gauge_batch)->Apply(distances);
+BENCHMARK(gauge_batch)->Apply(distances_on_threads);
 BENCHMARK(gauge_single)->Apply(distances);
 
 }  // namespace

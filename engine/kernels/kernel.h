@@ -108,43 +108,68 @@ constexpr bool is_artificial(std::int64_t id) { return id < 0; }
 /// Result of bringing one column into the basis.
 enum class PivotResult : std::uint8_t { ok, no_pivot };
 
-/// Points over which the simplex walks from facet to facet; see Kernels::walk_facets. All vectors in R^n,
-/// n <= 16, are of 16 numbers, padded with zeros.
-struct FacetWalk {
-  int n = 0;
-  const double* points = nullptr;       ///< of length 1 at most, one after the other
-  const std::int32_t* order = nullptr;  ///< place i holds point order[i]
-  const float* blocks = nullptr;        ///< all places, in blocks of 16; lanes beyond the last one hold 0
-  const double* wanted = nullptr;       ///< b
-  float* target = nullptr;              ///< the same in single precision
-  int listed = 0;                       ///< blocks of which points are chosen: ...
-  float share_of_highest = 0;           ///< ... those with b·p above so much of the highest
-  int room = 0;                         ///< columns that are chosen at most, but for 15
-  int pivot_limit = 0;
-
-  float* R = nullptr;          ///< in/out: n columns of B⁻¹
-  float* y = nullptr;          ///< in/out: Σ_i R_ik
-  std::int32_t* id = nullptr;  ///< in/out: the places of the basic columns
-  int chosen = 0;              ///< out: columns
-  int pivots = 0;              ///< out
-
-  double* share = nullptr;  ///< out, where it arrived: x = R b refined, what is below zero cut off,
-  double* rest = nullptr;   ///< b - B x as computed,
-  double* dual = nullptr;   ///< and y refined
-
-  float* x = nullptr;        ///< scratch: R b
-  float* columns = nullptr;  ///< scratch for the chosen points: n rows of `stride`, a multiple of 16
-  std::ptrdiff_t stride = 0;
-  std::int32_t* place = nullptr;  ///< scratch: of each
-  float* cost = nullptr;          ///< scratch, a number a place in the list and a column: 1 - y·p
-  float* along = nullptr;         ///< scratch, the same
-};
-
 /// How a walk over facets ended.
 enum class WalkEnd : std::uint8_t {
   arrived,   ///< x >= 0, but for rounding
   no_facet,  ///< none of the points bounds the step, or rounding is in the way
   too_long,  ///< after pivot_limit basis changes
+};
+
+/// Facets that are known, for walks to begin at.
+struct FacetList {
+  const float* normals = nullptr;     ///< y, in blocks of 16, lanes beyond the last one 0
+  const float* inverses = nullptr;    ///< n + 1 columns of 16 each: B⁻¹ and y
+  const std::int32_t* ids = nullptr;  ///< n places each
+  int count = 0;
+};
+
+/// Points over which the simplex walks from facet to facet; see Kernels::walk_facets. All vectors in R^n,
+/// n <= 16, are of 16 numbers, padded with zeros.
+struct FacetWalkPoints {
+  int n = 0;
+  const double* points = nullptr;       ///< of length 1 at most, one after the other
+  const std::int32_t* order = nullptr;  ///< place i holds point order[i]
+  const float* blocks = nullptr;        ///< all places, in an even number of blocks of 16, the rest 0
+  /// The same times 2^14 and rounded, as far as find_beyond reads: of each two coordinates 16 pairs, each in
+  /// the two halves of a number.
+  const std::int32_t* rounded = nullptr;
+  FacetList known;             ///< at least one
+  int listed = 0;              ///< blocks, an even number, of which points are chosen: ...
+  float share_of_highest = 0;  ///< ... those with b·p above so much of the highest of the first blocks
+  int room = 0;                ///< columns that are chosen at most, but for 15
+  int pivot_limit = 0;         ///< of a walk
+};
+
+constexpr int kWalksTogether = 8;  ///< at most
+constexpr int kMostFound = 512;
+
+/// A walk to the facet that the ray along b leaves the hull through.
+struct FacetWalk {
+  const double* wanted = nullptr;  ///< b
+  float* target = nullptr;         ///< the same in single precision
+
+  float* R = nullptr;               ///< n columns of B⁻¹
+  float* y = nullptr;               ///< out: Σ_i R_ik
+  std::int32_t* id = nullptr;       ///< out: the places of the basic columns
+  WalkEnd end = WalkEnd::too_long;  ///< out
+  int chosen = 0;                   ///< out: columns
+  int pivots = 0;                   ///< out
+
+  double* share = nullptr;  ///< out, where it arrived: x = R b refined, what is below zero cut off,
+  double* rest = nullptr;   ///< b - B x as computed,
+  double* dual = nullptr;   ///< and y refined
+
+  std::int32_t* rounded = nullptr;  ///< of find_beyond: 8 pairs, y times a number, rounded,
+  std::int32_t threshold = 0;       ///< and a number of the same scale
+  std::int32_t* found = nullptr;    ///< out: the places with products above it, kMostFound at most
+  int found_count = 0;              ///< out: more than kMostFound where there are more
+
+  float* x = nullptr;        ///< scratch: R b
+  float* columns = nullptr;  ///< scratch for the chosen points: n rows of `stride`, a multiple of 16
+  std::ptrdiff_t stride = 0;
+  std::int32_t* place = nullptr;  ///< scratch, a number a column: its place,
+  float* cost = nullptr;          ///< 1 - y·p,
+  float* along = nullptr;         ///< and α
 };
 
 /// Points with u·p > threshold, found while taking the maximum; see Kernels::collect.
@@ -243,12 +268,19 @@ struct Kernels {
   PivotResult (*pivot)(BasisView* basis, const double* column, double cost, double reduced_cost,
                        std::int64_t id, bool bland, std::int64_t* left);
 
-  /// Dual simplex on min Σβ, Σ β_j p_j = b, β >= 0 over some of the points, in single precision; the row that
-  /// leaves by the steepest edge. y·p <= 1 for all points at the start.
-  WalkEnd (*walk_facets)(FacetWalk* walk);
+  /// Dual simplex on min Σβ, Σ β_j p_j = b, β >= 0 over some of the points, in single precision; from the
+  /// known facet whose plane b is farthest beyond, the row that leaves by the steepest edge. Up to
+  /// kWalksTogether walks at once, so that each goes on while the others wait for their sums; what one finds
+  /// does not depend on the others.
+  void (*walk_facets)(const FacetWalkPoints* points, FacetWalk* const* walks, int count);
+
+  /// Of up to kWalksTogether walks the points of the first blocks (an even number) whose product with y, both
+  /// rounded to integers, is above a threshold; in one pass. No sum may exceed 32 bits.
+  void (*find_beyond)(const FacetWalkPoints* points, std::ptrdiff_t block_count, FacetWalk* const* walks,
+                      int count);
 
   /// Then `count` more points, by their places, some of them with y·p > 1: the primal simplex goes on.
-  WalkEnd (*add_to_walk)(FacetWalk* walk, const std::int32_t* places, int count);
+  void (*add_to_walk)(const FacetWalkPoints* points, FacetWalk* walk, const std::int32_t* places, int count);
 
   /// Primal simplex on the LP of Example 2 over the priced points, entering the best point of A and the best
   /// of Q after each pricing. Basis rows: n coordinates, then convexity; m = n + 1.

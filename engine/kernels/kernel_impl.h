@@ -15,6 +15,7 @@
 #include "engine/kernels/inverse_kernels.h"
 #include "engine/kernels/mesh_kernels.h"
 #include "engine/kernels/orthogonal_kernels.h"
+#include "engine/kernels/plane_pass_kernels.h"
 #include "engine/kernels/simplex_kernels.h"
 #include "engine/kernels/twofold_basis_kernels.h"
 #include "engine/kernels/twofold_kernels.h"
@@ -31,6 +32,7 @@ const Kernels kKernels = {kWidth,
                           collect<float>,
                           pivot,
                           walk_facets,
+                          find_beyond,
                           add_to_walk,
                           simplex_loop,
                           norms,

@@ -145,6 +145,9 @@ inline unsigned lanes_equal(Vec<float>::Pack v, float a) {
 inline unsigned lanes_above(Vec<float>::Pack v, float a) {
   return _mm512_cmp_ps_mask(v, broadcast(a), _CMP_GT_OQ);
 }
+inline unsigned lanes_above(Vec<float>::Index v, int a) {
+  return _mm512_cmpgt_epi32_mask(reinterpret_cast<__m512i>(v), _mm512_set1_epi32(a));
+}
 #elif defined(__AVX2__)
 inline unsigned bits_of(__m256d mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask)); }
 inline unsigned bits_of(__m256 mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
@@ -155,6 +158,9 @@ inline unsigned lanes_equal(Vec<float>::Pack v, float a) {
 }
 inline unsigned lanes_above(Vec<float>::Pack v, float a) {
   return bits_of(_mm256_cmp_ps(v, broadcast(a), _CMP_GT_OQ));
+}
+inline unsigned lanes_above(Vec<float>::Index v, int a) {
+  return bits_of(_mm256_castsi256_ps(_mm256_cmpgt_epi32(reinterpret_cast<__m256i>(v), _mm256_set1_epi32(a))));
 }
 #else
 template <class V, class Real>

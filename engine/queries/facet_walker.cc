@@ -14,23 +14,29 @@
 namespace raygauge {
 namespace {
 
-constexpr int kLanes = PointSet::kLanes, kSingleLanes = PointSet::kSingleLanes;
+constexpr int kSingleLanes = PointSet::kSingleLanes;
 constexpr int kRow = WalkedPoints::kRow;
 constexpr int kListed = 50;  // points that columns are chosen from, times n
 constexpr int kChosen = 8;   // columns, times n
-constexpr int kRoom = 1024;  // columns at most
-constexpr float kFirstShare = 0.5F, kLeastShare = 0.2F, kMostShare = 0.9F;  // of the highest point along x
-constexpr int kPasses = 8;                                                  // for one point
+constexpr float kFirstShare = 0.5F, kLeastShare = 0.2F, kMostShare = 0.9F;  // of the highest points along x
 constexpr int kPivots = 12;                                                 // of a walk, times n
-constexpr int kFound = 512;               // room for points that a pass finds near or beyond the plane
-constexpr int kAdded = 32;                // of them to the columns
-constexpr int kCandidates = 4;            // for a first basis, times n
-constexpr double kInPlane = 1e-9;         // relative: points of a facet
-constexpr double kIndependent = 1e-16;    // squared distance of a point from the space of others
-constexpr double kLeastLength = 0x1p-60;  // of x, and the most is its inverse: squares are single numbers
-constexpr double kSingleRoundoff = 0x1p-24;
-constexpr double kSlack = 1e-9;  // for sums in double
+constexpr int kCandidates = 4;                                              // for a first basis, times n
+constexpr double kInPlane = 1e-9;                                           // relative: points of a facet
+constexpr double kIndependent = 1e-16;  // squared distance of a point from the space of others
+constexpr double kSlack = 1e-9;         // for sums in double
 constexpr int kBuckets = 64;
+
+// Walks as kernels take them.
+class Raw {
+ public:
+  void add(PointWalk* walk) { walks_[static_cast<std::size_t>(size_++)] = &walk->walk(); }
+  FacetWalk* const* data() const { return walks_.data(); }
+  int size() const { return size_; }
+
+ private:
+  std::array<FacetWalk*, kWalksTogether> walks_{};
+  int size_ = 0;
+};
 
 }  // namespace
 
@@ -50,63 +56,34 @@ void KnownFacets::add(const FacetWalk& walk) {
   std::copy_n(walk.R, n_ * kRow, to);
   std::copy_n(walk.y, kRow, to + static_cast<std::ptrdiff_t>(n_) * kRow);
   std::copy_n(walk.id, n_, ids_.data() + at * n_);
-  if (at % kLanes == 0) std::fill_n(normals_.data() + at * n_, n_ * kLanes, 0.0);
-  double* lane = normals_.data() + at / kLanes * n_ * kLanes + at % kLanes;
-  for (int k = 0; k < n_; ++k) lane[static_cast<std::ptrdiff_t>(k) * kLanes] = walk.y[k];
-}
-
-void KnownFacets::load_best(const Kernels& kernels, const double* x, FacetWalk* walk) const {
-  std::ptrdiff_t best = 0;
-  kernels.price(normals_.data(), (count_ + kLanes - 1) / kLanes, n_, x, &best);
-  best = std::min<std::ptrdiff_t>(best, count_ - 1);
-  const float* from = inverses_.data() + best * (n_ + 1) * kRow;
-  std::copy_n(from, n_ * kRow, walk->R);
-  std::copy_n(from + static_cast<std::ptrdiff_t>(n_) * kRow, kRow, walk->y);
-  std::copy_n(ids_.data() + best * n_, n_, walk->id);
+  if (at % kSingleLanes == 0) std::fill_n(normals_.data() + at * n_, n_ * kSingleLanes, 0.0F);
+  float* lane = normals_.data() + at / kSingleLanes * n_ * kSingleLanes + at % kSingleLanes;
+  for (int k = 0; k < n_; ++k) lane[static_cast<std::ptrdiff_t>(k) * kSingleLanes] = walk.y[k];
 }
 
 FacetWalker::FacetWalker(const WalkedPoints& points)
-    : all_(&points), block_count_(points.S->single_block_count()), found_(kFound), values_(kFound) {
-  const auto n = static_cast<std::size_t>(points.n),
-             lanes = static_cast<std::size_t>(block_count_) * kSingleLanes;
-  walk_.room = kRoom;
-  const auto columns =
-      static_cast<std::size_t>(walk_.room + kPasses * kAdded + 2 * kSingleLanes) / 32 * 32 + kSingleLanes;
-  small_.reserve((n + 3) * kRow);
-  doubles_.reserve(std::size_t{4} * kRow);
-  ids_.reserve(kRow);
+    : all_(&points), block_count_((points.S->single_block_count() + 1) / 2 * 2) {
+  const auto lanes = static_cast<std::size_t>(block_count_) * kSingleLanes;
   reach_.reserve(lanes);
   order_.reserve(lanes);
-  blocks_.reserve(lanes * n);
-  columns_.reserve(columns * n + kSingleLanes);
-  for (AlignedBuffer<float>* scratch : {&costs_, &along_}) scratch->reserve(std::max(columns, lanes));
-  places_.reserve(columns + kSingleLanes);
-  std::fill_n(small_.data(), (n + 3) * kRow, 0.0F);
-  std::fill_n(doubles_.data(), std::size_t{4} * kRow, 0.0);
-  walk_.n = points.n;
-  walk_.points = points.rows.data();
-  walk_.order = order_.data();
-  walk_.blocks = blocks_.data();
-  walk_.pivot_limit = kPivots * points.n;
-  walk_.R = small_.data();
-  walk_.y = walk_.R + n * kRow;
-  walk_.x = walk_.y + kRow;
-  walk_.target = walk_.x + kRow;
-  walk_.id = ids_.data();
-  walk_.wanted = doubles_.data();
-  walk_.share = doubles_.data() + kRow;
-  walk_.rest = walk_.share + kRow;
-  walk_.dual = walk_.rest + kRow;
-  walk_.columns = columns_.data();
-  walk_.stride = static_cast<std::ptrdiff_t>(columns);
-  walk_.place = places_.data();
-  walk_.cost = costs_.data();
-  walk_.along = along_.data();
+  blocks_.reserve(lanes * static_cast<std::size_t>(points.n));
+  group_.n = points.n;
+  group_.points = points.rows.data();
+  group_.order = order_.data();
+  rounded_.reserve(lanes * static_cast<std::size_t>((points.n + 1) / 2));
+  group_.blocks = blocks_.data();
+  group_.rounded = rounded_.data();
+  group_.room = PointWalk::kRoom;
+  group_.pivot_limit = kPivots * points.n;
+  for (int i = 0; i < kWalksTogether; ++i) {
+    walks_.push_back(std::make_unique<PointWalk>(points));
+    idle_.push_back(walks_.back().get());
+  }
 }
 
 bool FacetWalker::begin(const Vector& facet_normal) {
   const int n = all_->n;
-  normal_ = facet_normal.unaryExpr([&](double w) { return std::ldexp(w, -all_->exponent); });
+  normal_ = facet_normal / all_->factor;
   sort_points(facet_normal);
   const std::vector<std::int32_t> facet = points_in_plane();
   if (std::ssize(facet) < n) return false;
@@ -114,20 +91,20 @@ bool FacetWalker::begin(const Vector& facet_normal) {
   for (int i = 0; i < n; ++i) B.col(i) = point_at(facet[static_cast<std::size_t>(i)]);
   const Eigen::MatrixXd R = lu_inverse(B);
   if (!R.allFinite()) return false;
+  const FacetWalk& first = walks_.front()->walk();
   for (int k = 0; k < n; ++k) {
-    for (int i = 0; i < n; ++i) walk_.R[k * kRow + i] = static_cast<float>(R(i, k));
-    walk_.y[k] = static_cast<float>(R.col(k).sum());
-    walk_.id[k] = facet[static_cast<std::size_t>(k)];
+    for (int i = 0; i < n; ++i) first.R[k * kRow + i] = static_cast<float>(R(i, k));
+    first.y[k] = static_cast<float>(R.col(k).sum());
+    first.id[k] = facet[static_cast<std::size_t>(k)];
   }
   share_ = kFirstShare;
   known_.clear(n);
-  known_.add(walk_);
+  known_.add(first);
   return true;
 }
 
 // By w·p in buckets, the highest first.
 void FacetWalker::sort_points(const Vector& facet_normal) {
-  const auto n = static_cast<std::ptrdiff_t>(all_->n);
   const PointSet& S = *all_->S;
   all_->kernels->products(S.data(), S.block_count(), all_->n, facet_normal.data(), reach_.data());
   const auto bucket_of = [&](std::ptrdiff_t i) {
@@ -139,30 +116,56 @@ void FacetWalker::sort_points(const Vector& facet_normal) {
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::ptrdiff_t i = 0; i < S.size(); ++i)
     order_[static_cast<std::size_t>(next[bucket_of(i)]++)] = static_cast<std::int32_t>(i);
-  std::fill_n(blocks_.data() + (block_count_ - 1) * n * kSingleLanes, n * kSingleLanes, 0.0F);
+  highest_ = next.front();
+  blocks_filled_ = rounded_filled_ = 0;
   tops_.assign(static_cast<std::size_t>(block_count_), -kInfinity);
   for (std::ptrdiff_t place = 0; place < S.size(); ++place) {
-    const std::ptrdiff_t i = order_[static_cast<std::size_t>(place)], b = place / kSingleLanes;
-    const double* row = all_->rows.data() + i * kRow;
-    float* lane = blocks_.data() + b * n * kSingleLanes + place % kSingleLanes;
-    for (std::ptrdiff_t k = 0; k < n; ++k) lane[k * kSingleLanes] = static_cast<float>(row[k]);
-    double& top = tops_[static_cast<std::size_t>(b)];
-    top = std::max(top, reach_[static_cast<std::size_t>(i)]);
+    double& top = tops_[static_cast<std::size_t>(place / kSingleLanes)];
+    top = std::max(top, reach_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])]);
   }
   for (std::size_t b = tops_.size() - 1; b > 0; --b) tops_[b - 1] = std::max(tops_[b - 1], tops_[b]);
+}
+
+// The first blocks, as far as they are read.
+void FacetWalker::fill_blocks(std::ptrdiff_t count) {
+  const std::ptrdiff_t n = all_->n;
+  for (; blocks_filled_ < count; ++blocks_filled_) {
+    float* block = blocks_.data() + blocks_filled_ * n * kSingleLanes;
+    std::fill_n(block, n * kSingleLanes, 0.0F);
+    const std::ptrdiff_t first = blocks_filled_ * kSingleLanes;
+    for (std::ptrdiff_t lane = 0; lane < std::min<std::ptrdiff_t>(kSingleLanes, all_->S->size() - first);
+         ++lane) {
+      const auto point = point_at(first + lane);
+      for (std::ptrdiff_t k = 0; k < n; ++k) block[k * kSingleLanes + lane] = static_cast<float>(point[k]);
+    }
+  }
+}
+
+void FacetWalker::fill_rounded(std::ptrdiff_t count) {
+  const std::ptrdiff_t pairs = (all_->n + 1) / 2;
+  for (; rounded_filled_ < count; ++rounded_filled_) {
+    std::int32_t* block = rounded_.data() + rounded_filled_ * pairs * kSingleLanes;
+    std::fill_n(block, pairs * kSingleLanes, 0);
+    const std::ptrdiff_t first = rounded_filled_ * kSingleLanes;
+    for (std::ptrdiff_t lane = 0; lane < std::min<std::ptrdiff_t>(kSingleLanes, all_->S->size() - first);
+         ++lane) {
+      const std::int32_t* row =
+          all_->pairs.data() + order_[static_cast<std::size_t>(first + lane)] * (kRow / 2);
+      for (std::ptrdiff_t k = 0; k < pairs; ++k) block[k * kSingleLanes + lane] = row[k];
+    }
+  }
 }
 
 // The places of n independent points in the plane; fewer where there are no n.
 std::vector<std::int32_t> FacetWalker::points_in_plane() const {
   const int n = all_->n;
   double highest = -kInfinity;
-  const std::ptrdiff_t near = std::min<std::ptrdiff_t>(all_->S->size(), walk_.room);
   const auto reach = [&](std::ptrdiff_t place) {
     return reach_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
   };
-  for (std::ptrdiff_t place = 0; place < near; ++place) highest = std::max(highest, reach(place));
+  for (std::ptrdiff_t place = 0; place < highest_; ++place) highest = std::max(highest, reach(place));
   std::vector<std::int32_t> places, chosen;
-  for (std::ptrdiff_t place = 0; place < near && std::ssize(places) < std::ptrdiff_t{kCandidates} * n;
+  for (std::ptrdiff_t place = 0; place < highest_ && std::ssize(places) < std::ptrdiff_t{kCandidates} * n;
        ++place) {
     if (reach(place) >= highest * (1 - kInPlane)) places.push_back(static_cast<std::int32_t>(place));
   }
@@ -179,32 +182,43 @@ std::vector<std::int32_t> FacetWalker::points_in_plane() const {
   return chosen;
 }
 
-// Over points near by, or over more where their cone does not hold x.
-WalkEnd FacetWalker::walk() {
-  const auto over = [&](std::ptrdiff_t blocks, float share) {
-    known_.load_best(*all_->kernels, walk_.wanted, &walk_);
-    walk_.listed = static_cast<int>(std::min(blocks, block_count_));
-    walk_.share_of_highest = share;
-    return all_->kernels->walk_facets(&walk_);
-  };
-  const WalkEnd end = over(kListed * all_->n / kSingleLanes, share_);
-  if (end == WalkEnd::arrived) {
-    adapt_share();
-    return end;
+// Over points near by.
+void FacetWalker::walk() {
+  group_.known = known_.list();
+  group_.listed =
+      static_cast<int>(std::min<std::ptrdiff_t>(kListed * all_->n / kSingleLanes / 2 * 2, block_count_));
+  group_.share_of_highest = share_;
+  fill_blocks(group_.listed);
+  Raw walks;
+  for (PointWalk* walk : begun_) walks.add(walk);
+  all_->kernels->walk_facets(&group_, walks.data(), walks.size());
+  const int wanted = kChosen * all_->n;
+  for (const PointWalk* walk : begun_) {
+    if (!walk->arrived()) continue;
+    if (walk->walk().chosen > wanted) share_ = std::min(share_ + 0.01F, kMostShare);
+    if (walk->walk().chosen < wanted) share_ = std::max(share_ - 0.01F, kLeastShare);
   }
-  const bool all = block_count_ * kSingleLanes <= kRoom;
-  return over(block_count_, all ? -std::numeric_limits<float>::infinity() : kFirstShare);
 }
 
-void FacetWalker::adapt_share() {
-  const int wanted = kChosen * all_->n;
-  if (walk_.chosen > wanted) share_ = std::min(share_ + 0.01F, kMostShare);
-  if (walk_.chosen < wanted) share_ = std::max(share_ - 0.01F, kLeastShare);
+// Over more, where the cone of those near by does not hold x.
+void FacetWalker::walk_farther() {
+  const bool all = block_count_ * kSingleLanes <= PointWalk::kRoom;
+  group_.listed = static_cast<int>(block_count_);
+  group_.share_of_highest = all ? -std::numeric_limits<float>::infinity() : kFirstShare;
+  for (PointWalk* walk : begun_) {
+    FacetWalk* raw = &walk->walk();
+    if (!walk->arrived()) {
+      fill_blocks(block_count_);
+      all_->kernels->walk_facets(&group_, &raw, 1);
+    }
+    (walk->arrived() && walk->prepare_pass() ? arrived_ : idle_).push_back(walk);
+  }
+  begun_.clear();
 }
 
 // y = a w + v, and y·p <= a (w·p) + |v| as |p| <= 1: blocks behind cannot reach y's plane.
-std::ptrdiff_t FacetWalker::blocks_in_reach() const {
-  const Eigen::Map<const Eigen::VectorXd> y(walk_.dual, all_->n);
+std::ptrdiff_t FacetWalker::blocks_in_reach(const FacetWalk& walk) const {
+  const Eigen::Map<const Eigen::VectorXd> y(walk.dual, all_->n);
   const double a = y.dot(normal_) / normal_.squaredNorm();
   if (!(a > 0)) return block_count_;
   const double across = (y - a * normal_).norm();
@@ -213,84 +227,46 @@ std::ptrdiff_t FacetWalker::blocks_in_reach() const {
          tops_.begin();
 }
 
-// max y·p: points that single precision, whose errors are bounded by `lost`, cannot prove to be below 1 are
-// evaluated in double. Those beyond 1 are noted.
-void FacetWalker::bound_support() {
-  const WalkedPoints& all = *all_;
-  double size = 0;
-  alignas(64) float u[kRow];
-  for (int k = 0; k < all.n; ++k) {
-    u[k] = static_cast<float>(walk_.dual[k]);
-    size += std::fabs(walk_.dual[k]) * all.magnitude[k];
+// One pass for all that have arrived. Points beyond a plane join the others of its walk.
+void FacetWalker::look_beyond() {
+  std::ptrdiff_t reached = 0;
+  Raw walks;
+  for (PointWalk* walk : arrived_) {
+    const std::ptrdiff_t in_reach = blocks_in_reach(walk->walk());
+    if (walk->integers_suffice()) {
+      reached = std::max(reached, in_reach);
+      walks.add(walk);
+    } else {
+      fill_blocks(in_reach);
+      walk->find_in_single(group_, in_reach);
+    }
   }
-  size *= 1 + 2 * (all.n + 1) * kUnitRoundoff;
-  const double lost = 1.01 * (all.n + 4) * kSingleRoundoff * size + 0x1p-100;
-  const double error = 1.01 * (all.n + 2) * kUnitRoundoff * size + kUnderflow;
-  support_ = kInfinity;
-  beyond_.clear();
-  if (!(lost < 0.01)) return;
-  const double threshold = 1 - 3 * lost;
-  Collection collection{found_.data(), values_.data(), kFound, 0, threshold};
-  all_->kernels->collect_single(blocks_.data(), 0, blocks_in_reach(), all.n, u, &collection);
-  if (collection.threshold != threshold) return;
-  support_ = 1;
-  for (std::ptrdiff_t c = 0; c < collection.count; ++c) {
-    const std::ptrdiff_t place = found_[static_cast<std::size_t>(c)];
-    if (place >= all.S->size()) continue;
-    const double product = point_at(place).dot(Eigen::Map<const Eigen::VectorXd>(walk_.dual, all.n));
-    support_ = std::max(support_, product + error);
-    if (product > 1 + all.tolerance / 8 && std::ssize(beyond_) < kAdded)
-      beyond_.push_back(static_cast<std::int32_t>(place));
-  }
+  reached = (reached + 1) / 2 * 2;
+  fill_rounded(reached);
+  all_->kernels->find_beyond(&group_, reached, walks.data(), walks.size());
+  std::erase_if(arrived_, [&](PointWalk* walk) {
+    walk->read_pass(group_);
+    if (walk->go_on(group_)) {
+      if (walk->arrived() && walk->prepare_pass()) return false;
+    } else if (walk->answer()) {
+      known_.add(walk->walk());
+    }
+    idle_.push_back(walk);
+    return true;
+  });
 }
 
-// x = Σ β_i p_i + r, gauge(r) <= Σ |r_k| axis_gauge_k, and y·x / max y·p.
-WalkAnswer FacetWalker::bounds() const {
-  const WalkedPoints& all = *all_;
-  const int n = all.n;
-  double sum = 0, rest = 0, along = 0, size = 0;
-  for (int i = 0; i < n; ++i) sum += walk_.share[i];
-  sum *= 1 + 2 * n * kUnitRoundoff;
-  for (int k = 0; k < n; ++k) {
-    const double x = walk_.wanted[k], w = walk_.dual[k];
-    const double error =
-        1.01 * (n + 3) * kUnitRoundoff * (std::fabs(x) + sum * all.magnitude[k]) + kUnderflow;
-    rest += (std::fabs(walk_.rest[k]) + error) * all.axis_gauge[k];
-    along += w * x;
-    size += std::fabs(w * x);
+void FacetWalker::solve(std::span<const WalkQuestion> questions) {
+  for (std::size_t next = 0; next < questions.size() || !arrived_.empty();) {
+    for (; next < questions.size() && !idle_.empty(); ++next) {
+      if (!idle_.back()->begin(questions[next])) continue;
+      begun_.push_back(idle_.back());
+      idle_.pop_back();
+    }
+    walk();
+    walk_farther();
+    look_beyond();
   }
-  along -= 1.01 * (n + 3) * kUnitRoundoff * size + kUnderflow;
-  WalkAnswer answer;
-  answer.upper = (sum + rest * (1 + 2 * (n + 2) * kUnitRoundoff)) * (1 + 4 * kUnitRoundoff);
-  answer.lower = along > 0 ? along / support_ * (1 - 4 * kUnitRoundoff) : 0;
-  answer.closed = answer.upper - answer.lower <= all.tolerance * answer.upper && answer.upper < kInfinity &&
-                  std::isnormal(answer.lower);
-  return answer;
-}
-
-WalkAnswer FacetWalker::gauge(const double* x, double* normal) {
-  const int n = all_->n;
-  double largest = 0;
-  for (int k = 0; k < n; ++k) {
-    double& scaled = doubles_[static_cast<std::size_t>(k)];
-    scaled = std::ldexp(x[k], all_->exponent);
-    walk_.target[k] = static_cast<float>(scaled);
-    largest = std::max(largest, std::fabs(scaled));
-  }
-  if (!(largest >= kLeastLength && largest <= 1 / kLeastLength)) return {};
-  if (walk() != WalkEnd::arrived) return {};
-  bound_support();
-  for (int passes = 1; passes < kPasses && !beyond_.empty(); ++passes) {
-    const auto count = static_cast<int>(std::ssize(beyond_));
-    if (all_->kernels->add_to_walk(&walk_, beyond_.data(), count) != WalkEnd::arrived) return {};
-    bound_support();
-  }
-  const WalkAnswer answer = bounds();
-  if (answer.closed) known_.add(walk_);
-  if (normal != nullptr) {
-    for (int k = 0; k < n; ++k) normal[k] = std::ldexp(-walk_.dual[k] / support_, all_->exponent);
-  }
-  return answer;
 }
 
 }  // namespace raygauge

@@ -4,11 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/kernels/kernel.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/queries/facet_walks.h"
+#include "engine/queries/point_walk.h"
 
 namespace raygauge {
 
@@ -20,8 +23,7 @@ class KnownFacets {
   /// That of the walk, while there is room.
   void add(const FacetWalk& walk);
 
-  /// The facet whose plane x (n doubles) is farthest beyond, to where the walk keeps it.
-  void load_best(const Kernels& kernels, const double* x, FacetWalk* walk) const;
+  FacetList list() const { return {normals_.data(), inverses_.data(), ids_.data(), count_}; }
 
  private:
   static constexpr int kMost = 256;
@@ -29,7 +31,7 @@ class KnownFacets {
   int n_ = 0, count_ = 0;
   AlignedBuffer<float> inverses_;    // n + 1 columns of 16: R, and y
   AlignedBuffer<std::int32_t> ids_;  // n each
-  AlignedBuffer<double> normals_;    // y, in blocks of 8
+  AlignedBuffer<float> normals_;     // y, in blocks of 16
 };
 
 /// The walks of one thread.
@@ -41,17 +43,18 @@ class FacetWalker {
   /// independent points, or their matrix cannot be inverted.
   bool begin(const Vector& facet_normal);
 
-  /// The gauge at x (n doubles), and the normal of a plane that bounds it, if there is room.
-  WalkAnswer gauge(const double* x, double* normal);
+  /// Answers questions, several at once.
+  void solve(std::span<const WalkQuestion> questions);
 
  private:
   void sort_points(const Vector& normal);
+  void fill_blocks(std::ptrdiff_t count);
+  void fill_rounded(std::ptrdiff_t count);
   std::vector<std::int32_t> points_in_plane() const;
-  WalkEnd walk();
-  void adapt_share();
-  std::ptrdiff_t blocks_in_reach() const;
-  void bound_support();
-  WalkAnswer bounds() const;
+  void walk();
+  void walk_farther();
+  void look_beyond();
+  std::ptrdiff_t blocks_in_reach(const FacetWalk& walk) const;
   Eigen::Map<const Eigen::VectorXd> point_at(std::ptrdiff_t place) const {
     const std::ptrdiff_t i = order_[static_cast<std::size_t>(place)];
     return {all_->rows.data() + i * WalkedPoints::kRow, all_->n};
@@ -60,21 +63,20 @@ class FacetWalker {
   const WalkedPoints* all_;
   std::ptrdiff_t block_count_;
   KnownFacets known_;
-  FacetWalk walk_;
-  Vector normal_;                      // of the group's facet, for the points as they are walked
-  AlignedBuffer<double> reach_;        // w·p of all points,
-  AlignedBuffer<std::int32_t> order_;  // by which they are sorted, falling: their numbers
-  AlignedBuffer<float> blocks_;
+  FacetWalkPoints group_;
+  std::vector<std::unique_ptr<PointWalk>> walks_;
+  std::vector<PointWalk*> idle_;         // of them: those without a question,
+  std::vector<PointWalk*> begun_;        // those at its beginning,
+  std::vector<PointWalk*> arrived_;      // and those that wait for a pass
+  Vector normal_;                        // of the group's facet, for the points as they are walked
+  AlignedBuffer<double> reach_;          // w·p of all points,
+  AlignedBuffer<std::int32_t> order_;    // by which they are sorted, falling: their numbers
+  std::ptrdiff_t highest_ = 0;           // so many are in the first bucket, all in the plane among them
+  AlignedBuffer<float> blocks_;          // in this order, ...
+  AlignedBuffer<std::int32_t> rounded_;  // ... and rounded to integers, in pairs
+  std::ptrdiff_t blocks_filled_ = 0, rounded_filled_ = 0;
   std::vector<double> tops_;  // of each block and those behind: max w·p
-  AlignedBuffer<float> columns_, costs_, along_;
-  AlignedBuffer<std::int32_t> places_, ids_;
-  AlignedBuffer<float> small_;       // R, y, x, b
-  AlignedBuffer<double> doubles_;    // b, and what the walk found
-  std::vector<std::int64_t> found_;  // by a pass: points near the plane or beyond
-  std::vector<double> values_;
-  std::vector<std::int32_t> beyond_;
-  float share_ = 0;     // FacetWalk::share_of_highest, for some number of columns
-  double support_ = 1;  // at least max y·p
+  float share_ = 0;           // FacetWalkPoints::share_of_highest, for some number of columns
 };
 
 }  // namespace raygauge

@@ -20,7 +20,7 @@ constexpr std::ptrdiff_t kLeastPoints = 60;    // times n: below, single solves 
 constexpr std::ptrdiff_t kMostPoints = 65536;  // a group sorts them
 constexpr double kLeastTolerance = 1e-10;      // what is found has been proven to about 1e-12
 constexpr double kFlattest = 0x1p-10;          // the least extent along a coordinate, relative to the largest
-constexpr std::size_t kPerFacet = 128;         // points of a group, on average
+constexpr std::size_t kPerFacet = 224;         // points of a group, on average
 constexpr std::size_t kFewFacets = 128, kPerFewFacets = 24;  // where points are few
 constexpr std::size_t kMostFacets = 1024;                    // that a point is compared with
 constexpr std::ptrdiff_t kChunk = 1024;                      // points that a thread sorts at once
@@ -37,16 +37,20 @@ WalkedPoints::WalkedPoints(const PointSet& set, const Vector& gauge_of_axes, dou
     return;
   if (!gauge_of_axes.allFinite() || !std::isfinite(largest)) return;
   if (!(extent.minCoeff() >= kFlattest * largest) || !(largest > 0x1p-900)) return;
-  exponent = -std::ilogb(largest) - 1;
-  magnitude = extent.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
-  axis_gauge = gauge_of_axes.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
-  rows.reserve(static_cast<std::size_t>(set.size()) * kRow);
-  std::fill_n(rows.data(), static_cast<std::size_t>(set.size()) * kRow, 0.0);
+  factor = std::ldexp(1.0, -std::ilogb(largest) - 1);
+  magnitude = extent * factor;
+  axis_gauge = gauge_of_axes / factor;
+  const auto numbers = static_cast<std::size_t>(set.size()) * kRow;
+  rows.reserve(numbers);
+  pairs.reserve(numbers / 2);
+  std::fill_n(rows.data(), numbers, 0.0);
   for (std::ptrdiff_t i = 0; i < set.size(); ++i) {
     double* row = rows.data() + i * kRow;
     set.copy_point(i, row);
-    for (int k = 0; k < n; ++k) row[k] = std::ldexp(row[k], exponent);
+    for (int k = 0; k < n; ++k) row[k] *= factor;
   }
+  for (std::size_t i = 0; i < numbers / 2; ++i)
+    pairs[i] = pair_of(kScale * rows[2 * i], kScale * rows[2 * i + 1]);
   usable = true;
 }
 
@@ -68,16 +72,16 @@ std::ptrdiff_t FacetWalks::facets_for(std::size_t points) noexcept {
 void FacetWalks::add_facet(const Vector& normal) {
   const double above = support_value(*points_.kernels, *points_.S, normal.data()).above();
   if (!(above > 0)) return;
-  constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
+  constexpr std::ptrdiff_t kLanes = PointSet::kSingleLanes;
   const std::ptrdiff_t n = points_.n, at = facets();
   normals_.emplace_back(normal / above);
   if (at % kLanes == 0) {
     blocks_.reserve(static_cast<std::size_t>((at + kLanes) * n));
-    std::fill_n(blocks_.data() + at * n, kLanes * n, 0.0);
+    std::fill_n(blocks_.data() + at * n, kLanes * n, 0.0F);
   }
   for (std::ptrdiff_t k = 0; k < n; ++k)
     blocks_[static_cast<std::size_t>(at / kLanes * n * kLanes + k * kLanes + at % kLanes)] =
-        normals_.back()[k];
+        static_cast<float>(normals_.back()[k]);
 }
 
 // Each point to the facet whose plane it is farthest beyond; in a group in their order.
@@ -85,13 +89,18 @@ void FacetWalks::sort_by_group(const Eigen::Ref<const Eigen::MatrixXd>& X,
                                std::span<const std::size_t> which) {
   const auto count = std::ssize(which), groups = facets();
   group_of_.resize(which.size());
+  PricedPoints facets;
+  facets.single_blocks = blocks_.data();
+  facets.single_block_count = (groups + PointSet::kSingleLanes - 1) / PointSet::kSingleLanes;
+  facets.size = groups;
   team_.run(static_cast<int>((count + kChunk - 1) / kChunk), true, [&](int chunk) {
+    alignas(64) float x[WalkedPoints::kRow];
+    LaneList best;
     for (std::ptrdiff_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
       const auto at = static_cast<std::size_t>(i);
-      std::ptrdiff_t best = 0;
-      points_.kernels->price(blocks_.data(), (groups + PointSet::kLanes - 1) / PointSet::kLanes, points_.n,
-                             X.col(static_cast<Eigen::Index>(which[at])).data(), &best);
-      group_of_[at] = static_cast<std::size_t>(std::min(best, groups - 1));
+      points_.kernels->price_lanes(&facets, points_.n, X.col(static_cast<Eigen::Index>(which[at])).data(), x,
+                                   &best);
+      group_of_[at] = static_cast<std::size_t>(best.best);
     }
   });
   first_.assign(static_cast<std::size_t>(groups) + 1, 0);
@@ -110,15 +119,19 @@ void FacetWalks::solve(const Eigen::Ref<const Eigen::MatrixXd>& X, std::span<con
   std::mutex mutex;
   std::exception_ptr error;
   std::atomic<bool> ended = false;
+  const auto question = [&](std::size_t at) {
+    const double* x = X.col(static_cast<Eigen::Index>(which[at])).data();
+    double* normal = normals.empty() ? nullptr : normals.data() + at * static_cast<std::size_t>(points_.n);
+    return WalkQuestion{x, &answers[at], normal};
+  };
   const auto walk_group = [&](std::size_t group) {
     walkers_.lend([&](std::unique_ptr<FacetWalker>& walker) {
       if (!walker) walker = std::make_unique<FacetWalker>(points_);
       if (first_[group] == first_[group + 1] || !walker->begin(normals_[group])) return;
-      for (std::size_t k = first_[group]; k < first_[group + 1]; ++k) {
-        const std::size_t at = by_group_[k], n = static_cast<std::size_t>(points_.n);
-        const double* x = X.col(static_cast<Eigen::Index>(which[at])).data();
-        answers[at] = walker->gauge(x, normals.empty() ? nullptr : normals.data() + at * n);
-      }
+      std::vector<WalkQuestion> questions;
+      for (std::size_t k = first_[group]; k < first_[group + 1]; ++k)
+        questions.push_back(question(by_group_[k]));
+      walker->solve(questions);
     });
   };
   team_.run(static_cast<int>(facets()), true, [&](int group) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -26,6 +28,7 @@ struct WalkAnswer {
 /// The points of a set as walks read them: times a power of two, so that all have length 1 at most.
 struct WalkedPoints {
   static constexpr int kRow = 16;  ///< numbers a point, the last ones 0
+  static constexpr double kScale = 0x1p14;
 
   /// `gauge_of_axes`: at least max(gauge(e_k), gauge(-e_k)).
   WalkedPoints(const PointSet& S, const Vector& gauge_of_axes, double tolerance, const Kernels& kernels);
@@ -34,21 +37,29 @@ struct WalkedPoints {
   const PointSet* S;
   int n;
   double tolerance;
-  int exponent = 0;            ///< of that power
-  bool usable = false;         ///< few coordinates, in the range of single precision
-  AlignedBuffer<double> rows;  ///< the points, times that power
-  Vector magnitude;            ///< max_i |p_ik|, times that power
-  Vector axis_gauge;           ///< by that power
+  double factor = 1;                  ///< that power
+  bool usable = false;                ///< few coordinates, in the range of single precision
+  AlignedBuffer<double> rows;         ///< the points, times that power
+  AlignedBuffer<std::int32_t> pairs;  ///< these times kScale, rounded, each two in one number
+  Vector magnitude;                   ///< max_i |p_ik|, times that power
+  Vector axis_gauge;                  ///< by that power
 };
+
+/// Two numbers below 2^15 in one.
+inline std::int32_t pair_of(double low, double high) {
+  const auto half = [](double x) { return static_cast<std::uint16_t>(std::lrint(x)); };
+  return static_cast<std::int32_t>(half(low) | static_cast<std::uint32_t>(half(high)) << 16);
+}
 
 class FacetWalker;
 
 /// Gauges of a hull of points at many points, by walks from facet to facet. Points are asked in groups, each
 /// about a facet that a solve has found; within a group each point starts from that of the facets found
 /// before it whose plane it is farthest beyond, and the dual simplex walks over those of the set's points
-/// that are near. Of the last facet it is proven, by a pass in single precision over what may reach its plane
-/// and by products in double, that no point is beyond; those that are join the others, and the primal simplex
-/// goes on. A group is walked on one thread, so that answers do not depend on their number.
+/// that are near. Of the last facet it is proven, by a pass in integers over what may reach its plane (in
+/// single precision where its normal is long) and by products in double, that no point is beyond; those that
+/// are join the others, and the primal simplex goes on. Several points are walked at once, and share passes.
+/// A group is walked on one thread, so that answers do not depend on their number.
 class FacetWalks {
  public:
   /// `gauge_of_axes` as in WalkedPoints.
@@ -76,7 +87,7 @@ class FacetWalks {
 
   WalkedPoints points_;
   std::vector<Vector> normals_;        // w of the facets, with w·p <= 1
-  AlignedBuffer<double> blocks_;       // of them
+  AlignedBuffer<float> blocks_;        // of them, in single precision
   std::vector<std::size_t> first_;     // of each group among
   std::vector<std::size_t> by_group_;  // positions in `which`
   std::vector<std::size_t> group_of_;

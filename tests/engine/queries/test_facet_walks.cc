@@ -125,6 +125,27 @@ TEST_P(FacetWalksByKernels, AgreesWithSingleSolvesAndProvesItsNormals) {
   }
 }
 
+// Planes close to the origin: their normals are too long for integers, and single precision tells more.
+TEST_P(FacetWalksByKernels, BoundsTheGaugeOfAFlatSet) {
+  Random random(48);
+  for (const int n : {2, 4, 7}) {
+    Eigen::MatrixXd P = sphere_points(n, 90 * n, random);
+    const Vector d = Vector::Constant(n, 1 / std::sqrt(n));
+    P -= 0.9985 * d * (d.transpose() * P).eval();
+    const PointSet S(P);
+    const Eigen::MatrixXd X = gaussian_points(n, 600, random);
+    const Answers answers = walk(S, X, 20, kernels());
+    EXPECT_GE(share_closed(answers), 0.9) << "n = " << n;
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      const WalkAnswer& answer = answers[static_cast<std::size_t>(i)];
+      if (!answer.closed) continue;
+      const GaugeBounds alone = gauge(S, X.col(i), 1e-9);
+      ASSERT_LE(answer.lower, alone.upper) << "n = " << n;
+      ASSERT_GE(answer.upper, alone.lower) << "n = " << n;
+    }
+  }
+}
+
 TEST(FacetWalks, GiveTheSameOnAnyNumberOfThreads) {
   Random random(44);
   const PointSet S(sphere_points(6, 600, random));
