@@ -32,9 +32,7 @@ WalkedPoints::WalkedPoints(const PointSet& set, const Vector& gauge_of_axes, dou
     : kernels(&given_kernels), S(&set), n(set.dimension()), tolerance(given_tolerance) {
   const Eigen::Map<const Eigen::VectorXd> extent(set.coordinate_magnitude(), n);
   const double largest = extent.norm();
-  if (n < 2 || n > WalkedPoints::kRow || set.size() < kLeastPoints * n || set.size() > kMostPoints ||
-      tolerance < kLeastTolerance)
-    return;
+  if (!FacetWalks::suits(set) || tolerance < kLeastTolerance) return;
   if (!gauge_of_axes.allFinite() || !std::isfinite(largest)) return;
   if (!(extent.minCoeff() >= kFlattest * largest) || !(largest > 0x1p-900)) return;
   factor = std::ldexp(1.0, -std::ilogb(largest) - 1);
@@ -63,6 +61,11 @@ FacetWalks::FacetWalks(const PointSet& S, const Vector& gauge_of_axes, double to
 }
 
 FacetWalks::~FacetWalks() = default;
+
+bool FacetWalks::suits(const PointSet& S) noexcept {
+  const int n = S.dimension();
+  return n >= 2 && n <= WalkedPoints::kRow && S.size() >= kLeastPoints * n && S.size() <= kMostPoints;
+}
 
 std::ptrdiff_t FacetWalks::facets_for(std::size_t points) noexcept {
   const std::size_t few = std::min(points / kPerFewFacets, kFewFacets);

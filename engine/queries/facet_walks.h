@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -45,9 +44,11 @@ struct WalkedPoints {
   Vector axis_gauge;                  ///< by that power
 };
 
-/// Two numbers below 2^15 in one.
+/// Two numbers below 2^15, rounded, in one.
 inline std::int32_t pair_of(double low, double high) {
-  const auto half = [](double x) { return static_cast<std::uint16_t>(std::lrint(x)); };
+  const auto half = [](double x) {
+    return static_cast<std::uint16_t>(static_cast<int>(x < 0 ? x - 0.5 : x + 0.5));
+  };
   return static_cast<std::int32_t>(half(low) | static_cast<std::uint32_t>(half(high)) << 16);
 }
 
@@ -66,6 +67,9 @@ class FacetWalks {
   FacetWalks(const PointSet& S, const Vector& gauge_of_axes, double tolerance, int threads,
              const Kernels& kernels = best_kernels());
   ~FacetWalks();
+
+  /// Whether the set has few coordinates and many points.
+  static bool suits(const PointSet& S) noexcept;
 
   /// Whether the points suit: of few coordinates, not too far apart in size, and their lists shorter.
   bool usable() const noexcept { return points_.usable; }

@@ -207,16 +207,25 @@ class Blocks {
 
 }  // namespace
 
-std::vector<GaugeBounds> gauges(const ConvexSet& S, const Points& X, const PointsOptions& options) {
+bool gauges_walk(const ConvexSet& S, std::ptrdiff_t K) noexcept { return PointGauges::may_walk(S, K); }
+
+std::vector<GaugeBounds> gauges(const ConvexSet& S, const Points& X, const PointsOptions& options,
+                                Eigen::MatrixXd* normals) {
   check_points("gauges", S, X, options);
   const auto count = static_cast<std::size_t>(X.cols());
   std::vector<GaugeBounds> bounds(count, {0, kInfinity});
   PointGauges solver(S, options);
   Vector normal(S.dimension());
+  if (normals != nullptr) normals->setZero(S.dimension(), X.cols());
   Blocks blocks(count, kFirstGauges);
   for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;
-    solver.solve(X, which, nullptr, false);
+    solver.solve(X, which, nullptr, normals != nullptr);
+    if (normals != nullptr) {
+      const auto first = static_cast<Eigen::Index>(which.front());  // of columns that follow each other
+      normals->middleCols(first, std::ssize(which)) =
+          Eigen::MatrixXd::Map(solver.normal.data(), S.dimension(), std::ssize(which));
+    }
     for (std::size_t k = 0; k < which.size(); ++k) {
       GaugeBounds& b = bounds[which[k]];
       b = {solver.lower[k], solver.upper[k]};

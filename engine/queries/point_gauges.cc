@@ -11,7 +11,7 @@
 namespace raygauge {
 namespace {
 
-constexpr std::size_t kLeastForWalks = 1024;  // points
+constexpr std::ptrdiff_t kLeastForWalks = 1024;  // points
 
 }  // namespace
 
@@ -24,13 +24,18 @@ PointGauges::PointGauges(const ConvexSet& S, const PointsOptions& options)
   if (options.stop) batch_.set_stop(options.stop);
 }
 
+bool PointGauges::may_walk(const ConvexSet& S, std::ptrdiff_t points) noexcept {
+  const PointSet* set = as_point_set(S);
+  return points >= kLeastForWalks && set != nullptr && FacetWalks::suits(*set);
+}
+
 void PointGauges::solve(const Points& X, const Indices& which, const Pose* pose, bool with_normals) {
   lower.assign(which.size(), 0.0);
   upper.assign(which.size(), kInfinity);
   normal.assign(with_normals ? which.size() * static_cast<std::size_t>(S_->dimension()) : 0, 0.0);
   Indices rest(which.size());
   std::iota(rest.begin(), rest.end(), std::size_t{0});
-  if (pose == nullptr && which.size() >= kLeastForWalks && may_walk_) walk(X, which, rest, with_normals);
+  if (pose == nullptr && may_walk_ && may_walk(*S_, std::ssize(which))) walk(X, which, rest, with_normals);
   solve_alone(X, which, rest, pose, with_normals);
 }
 

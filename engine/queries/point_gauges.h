@@ -23,6 +23,9 @@ class PointGauges {
 
   PointGauges(const ConvexSet& S, const PointsOptions& options);
 
+  /// Whether it may walk over the facets of S for so many points.
+  static bool may_walk(const ConvexSet& S, std::ptrdiff_t points) noexcept;
+
   /// The gauges of X's columns `which`; both sets in `pose`, if there is one. Normals, of n doubles, if
   /// asked.
   void solve(const Points& X, const Indices& which, const Pose* pose, bool with_normals);

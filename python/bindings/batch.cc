@@ -3,9 +3,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/batch_docs.h"
@@ -17,6 +21,7 @@
 #include "python/bindings/solving.h"
 #include "python/bindings/thread_count.h"
 #include "raygauge/exceptions.h"
+#include "raygauge/queries/membership.h"
 #include "raygauge/queries/pair_batch.h"
 
 namespace raygauge::python {
@@ -24,6 +29,56 @@ namespace {
 
 // NOLINTNEXTLINE(misc-unused-using-decls): clang-tidy 14 sees no use of a literal
 using py::literals::operator""_a;
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Whether the problems are points, and one set of which gauges() walks from facet to facet.
+bool walks(const BatchSide& A, const BatchSide& Q, std::ptrdiff_t count) {
+  return A.operand.single_points() != nullptr && Q.operand.is_shared() &&
+         gauges_walk(*Q.operand.set(0), count);
+}
+
+/// What gauges() answers within the tolerance, without pivots. Returns the other problems.
+std::vector<std::size_t> walk_over_facets(const BatchSide& A, const BatchSide& Q,
+                                          const PointsOptions& options, const BatchAnswers& answers) {
+  const int n = A.operand.dimension();
+  const auto X = Eigen::MatrixXd::Map(A.operand.single_points(), n, A.operand.count());
+  Eigen::MatrixXd normals;
+  const std::vector<GaugeBounds> bounds = gauges(*Q.operand.set(0), X, options, &normals);
+  std::copy_n(normals.data(), normals.size(), answers.normal.data());
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const GaugeBounds& b = bounds[i];
+    answers.lower[i] = b.lower;
+    answers.distance[i] = answers.upper[i] = b.upper;
+    answers.status[i] = DistanceStatus::optimal;
+    answers.pivots[i] = 0;
+    if (!(b.lower > 0 && b.upper - b.lower <= options.tolerance * b.upper && b.upper < kUnlimited))
+      open.push_back(i);
+  }
+  return open;
+}
+
+/// The problems `open`, solved alone.
+void solve_open(const std::vector<std::size_t>& open, PairBatch& solvers, const PairSource& pairs, int n,
+                const BatchAnswers& answers) {
+  const std::size_t size = static_cast<std::size_t>(n);
+  std::vector<double> distance(open.size()), lower(open.size()), upper(open.size()),
+      normal(open.size() * size);
+  std::vector<DistanceStatus> status(open.size());
+  std::vector<std::int64_t> pivots(open.size());
+  BatchAnswers some;
+  some.distance = distance, some.lower = lower, some.upper = upper, some.normal = normal;
+  some.status = status, some.pivots = pivots;
+  const auto source = [&](std::size_t k, int thread) { return pairs(open[k], thread); };
+  solvers.gauge_distances(open.size(), source, n, some);
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const std::size_t i = open[k];
+    answers.distance[i] = distance[k], answers.lower[i] = lower[k], answers.upper[i] = upper[k];
+    answers.status[i] = status[k], answers.pivots[i] = pivots[k];
+    std::copy_n(normal.data() + k * size, size, answers.normal.data() + i * size);
+  }
+}
 
 // NOLINTNEXTLINE(readability-function-size): a parameter a keyword of the Python function
 DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, const std::string& method,
@@ -44,9 +99,17 @@ DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, 
   BatchPairs pairs(a, q, team);
   PairBatch solvers(options, team);
   std::atomic<bool> stop = false;
-  solvers.set_stop([&stop] { return stop.load(std::memory_order_relaxed); });
+  const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
+  solvers.set_stop(stopped);
+  const bool plain = !witness && !along_path && !a.poses.given() && !q.poses.given() &&
+                     options.method == DistanceMethod::automatic && options.time_limit == kUnlimited;
   run_interruptibly(stop, [&] {
-    solvers.gauge_distances(static_cast<std::size_t>(count), pairs.source(), n, answers, along_path);
+    if (plain && walks(a, q, count)) {
+      const auto open = walk_over_facets(a, q, {tolerance, team, stopped}, answers);
+      solve_open(open, solvers, pairs.source(), n, answers);
+    } else {
+      solvers.gauge_distances(static_cast<std::size_t>(count), pairs.source(), n, answers, along_path);
+    }
   });
   if (pairs.replaced()) warn_of_replaced_rotation();
   return batch;
@@ -59,7 +122,7 @@ void bind_batches(py::module_& module) {
   module.def("distances", &distances, kDistancesDoc, "A"_a, "Q"_a,
              "tolerance"_a = DistanceOptions().tolerance, "method"_a = "automatic", py::kw_only(),
              "poses_A"_a = py::none(), "poses_Q"_a = py::none(), "witness"_a = false, "along_path"_a = false,
-             "time_limit"_a = std::numeric_limits<double>::infinity(), "threads"_a = 0);
+             "time_limit"_a = kUnlimited, "threads"_a = 0);
 }
 
 }  // namespace raygauge::python

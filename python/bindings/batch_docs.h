@@ -10,7 +10,7 @@ inline constexpr const char* kDistanceBatchDoc = R"(The answers of a batch: arra
 
 distance, lower, upper: shape (K,), as in Distance. status: texts, shape (K,); status_code: their numbers, int8.
 normal: shape (K, n), nan where a problem has none. contact_point: shape (K, n), or None unless witness=True.
-pivots: basis changes, shape (K,).
+pivots: basis changes, shape (K,); 0 where rg.gauge answers, as of 1024 points and more against one set of many points.
 
 A problem is r[k], a Distance; for result in r goes through all of them. r[1:3], a mask or an array of indices pick some.
 

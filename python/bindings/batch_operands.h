@@ -41,6 +41,9 @@ class BatchOperand {
   bool is_shared() const noexcept { return shared_ != nullptr; }
   int dimension() const noexcept { return dimension_; }
 
+  /// K numbers for each coordinate, one problem after the other, where each has one point; else nullptr.
+  const double* single_points() const noexcept { return size_ == 1 ? points_ : nullptr; }
+
   /// The set of problem k; without the interpreter's lock.
   SetPointer set(std::ptrdiff_t k) const {
     if (shared_) return shared_;

@@ -38,6 +38,29 @@ class Batches(unittest.TestCase):
                 np.testing.assert_array_equal(found, np.full(3, np.nan) if expected is None else expected)
         self.assertEqual(list(batch.pivots), [single.counters.pivots for single in singles])
 
+    def test_many_points_against_a_set_of_many_have_proven_distances_and_normals(self):
+        generator = np.random.default_rng(4)
+        S = generator.normal(size=(400, 4))
+        S /= np.linalg.norm(S, axis=1)[:, None]
+        X = generator.normal(size=(2000, 4))
+        X[7] = 0
+        X[8] *= 1e200  # beyond single precision
+        batch = rg.distances(X[:, None, :], S, threads=1)
+        self.assertEqual(batch.status[7], "contains_origin")
+        self.assertEqual(batch.distance[7], 0)
+        for k in (*range(7), *range(8, 60)):
+            single = rg.distance(X[k], S)
+            self.assertEqual(batch.status[k], "optimal")
+            self.assertLessEqual(batch.lower[k], single.upper)
+            self.assertGreaterEqual(batch.upper[k], single.lower)
+            self.assertLessEqual(batch.upper[k] - batch.lower[k], 1e-6 * batch.upper[k])
+            w = -batch.normal[k]
+            self.assertLessEqual((S @ w).max(), 1 + 1e-12)
+            np.testing.assert_allclose(w @ X[k], batch.lower[k], rtol=1e-9)
+        again = rg.distances(X[:, None, :], S, threads=2)
+        for name in ("distance", "lower", "upper", "normal"):
+            np.testing.assert_array_equal(getattr(batch, name), getattr(again, name))
+
     def test_a_problem_is_indexed_and_problems_are_gone_through(self):
         batch = rg.distances(self.A, self.Q, witness=True)
         for k in (0, 7, -1):

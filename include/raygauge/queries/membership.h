@@ -46,9 +46,14 @@ struct PointsOptions {
 
 /// gauge() of each column of X; [0, inf] of one that `stop` left out. Where X has 1024 columns and more, a
 /// hull of 60 n to 65 536 points, n <= 16, is walked from facet to facet: the dual simplex starts from what
-/// was found for a point near by. Throws as gauge(), for a column of X in the words of PairBatch.
+/// was found for a point near by. `normals`, if given, becomes n × K: of each point the normal of its
+/// distance (DistanceResult::normal), of any length, 0 where there is none. Throws as gauge(), for a column
+/// of X in the words of PairBatch.
 std::vector<GaugeBounds> gauges(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
-                                const PointsOptions& options = {});
+                                const PointsOptions& options = {}, Eigen::MatrixXd* normals = nullptr);
+
+/// Whether gauges() of K points of R^n may walk so.
+bool gauges_walk(const ConvexSet& S, std::ptrdiff_t K) noexcept;
 
 /// contains() of each column of X; `undecided` of one that `stop` left out. Of a point set S most points are
 /// answered by what others proved. x is outside where an earlier point's normal w has w·x > h_S(w). It is
