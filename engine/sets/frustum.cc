@@ -37,6 +37,9 @@ Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base
   shape.top = spatial(top_, n);
   shape.base_radius = base_radius_;
   shape.top_radius = top_radius_;
+  shape.full = dot(shape.top - shape.base, shape.axis.column[0]);
+  shape.side_along = (base_radius_ - top_radius_) / std::hypot(shape.full, base_radius_ - top_radius_);
+  shape.side_across = shape.full / std::hypot(shape.full, base_radius_ - top_radius_);
   shape.inner_radius = inner_radius;
   shape.extent = std::max(length(shape.base), length(shape.top)) + std::max(base_radius_, top_radius_);
   set_spatial_shape(std::make_shared<const SpatialShape>(shape));

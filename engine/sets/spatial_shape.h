@@ -34,8 +34,9 @@ struct SpatialShape {
   Vector3 base,
       top;  ///< centres of the discs; ends of the segment, corners of the box, both without rounding
   double base_radius = 0, top_radius = 0;
-  const double* blocks = nullptr;  ///< PointSet::data() ...
-  int coordinates = 3;             ///< ... and its dimension
+  double full = 0, side_along = 0, side_across = 0;  ///< of a frustum: from base to top, normal of its side
+  const double* blocks = nullptr;                    ///< PointSet::data() ...
+  int coordinates = 3;                               ///< ... and its dimension
   std::ptrdiff_t block_count = 0;
   std::ptrdiff_t size = 0;
   const DirectionTable* table = nullptr;  ///< of a prepared set

@@ -97,56 +97,56 @@ struct FromCore {
 // In the half-plane through the axis that holds a point: (z, r) along the axis from the base and away from
 // it. There a cylinder or a cone is a quadrangle with the corners (0, 0), (0, base radius), (full, top
 // radius), (full, 0).
-struct Profile {
-  double base_radius, top_radius, full;
+[[gnu::always_inline]] inline double height_of(const SpatialShape& frustum, double n_z, double n_r) {
+  return std::max(n_r * frustum.base_radius, n_z * frustum.full + n_r * frustum.top_radius);
+}
 
-  double height(double n_z, double n_r) const {
-    return std::max(n_r * base_radius, n_z * full + n_r * top_radius);
+// Of the way to the surface its length, negative inside, and the normal.
+[[gnu::always_inline]] inline double way_from(const SpatialShape& frustum, double z, double r, double& n_z,
+                                              double& n_r) {
+  const double from_top = z - frustum.full, from_base = r - frustum.base_radius;
+  const double beside = from_base * frustum.side_across + z * frustum.side_along;
+  const double foot = z * frustum.side_across - from_base * frustum.side_along;  // on the side
+  const auto has_foot = [&] {
+    const double widening = frustum.top_radius - frustum.base_radius;
+    return foot >= 0 && foot <= frustum.full * frustum.side_across - widening * frustum.side_along;
+  };
+  n_z = frustum.side_along;
+  n_r = frustum.side_across;
+  if (beside <= 0 && z > 0 && from_top < 0) {
+    const double along = std::max(-z, from_top);
+    if (along < beside) return beside;
+    n_z = -z > from_top ? -1.0 : 1.0;
+    n_r = 0;
+    return along;
   }
-
-  // Of the way to the surface its length, negative inside, and the normal.
-  [[gnu::always_inline]] inline double way_from(double z, double r, double& n_z, double& n_r) const {
-    const double from_top = z - full, widening = top_radius - base_radius;
-    const double slant = full * full + widening * widening;
-    const double beside = (r - base_radius) * full - z * widening;  // of the side, outside of it
-    const double foot = z * full + (r - base_radius) * widening;    // on the side
-    const bool is_inside = beside <= 0 && z > 0 && from_top < 0;
-    double length = 0;
-    n_z = n_r = 0;
-    if (z <= 0 && r <= base_radius) {
-      n_z = -1;
-      length = -z;
-    } else if (from_top >= 0 && r <= top_radius) {
-      n_z = 1;
-      length = from_top;
-    } else if (is_inside || (foot >= 0 && foot <= slant)) {
-      const double scale = std::sqrt(slant) * (1 / slant);
-      length = beside * scale;
-      n_z = -widening * scale;
-      n_r = full * scale;
-      if (is_inside && std::max(-z, from_top) >= length) {
-        length = std::max(-z, from_top);
-        n_z = -z > from_top ? -1.0 : 1.0;
-        n_r = 0;
-      }
-    } else {
-      const double way_z = foot < 0 ? z : from_top, way_r = r - (foot < 0 ? base_radius : top_radius);
-      const double square = way_z * way_z + way_r * way_r;
-      length = std::sqrt(square);
-      n_z = way_z * (length * (1 / square));
-      n_r = way_r * (length * (1 / square));
-    }
-    return length;
+  if (z <= 0 && r <= frustum.base_radius) {
+    n_z = -1;
+    n_r = 0;
+    return -z;
   }
-};
+  if (from_top >= 0 && r <= frustum.top_radius) {
+    n_z = 1;
+    n_r = 0;
+    return from_top;
+  }
+  if (has_foot()) return beside;
+  const double way_z = foot < 0 ? z : from_top, way_r = foot < 0 ? from_base : r - frustum.top_radius;
+  const double square = way_z * way_z + way_r * way_r, length = std::sqrt(square);
+  n_z = way_z * (length * (1 / square));
+  n_r = way_r * (length * (1 / square));
+  return length;
+}
 
-[[gnu::always_inline]] inline FromCore way_from(const FrustumCore& core, const Vector3& y, double error) {
+// In the axes of the world, from the middle of the axis: that is where the body is, mostly.
+[[gnu::always_inline]] inline Found from_core(const Vector3& center, const FrustumCore& core,
+                                              const Place& own, double error) {
   constexpr double kCancelled = 0.01;  // r²/|x|² below which the way from the axis is turned across it again
   constexpr double kAtAxis = 1e-20;    // ... and below which any way across the axis does
   const SpatialShape& shape = core.shape;
-  const Vector3 &a = shape.axis.column[0], x = y - shape.base;
-  const double z = dot(x, a);
-  Vector3 radial = x - a * z;
+  const Vector3 a = own.turn(shape.axis.column[0]), x = center - own.center_of(shape);
+  const double from_middle = dot(x, a), z = from_middle + 0.5 * shape.full;
+  Vector3 radial = x - a * from_middle;
   double square = dot(radial, radial), r = std::sqrt(square), share = r * (1 / square);
   if (!(square > kCancelled * dot(x, x))) {
     radial = radial - a * dot(radial, a);
@@ -154,19 +154,16 @@ struct Profile {
     if (!(r * r > kAtAxis * dot(x, x))) radial = any_orthogonal(a);
     share = 1 / length(radial);
   }
-  const Profile profile{shape.base_radius, shape.top_radius, dot(shape.top - shape.base, a)};
-  FromCore found;
   double n_z = 0, n_r = 0;
-  found.upper = profile.way_from(z, r, n_z, n_r);
-  found.is_known = !(std::fabs(found.upper) <= error);  // else rounding hides the way to a rim
-  found.outward = a * n_z + radial * (n_r * share);
-  found.lower = dot(found.outward, x) - profile.height(n_z, n_r);
-  return found;
+  const double upper = way_from(shape, z, r, n_z, n_r);
+  const bool is_known = !(std::fabs(upper) <= error);  // else rounding hides the way to a rim
+  const Vector3 outward = a * n_z + radial * (n_r * share);
+  const double lower = n_z * z + n_r * r - height_of(shape, n_z, n_r);
+  return {lower, upper, outward, center, center - outward * upper, is_known};
 }
 
 // The first core is a point, the second one is `core`, where it stands.
-template <class Core>
-[[gnu::always_inline]] inline Found from_core(const Vector3& center, const Core& core, const Place& own,
+[[gnu::always_inline]] inline Found from_core(const Vector3& center, const BoxCore& core, const Place& own,
                                               double error) {
   const FromCore way = way_from(core, own.turn_back(center - own.t), error);
   const Vector3 outward = own.turn(way.outward);
