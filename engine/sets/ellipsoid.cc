@@ -3,6 +3,7 @@
 #include "raygauge/sets/ellipsoid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/numerics/vector_kernels.h"
@@ -43,6 +44,22 @@ bool solve_in_quad(const DenseMatrix& M, bool transposed, Quad* b) {
   return true;
 }
 
+// Whether semi-axes are at right angles but for rounding, and of lengths that formulas may square.
+bool has_right_angles(const Matrix3& axes) {
+  constexpr double kRounding = 16 * 0x1p-53, kFlat = 1e-6, kSmallest = 1e-70, kLargest = 1e70;
+  double least = kLargest, most = 0, widest = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double size = length(axes.column[i]);
+    least = std::min(least, size);
+    most = std::max(most, size);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 &a = axes.column[i], &b = axes.column[(i + 1) % 3];
+    widest = std::max(widest, std::fabs(dot(a, b)) / (length(a) * length(b)));
+  }
+  return least > kFlat * most && least > kSmallest && most < kLargest && widest < kRounding;
+}
+
 }  // namespace
 
 Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen::MatrixXd>& factor)
@@ -63,6 +80,7 @@ Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen:
     shape.axis.column[j] = spatial(factor_.col(j), n);
     square += dot(shape.axis.column[j], shape.axis.column[j]);
   }
+  shape.has_right_angles = n == 3 && has_right_angles(shape.axis);
   shape.inner_radius = inverse_->least_stretch() * (1 - 0x1p-50);
   shape.extent = length(shape.center) + std::sqrt(square);
   set_spatial_shape(std::make_shared<const SpatialShape>(shape));

@@ -25,9 +25,10 @@ struct SpatialShape {
   };
 
   Kind kind = Kind::point;
-  bool is_centered = false;  ///< the centre is known to be the origin
-  Vector3 center;            ///< ConvexSet::center
-  double radius = 0;         ///< of the ball added
+  bool is_centered = false;       ///< the centre is known to be the origin
+  bool has_right_angles = false;  ///< of an ellipsoid: the columns of `axis`, but for rounding; not too flat
+  Vector3 center;                 ///< ConvexSet::center
+  double radius = 0;              ///< of the ball added
   double extent = 0;        ///< at least |x| for every point of the core, and for what they are computed from
   double inner_radius = 0;  ///< of a ball about the centre inside the set, proven; 0 where none is known
   Matrix3 axis;

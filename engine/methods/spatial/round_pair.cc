@@ -33,6 +33,13 @@ bool has_one_way_out(const FrustumCore& core, const Vector3& y, double longer) {
   return std::min(down, up) + longer < std::min(side, std::max(down, up));
 }
 
+// In the plane across the shortest axis, inside of the evolute, there are two.
+bool has_one_way_out(const EllipsoidCore& core, const Vector3& y, double /*longer*/) {
+  constexpr double kBesidePlane = 1e-6;
+  const EllipsoidWay way(core.shape.axis, y - core.shape.center);
+  return way.t > kBesidePlane * way.least;
+}
+
 }  // namespace
 
 // Of a ball and a core: outside of it always; inside where one way out is shorter than all others, and that
@@ -57,6 +64,7 @@ bool RoundPair::is_differentiable(double value, const SpatialShape& first, const
   const auto vector = [](const double* t) { return t != nullptr ? Vector3{t[0], t[1], t[2]} : Vector3{}; };
   const Vector3 way = turn(other, (at_second ? first : second).center) + vector(other.t) - vector(own.t);
   const Vector3 y = Place{own.R != nullptr ? own.R : kIdentity, {}}.turn_back(way);
+  if (core.kind == Kind::ellipsoid) return has_one_way_out(EllipsoidCore{core}, y, longer);
   return core.kind == Kind::box ? has_one_way_out(BoxCore{core}, y, longer)
                                 : has_one_way_out(FrustumCore{core}, y, longer);
 }

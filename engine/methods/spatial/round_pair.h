@@ -10,8 +10,9 @@
 namespace raygauge {
 
 /// The signed Euclidean distance of two bodies of R^3 for which that is a formula: of balls and capsules, and
-/// of a ball and a box, a cylinder or a (truncated) cone. With the nearest points a1, a2 of the cores it is
-/// |a1 - a2| less both radii; of a point inside the other core, the least way out, negative, less the radius.
+/// of a ball and a box, a cylinder, a (truncated) cone or an ellipsoid. With the nearest points a1, a2 of the
+/// cores it is |a1 - a2| less both radii; of a point inside the other core, the least way out, negative, less
+/// the radius.
 ///
 /// Nothing is made of the sets beforehand, and nothing is kept. Everything is taken about the origin of the
 /// first body's frame along the axes of the world. The bounds are proven by what was found: points, and the
@@ -28,6 +29,8 @@ struct RoundPair {
     box_and_point,
     point_and_frustum,
     frustum_and_point,
+    point_and_ellipsoid,
+    ellipsoid_and_point,
   };
 
   /// Which formula two bodies of R^3 have.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/spatial/ellipsoid_way.h"
 #include "engine/methods/spatial/nearest_of_segments.h"
 #include "engine/methods/spatial/round_pair.h"
 
@@ -162,8 +163,16 @@ struct FromCore {
   return {lower, upper, outward, center, center - outward * upper, is_known};
 }
 
+[[gnu::always_inline]] inline FromCore way_from(const EllipsoidCore& core, const Vector3& y,
+                                                double /*error*/) {
+  const Vector3 x = y - core.shape.center;
+  const EllipsoidWay way(core.shape.axis, x);
+  return {way.lower(), way.upper(core.shape.axis, x), way.outward * way.scale};
+}
+
 // The first core is a point, the second one is `core`, where it stands.
-[[gnu::always_inline]] inline Found from_core(const Vector3& center, const BoxCore& core, const Place& own,
+template <class Core>
+[[gnu::always_inline]] inline Found from_core(const Vector3& center, const Core& core, const Place& own,
                                               double error) {
   const FromCore way = way_from(core, own.turn_back(center - own.t), error);
   const Vector3 outward = own.turn(way.outward);
@@ -190,6 +199,10 @@ template <RoundPair::Formula kFormula>
     return from_core(one.center_of(first), FrustumCore{second}, two, error);
   if constexpr (kFormula == F::frustum_and_point)
     return turned(find<F::point_and_frustum>(second, first, two, one, error));
+  if constexpr (kFormula == F::point_and_ellipsoid)
+    return from_core(one.center_of(first), EllipsoidCore{second}, two, error);
+  if constexpr (kFormula == F::ellipsoid_and_point)
+    return turned(find<F::point_and_ellipsoid>(second, first, two, one, error));
 }
 
 }  // namespace round_pair
@@ -198,14 +211,18 @@ inline RoundPair::Formula RoundPair::formula(const SpatialShape& first, const Sp
   using F = Formula;
   using Kind = SpatialShape::Kind;
   if (first.kind == Kind::point) {
-    constexpr F kOther[] = {F::points, F::point_and_segment, F::point_and_box,
-                            F::none,   F::point_and_frustum, F::none};
-    return kOther[static_cast<int>(second.kind)];
+    constexpr F kOther[] = {
+        F::points, F::point_and_segment, F::point_and_box, F::point_and_ellipsoid, F::point_and_frustum,
+        F::none};
+    return second.kind == Kind::ellipsoid && !second.has_right_angles ? F::none
+                                                                      : kOther[static_cast<int>(second.kind)];
   }
   if (second.kind == Kind::point) {
-    constexpr F kOther[] = {F::points, F::segment_and_point, F::box_and_point,
-                            F::none,   F::frustum_and_point, F::none};
-    return kOther[static_cast<int>(first.kind)];
+    constexpr F kOther[] = {
+        F::points, F::segment_and_point, F::box_and_point, F::ellipsoid_and_point, F::frustum_and_point,
+        F::none};
+    return first.kind == Kind::ellipsoid && !first.has_right_angles ? F::none
+                                                                    : kOther[static_cast<int>(first.kind)];
   }
   return first.kind == Kind::segment && second.kind == Kind::segment ? F::segments : F::none;
 }
@@ -231,6 +248,10 @@ template <class Use>
       return use.template operator()<Formula::point_and_frustum>();
     case Formula::frustum_and_point:
       return use.template operator()<Formula::frustum_and_point>();
+    case Formula::point_and_ellipsoid:
+      return use.template operator()<Formula::point_and_ellipsoid>();
+    case Formula::ellipsoid_and_point:
+      return use.template operator()<Formula::ellipsoid_and_point>();
   }
   return false;
 }

@@ -17,6 +17,7 @@
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_round_pair {
@@ -38,6 +39,10 @@ Pose random_pose(Random& random, double way) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(gaussian(random).norm(), axis)), way * gaussian(random)};
 }
 
+Eigen::MatrixXd turned_axes(const V& half) {
+  return Eigen::AngleAxisd(0.7, V(1, -2, 3).normalized()).toRotationMatrix() * half.asDiagonal();
+}
+
 std::vector<SetPointer> cores() {
   const V p(0.1, -0.2, 0.3), q(0.4, 0.9, -0.2);
   return {std::make_shared<Ball>(p, 0.4),
@@ -46,7 +51,10 @@ std::vector<SetPointer> cores() {
           std::make_shared<Box>(V(-0.6, -0.9, -0.1), V(0.9, 0.8, 0.7)),
           std::make_shared<Cylinder>(p, q, 0.8),
           std::make_shared<TruncatedCone>(p, 0.9, q, 0.2),
-          std::make_shared<TruncatedCone>(p, 0.0, q, 1.5)};
+          std::make_shared<TruncatedCone>(p, 0.0, q, 1.5),
+          std::make_shared<Ellipsoid>(p, Eigen::MatrixXd(V(1.2, 0.5, 0.8).asDiagonal())),
+          std::make_shared<Ellipsoid>(p, turned_axes({0.7, 0.7, 0.2})),
+          std::make_shared<Ellipsoid>(q, turned_axes({1e-3, 0.9, 1e-3}))};
 }
 
 struct Case {
@@ -157,6 +165,47 @@ TEST(RoundPair, KnowsTheWayOutFromTheAxisItself) {
   expect_true({{&cone, &ball}, {Pose(3), Pose(3)}}, "end", random);
 }
 
+// From the plane across the shortest axis there are two ways out, from the middle of a ball or a disc all;
+// far outside; on the surface; and axes that are not at right angles have no formula.
+TEST(RoundPair, KnowsTheWayOutOfEllipsoids) {
+  Random random(7);
+  const Ball ball(V::Zero(), 0.25);
+  for (const V& half : {V(1, 0.5, 0.8), V(1, 1, 1), V(0.5, 0.5, 1), V(0.5, 1, 1), V(1e-5, 1, 0.3)}) {
+    const Ellipsoid ellipsoid(V::Zero(), turned_axes(half));
+    const Eigen::Matrix3d R = turned_axes(V::Ones());
+    for (const V& share : {V(0, 0, 0), V(0.3, 0, 0), V(0, 0.2, 0.1), V(0, 0, 0.6), V(0.9, 0, 0),
+                           V(0, 1e-12, 0.1), V(1, 1e-20, 0), V(0, 3, 0), V(5, 7, -9), V(0.6, 0.8, 0)}) {
+      const Pose at(Eigen::Matrix3d::Identity(), R * half.cwiseProduct(share));
+      for (const bool swapped : {false, true}) {
+        const Case pair{{swapped ? static_cast<const ConvexSet*>(&ball) : &ellipsoid,
+                         swapped ? static_cast<const ConvexSet*>(&ellipsoid) : &ball},
+                        {swapped ? at : Pose(3), swapped ? Pose(3) : at}};
+        RoundPair found{};
+        EXPECT_TRUE(
+            solve(*pair.set[0], *pair.set[1], PoseNumbers(&pair.pose[0]), PoseNumbers(&pair.pose[1]), found));
+        expect_true(pair, std::to_string(half.x()) + " " + std::to_string(share.x()), random);
+      }
+    }
+  }
+  Eigen::Matrix3d skew = Eigen::Matrix3d::Identity();
+  skew(0, 1) = 0.1;
+  RoundPair found{};
+  EXPECT_FALSE(solve(Ellipsoid(V::Zero(), skew), ball, {}, {}, found));
+}
+
+// On the shortest axis, of half length a, y from the middle: a - y. Farther out than a - b²/a on the longest.
+TEST(RoundPair, OfABallInAnEllipsoidIsTheKnownWayAlongAnAxis) {
+  const Ellipsoid ellipsoid(V::Zero(), Eigen::MatrixXd(V(2, 1, 1.5).asDiagonal()));
+  const Ball metric(V::Zero(), 1);
+  ObjectDistanceSolver solver;
+  const auto depth = [&](const V& at) {
+    return solver.solve(Ball(at, 0.5), ellipsoid, metric, ObjectEffects::depth).depth.depth;
+  };
+  EXPECT_NEAR(depth(V(0, 0.3, 0)), 0.7 + 0.5, kNoise);
+  EXPECT_NEAR(depth(V(1.8, 0, 0)), 0.2 + 0.5, kNoise);
+  EXPECT_NEAR(depth(V(0, 0, 0)), 1 + 0.5, kNoise);
+}
+
 // Of a ball in a cone of half angle atan(1/2) about its axis: the way to the side is (tip - z) sin.
 TEST(RoundPair, OfABallInAConeIsTheWayToTheSideAndTheRadius) {
   const TruncatedCone cone(V(0, 0, 0), 1, V(0, 0, 2), 0);
@@ -188,6 +237,9 @@ TEST(RoundPair, HasAGradientWhereThereIsOneShortestWay) {
   EXPECT_EQ(kind(cylinder, Ball(V(0.5, 0.3, 0), 0.3)), GradientKind::unique);
   EXPECT_NE(kind(cylinder, Ball(V(0, 0, 0), 0.3)), GradientKind::unique);
   EXPECT_NE(kind(cylinder, Ball(V(0.5, 0, 1.5), 0.3)), GradientKind::unique);
+  const Ellipsoid ellipsoid(V::Zero(), Eigen::MatrixXd(V(2, 1, 1.5).asDiagonal()));
+  EXPECT_EQ(kind(ellipsoid, Ball(V(0.5, 0.2, 0), 0.3)), GradientKind::unique);
+  EXPECT_NE(kind(ellipsoid, Ball(V(0.5, 0, 0.1), 0.3)), GradientKind::unique);
   EXPECT_EQ(kind(along_x, along_y), GradientKind::unique);
   EXPECT_EQ(kind(along_x, beside), GradientKind::one_sided);
 }
