@@ -48,8 +48,8 @@ bool solve_in_quad(const DenseMatrix& M, bool transposed, Quad* b) {
 bool has_right_angles(const Matrix3& axes) {
   constexpr double kRounding = 16 * 0x1p-53, kFlat = 1e-6, kSmallest = 1e-70, kLargest = 1e70;
   double least = kLargest, most = 0, widest = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double size = length(axes.column[i]);
+  for (const Vector3& axis : axes.column) {
+    const double size = length(axis);
     least = std::min(least, size);
     most = std::max(most, size);
   }

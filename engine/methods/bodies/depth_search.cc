@@ -132,27 +132,18 @@ std::int32_t DepthSearch<Real>::evaluate_new_facets() {
 }
 
 template <class Real>
-void DepthSearch<Real>::queue_new_facets() {
+void DepthSearch<Real>::open_new_facets() {
   const double enough = closing();
+  open_.resize(polytope_.facet_count());
   for (const std::int32_t i : polytope_.made()) {
     const double value = value_[static_cast<std::size_t>(i)];
     if (value >= enough) {
       settled_ = std::min(settled_, value);
       continue;
     }
-    heap_.push_back({value, i, polytope_.facet(i).stamp});
-    std::push_heap(heap_.begin(), heap_.end());
+    open_.open(i, value);
+    least_ = value < least_.value ? OpenFacets::Least{value, i} : least_;
   }
-}
-
-// Of those to be expanded; nullptr where none is left.
-template <class Real>
-auto DepthSearch<Real>::least() -> const Entry* {
-  while (!heap_.empty() && polytope_.facet(heap_.front().facet).stamp != heap_.front().stamp) {
-    std::pop_heap(heap_.begin(), heap_.end());
-    heap_.pop_back();
-  }
-  return heap_.empty() ? nullptr : &heap_.front();
 }
 
 template <class Real>
@@ -162,7 +153,8 @@ void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = near_ = 0;
-  heap_.clear();
+  open_.clear();
+  least_ = {};
   settled_ = std::numeric_limits<double>::infinity();
 }
 
@@ -173,7 +165,7 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
   solid_ = begin(start);
   if (!solid_) return closes(lower_) ? DepthEnd::closed : DepthEnd::flat;
   evaluate_new_facets();
-  queue_new_facets();
+  open_new_facets();
   return expand(watch);
 }
 
@@ -192,7 +184,7 @@ bool DepthSearch<Real>::run_again(DepthOracle<Real>& oracle, const DepthMemory& 
   if (!solid_) return false;
   DepthPoint<Real> point;
   probe(polytope_.facet(least).n, point, true);
-  queue_new_facets();
+  open_new_facets();
   return expand(watch) == DepthEnd::closed;
 }
 
@@ -201,24 +193,27 @@ DepthEnd DepthSearch<Real>::expand(const Stopwatch& watch) {
   DepthPoint<Real> point;
   int setbacks = 0;
   for (; iterations_ < kMostIterations; ++iterations_) {
-    const Entry* entry = least();
-    const double value = entry != nullptr ? std::min(entry->value, settled_) : settled_;
-    if (entry != nullptr) near_ = entry->facet;
+    const std::int32_t least = least_.facet;
+    const bool has_least = least != OpenFacets::kNone;
+    const double value = std::min(least_.value, settled_);
+    if (has_least) near_ = least;
     if (value < lower_) ++setbacks;
     if (value > 0) lower_ = std::max(lower_, value);
     if (closes(lower_)) return DepthEnd::closed;
-    if (entry == nullptr) return DepthEnd::rounding;
-    if (is_lost() || setbacks > kMostSetbacks) return DepthEnd::rounding;
+    if (!has_least || is_lost() || setbacks > kMostSetbacks) return DepthEnd::rounding;
     if (iterations_ % kIterationsBetweenLooks == kIterationsBetweenLooks - 1 && watch.expired())
       return DepthEnd::time;
-    const DepthFacet<Real>& facet = polytope_.facet(entry->facet);
+    const DepthFacet<Real>& facet = polytope_.facet(least);
     if (!(dot(rounded(facet.n), rounded(facet.n)) > 0)) return DepthEnd::rounding;
     probe(facet.n, point, true);
     if (closes(lower_)) return DepthEnd::closed;
     const double above = rounded(polytope_.above(facet, point.s));
-    if (!(above > polytope_.noise()) || !polytope_.add(entry->facet, point)) return DepthEnd::rounding;
+    if (!(above > polytope_.noise()) || !polytope_.look(least, point)) return DepthEnd::rounding;
+    for (const std::int32_t i : polytope_.seen()) open_.close(i);
+    least_ = open_.least();  // of those that stay, while the new ones are measured
+    polytope_.add(point);
     evaluate_new_facets();
-    queue_new_facets();
+    open_new_facets();
   }
   return DepthEnd::limit;
 }

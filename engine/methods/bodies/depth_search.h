@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/methods/bodies/inner_polytope.h"
+#include "engine/methods/bodies/open_facets.h"
 #include "engine/numerics/stopwatch.h"
 #include "raygauge/methods/result.h"
 
@@ -110,13 +111,6 @@ class DepthSearch {
   int iterations() const noexcept { return iterations_; }
 
  private:
-  struct Entry {
-    double value;
-    std::int32_t facet;
-    std::int64_t stamp;
-    bool operator<(const Entry& other) const noexcept { return value > other.value; }
-  };
-
   void restart(DepthOracle<Real>& oracle, const Goal& goal);
   bool begin(const Vector& start);
   DepthEnd expand(const Stopwatch& watch);
@@ -128,14 +122,14 @@ class DepthSearch {
   int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);
   double value_of(const DepthFacet<Real>& facet) const;
   std::int32_t evaluate_new_facets();
-  void queue_new_facets();
-  const Entry* least();
+  void open_new_facets();
   double weights_along(std::int32_t facet, const Vector3& u, double* weight) const;
   std::int32_t find_exit(const Vector3& u) const;
   std::int32_t walk_to_exit(const Vector3& u) const;
 
   InnerPolytope<Real> polytope_;
-  std::vector<Entry> heap_;    // of facets that may have to be expanded
+  OpenFacets open_;            // that may have to be expanded
+  OpenFacets::Least least_;    // of them
   std::vector<double> value_;  // of every facet: its offset/h_Q(n), rounded down
   double settled_ = 0;         // the least of those that close the gap as it was when they were made
   DepthOracle<Real>* oracle_ = nullptr;

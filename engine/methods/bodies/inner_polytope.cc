@@ -29,6 +29,7 @@ void InnerPolytope<Real>::restart(double size) {
   made_.clear();
   mark_.clear();
   stamps_ = searches_ = 0;
+  rim_count_ = seen_count_ = 0;
   size_ = size;
   noise_ = noise_of(size);
   is_joined_ = false;
@@ -189,26 +190,17 @@ void InnerPolytope<Real>::measure_made() {
 // The same of those from the edges of the rim to a new corner.
 template <class Real>
 void InnerPolytope<Real>::measure_fan(const Vector& apex) {
-  if constexpr (!kIsDouble<Real>) {
-    measure_made();
-  } else {
-    constexpr std::size_t kCount = FacetLanes::kCount;
-    for (std::size_t first = 0; first < rim_count_; first += kCount) {
-      const std::size_t count = std::min(kCount, rim_count_ - first);
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        const Edge& edge = rim_[first + lane];
-        const Vector &from = point(edge.from).s, &to = point(edge.to).s;
-        lanes_.corner[0][0][lane] = from.x;
-        lanes_.corner[0][1][lane] = from.y;
-        lanes_.corner[0][2][lane] = from.z;
-        lanes_.corner[1][0][lane] = to.x;
-        lanes_.corner[1][1][lane] = to.y;
-        lanes_.corner[1][2][lane] = to.z;
-      }
-      measure_fan_of_facets(size_, apex, lanes_);
-      read_lanes(first, count);
+  constexpr std::size_t kCount = FacetLanes::kCount;
+  if constexpr (kIsDouble<Real>) {
+    if (rim_count_ <= kCount) {
+      const Vector3* corner[kCount];
+      for (std::size_t lane = 0; lane < kCount; ++lane)
+        corner[lane] = &point(rim_[lane < rim_count_ ? lane : 0].from).s;
+      measure_fan_of_facets(size_, corner, rim_count_, apex, lanes_);
+      return read_lanes(0, rim_count_);
     }
   }
+  measure_made();
 }
 
 template <class Real>
@@ -287,11 +279,15 @@ bool InnerPolytope<Real>::is_loop() const {
   return true;
 }
 
+template <class Real>
+RAYGAUGE_FUSED bool InnerPolytope<Real>::look(std::int32_t facet, const DepthPoint<Real>& point) {
+  find_rim(facet, point.s);
+  return is_loop();
+}
+
 // The places of the facets that are seen are taken first.
 template <class Real>
-RAYGAUGE_FUSED bool InnerPolytope<Real>::add(std::int32_t first, const DepthPoint<Real>& added) {
-  find_rim(first, added.s);
-  if (!is_loop()) return false;
+RAYGAUGE_FUSED void InnerPolytope<Real>::add(const DepthPoint<Real>& added) {
   const auto apex = static_cast<std::int32_t>(points_.size());
   points_.push_back(added);
   for (std::size_t k = rim_count_; k < seen_count_; ++k) {
@@ -314,7 +310,6 @@ RAYGAUGE_FUSED bool InnerPolytope<Real>::add(std::int32_t first, const DepthPoin
         edge_of(made_[k], 0);
   }
   measure_fan(added.s);
-  return true;
 }
 
 template class InnerPolytope<double>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/methods/bodies/facet_lanes.h"
@@ -80,9 +81,14 @@ class InnerPolytope {
     record_facets(memory);
   }
 
-  /// Adds a point above `facet`. False where rounding hides which facets it sees: the surface is then as it
-  /// was.
-  bool add(std::int32_t facet, const DepthPoint<Real>& point);
+  /// Looks at which facets a point above `facet` sees: false where rounding hides it.
+  bool look(std::int32_t facet, const DepthPoint<Real>& point);
+
+  /// Of the last look.
+  std::span<const std::int32_t> seen() const noexcept { return {seen_.data(), seen_count_}; }
+
+  /// Adds the point of the last look, in place of what it sees.
+  void add(const DepthPoint<Real>& point);
 
   /// How far x is above the plane of a facet.
   Real above(const DepthFacet<Real>& facet, const Vector& x) const { return dot(facet.n, x) - facet.reach; }
