@@ -319,7 +319,8 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
   if (start.polytope != nullptr && !start.polytope->empty() &&
       search_again(tolerance, *start.polytope, watch, answer))
     return;
-  if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
+  if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer) || leave_polytopes(tolerance, answer))
+    return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);
   if (may_be_apart && solve_apart(tolerance, start.pair, answer)) {
     answer.support_queries += pair_.queries();
@@ -346,7 +347,9 @@ void BodyDepth::add_near_normals(double relative, double angle, std::vector<Vect
   if (source_ == Source::hull) {
     add_near_planes(relative, angle, normals);
   } else if (source_ == Source::boxes) {
-    add_near_facets(relative, angle, normals);
+    add_near_facets(boxes_, relative, angle, normals);
+  } else if (source_ == Source::polytopes) {
+    add_near_facets(polytopes_, relative, angle, normals);
   } else if (source_ == Source::quick) {
     quick_.add_near_normals(relative, angle, normals);
   } else {

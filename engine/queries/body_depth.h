@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/methods/bodies/body_oracles.h"
+#include "engine/methods/bodies/polytope_depth.h"
 #include "engine/methods/bodies/zonotope_depth.h"
 #include "engine/numerics/stopwatch.h"
 #include "engine/proof/bounds.h"
@@ -64,6 +65,7 @@ class BodyDepth {
     Vector3 center, own;     ///< that of the other body in the frame of the first, and in that of the hull
     Vector3 half, own_half;  ///< the same of half of its segment
   };
+  enum class Source : std::uint8_t { none, hull, boxes, polytopes, quick, precise };
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
   bool solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer);
@@ -79,8 +81,14 @@ class BodyDepth {
   Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) const;
   bool leave_hull(double tolerance, BodyDepthAnswer& answer);
   bool leave_boxes(double tolerance, BodyDepthAnswer& answer);
+  bool leave_polytopes(double tolerance, BodyDepthAnswer& answer);
+  template <class Known>
+  bool leave_known(const Known& known, Source source, const Vector3& from, double tolerance,
+                   BodyDepthAnswer& answer);
   void add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const;
-  void add_near_facets(double relative, double angle, std::vector<Vector3>& normals) const;
+  template <class Known>
+  void add_near_facets(const Known& known, double relative, double angle,
+                       std::vector<Vector3>& normals) const;
   void search(double tolerance, const PairStart* start, const Stopwatch& watch, BodyDepthAnswer& answer);
   template <class Real>
   void take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& answer);
@@ -98,17 +106,12 @@ class BodyDepth {
   Vector3 normal_;              // of the answer, in the frame of the first body, outward of S1 - S2
   HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
   ZonotopeDepth boxes_;
-  double tiny_ = 0;          // at least |s| on the difference of cores that are as good as one point
-  double floor_ = 0;         // proven of the depth of the cores
-  PairStart nearest_;        // of the cores, where these are apart
-  bool has_points_ = false;  // of the answer
-  enum class Source : std::uint8_t {
-    none,
-    hull,
-    boxes,
-    quick,
-    precise
-  } source_ = Source::none;  // searched last
+  PolytopeDepth polytopes_;
+  double tiny_ = 0;               // at least |s| on the difference of cores that are as good as one point
+  double floor_ = 0;              // proven of the depth of the cores
+  PairStart nearest_;             // of the cores, where these are apart
+  bool has_points_ = false;       // of the answer
+  Source source_ = Source::none;  // searched last
 };
 
 }  // namespace raygauge

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The depth of bodies of which all facets are known: no search. A ball or a capsule whose core is in a hull
-// with a known surface; two boxes, or a box and a capsule.
+// with a known surface; two boxes, or a box and a capsule; small hulls and boxes.
 #include <algorithm>
 #include <cmath>
 
 #include "engine/methods/spatial/nearest_of_segments.h"
 #include "engine/queries/body_depth.h"
+#include "engine/sets/direction_table.h"
 
 namespace raygauge {
 
@@ -70,6 +71,29 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   return true;
 }
 
+// All facets of the difference of the cores are known, and the point in contact from `from` on.
+template <class Known>
+bool BodyDepth::leave_known(const Known& known, Source source, const Vector3& from, double tolerance,
+                            BodyDepthAnswer& answer) {
+  const double error = 2 * pair_.error(), lower = known.lower() - error;
+  if (!(lower > 0)) return false;
+  const Bounds bounds(down(ball_lower_ + lower * (1 - 0x1p-48)),
+                      up(ball_upper_ + (known.upper() + error) * (1 + 0x1p-48)));
+  Vector3 of_first;
+  if (!bounds.close(tolerance) || !known.find_contact(of_first)) return false;
+  source_ = source;
+  has_points_ = true;
+  answer.bounds = bounds;
+  answer.status = DistanceStatus::optimal;
+  answer.iterations = 1;
+  answer.support_queries += pair_.queries();
+  normal_ = known.normal();
+  const Vector3 a1 = from + of_first;
+  put_points(normal_, a1, a1 - normal_ * known.upper(), answer);
+  pair_.to_world(-normal_, &answer.normal.x);
+  return true;
+}
+
 // The difference of both cores is a sum of segments.
 bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
   if (pair_.dimension() != 3) return false;
@@ -79,34 +103,44 @@ bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
       !for_generators(pair_.shape(1), [&](const Vector3& g) { boxes_.add(R * g); }) ||
       !boxes_.solve(2 * pair_.size()))
     return false;
-  const double error = 2 * pair_.error(), lower = boxes_.lower() - error;
-  if (!(lower > 0)) return false;
-  const Bounds bounds(down(ball_lower_ + lower * (1 - 0x1p-48)),
-                      up(ball_upper_ + (boxes_.upper() + error) * (1 + 0x1p-48)));
-  Vector3 of_first;
-  if (!bounds.close(tolerance) || !boxes_.find_contact(of_first)) return false;
-  source_ = Source::boxes;
-  has_points_ = true;
-  answer.bounds = bounds;
-  answer.status = DistanceStatus::optimal;
-  answer.iterations = 1;
-  answer.support_queries += pair_.queries();
-  normal_ = boxes_.normal();
-  const Vector3 a1 = pair_.shape(0).center + of_first;
-  put_points(normal_, a1, a1 - normal_ * boxes_.upper(), answer);
-  pair_.to_world(-normal_, &answer.normal.x);
-  return true;
+  return leave_known(boxes_, Source::boxes, pair_.shape(0).center, tolerance, answer);
 }
 
-void BodyDepth::add_near_facets(double relative, double angle, std::vector<Vector3>& normals) const {
+// Both are small hulls, or one of them a box.
+bool BodyDepth::leave_polytopes(double tolerance, BodyDepthAnswer& answer) {
+  if (pair_.dimension() != 3) return false;
+  PolytopeFaces box;
+  const auto faces_of = [&](const SpatialShape& shape) -> const PolytopeFaces* {
+    if (shape.kind == SpatialShape::Kind::points && shape.table != nullptr)
+      return shape.table->surface().faces();
+    if (shape.kind != SpatialShape::Kind::box) return nullptr;
+    box = PolytopeFaces::of_box(shape.base, shape.top);
+    return &box;
+  };
+  const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
+  if (one.kind == SpatialShape::Kind::box && two.kind == SpatialShape::Kind::box) return false;
+  const PolytopeFaces* first = faces_of(one);
+  const PolytopeFaces* second = first != nullptr ? faces_of(two) : nullptr;
+  return second != nullptr &&
+         polytopes_.solve(*first, *second, pair_.rotation(), pair_.from_second({}),
+                          pair_.pose(0).defect + pair_.pose(1).defect, 2 * pair_.size()) &&
+         leave_known(polytopes_, Source::polytopes, {}, tolerance, answer);
+}
+
+template <class Known>
+void BodyDepth::add_near_facets(const Known& known, double relative, double angle,
+                                std::vector<Vector3>& normals) const {
   constexpr double kRounding = 1 + 1e-9;
-  const double most = boxes_.upper() + relative * (boxes_.upper() + ball_upper_.rounded());
+  const double most = known.upper() + relative * (known.upper() + ball_upper_.rounded());
   const double cosine = std::cos(angle);
-  boxes_.for_near(most * kRounding, [&](const Vector3& n) {
+  known.for_near(most * kRounding, [&](const Vector3& n) {
     const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
     if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
   });
 }
+
+template void BodyDepth::add_near_facets(const ZonotopeDepth&, double, double, std::vector<Vector3>&) const;
+template void BodyDepth::add_near_facets(const PolytopeDepth&, double, double, std::vector<Vector3>&) const;
 
 void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {
   constexpr double kRounding = 1 + 1e-9;

@@ -97,6 +97,40 @@ void HullSurface::list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                       static_cast<std::uint16_t>(triangle),
                       static_cast<std::uint16_t>((*back)[2])});
   }
+  list_faces(triangles);
+}
+
+// Where all other corners are below the planes of all triangles for certain, each triangle is a facet, and a
+// closed surface of facets is that of the hull.
+void HullSurface::list_faces(const std::vector<int>& triangles) {
+  constexpr auto kFacets = std::size_t{PolytopeFaces::kFacets};
+  if (triangles.size() > 3 * kFacets || corners_.size() > PolytopeFaces::kCorners ||
+      edges_.size() > PolytopeFaces::kEdges)
+    return;
+  PolytopeFaces faces;
+  const double margin = 8 * (turned_ + kHeight) * extent_;
+  for (std::size_t i = 0; i < triangles.size() / 3; ++i) {
+    const Vector3 n = normal(i);
+    int below = 0;
+    for (const Vector3& corner : corners_)
+      below += dot(n, corner) < blocks_[i / kLanes].low[i % kLanes] - margin;
+    if (below + 3 != static_cast<int>(corners_.size())) return;
+    for (int k = 0; k < 3; ++k) faces.normal[k][i] = (&n.x)[k];
+  }
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    for (int k = 0; k < 3; ++k) faces.corner[k][i] = (&corners_[i].x)[k];
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Vector3 way = corners_[edges_[i].end[1]] - corners_[edges_[i].end[0]];
+    for (int k = 0; k < 3; ++k) faces.way[k][i] = (&way.x)[k];
+    faces.from[i] = static_cast<std::uint8_t>(edges_[i].end[0]);
+    faces.left[i] = static_cast<std::uint8_t>(edges_[i].left);
+    faces.right[i] = static_cast<std::uint8_t>(edges_[i].right);
+  }
+  faces.corners = static_cast<int>(corners_.size());
+  faces.facets = static_cast<int>(triangles.size() / 3);
+  faces.edges = static_cast<int>(edges_.size());
+  faces.turned = turned_;
+  faces_.push_back(faces);
 }
 
 // Of each lane the least room and the second; up[i] is -1 where n_i·half > 0, else 0.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/sets/polytope_faces.h"
 #include "raygauge/numerics/instruction_set.h"
 #include "raygauge/numerics/vector3.h"
 
@@ -38,8 +39,12 @@ class HullSurface {
 
   bool empty() const noexcept { return blocks_.empty(); }
   std::size_t memory() const noexcept {
-    return blocks_.size() * sizeof(Block) + edges_.size() * sizeof(Edge) + corners_.size() * sizeof(Vector3);
+    return blocks_.size() * sizeof(Block) + edges_.size() * sizeof(Edge) + corners_.size() * sizeof(Vector3) +
+           faces_.size() * sizeof(PolytopeFaces);
   }
+
+  /// nullptr where there are too many, or it is not certain that no two triangles are in a plane.
+  const PolytopeFaces* faces() const noexcept { return faces_.empty() ? nullptr : faces_.data(); }
 
   /// No room where y is outside, or so near the surface that rounding hides the side.
   Nearest nearest(const Vector3& y, InstructionSet isa) const noexcept;
@@ -119,11 +124,13 @@ class HullSurface {
   static void measure_sides(const Vector3& y, const Vector3& half, SideLanes& lanes) noexcept;
   bool take_sides(const Vector3& y, const Vector3& half, const std::int64_t* up, double reach,
                   Nearest& found) const noexcept;
+  void list_faces(const std::vector<int>& triangles);
   void list_edges(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const std::vector<int>& triangles);
 
   std::vector<Block> blocks_;
   std::vector<Edge> edges_;  // none of large hulls
   std::vector<Vector3> corners_;
+  std::vector<PolytopeFaces> faces_;  // one or none
   double extent_ = 0;
   double turned_ = 0;  // how far a normal may be from that of its triangle
 };

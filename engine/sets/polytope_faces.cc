@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "engine/sets/polytope_faces.h"
+
+namespace raygauge {
+
+// Corner i is at the top along axis k if bit k of i is set; facet 2 k is across axis k at the base, facet 2 k
+// + 1 at the top. Along axis k an edge is at the base or the top of both other ones.
+PolytopeFaces PolytopeFaces::of_box(const Vector3& base, const Vector3& top) noexcept {
+  PolytopeFaces box;
+  box.corners = 8;
+  box.facets = 6;
+  box.edges = 12;
+  const double side[2][3] = {{base.x, base.y, base.z}, {top.x, top.y, top.z}};
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 8; ++i) box.corner[k][i] = side[i >> k & 1][k];
+    box.normal[k][2 * k] = -1;
+    box.normal[k][2 * k + 1] = 1;
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    for (int i = 0; i < 4; ++i) {
+      const int at = 4 * k + i, of_a = i & 1, of_b = i >> 1;
+      box.way[k][at] = side[1][k] - side[0][k];
+      box.from[at] = static_cast<std::uint8_t>(of_a << a | of_b << b);
+      box.left[at] = static_cast<std::uint8_t>(2 * a + of_a);
+      box.right[at] = static_cast<std::uint8_t>(2 * b + of_b);
+    }
+  }
+  return box;
+}
+
+}  // namespace raygauge
