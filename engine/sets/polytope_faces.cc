@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/sets/polytope_faces.h"
 
+#include <cstddef>
+
 namespace raygauge {
 
 // Corner i is at the top along axis k if bit k of i is set; facet 2 k is across axis k at the base, facet 2 k
@@ -14,8 +16,9 @@ PolytopeFaces PolytopeFaces::of_box(const Vector3& base, const Vector3& top) noe
   const double side[2][3] = {{base.x, base.y, base.z}, {top.x, top.y, top.z}};
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 8; ++i) box.corner[k][i] = side[i >> k & 1][k];
-    box.normal[k][2 * k] = -1;
-    box.normal[k][2 * k + 1] = 1;
+    double* const across = box.normal[k] + std::ptrdiff_t{2} * k;
+    across[0] = -1;
+    across[1] = 1;
     const int a = (k + 1) % 3, b = (k + 2) % 3;
     for (int i = 0; i < 4; ++i) {
       const int at = 4 * k + i, of_a = i & 1, of_b = i >> 1;

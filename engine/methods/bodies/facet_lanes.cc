@@ -3,7 +3,6 @@
 #include "engine/methods/bodies/facet_lanes.h"
 
 #include <cmath>
-#include <cstdint>
 
 #include "engine/methods/bodies/facet_rounding.h"
 #include "engine/numerics/fused.h"
@@ -60,27 +59,22 @@ RAYGAUGE_VECTORS void measure_facets(double size, FacetLanes& lanes) {
 
 // The corners get into vectors without a way over memory: a vector that is read where its numbers have just
 // been written one by one waits until all that is before is done.
-RAYGAUGE_VECTORS void measure_fan_of_facets(double size, const Vector3* const* corner, std::size_t count,
-                                            const Vector3& apex, FacetLanes& lanes) {
+RAYGAUGE_VECTORS void measure_fan_of_facets(double size, const Vector3* const* corner, const Vector3& apex,
+                                            FacetLanes& lanes) {
   using Pack [[gnu::vector_size(sizeof(FacetLanes::Row)), gnu::may_alias]] = double;
-  using Mask [[gnu::vector_size(sizeof(FacetLanes::Row))]] = std::int64_t;
-  const Vector3 *const a = corner[0], *const b = corner[1], *const c = corner[2], *const d = corner[3],
-                       *const e = corner[4], *const f = corner[5], *const g = corner[6], *const h = corner[7];
-  const Pack x = {a->x, b->x, c->x, d->x, e->x, f->x, g->x, h->x},
-             y = {a->y, b->y, c->y, d->y, e->y, f->y, g->y, h->y},
-             z = {a->z, b->z, c->z, d->z, e->z, f->z, g->z, h->z};
-  Mask next = {1, 2, 3, 4, 5, 6, 7, 0};
-  next = next == static_cast<std::int64_t>(count) ? Mask{} : next;
-  alignas(64) FacetLanes::Row of[6];
-  *reinterpret_cast<Pack*>(of[0]) = x;
-  *reinterpret_cast<Pack*>(of[1]) = y;
-  *reinterpret_cast<Pack*>(of[2]) = z;
-  *reinterpret_cast<Pack*>(of[3]) = __builtin_shuffle(x, next);
-  *reinterpret_cast<Pack*>(of[4]) = __builtin_shuffle(y, next);
-  *reinterpret_cast<Pack*>(of[5]) = __builtin_shuffle(z, next);
+  alignas(64) FacetLanes::Row of[2][3];
+  for (int end = 0; end < 2; ++end) {
+    const Vector3* const* const p = corner + end;
+    const Vector3 *const a = p[0], *const b = p[1], *const c = p[2], *const d = p[3], *const e = p[4],
+                         *const f = p[5], *const g = p[6], *const h = p[7];
+    *reinterpret_cast<Pack*>(of[end][0]) = Pack{a->x, b->x, c->x, d->x, e->x, f->x, g->x, h->x};
+    *reinterpret_cast<Pack*>(of[end][1]) = Pack{a->y, b->y, c->y, d->y, e->y, f->y, g->y, h->y};
+    *reinterpret_cast<Pack*>(of[end][2]) = Pack{a->z, b->z, c->z, d->z, e->z, f->z, g->z, h->z};
+  }
   const Vector3 top = apex;
   for (int i = 0; i < FacetLanes::kCount; ++i)
-    measure(size, {of[0][i], of[1][i], of[2][i]}, {of[3][i], of[4][i], of[5][i]}, top, i, lanes);
+    measure(size, {of[0][0][i], of[0][1][i], of[0][2][i]}, {of[1][0][i], of[1][1][i], of[1][2][i]}, top, i,
+            lanes);
 }
 
 }  // namespace raygauge

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-
 #include "raygauge/numerics/vector3.h"
 
 namespace raygauge {
@@ -23,9 +21,7 @@ struct alignas(64) FacetLanes {
 /// bits whatever the machine.
 void measure_facets(double size, FacetLanes& lanes);
 
-/// The same of the facets from `count` corners, each to the next one and the last to the first, to `apex`.
-/// There are kCount pointers, any corners behind the last.
-void measure_fan_of_facets(double size, const Vector3* const* corner, std::size_t count, const Vector3& apex,
-                           FacetLanes& lanes);
+/// The same of the facets from corner i to corner i + 1 and to `apex`; there are kCount + 1 corners.
+void measure_fan_of_facets(double size, const Vector3* const* corner, const Vector3& apex, FacetLanes& lanes);
 
 }  // namespace raygauge

@@ -193,10 +193,10 @@ void InnerPolytope<Real>::measure_fan(const Vector& apex) {
   constexpr std::size_t kCount = FacetLanes::kCount;
   if constexpr (kIsDouble<Real>) {
     if (rim_count_ <= kCount) {
-      const Vector3* corner[kCount];
-      for (std::size_t lane = 0; lane < kCount; ++lane)
+      const Vector3* corner[kCount + 1];
+      for (std::size_t lane = 0; lane <= kCount; ++lane)
         corner[lane] = &point(rim_[lane < rim_count_ ? lane : 0].from).s;
-      measure_fan_of_facets(size_, corner, rim_count_, apex, lanes_);
+      measure_fan_of_facets(size_, corner, apex, lanes_);
       return read_lanes(0, rim_count_);
     }
   }

@@ -9,7 +9,6 @@ namespace raygauge {
 // Half a row at a time, as not all machines have longer vectors.
 RAYGAUGE_VECTORS OpenFacets::Least OpenFacets::find_least(const Row* rows, std::size_t count) noexcept {
   using Pack [[gnu::vector_size(sizeof(Row) / 2), gnu::may_alias]] = double;
-  using Mask [[gnu::vector_size(sizeof(Row) / 2)]] = std::int64_t;
   Pack best = Pack{} + kClosed, at = Pack{} + kNone, number = {0, 1, 2, 3};
   Pack best_2 = best, at_2 = at;
   for (std::size_t i = 0; i < count; ++i) {
@@ -21,14 +20,15 @@ RAYGAUGE_VECTORS OpenFacets::Least OpenFacets::find_least(const Row* rows, std::
     best_2 = here_2 < best_2 ? here_2 : best_2;
     number += static_cast<double>(kLanes);
   }
-  at = best_2 < best ? at_2 + static_cast<double>(kLanes / 2) : at;
+  constexpr double kHalf = 0.5 * kLanes;
+  at = best_2 < best ? at_2 + kHalf : at;
   best = best_2 < best ? best_2 : best;
-  constexpr Mask kFolds[] = {{2, 3, 0, 1}, {1, 0, 3, 2}};
-  for (const Mask& fold : kFolds) {
-    const Pack here = __builtin_shuffle(best, fold), from = __builtin_shuffle(at, fold);
-    at = here < best ? from : at;
-    best = here < best ? here : best;
-  }
+  Pack other = __builtin_shufflevector(best, best, 2, 3, 0, 1);
+  at = other < best ? __builtin_shufflevector(at, at, 2, 3, 0, 1) : at;
+  best = other < best ? other : best;
+  other = __builtin_shufflevector(best, best, 1, 0, 3, 2);
+  at = other < best ? __builtin_shufflevector(at, at, 1, 0, 3, 2) : at;
+  best = other < best ? other : best;
   return {best[0], static_cast<std::int32_t>(at[0])};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "engine/methods/spatial/nearest_of_segments.h"
@@ -140,16 +141,18 @@ bool PolytopeDepth::take_all_edges() noexcept {
   measure_crossings(*first_, second_, one);
   measure_crossings(second_, *first_, two);
   const double hidden = (std::max(first_->turned, second_.turned) + kTurned) * 4 * size_ * size_;
-  std::uint16_t pairs[kEdges * kEdges];
-  int count = 0;
+  std::uint16_t pairs[kEdges * kEdges], *end = pairs;
   for (int i = 0; i < first_->edges; ++i) {
-    for (int k = 0; k < second_.edges; ++k) {
-      pairs[count] = static_cast<std::uint16_t>(i * kEdges + k);
-      count += static_cast<int>(one[i][k] <= hidden) & static_cast<int>(two[k][i] <= hidden);
+    std::uint16_t pair = static_cast<std::uint16_t>(i * kEdges);
+    const double* of_two = &two[0][i];
+    for (int k = 0; k < second_.edges; ++k, ++pair, of_two += kEdges) {
+      *end = pair;
+      end +=
+          static_cast<std::ptrdiff_t>(one[i][k] <= hidden) & static_cast<std::ptrdiff_t>(*of_two <= hidden);
     }
   }
-  for (int at = 0; at < count; ++at)
-    if (!take_edges(pairs[at] / kEdges, pairs[at] % kEdges)) return false;
+  for (const std::uint16_t* pair = pairs; pair != end; ++pair)
+    if (!take_edges(*pair / kEdges, *pair % kEdges)) return false;
   return true;
 }
 

@@ -40,7 +40,7 @@ class PolytopeDepth {
   static constexpr int kNear = 64;
 
   struct Near {
-    double height;
+    double height = 0;
     Vector3 normal;
   };
 
