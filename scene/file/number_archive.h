@@ -49,7 +49,13 @@ class NumberArchive {
     all(c.step, c.time, c.body_a, c.body_b, c.impact, c.point, c.normal, c.gap, c.impulse);
   }
   void pass(MotionPiece& p) {
-    all(p.start, p.first.R, p.first.t, p.rates.velocity, p.rates.acceleration, p.rates.spin);
+    Placement first = p.first();
+    TwistMotion::Rates rates = p.rates();
+    all(p.start, first.R, first.t, rates.velocity, rates.acceleration, rates.spin);
+    const Eigen::Index n = first.t.size(), more = rates.acceleration.size();
+    if (n < 1 || n > 3 || first.R.rows() != n || rates.velocity.size() != n || (more != 0 && more != n))
+      throw ResultsError("simulation: a part is damaged");
+    p = {p.start, first, rates};
   }
   void pass(SimulationCounters& c) {
     all(c.ball_tests, c.contact_queries, c.motion_proofs, c.friction_problems, c.frictionless_problems);

@@ -41,7 +41,12 @@ GroupStepper::GroupStepper(const Dynamics& dynamics, const NearPairs& pairs,
       limited_(bodies),
       pieces_(bodies.size()) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (!bodies[b].reacts()) driven_.push_back(static_cast<int>(b));
+    if (bodies[b].reacts()) continue;
+    driven_.push_back(static_cast<int>(b));
+    if (bodies[b].still)
+      follow_motion(driven_.back());
+    else
+      moved_.push_back(driven_.back());
   }
 }
 
@@ -60,16 +65,15 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
   bounces_ = 0;
   bent_dt_ = kInfinity;
   active_ = group.bodies;
-  members_ = driven_;
-  members_.insert(members_.end(), active_.begin(), active_.end());
-  std::sort(members_.begin(), members_.end());
+  std::vector<int> members = driven_;
+  members.insert(members.end(), active_.begin(), active_.end());
+  std::sort(members.begin(), members.end());
   for (const int b : active_) {
     body(b) = bodies[static_cast<std::size_t>(b)];
     pieces_[static_cast<std::size_t>(b)].clear();
   }
-  last_ = group.last;
-  last_dt_ = dynamics_.step;
-  pairs_.begin(members_, group.normals);
+  remember(group.last, dynamics_.step);
+  pairs_.begin(members, group.normals);
   result_.done = go_on(to);
   result_.normals = pairs_.end();
   result_.last = last_;
@@ -82,21 +86,19 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
 
 SimulationCounters GroupStepper::take_counters() { return std::exchange(counters_, SimulationCounters()); }
 
-void GroupStepper::copy_members(const std::vector<SimulatedBody>& from,
-                                std::vector<SimulatedBody>& to) const {
-  for (const int b : members_) to[static_cast<std::size_t>(b)] = from[static_cast<std::size_t>(b)];
+void GroupStepper::copy_active(const std::vector<SimulatedBody>& from, std::vector<SimulatedBody>& to) const {
+  for (const int b : active_) to[static_cast<std::size_t>(b)] = from[static_cast<std::size_t>(b)];
 }
 
 // Until the end of the step, no further than bodies that are driven keep their velocities, and than one turn
 // of a radian of bodies that turn about no principal axis.
 double GroupStepper::longest_substep(double to) const {
   double dt = to - t_;
-  for (const int b : members_) {
+  for (const int b : moved_) dt = std::min(dt, body(b).motion->next_break(t_) - t_);
+  for (const int b : active_) {
     const SimulatedBody& body = this->body(b);
-    if (!body.reacts()) dt = std::min(dt, body.motion->next_break(t_) - t_);
-    if (body.reacts() && body.spin.norm() * dynamics_.step > kMostRadiansOfStep) refuse_spin(b);
-    if (body.reacts() && n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt))
-      dt = std::min(dt, 0.5 / body.spin.norm());
+    if (body.spin.norm() * dynamics_.step > kMostRadiansOfStep) refuse_spin(b);
+    if (n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt)) dt = std::min(dt, 0.5 / body.spin.norm());
   }
   return dt;
 }
@@ -109,20 +111,17 @@ void GroupStepper::refuse_spin(int number) const {
               " spins too fast for its steps to be proven; take shorter ones");
 }
 
-void GroupStepper::follow_motions() {
-  for (const int b : members_) {
-    SimulatedBody& body = this->body(b);
-    if (body.reacts()) {
-      body.motion = nullptr;
-      continue;
-    }
-    const Placement at = body.motion->at(t_);
-    const MotionBound bound = body.motion->bound(t_, t_);
-    body.x = in_space(at.t);
-    body.R = in_space(at.R);
-    body.v = in_space(bound.velocity);
-    body.spin = bound.spin;
-  }
+// To where a body that does not react is now, in all copies.
+void GroupStepper::follow_motion(int number) {
+  SimulatedBody& body = this->body(number);
+  const Placement at = body.motion->at(t_);
+  const MotionBound bound = body.motion->bound(t_, t_);
+  body.x = in_space(at.t);
+  body.R = in_space(at.R);
+  body.v = in_space(bound.velocity);
+  body.spin = bound.spin;
+  for (std::vector<SimulatedBody>* const copy : {&before_, &free_, &limited_})
+    (*copy)[static_cast<std::size_t>(number)] = body;
 }
 
 // False: it is to stop, and is not at the end.
@@ -131,7 +130,8 @@ bool GroupStepper::go_on(double to) {
     if (stop_()) return false;
     bent_dt_ *= 2;
     const double dt = std::min(longest_substep(to), bent_dt_);
-    follow_motions();
+    for (const int b : moved_) follow_motion(b);
+    for (const int b : active_) body(b).motion = nullptr;
     near_ = &pairs_.find(t_, dt);
     choose_roles(dt);
     if (bounce()) {
@@ -220,7 +220,7 @@ bool GroupStepper::bounce() {
   save(free_);
   result_.row.residual = std::max(result_.row.residual, problem_.solve(contacts, bodies_));
   std::vector<double> energies(free_.size());
-  for (const int b : members_)
+  for (const int b : active_)
     energies[static_cast<std::size_t>(b)] = free_[static_cast<std::size_t>(b)].kinetic_energy();
   limit_energy(contacts, std::move(energies));
   record_contacts(contacts, true);

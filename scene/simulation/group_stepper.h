@@ -50,13 +50,13 @@ class GroupStepper {
  private:
   SimulatedBody& body(int number) { return bodies_[static_cast<std::size_t>(number)]; }
   const SimulatedBody& body(int number) const { return bodies_[static_cast<std::size_t>(number)]; }
-  void copy_members(const std::vector<SimulatedBody>& from, std::vector<SimulatedBody>& to) const;
-  void save(std::vector<SimulatedBody>& to) const { copy_members(bodies_, to); }
-  void restore(const std::vector<SimulatedBody>& from) { copy_members(from, bodies_); }
+  void copy_active(const std::vector<SimulatedBody>& from, std::vector<SimulatedBody>& to) const;
+  void save(std::vector<SimulatedBody>& to) const { copy_active(bodies_, to); }
+  void restore(const std::vector<SimulatedBody>& from) { copy_active(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
   [[noreturn]] void refuse_spin(int number) const;
-  void follow_motions();
+  void follow_motion(int number);
   void choose_roles(double dt);
   double closing_speed(const NearPair& pair) const;
   PairRole role_of(const NearPair& pair, double dt) const;
@@ -72,6 +72,7 @@ class GroupStepper {
   bool catch_closing(double dt);
   bool corrected(double dt);
   double correction(const NearPair& pair, double dt, PairTools& tools);
+  void remember(const std::vector<ContactUnknown>& contacts, double dt);
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point, double dt) const;
   bool limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed);
   void limit_pushes(double end);
@@ -83,7 +84,7 @@ class GroupStepper {
   const Dynamics& dynamics_;
   int n_;
   ContactScales scales_;
-  std::vector<SimulatedBody> bodies_;  // of all of the scene, of which those in members_ are in work
+  std::vector<SimulatedBody> bodies_;  // of all of the scene, of which those in active_ are in work
   std::vector<SimulatedPart> parts_;
   std::function<bool()> stop_;
   SimulationCounters counters_;
@@ -93,9 +94,9 @@ class GroupStepper {
   std::vector<SimulatedBody> free_;    // before its impulses
   std::vector<SimulatedBody> limited_;
   std::vector<std::vector<MotionPiece>> pieces_;
-  std::vector<int> driven_;   // bodies that do not react
-  std::vector<int> active_;   // those of the group
-  std::vector<int> members_;  // all of both
+  std::vector<int> driven_;  // bodies that do not react, ...
+  std::vector<int> moved_;   // ... and those of them that do not stand
+  std::vector<int> active_;  // those of the group
   GroupStep result_;
   std::int64_t number_ = 0;
   double t_ = 0;

@@ -51,8 +51,7 @@ bool GroupStepper::push_and_move(double dt) {
     }
   }
   residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
-  last_ = contacts_;
-  last_dt_ = dt;
+  remember(contacts_, dt);
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {
     if (contact.impulse.isZero(0)) continue;
@@ -64,13 +63,22 @@ bool GroupStepper::push_and_move(double dt) {
   });
 }
 
+// By their bodies.
+void GroupStepper::remember(const std::vector<ContactUnknown>& contacts, double dt) {
+  const auto bodies = [](const ContactUnknown& of) { return std::pair(of.a, of.b); };
+  last_ = contacts;
+  last_dt_ = dt;
+  if (!std::ranges::is_sorted(last_, {}, bodies)) std::ranges::stable_sort(last_, {}, bodies);
+}
+
 // The impulse at the same point in the problem before, of the last substep or as this one was asked first. Of
 // a shorter time a smaller one; blows do not grow with it.
 Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
   const double near = 1e-2 * body(pair.a).reach;
-  for (const ContactUnknown& before : last_) {
-    if (before.a == pair.a && before.b == pair.b && (before.at - point.at).norm() < near)
-      return std::min(1.0, dt / last_dt_) * before.impulse;
+  const auto bodies = [](const auto& of) { return std::pair(of.a, of.b); };
+  const auto [first, end] = std::ranges::equal_range(last_, bodies(pair), {}, bodies);
+  for (const ContactUnknown& before : std::ranges::subrange(first, end)) {
+    if ((before.at - point.at).norm() < near) return std::min(1.0, dt / last_dt_) * before.impulse;
   }
   return Eigen::Vector3d::Zero();
 }
@@ -180,12 +188,12 @@ bool GroupStepper::limit_energy(std::vector<ContactUnknown>& contacts, std::vect
     asked.push_back(contacts[c]);
     asked.back().offset = std::max(contacts[c].offset, 0.0);
   }
-  copy_members(free_, limited_);
+  copy_active(free_, limited_);
   result_.row.residual = std::max(result_.row.residual, problem_.solve(asked, limited_));
   std::vector<ContactUnknown> rest = contacts;
   for (std::size_t k = 0; k < broken.size(); ++k) rest[broken[k]] = asked[k];
   limit.keep(contacts, rest);
-  copy_members(free_, limited_);
+  copy_active(free_, limited_);
   for (const ContactUnknown& contact : contacts) push_apart(contact, limited_);
   limit.slow_down(contacts, limited_);
   for (const int b : active_) body(b).take_velocities(limited_[static_cast<std::size_t>(b)]);

@@ -95,7 +95,11 @@ NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bod
 NearPairs::~NearPairs() = default;
 
 PairTools::PairTools(int dimension, double miss)
-    : finder(miss), solver(dimension), planes(std::make_unique<PairSolver>(dimension)) {}
+    : pose_a(dimension),
+      pose_b(dimension),
+      finder(miss),
+      solver(dimension),
+      planes(std::make_unique<PairSolver>(dimension)) {}
 
 PairTools::~PairTools() = default;
 

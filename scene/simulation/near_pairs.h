@@ -47,6 +47,7 @@ struct PairTools {
   PairTools(int dimension, double miss);
   ~PairTools();
 
+  Pose pose_a, pose_b;
   ContactFinder finder;
   ContinuousSolver solver;
   std::unique_ptr<class PairSolver> planes;

@@ -25,9 +25,9 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
   ++tools.counters.contact_queries;
   const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].body.parts.front().set;
   const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].body.parts.front().set;
-  const Pose pose_a(Eigen::MatrixXd(at_a.R), Eigen::VectorXd(at_a.t)),
-      pose_b(Eigen::MatrixXd(at_b.R), Eigen::VectorXd(at_b.t));
-  tools.finder.find({a, pose_a}, {b, pose_b}, band, candidate.normal, contact);
+  tools.pose_a.assign(at_a.R.data(), at_a.t.data());
+  tools.pose_b.assign(at_b.R.data(), at_b.t.data());
+  tools.finder.find({a, tools.pose_a}, {b, tools.pose_b}, band, candidate.normal, contact);
 }
 
 bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {

@@ -10,15 +10,33 @@
 
 namespace raygauge {
 
+MotionPiece::MotionPiece(double begin, const Placement& first, const TwistMotion::Rates& rates)
+    : start(begin),
+      dimension(first.dimension()),
+      R(in_space(first.R)),
+      x(in_space(first.t)),
+      velocity(in_space(rates.velocity)),
+      acceleration(in_space(rates.acceleration)),
+      spin(rates.spin) {}
+
+Placement MotionPiece::first() const {
+  return {SmallMatrix(R.topLeftCorner(dimension, dimension)), SmallVector(x.head(dimension))};
+}
+
+TwistMotion::Rates MotionPiece::rates() const {
+  TwistMotion::Rates rates{SmallVector(velocity.head(dimension)), {}, spin};
+  if (!acceleration.isZero(0)) rates.acceleration = acceleration.head(dimension);
+  return rates;
+}
+
 PiecewiseMotion::PiecewiseMotion(std::vector<MotionPiece> pieces, double stop)
-    : Motion(pieces.empty() ? 1 : pieces.front().first.dimension(), pieces.empty() ? 0 : pieces.front().start,
-             stop),
+    : Motion(pieces.empty() ? 1 : pieces.front().dimension, pieces.empty() ? 0 : pieces.front().start, stop),
       pieces_(std::move(pieces)) {
   if (pieces_.empty()) throw InvalidParameterError("motion: it needs a piece");
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const double end = i + 1 < pieces_.size() ? pieces_[i + 1].start : stop;
     if (!(pieces_[i].start <= end)) throw InvalidParameterError("motion: pieces must rise");
-    TwistMotion(pieces_[i].first, pieces_[i].rates, pieces_[i].start);  // which checks the numbers
+    TwistMotion(pieces_[i].first(), pieces_[i].rates(), pieces_[i].start);  // which checks the numbers
   }
 }
 
@@ -31,7 +49,7 @@ const MotionPiece& PiecewiseMotion::piece_of(double t) const {
 
 TwistMotion PiecewiseMotion::motion_of(double t) const {
   const MotionPiece& piece = piece_of(t);
-  return {piece.first, piece.rates, piece.start};
+  return {piece.first(), piece.rates(), piece.start};
 }
 
 double PiecewiseMotion::do_next_break(double t) const {
@@ -43,13 +61,9 @@ double PiecewiseMotion::do_next_break(double t) const {
 
 Eigen::Vector3d PiecewiseMotion::velocity(double t) const {
   const MotionPiece& piece = piece_of(t);
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();
-  v.head(dimension()) = piece.rates.velocity;
-  if (piece.rates.acceleration.size() > 0)
-    v.head(dimension()) += (t - piece.start) * piece.rates.acceleration;
-  return v;
+  return piece.velocity + (t - piece.start) * piece.acceleration;
 }
 
-Eigen::Vector3d PiecewiseMotion::spin(double t) const { return piece_of(t).rates.spin; }
+Eigen::Vector3d PiecewiseMotion::spin(double t) const { return piece_of(t).spin; }
 
 }  // namespace raygauge

@@ -8,11 +8,33 @@
 
 namespace raygauge {
 
-/// From `start` on, until the next piece: the motion TwistMotion(first, rates, start).
+/// A vector of the plane or of space, with zeros behind it.
+inline Eigen::Vector3d in_space(const SmallVector& v) {
+  Eigen::Vector3d all = Eigen::Vector3d::Zero();
+  all.head(v.size()) = v;
+  return all;
+}
+
+/// A rotation of the plane or of space, in space.
+inline Eigen::Matrix3d in_space(const SmallMatrix& R) {
+  Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  all.topLeftCorner(R.rows(), R.cols()) = R;
+  return all;
+}
+
+/// From `start` on, until the next piece: the motion TwistMotion(first(), rates(), start). In few bytes: a
+/// run has millions.
 struct MotionPiece {
+  MotionPiece() = default;
+  MotionPiece(double begin, const Placement& first, const TwistMotion::Rates& rates);
+
   double start = 0;
-  Placement first;
-  TwistMotion::Rates rates;
+  int dimension = 3;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(), velocity = x, acceleration = x, spin = x;
+
+  Placement first() const;
+  TwistMotion::Rates rates() const;
 };
 
 /// A motion of pieces, each of constant acceleration and constant angular velocity: what a simulation stores.

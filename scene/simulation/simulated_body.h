@@ -11,20 +11,6 @@
 
 namespace raygauge {
 
-/// A vector of the plane or of space, with zeros behind it.
-inline Eigen::Vector3d in_space(const SmallVector& v) {
-  Eigen::Vector3d all = Eigen::Vector3d::Zero();
-  all.head(v.size()) = v;
-  return all;
-}
-
-/// A rotation of the plane or of space, in space.
-inline Eigen::Matrix3d in_space(const SmallMatrix& R) {
-  Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
-  all.topLeftCorner(R.rows(), R.cols()) = R;
-  return all;
-}
-
 /// A body of a simulation: its origin is its centre of mass. In the plane vectors have zeros behind them.
 struct SimulatedBody {
   double mass = 0;  ///< 0: it stands or follows its motion

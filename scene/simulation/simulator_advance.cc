@@ -37,8 +37,9 @@ void Simulator::advance(double to) {
     TwistMotion::Rates rates;
     rates.velocity = SmallVector(((then.x - body.x) / (to - t_)).head(n_));
     rates.spin = even_spin(body.R, then.R, then.spin, to - t_);
-    body.piece = {t_, {SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))}, rates};
-    body.motion = std::make_shared<TwistMotion>(body.piece.first, rates, t_);
+    const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
+    body.piece = {t_, first, rates};
+    body.motion = std::make_shared<TwistMotion>(first, rates, t_);
     log_.pieces[b].push_back(body.piece);
   }
   while (dynamics_.contact && t_ < to) {

@@ -37,8 +37,8 @@ double way_of(const std::vector<MotionPiece>& pieces, double reach, double end) 
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const MotionPiece& piece = pieces[k];
     const double time = (k + 1 < pieces.size() ? pieces[k + 1].start : end) - piece.start;
-    way += (piece.rates.velocity.norm() + reach * piece.rates.spin.norm()) * time;
-    if (piece.rates.acceleration.size() > 0) way += piece.rates.acceleration.norm() * time * time / 2;
+    way += (piece.velocity.norm() + reach * piece.spin.norm()) * time;
+    way += piece.acceleration.norm() * time * time / 2;
   }
   return way;
 }
