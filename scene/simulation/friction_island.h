@@ -63,14 +63,17 @@ class IslandVelocities {
   Eigen::Matrix<double, 6, Eigen::Dynamic> y_;
 };
 
-/// How far r leaves the contact c from its law: the length of r - (its nearest point in the cone of r - s
-/// u'), squared, with s = 1/‖W‖ and u' the velocity as in friction_residual().
+/// How far r and the velocity u leave a contact from its law: the length of r - (its nearest point in the
+/// cone of r - s u'), squared, with s = 1/‖W‖ and u' the velocity as in friction_residual().
+inline double law_error(double mu, const Eigen::Vector3d& u, double s, const Eigen::Vector3d& r) {
+  const Eigen::Vector3d changed(u[0] + mu * u.tail<2>().norm(), u[1], u[2]);
+  return (r - nearest_in_cone(r - s * changed, mu)).squaredNorm();
+}
+
+/// The same of the contact c, where the velocities are known that all impulses r give.
 inline double law_error(const IslandContact& contact, const IslandVelocities& velocities, double s,
                         const Eigen::VectorXd& r, std::size_t c) {
-  Eigen::Vector3d changed = velocities.of(contact);
-  changed[0] += contact.mu * changed.tail<2>().norm();
-  const Eigen::Vector3d here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
-  return (here - nearest_in_cone(here - s * changed, contact.mu)).squaredNorm();
+  return law_error(contact.mu, velocities.of(contact), s, r.segment<3>(3 * static_cast<Eigen::Index>(c)));
 }
 
 /// s of a bound on ‖W‖.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_ladder.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,77 +12,93 @@
 namespace raygauge {
 namespace {
 
-// The residual above which a matrix of so many contacts is factorized, which above 150 takes a second: soon
-// where nothing is known of a step before, as in towers that begin to stand.
+// The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second:
+// soon where nothing is known of a step before, as in towers that begin to stand.
 double rough_friction(std::size_t contacts, bool first) {
-  if (contacts <= kFewContacts) return 1e-10;
   if (contacts <= 60 || (contacts <= 150 && first)) return enough_friction(contacts, first);
   return contacts <= 150 ? 1e-7 : 1e-3;
 }
 
-// Newton's method from `trial`: r and its residual are of the better one.
-void take_better(const FrictionProblem& problem, Eigen::VectorXd trial, double& residual,
-                 Eigen::VectorXd& r) {
-  const double found = improve_friction(problem, trial);
-  if (!(found < residual)) return;
-  residual = found;
-  r = std::move(trial);
-}
+/// Ways to the impulses of an island, of which the best is kept.
+class Ladder {
+ public:
+  Ladder(const FrictionIsland& island, double bound, double enough, double residual, Eigen::VectorXd& r)
+      : island_(island), bound_(bound), enough_(enough), newton_(island, bound), residual_(residual), r_(r) {}
+
+  double residual() const { return residual_; }
+  bool is_solved() const { return residual_ <= enough_; }
+
+  void newton(Eigen::VectorXd trial) {
+    if (is_solved()) return;
+    const double found = newton_.improve(trial);
+    if (!(found < residual_)) return;
+    residual_ = found;
+    r_ = std::move(trial);
+  }
+
+  void soften(const Eigen::VectorXd& start) {
+    if (!is_solved()) residual_ = newton_.stiffen(start, residual_, r_);
+  }
+
+  // Newton's method from where so many passes lead, and more.
+  void relax(Eigen::VectorXd start) {
+    constexpr int kRounds = 6;
+    for (int round = 0, passes = 5; round < kRounds && !is_solved(); ++round, passes = passes * 3 / 2) {
+      relax_friction(island_, passes, start);
+      newton(start);
+    }
+  }
+
+  void pass_patiently(Eigen::VectorXd start) {
+    if (is_solved()) return;
+    raygauge::pass_patiently(island_, bound_, start);
+    newton(std::move(start));
+  }
+
+  // The end of a path of smoothed problems, and of another one.
+  void follow_paths(std::size_t paths, const FrictionProblem& problem) {
+    constexpr std::array<double, 2> kRates = {0.3, 0.7};
+    for (std::size_t k = 0; k < paths && !is_solved(); ++k) {
+      Eigen::VectorXd trial = Eigen::VectorXd::Zero(r_.size());
+      follow_smoothed_friction(problem, kRates.at(k), trial);
+      newton(trial);
+    }
+  }
+
+ private:
+  const FrictionIsland& island_;
+  double bound_, enough_;
+  IslandNewton newton_;
+  double residual_;
+  Eigen::VectorXd& r_;
+};
 
 }  // namespace
-
-double follow_friction_paths(const FrictionProblem& problem, const Eigen::VectorXd& start, std::size_t paths,
-                             double residual, Eigen::VectorXd& r) {
-  constexpr std::array<double, 2> kRates = {0.3, 0.7};
-  for (std::size_t k = 0; k < paths && residual > kSolvedFriction; ++k) {
-    Eigen::VectorXd trial = start;
-    follow_smoothed_friction(problem, kRates.at(k), trial);
-    take_better(problem, trial, residual, r);
-  }
-  return residual;
-}
-
-double stiffen_contacts(const FrictionProblem& problem, const Eigen::VectorXd& start, double residual,
-                        Eigen::VectorXd& r) {
-  constexpr double kSoftest = 1e-2, kStiffer = 0.1;  // of W
-  constexpr int kSteps = 10;
-  double softness = kSoftest * problem.W.diagonal().maxCoeff();
-  FrictionProblem soft = problem;
-  Eigen::VectorXd trial = start;
-  for (int step = 0; step < kSteps; ++step) {
-    soft.W.diagonal() = problem.W.diagonal().array() + softness;
-    if (improve_friction(soft, trial, 0) > kSolvedFriction) break;
-    if (friction_residual(problem, trial) <= kSolvedFriction) break;
-    softness *= kStiffer;
-  }
-  const double found = improve_friction(problem, trial, 0);
-  if (!(found < residual)) return residual;
-  r = std::move(trial);
-  return found;
-}
 
 // By passes, and Newton's method from where they or the step before have ended, or from nothing.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
-  const bool few = count <= kFewContacts;
-  const double rough = rough_friction(count, r.isZero(0));
+  const bool few = count <= kFewContacts, first = r.isZero(0);
+  const double bound = island.bound_of_W(), enough = enough_friction(count, first);
   const Eigen::VectorXd guess = r;
-  const double passed = pass_over_friction(island, island.bound_of_W(), r);
-  if (passed <= rough) return passed;
+  const double passed = pass_over_friction(island, bound, r);
+  if (passed <= enough) return passed;
+  Ladder ladder(island, bound, enough, passed, r);
+  const Eigen::VectorXd passes = r;
+  ladder.newton(guess);
+  ladder.newton(passes);
+  ladder.soften(guess);
+  ladder.relax(guess);
+  ladder.pass_patiently(passes);
+  if (ladder.residual() <= rough_friction(count, first)) return ladder.residual();
   const FrictionProblem problem = island.dense();
-  const Eigen::VectorXd passes = r, nothing = Eigen::VectorXd::Zero(r.size());
-  double residual = friction_residual(problem, r);
-  take_better(problem, passes, residual, r);
-  if (residual > kSolvedFriction) take_better(problem, guess, residual, r);
-  if (residual > kSolvedFriction && few) take_better(problem, nothing, residual, r);
-  if (residual > kSolvedFriction) residual = stiffen_contacts(problem, passes, residual, r);
-  residual = follow_friction_paths(problem, guess, few ? 2 : 1, residual, r);
-  if (residual > std::max(kSolvedFriction, rough) && friction != nullptr) {
+  ladder.follow_paths(few ? 2 : 1, problem);
+  if (!ladder.is_solved() && friction != nullptr) {
     Eigen::VectorXd trial = guess;
     friction->solve(problem, trial);
-    take_better(problem, trial, residual, r);
+    ladder.newton(trial);
   }
-  return residual;
+  return ladder.residual();
 }
 
 }  // namespace raygauge

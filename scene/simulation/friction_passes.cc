@@ -7,11 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
-
-#include "scene/simulation/friction_block.h"
 
 namespace raygauge {
 namespace {
@@ -23,11 +20,9 @@ constexpr double kGain = 0.5;        // passes go on while the residual falls so
 constexpr int kPatience = 30;        // ... within so many of them, ...
 constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, ...
 constexpr int kPlainPatienceOfMany = 100;
-constexpr int kMore = 8;            // ... or within so many where it is small enough
-constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
-constexpr int kMostBlocks = 16;
-constexpr std::size_t kLargestBlock = 24, kLargestOfRough = 40;
-constexpr double kRough = 1e-6;
+constexpr int kMore = 8;             // ... or within so many where it is small enough
+constexpr double kNear = 1e-7;       // a change, as a residual, from which on every pass is measured; ...
+constexpr int kFar = 8;              // ... of others every eighth
 constexpr int kTurns = 3;            // of what slips, in one solve of a contact where one does not arrive
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
@@ -93,7 +88,6 @@ class Passes {
     IslandVelocities& velocities = velocities_;
     velocities.reset(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
-      if (block_.has(c)) continue;
       const IslandContact& contact = island_.contacts[c];
       auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
       const Eigen::Vector3d before = here;
@@ -101,31 +95,7 @@ class Passes {
       here = solved(own_[c], contact.mu, b, before, turns_);
       velocities.push(contact, here - before);
     }
-    if (block_.size() > 0) block_.solve(island_, velocities, r);
     return velocities;
-  }
-
-  /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
-  /// together, with those that already are. False: they would be too many.
-  bool grow_block(double bound, const Eigen::VectorXd& r, std::size_t largest) {
-    const IslandVelocities velocities(island_, r);
-    double most = 0;
-    std::size_t worst = 0;
-    for (std::size_t c = 0; c < own_.size(); ++c) {
-      const double error =
-          block_.has(c) ? 0 : law_error(island_.contacts[c], velocities, step_of(bound), r, c);
-      if (!(error > most)) continue;
-      most = error;
-      worst = c;
-    }
-    std::set<int> bodies = block_.bodies();
-    for (const int body : {island_.contacts[worst].a, island_.contacts[worst].b}) {
-      if (body >= 0) bodies.insert(body);
-    }
-    FrictionBlock larger(island_, std::move(bodies));
-    if (!(most > 0) || larger.size() > largest) return false;
-    block_ = std::move(larger);
-    return true;
   }
 
  private:
@@ -133,7 +103,6 @@ class Passes {
   std::vector<Own> own_;
   IslandVelocities velocities_;
   int turns_ = 1;
-  FrictionBlock block_;
 };
 
 /// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
@@ -197,24 +166,18 @@ class Descent {
 
   void be_thorough() { passes_.be_thorough(); }
 
-  bool grow_block() {
-    return passes_.grow_block(bound_, r_, best_ > kRough ? kLargestOfRough : kLargestBlock);
-  }
-
   void extrapolated(int patience) {
     if (!(best_ > kEnough)) return;
     Extrapolation extrapolation(r_.size());
-    Eigen::VectorXd here = r_, f(r_.size());
+    Eigen::VectorXd here = r_;
     double last = std::numeric_limits<double>::infinity();
     begin();
     for (int k = 0; k < kMostPasses && best_ > kEnough; ++k) {
-      pass_from(k, here);
-      f = g_ - here;
-      const double size = f.norm();
+      const double size = pass_from(k, here);
       if (!(size > 0) || has_stalled(k, patience)) break;
       if (size <= kWorse * last) {
         last = std::min(last, size);
-        extrapolation.next(f, g_, here);
+        extrapolation.next(f_, g_, here);
       } else {  // the extrapolation has left what it was learnt from
         extrapolation.forget();
         last = std::numeric_limits<double>::infinity();
@@ -238,10 +201,13 @@ class Descent {
     gained_at_ = 0;
   }
 
-  // To g_.
-  void pass_from(int k, const Eigen::VectorXd& here) {
+  // To g_, by f_. Gives the size of that. A residual takes as long as half a pass.
+  double pass_from(int k, const Eigen::VectorXd& here) {
     g_ = here;
     const IslandVelocities& velocities = passes_.pass(g_);
+    f_ = g_ - here;
+    const double size = f_.norm();
+    if (size > kNear * step_of(bound_) * size_of_q_ && k % kFar != kFar - 1) return size;
     const double residual = island_residual(island_, bound_, size_of_q_, velocities, g_);
     if (residual < best_) {
       best_ = residual;
@@ -251,6 +217,7 @@ class Descent {
       gained_ = best_;
       gained_at_ = k;
     }
+    return size;
   }
 
   bool has_stalled(int k, int patience) const {
@@ -261,28 +228,31 @@ class Descent {
   double bound_, size_of_q_;
   Passes passes_;
   Eigen::VectorXd& r_;
-  Eigen::VectorXd g_;  // where the last pass has led
+  Eigen::VectorXd g_, f_;  // where the last pass has led, and from where it began to there
   double best_, gained_ = 0;
   int gained_at_ = 0;
 };
 
 }  // namespace
 
-// Where friction turns with every pass, extrapolation goes astray: it is by few contacts, of many, or passes
-// alone arrive.
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
-  const std::size_t count = island.contacts.size();
-  const bool many = count > kFewContacts;
-  const double enough = enough_friction(count, r.isZero(0));
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(r.size());
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
-  Descent descent(island, bound, r);
-  descent.extrapolated(kPatience);
-  descent.be_thorough();
-  for (int k = 0; many && k < kMostBlocks && descent.best() > enough && descent.grow_block(); ++k)
-    descent.extrapolated(kBlockPatience);
-  if (descent.best() > enough) descent.plain(many ? kPlainPatienceOfMany : kPlainPatience);
+  Descent(island, bound, r).extrapolated(kPatience);
   return island_residual(island, bound, r);  // passes have it but for rounding
+}
+
+double pass_patiently(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
+  Descent descent(island, bound, r);
+  descent.be_thorough();
+  descent.plain(island.contacts.size() > kFewContacts ? kPlainPatienceOfMany : kPlainPatience);
+  return island_residual(island, bound, r);
+}
+
+void relax_friction(const FrictionIsland& island, int passes, Eigen::VectorXd& r) {
+  Passes one(island);
+  one.be_thorough();
+  for (int pass = 0; pass < passes; ++pass) one.pass(r);
 }
 
 }  // namespace raygauge

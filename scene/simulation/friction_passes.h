@@ -13,18 +13,23 @@ inline constexpr std::size_t kFewContacts = 24;
 inline constexpr double kSolvedFriction = 1e-9;
 
 /// The residual from which on a problem of so many contacts is left as it is. Of many, Gauss and Seidel's
-/// passes arrive at a little more than 1e-9 here and there, where Newton's method and blocks take a hundred
-/// times as long for what nobody sees; but bodies that begin to stand (`first`: nothing is known of a step
-/// before) are to stand.
+/// passes arrive at a little more than 1e-9 here and there, where Newton's method takes as long again for
+/// what nobody sees; but bodies that begin to stand (`first`: nothing is known of a step before) are to
+/// stand.
 inline constexpr double enough_friction(std::size_t contacts, bool first) {
   constexpr double kEnoughOfMany = 9e-9;
   return contacts > kFewContacts && !first ? kEnoughOfMany : kSolvedFriction;
 }
 
 /// Passes over the contacts of an island, each solved by itself while the others stay (Gauss and Seidel's
-/// method), extrapolated by Anderson's method (1965) from the last passes; then, of many contacts, with a
-/// block of those that keep from their law, solved together; then without. From a first guess r until
+/// method), extrapolated by Anderson's method (1965) from the last passes. From a first guess r until
 /// island_residual() is at most 1e-10, or no longer falls. Returns it; `bound` is bound_of_W().
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r);
+
+/// The same without extrapolation, which goes astray where friction turns with every pass.
+double pass_patiently(const FrictionIsland& island, double bound, Eigen::VectorXd& r);
+
+/// So many passes, wherever they lead.
+void relax_friction(const FrictionIsland& island, int passes, Eigen::VectorXd& r);
 
 }  // namespace raygauge

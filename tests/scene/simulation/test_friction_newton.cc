@@ -5,23 +5,22 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <random>
+
+#include "tests/scene/simulation/small_islands.h"
 
 namespace raygauge::test_friction_newton {
 namespace {
 
 TEST(FrictionNewton, one_contact_sticks_slides_or_opens_as_coulomb_says) {
-  FrictionProblem problem{Eigen::Matrix3d::Identity(), Eigen::Vector3d(-1, 0.3, 0), {0.5}};
-  const auto solved = [&problem] {
+  const auto expect = [](const Eigen::Vector3d& q, const Eigen::Vector3d& wanted) {
+    const FrictionIsland island = small_islands::island_of(Eigen::MatrixXd::Identity(3, 6), q, 0.5);
     Eigen::VectorXd r = Eigen::VectorXd::Zero(3);
-    EXPECT_LE(improve_friction(problem, r), 1e-14);
-    return Eigen::Vector3d(r);
+    EXPECT_LE(IslandNewton(island, island.bound_of_W()).improve(r), 1e-12);
+    EXPECT_LE((r - wanted).norm(), 1e-12);
   };
-  EXPECT_LE((solved() - Eigen::Vector3d(1, -0.3, 0)).norm(), 1e-14);
-  problem.q[1] = 3;
-  EXPECT_LE((solved() - Eigen::Vector3d(1, -0.5, 0)).norm(), 1e-14);
-  problem.q[0] = 1;
-  EXPECT_LE(solved().norm(), 1e-14);
+  expect({-1, 0.3, 0}, {1, -0.3, 0});
+  expect({-1, 3, 0}, {1, -0.5, 0});
+  expect({1, 3, 0}, {0, 0, 0});
 }
 
 // Four feet of a box that slides and turns on a floor: W has the rank 6 of 12.
@@ -39,15 +38,57 @@ TEST(FrictionNewton, four_feet_that_share_a_load_are_solved_to_rounding) {
     }
     Eigen::VectorXd free(6);
     free << some(numbers), some(numbers), -0.1, 0, 0, some(numbers);
-    FrictionProblem problem{J * J.transpose(), J * free, std::vector<double>(4, 0.5)};
+    const FrictionIsland island = small_islands::island_of(J, J * free, 0.5);
+    const double bound = island.bound_of_W();
     Eigen::VectorXd r = Eigen::VectorXd::Zero(12);
-    const double before = friction_residual(problem, r);
-    const double after = improve_friction(problem, r);
+    const double before = island_residual(island, bound, r);
+    const double after = IslandNewton(island, bound).improve(r);
     EXPECT_LE(after, before);
-    EXPECT_EQ(after, friction_residual(problem, r));
+    EXPECT_EQ(after, island_residual(island, bound, r));
     solved += after <= 1e-11 ? 1 : 0;
   }
   EXPECT_GE(solved, kTrials * 9 / 10);
+}
+
+// A ball of radius 1 and mass 1 at so many walls of a corner, each at right angles to the others, with gaps
+// that ask for velocities of 1e-6: it cannot stick at two of them.
+FrictionIsland ball_in_corner(Eigen::Index walls, std::mt19937& numbers) {
+  constexpr double kInertia = 0.4;
+  std::uniform_real_distribution<double> some(-1, 1);
+  Eigen::MatrixXd J(3 * walls, 6);
+  for (Eigen::Index wall = 0; wall < walls; ++wall) {
+    const Eigen::Vector3d n = Eigen::Vector3d::Unit(wall), t = Eigen::Vector3d::Unit((wall + 1) % 3);
+    Eigen::Matrix3d frame, arm;
+    frame << n.transpose(), t.transpose(), n.cross(t).transpose();
+    arm << 0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0;  // spin -> velocity at -n
+    J.middleRows<3>(3 * wall) << frame, frame * arm / std::sqrt(kInertia);
+  }
+  Eigen::VectorXd free(6);
+  free << -1.5 + some(numbers), -1.5 + some(numbers), -1.5 + some(numbers), 0.2 * some(numbers),
+      0.2 * some(numbers), 0.2 * some(numbers);
+  Eigen::VectorXd q = J * free;
+  for (Eigen::Index wall = 0; wall < walls; ++wall) q[3 * wall] += 1e-6 * some(numbers);
+  return small_islands::island_of(J, q, 0.5);
+}
+
+TEST(FrictionNewton, a_ball_that_cannot_stick_at_two_walls_is_solved_more_often_by_softer_ones) {
+  std::mt19937 numbers(5);
+  constexpr int kTrials = 300;
+  int by_newton = 0, by_softer = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const FrictionIsland island = ball_in_corner(2 + trial % 2, numbers);
+    const double bound = island.bound_of_W();
+    IslandNewton newton(island, bound);
+    const Eigen::VectorXd nothing = small_islands::zeros(island);
+    Eigen::VectorXd r = nothing;
+    const double before = newton.improve(r);
+    const double after = newton.stiffen(nothing, before, r);
+    EXPECT_LE(after, before);
+    EXPECT_EQ(after, island_residual(island, bound, r));
+    by_newton += before <= 1e-9 ? 1 : 0;
+    by_softer += after <= 1e-9 ? 1 : 0;
+  }
+  EXPECT_GE(by_softer, by_newton + kTrials / 10);
 }
 
 }  // namespace

@@ -5,42 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <random>
+
+#include "tests/scene/simulation/small_islands.h"
 
 namespace raygauge::test_friction_passes {
 namespace {
 
-using Random = std::mt19937;
-
-double some(Random& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
-
-ContactSlope random_slope(Random& random) {
-  ContactSlope A;
-  for (Eigen::Index k = 0; k < A.size(); ++k) A.data()[k] = some(random);
-  return A;
-}
-
-// The first contact of each body is with the ground, others are with another body. All close.
-FrictionIsland heap(int bodies, int contacts, double mu, Random& random) {
-  FrictionIsland island;
-  island.bodies = bodies;
-  for (int c = 0; c < contacts; ++c) {
-    IslandContact& one = island.contacts.emplace_back();
-    one.a = c % bodies;
-    one.A_a = random_slope(random);
-    if (c >= bodies) {
-      one.b = (one.a + 1 + c / bodies) % bodies;
-      one.A_b = random_slope(random);
-    }
-    one.q = {-0.5 + some(random) / 3, some(random), some(random)};
-    one.mu = mu;
-  }
-  return island;
-}
-
-Eigen::VectorXd zeros(const FrictionIsland& island) {
-  return Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(island.contacts.size()));
-}
+using small_islands::heap;
+using small_islands::Random;
+using small_islands::some;
+using small_islands::zeros;
 
 TEST(FrictionPasses, one_contact_sticks_slides_or_opens_as_coulomb_says) {
   FrictionIsland island;
@@ -98,20 +72,6 @@ TEST(FrictionPasses, heaps_are_solved_and_what_is_returned_is_the_residual) {
     EXPECT_TRUE(residual > 1e-10 || r == before);
   }
   EXPECT_GE(solved, kTrials * 9 / 10);
-}
-
-// With much friction few contacts keep the passes from their end; those are solved together. Of 400
-// one is left over, which one depends on how closely a contact is solved.
-TEST(FrictionPasses, heaps_with_much_friction_are_solved_by_blocks) {
-  Random random(3);
-  int solved = 0;
-  constexpr int kTrials = 200;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const FrictionIsland island = heap(30, 60, 0.9, random);
-    Eigen::VectorXd r = zeros(island);
-    solved += pass_over_friction(island, island.bound_of_W(), r) <= kSolvedFriction ? 1 : 0;
-  }
-  EXPECT_GE(solved, kTrials - 1);
 }
 
 TEST(FrictionPasses, impulses_that_are_worse_than_none_are_not_begun_with) {

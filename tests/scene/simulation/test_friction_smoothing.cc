@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "scene/simulation/friction_newton.h"
+#include "tests/scene/simulation/small_islands.h"
 #include "tests/scene/simulation/stuck_friction.h"
 
 namespace raygauge::test_friction_smoothing {
@@ -25,10 +28,15 @@ TEST(FrictionSmoothing, one_contact_sticks_slides_or_opens_as_coulomb_says) {
 
 TEST(FrictionSmoothing, a_problem_on_which_newtons_method_cycles_is_solved) {
   const FrictionProblem problem = stuck_friction::problem();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> W(problem.W);
+  const Eigen::VectorXd roots = W.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const FrictionIsland island =
+      small_islands::island_of(W.eigenvectors() * roots.asDiagonal(), problem.q, 0.5);
+  IslandNewton newton(island, island.bound_of_W());
   Eigen::VectorXd alone = Eigen::VectorXd::Zero(problem.q.size()), r = alone;
-  EXPECT_GT(improve_friction(problem, alone, 0), 1e-8);
+  EXPECT_GT(newton.improve(alone), 1e-8);
   follow_smoothed_friction(problem, 0.7, r);
-  EXPECT_LE(improve_friction(problem, r, 0), 1e-13);
+  EXPECT_LE(newton.improve(r), 1e-12);
 }
 
 TEST(FrictionSmoothing, bodies_at_rest_need_no_impulse) {

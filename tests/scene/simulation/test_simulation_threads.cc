@@ -66,10 +66,10 @@ std::vector<double> numbers_of(const Stored& stored) {
     for (const auto& pieces : part.pieces) {
       for (const MotionPiece& piece : pieces) {
         all.push_back(piece.start);
-        add(Eigen::MatrixXd(piece.first.R));
-        add(Eigen::VectorXd(piece.first.t));
-        add(Eigen::VectorXd(piece.rates.velocity));
-        add(piece.rates.spin);
+        add(piece.R);
+        add(piece.x);
+        add(piece.velocity);
+        add(piece.spin);
       }
     }
     for (const ContactRecord& one : part.contacts) {

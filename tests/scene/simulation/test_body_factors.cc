@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#include "scene/simulation/body_factors.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "tests/scene/simulation/small_islands.h"
+
+namespace raygauge::test_body_factors {
+namespace {
+
+// 1 + Σ G D Gᵀ as Newton's method has it, D the larger the closer to `stiffness`, not symmetric.
+TEST(BodyFactors, solutions_are_those_of_the_dense_matrix) {
+  small_islands::Random random(11);
+  for (const double stiffness : {1.0, 1e6}) {
+    const FrictionIsland island = small_islands::heap(25, 70, 0.5, random);
+    BodyFactors factors(island);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      factors.set_identity();
+      Eigen::MatrixXd dense = Eigen::MatrixXd::Identity(150, 150);
+      const auto add = [&](int i, int j, const BodyFactors::Block& block) {
+        if (i < 0 || j < 0) return;
+        factors.add(i, j, block);
+        dense.block<6, 6>(6 * i, 6 * j) += block;
+      };
+      for (const IslandContact& contact : island.contacts) {
+        Eigen::Matrix3d D = stiffness * Eigen::Matrix3d::Identity();
+        D(1, 0) = -0.5 * stiffness * small_islands::some(random);
+        add(contact.a, contact.a, contact.A_a * D * contact.A_a.transpose());
+        add(contact.a, contact.b, contact.A_a * D * contact.A_b.transpose());
+        add(contact.b, contact.a, contact.A_b * D * contact.A_a.transpose());
+        add(contact.b, contact.b, contact.A_b * D * contact.A_b.transpose());
+      }
+      const Eigen::VectorXd wanted = Eigen::VectorXd::Random(150), b = dense * wanted;
+      BodyFactors::Columns x = b.reshaped(6, 25);
+      factors.factorize();
+      factors.solve(x);
+      EXPECT_LE((dense * x.reshaped() - b).norm(), 1e-13 * dense.norm() * wanted.norm());
+      EXPECT_LE((x.reshaped() - wanted).norm(), 1e-12 * stiffness * wanted.norm());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raygauge::test_body_factors
