@@ -49,6 +49,13 @@ class Ladder {
     }
   }
 
+  void pass_with_block(Eigen::VectorXd start) {
+    const double found = raygauge::pass_with_block(island_, bound_, enough_, start);
+    if (!(found < residual_)) return;
+    residual_ = found;
+    r_ = std::move(start);
+  }
+
   void pass_patiently(Eigen::VectorXd start) {
     if (is_solved()) return;
     raygauge::pass_patiently(island_, bound_, start);
@@ -75,7 +82,8 @@ class Ladder {
 
 }  // namespace
 
-// By passes, and Newton's method from where they or the step before have ended, or from nothing.
+// The quickest way that ends, by how many there are: few are solved by Newton's method from the step before
+// or from where passes lead; of many, some that turn with each other hold up the passes, and those alone are.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
   const std::size_t count = island.contacts.size();
   const bool few = count <= kFewContacts, first = r.isZero(0);
@@ -85,11 +93,15 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
-  ladder.newton(guess);
-  ladder.newton(passes);
+  if (few)
+    ladder.newton(guess);
+  else
+    ladder.pass_with_block(passes);
+  ladder.newton(few ? passes : Eigen::VectorXd(r));
   ladder.soften(guess);
+  if (!few) ladder.pass_patiently(r);
   ladder.relax(guess);
-  ladder.pass_patiently(passes);
+  if (few) ladder.pass_patiently(passes);
   if (ladder.residual() <= rough_friction(count, first)) return ladder.residual();
   const FrictionProblem problem = island.dense();
   ladder.follow_paths(few ? 2 : 1, problem);

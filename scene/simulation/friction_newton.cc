@@ -25,11 +25,7 @@ auto part_of(const Eigen::VectorXd& r, std::size_t c) {
 }  // namespace
 
 IslandNewton::IslandNewton(const FrictionIsland& island, double bound)
-    : island_(island),
-      bound_(bound),
-      size_of_q_(island.size_of_q()),
-      rows_(island.contacts.size()),
-      factors_(island) {
+    : island_(island), bound_(bound), rows_(island.contacts.size()), factors_(island) {
   for (std::size_t c = 0; c < rows_.size(); ++c) {
     const IslandContact& contact = island.contacts[c];
     const Eigen::Matrix3d W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
@@ -160,6 +156,7 @@ double IslandNewton::descend(double factor, double best, Eigen::VectorXd& r) {
 double IslandNewton::improve(double softness, Eigen::VectorXd& r) {
   softness_ = softness;
   factor_ = 1;
+  size_of_q_ = island_.size_of_q();
   look(r);
   double best = residual(r);
   best = descend(1, best, r);

@@ -25,7 +25,7 @@ namespace raygauge {
 /// closer end it.
 class IslandNewton {
  public:
-  /// `bound`: of ‖W‖.
+  /// `bound`: of ‖W‖. Of a contact, q may change between calls.
   IslandNewton(const FrictionIsland& island, double bound);
 
   /// From r to the best that was seen. Returns its island_residual(), which is never above that of r.
@@ -54,7 +54,8 @@ class IslandNewton {
   double descend(double factor, double best, Eigen::VectorXd& r);
 
   const FrictionIsland& island_;
-  double bound_, size_of_q_;
+  double bound_;
+  double size_of_q_ = 0;
   double largest_ = 0;  // number on the diagonal of W
   std::vector<Row> rows_;
   IslandVelocities velocities_;

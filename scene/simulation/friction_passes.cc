@@ -7,8 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <set>
 #include <utility>
 #include <vector>
+
+#include "scene/simulation/friction_block.h"
 
 namespace raygauge {
 namespace {
@@ -20,7 +24,11 @@ constexpr double kGain = 0.5;        // passes go on while the residual falls so
 constexpr int kPatience = 30;        // ... within so many of them, ...
 constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, ...
 constexpr int kPlainPatienceOfMany = 100;
-constexpr int kMore = 8;             // ... or within so many where it is small enough
+constexpr int kMore = 8;            // ... or within so many where it is small enough
+constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
+constexpr int kMostBlocks = 16;
+constexpr std::size_t kLargestBlock = 40, kLargestOfRough = 60;
+constexpr double kRough = 1e-6;
 constexpr double kNear = 1e-8;       // a change, as a residual, from which on every pass is measured; ...
 constexpr int kFar = 8;              // ... of others every eighth
 constexpr int kTurns = 3;            // of what slips, in one solve of a contact where one does not arrive
@@ -88,6 +96,7 @@ class Passes {
     IslandVelocities& velocities = velocities_;
     velocities.reset(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
+      if (block_ && block_->has(c)) continue;
       const IslandContact& contact = island_.contacts[c];
       auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
       const Eigen::Vector3d before = here;
@@ -95,7 +104,32 @@ class Passes {
       here = solved(own_[c], contact.mu, b, before, turns_);
       velocities.push(contact, here - before);
     }
+    if (block_) block_->solve(island_, velocities, r);
     return velocities;
+  }
+
+  /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
+  /// together, with those that already are. False: they would be too many.
+  bool grow_block(double bound, const Eigen::VectorXd& r, std::size_t largest) {
+    const IslandVelocities velocities(island_, r);
+    double most = 0;
+    std::size_t worst = 0;
+    for (std::size_t c = 0; c < own_.size(); ++c) {
+      if (block_ && block_->has(c)) continue;
+      const double error = law_error(island_.contacts[c], velocities, step_of(bound), r, c);
+      if (!(error > most)) continue;
+      most = error;
+      worst = c;
+    }
+    std::set<int> bodies;
+    if (block_) bodies = block_->bodies();
+    for (const int body : {island_.contacts[worst].a, island_.contacts[worst].b}) {
+      if (body >= 0) bodies.insert(body);
+    }
+    auto larger = std::make_unique<FrictionBlock>(island_, std::move(bodies));
+    if (!(most > 0) || larger->size() > largest) return false;
+    block_ = std::move(larger);
+    return true;
   }
 
  private:
@@ -103,6 +137,7 @@ class Passes {
   std::vector<Own> own_;
   IslandVelocities velocities_;
   int turns_ = 1;
+  std::unique_ptr<FrictionBlock> block_;
 };
 
 /// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
@@ -165,6 +200,10 @@ class Descent {
   double best() const { return best_; }
 
   void be_thorough() { passes_.be_thorough(); }
+
+  bool grow_block() {
+    return passes_.grow_block(bound_, r_, best_ > kRough ? kLargestOfRough : kLargestBlock);
+  }
 
   void extrapolated(int patience) {
     if (!(best_ > kEnough)) return;
@@ -240,6 +279,14 @@ double pass_over_friction(const FrictionIsland& island, double bound, Eigen::Vec
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent(island, bound, r).extrapolated(kPatience);
   return island_residual(island, bound, r);  // passes have it but for rounding
+}
+
+double pass_with_block(const FrictionIsland& island, double bound, double enough, Eigen::VectorXd& r) {
+  Descent descent(island, bound, r);
+  descent.be_thorough();
+  for (int k = 0; k < kMostBlocks && descent.best() > enough && descent.grow_block(); ++k)
+    descent.extrapolated(kBlockPatience);
+  return island_residual(island, bound, r);
 }
 
 double pass_patiently(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
