@@ -92,9 +92,10 @@ void BodyFactors::solve(Columns& x) const {
     for (std::size_t i = 0; i < pivot.later.size(); ++i)
       x.col(pivots_[index(pivot.later[i])].body).noalias() -= pivot.below[i] * x.col(pivot.body);
   }
-  for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
-    for (std::size_t i = 0; i < pivot->later.size(); ++i)
-      x.col(pivot->body).noalias() -= pivot->right[i] * x.col(pivots_[index(pivot->later[i])].body);
+  for (std::size_t k = pivots_.size(); k-- > 0;) {
+    const Pivot& pivot = pivots_[k];
+    for (std::size_t i = 0; i < pivot.later.size(); ++i)
+      x.col(pivot.body).noalias() -= pivot.right[i] * x.col(pivots_[index(pivot.later[i])].body);
   }
 }
 

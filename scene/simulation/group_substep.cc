@@ -25,6 +25,10 @@ Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
   return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
 }
 
+constexpr auto by_bodies = [](const auto& one, const auto& other) {
+  return std::pair(one.a, one.b) < std::pair(other.a, other.b);
+};
+
 Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
   const double size = angle.norm();
   if (!(size > 0)) return Eigen::Matrix3d::Identity();
@@ -65,22 +69,21 @@ bool GroupStepper::push_and_move(double dt) {
 
 // By their bodies.
 void GroupStepper::remember(const std::vector<ContactUnknown>& contacts, double dt) {
-  const auto bodies = [](const ContactUnknown& of) { return std::pair(of.a, of.b); };
   last_ = contacts;
   last_dt_ = dt;
-  if (!std::ranges::is_sorted(last_, {}, bodies)) std::ranges::stable_sort(last_, {}, bodies);
+  if (!std::is_sorted(last_.begin(), last_.end(), by_bodies))
+    std::stable_sort(last_.begin(), last_.end(), by_bodies);
 }
 
 // The impulse at the same point in the problem before, of the last substep or as this one was asked first. Of
 // a shorter time a smaller one; blows do not grow with it.
 Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
   const double near = 1e-2 * body(pair.a).reach;
-  const auto bodies = [](const auto& of) { return std::pair(of.a, of.b); };
-  const auto [first, end] = std::ranges::equal_range(last_, bodies(pair), {}, bodies);
-  for (const ContactUnknown& before : std::ranges::subrange(first, end)) {
-    if ((before.at - point.at).norm() < near) return std::min(1.0, dt / last_dt_) * before.impulse;
-  }
-  return Eigen::Vector3d::Zero();
+  const auto [first, end] = std::equal_range(last_.begin(), last_.end(), pair, by_bodies);
+  const auto before =
+      std::find_if(first, end, [&](const ContactUnknown& one) { return (one.at - point.at).norm() < near; });
+  if (before == end) return Eigen::Vector3d::Zero();
+  return std::min(1.0, dt / last_dt_) * before->impulse;
 }
 
 // Damping by the midpoint rule: v' = g - c v.
