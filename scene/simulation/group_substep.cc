@@ -25,7 +25,7 @@ Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
   return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
 }
 
-constexpr auto by_bodies = [](const auto& one, const auto& other) {
+constexpr auto kByBodies = [](const auto& one, const auto& other) {
   return std::pair(one.a, one.b) < std::pair(other.a, other.b);
 };
 
@@ -71,15 +71,15 @@ bool GroupStepper::push_and_move(double dt) {
 void GroupStepper::remember(const std::vector<ContactUnknown>& contacts, double dt) {
   last_ = contacts;
   last_dt_ = dt;
-  if (!std::is_sorted(last_.begin(), last_.end(), by_bodies))
-    std::stable_sort(last_.begin(), last_.end(), by_bodies);
+  if (!std::is_sorted(last_.begin(), last_.end(), kByBodies))
+    std::stable_sort(last_.begin(), last_.end(), kByBodies);
 }
 
 // The impulse at the same point in the problem before, of the last substep or as this one was asked first. Of
 // a shorter time a smaller one; blows do not grow with it.
 Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
   const double near = 1e-2 * body(pair.a).reach;
-  const auto [first, end] = std::equal_range(last_.begin(), last_.end(), pair, by_bodies);
+  const auto [first, end] = std::equal_range(last_.begin(), last_.end(), pair, kByBodies);
   const auto before =
       std::find_if(first, end, [&](const ContactUnknown& one) { return (one.at - point.at).norm() < near; });
   if (before == end) return Eigen::Vector3d::Zero();

@@ -20,9 +20,9 @@ TEST(BodyFactors, solutions_are_those_of_the_dense_matrix) {
     for (int repeat = 0; repeat < 2; ++repeat) {
       factors.set_identity();
       Eigen::MatrixXd dense = Eigen::MatrixXd::Identity(150, 150);
-      const auto add = [&](int i, int j, const BodyFactors::Block& block) {
+      const auto add = [&](Eigen::Index i, Eigen::Index j, const BodyFactors::Block& block) {
         if (i < 0 || j < 0) return;
-        factors.add(i, j, block);
+        factors.add(static_cast<int>(i), static_cast<int>(j), block);
         dense.block<6, 6>(6 * i, 6 * j) += block;
       };
       for (const IslandContact& contact : island.contacts) {
