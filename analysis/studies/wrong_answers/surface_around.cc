@@ -93,8 +93,10 @@ class Surface {
                                  Vector3{-1, 0, 0}, Vector3{0, -1, 0}, Vector3{0, 0, -1}}) {
       const Point beyond = support({n.x + kAside * aside.x, n.y + kAside * aside.y, n.z + kAside * aside.z});
       if (polytope_.above(polytope_.facet(number), beyond.s) > polytope_.noise() &&
-          polytope_.add(number, beyond))
+          polytope_.look(number, beyond)) {
+        polytope_.add(beyond);
         return true;
+      }
     }
     return false;
   }
