@@ -234,11 +234,7 @@ WalkEnd add_to_walk_n(const FacetWalkPoints& points, FacetWalk* walk, const std:
 }
 
 void walk_facets(const FacetWalkPoints* points, FacetWalk* const* walks, int count) {
-  with_dimension(points->n, [=](auto N) {
-    const int half = count > 4 ? (count + 1) / 2 : count;  // whose numbers stay near
-    walk_facets_n<decltype(N)::value>(*points, walks, half);
-    walk_facets_n<decltype(N)::value>(*points, walks + half, count - half);
-  });
+  with_dimension(points->n, [=](auto N) { walk_facets_n<decltype(N)::value>(*points, walks, count); });
 }
 
 void add_to_walk(const FacetWalkPoints* points, FacetWalk* walk, const std::int32_t* places, int count) {

@@ -259,6 +259,7 @@ void FacetWalker::look_beyond() {
 void FacetWalker::solve(std::span<const WalkQuestion> questions) {
   for (std::size_t next = 0; next < questions.size() || !arrived_.empty();) {
     for (; next < questions.size() && !idle_.empty(); ++next) {
+      if (next + kWalksTogether < questions.size()) __builtin_prefetch(questions[next + kWalksTogether].x);
       if (!idle_.back()->begin(questions[next])) continue;
       begun_.push_back(idle_.back());
       idle_.pop_back();
