@@ -13,13 +13,6 @@
 namespace raygauge {
 namespace {
 
-// Distances of a gap that lets the search tell margin and margin + contact apart; more digits than a step
-// needs are asked for only where the margin is large.
-double tolerance_of(const EdgeOptions& options) {
-  constexpr double kStepTolerance = 1e-3;
-  return std::clamp(options.contact / (4 * (options.margin + options.contact)), 1e-9, kStepTolerance);
-}
-
 EdgeOptions checked(const EdgeOptions& options) {
   if (!(options.margin >= 0) || !std::isfinite(options.margin))
     throw InvalidParameterError("margin must be a number of at least 0");
@@ -29,12 +22,6 @@ EdgeOptions checked(const EdgeOptions& options) {
   return options;
 }
 
-void check_pair(const std::pair<int, int>& pair, int bodies) {
-  for (const int i : {pair.first, pair.second}) {
-    if (i < 0 || i >= bodies) throw InvalidParameterError("there is no body number " + std::to_string(i));
-  }
-}
-
 }  // namespace
 
 EdgeSearch::EdgeSearch(const RobotModel& robot, const std::vector<Body>& obstacles,
@@ -42,65 +29,15 @@ EdgeSearch::EdgeSearch(const RobotModel& robot, const std::vector<Body>& obstacl
     : options_(checked(options)),
       chain_(robot.tree, robot.joints, robot.base),
       bodies_(edge_bodies(robot, obstacles, chain_)),
+      pairs_(robot, chain_, bodies_),
       stage_(chain_, bodies_),
+      intervals_(stage_),
       tests_(chain_, bodies_, stage_),
-      placed_(3) {
-  solver_.set_tolerance(tolerance_of(options_));
-  take_pairs(robot);
-  take_parts();
-}
-
-void EdgeSearch::take_pairs(const RobotModel& robot) {
-  const auto count = static_cast<int>(bodies_.size());
-  std::vector<std::pair<int, int>> ignored;
-  for (const std::pair<int, int>& pair : robot.ignored) {
-    check_pair(pair, count);
-    ignored.emplace_back(std::minmax(pair.first, pair.second));
-  }
-  std::sort(ignored.begin(), ignored.end());
-  for (int a = 0; a < static_cast<int>(robot.bodies.size()); ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      if (std::binary_search(ignored.begin(), ignored.end(), std::pair(a, b))) continue;
-      EdgePair pair{a, b};
-      const EdgeBody& other = bodies_[static_cast<std::size_t>(b)];
-      if (!other.is_obstacle()) {
-        const std::vector<int>& one = chain_.path(bodies_[static_cast<std::size_t>(a)].link);
-        const std::vector<int>& two = chain_.path(other.link);
-        std::size_t common = 0;
-        while (common < std::min(one.size(), two.size()) && one[common] == two[common]) ++common;
-        if (common > 0) pair.carrier = one[common - 1];
-        pair.left_out_a = pair.left_out_b = common;
-      }
-      pairs_.push_back(pair);
-    }
-  }
-}
-
-void EdgeSearch::take_parts() {
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    first_parts_.push_back(static_cast<int>(parts_.size()));
-    const std::size_t parts_a = bodies_[static_cast<std::size_t>(pairs_[i].a)].body.parts.size();
-    const std::size_t parts_b = bodies_[static_cast<std::size_t>(pairs_[i].b)].body.parts.size();
-    for (std::size_t a = 1; a <= parts_a; ++a) {
-      for (std::size_t b = 1; b <= parts_b; ++b) {
-        Parts parts;
-        parts.pair = static_cast<int>(i);
-        parts.shape_a = a;
-        parts.shape_b = b;
-        take_kind(parts);
-        parts_.push_back(std::move(parts));
-      }
-    }
-  }
-  first_parts_.push_back(static_cast<int>(parts_.size()));
-}
+      looks_(options_, bodies_, stage_, tests_, pairs_, result_) {}
 
 void EdgeSearch::forget() {
-  for (Parts& parts : parts_) {
-    parts.memory = PartMemory();
-    parts.plane.setZero();
-  }
-  solver_.forget();
+  pairs_.forget();
+  looks_.forget();
   hint_ = -1;
 }
 
@@ -132,26 +69,6 @@ void EdgeSearch::begin() {
   result_.outcome = EdgeOutcome::free;
 }
 
-int EdgeSearch::add_interval(int first, int last) {
-  intervals_.push_back({first, last});
-  return static_cast<int>(intervals_.size()) - 1;
-}
-
-// Where the motion of an obstacle breaks an interval ends: bounds hold within pieces.
-void EdgeSearch::cut_at_breaks(double from, double to) {
-  int first = stage_.add(from);
-  for (double t = from; t < to;) {
-    double end = to;
-    for (const EdgeBody& body : bodies_) {
-      if (!body.stands) end = std::min(end, body.body.motion->next_break(t));
-    }
-    const int last = stage_.add(end);
-    add_interval(first, last);
-    first = last;
-    t = end;
-  }
-}
-
 const EdgeResult& EdgeSearch::edge(std::span<const double> q0, std::span<const double> q1, double from,
                                    double to) {
   check(q0);
@@ -160,7 +77,7 @@ const EdgeResult& EdgeSearch::edge(std::span<const double> q0, std::span<const d
   if (!(from < to)) throw InvalidParameterError("an edge must end after it begins");
   begin();
   chain_.follow(q0, q1, from, to);
-  cut_at_breaks(from, to);
+  intervals_.cut_at_breaks(bodies_, from, to);
   return search();
 }
 
@@ -170,7 +87,7 @@ const EdgeResult& EdgeSearch::configuration(std::span<const double> q, double ti
   begin();
   chain_.follow(q, q, time, time + std::max(1.0, std::fabs(time)));
   const int moment = stage_.add(time);
-  add_interval(moment, moment);
+  intervals_.add(moment, moment);
   return search();
 }
 
@@ -222,33 +139,22 @@ void EdgeSearch::add_item(const Item& item) {
   std::push_heap(items_.begin(), items_.end(), later);
 }
 
-// Made where it is not there yet.
-int EdgeSearch::middle_of(std::size_t interval) {
-  Interval& over = intervals_[interval];
-  if (over.first == over.last) over.middle = over.first;
-  if (over.middle < 0) {
-    const double from = stage_.time(over.first), to = stage_.time(over.last);
-    over.middle = stage_.add(from + (to - from) / 2);
-  }
-  return over.middle;
-}
-
 bool EdgeSearch::look_at_hint() {
   if (hint_ < 0) return false;
-  for (std::size_t i = 0; i < intervals_.size(); ++i) {
-    if (is_contact(parts_[static_cast<std::size_t>(hint_)], middle_of(i))) return true;
+  for (int i = 0; i < intervals_.size(); ++i) {
+    if (looks_.is_contact(pairs_.parts(hint_), intervals_.middle_of(i))) return true;
   }
   return false;
 }
 
 // A body of one part is its part, and tested once.
 void EdgeSearch::take_first_items() {
-  for (int interval = 0; interval < static_cast<int>(intervals_.size()); ++interval) {
-    const Interval over = intervals_[static_cast<std::size_t>(interval)];
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (first_parts_[i + 1] - first_parts_[i] > 1) {
+  for (int interval = 0; interval < intervals_.size(); ++interval) {
+    const EdgeInterval over = intervals_[interval];
+    for (int i = 0; i < pairs_.size(); ++i) {
+      if (pairs_.first_parts(i + 1) - pairs_.first_parts(i) > 1) {
         ++result_.ball_tests;
-        if (tests_.balls_apart(pairs_[i], 0, 0, over.first, over.last, options_.margin)) continue;
+        if (tests_.balls_apart(pairs_.pair(i), 0, 0, over.first, over.last, options_.margin)) continue;
       }
       take_parts_of(i, interval);
     }
@@ -256,16 +162,16 @@ void EdgeSearch::take_first_items() {
 }
 
 // All, or those in nodes of trees that are not apart.
-void EdgeSearch::take_parts_of(std::size_t number, int interval) {
-  const EdgePair& pair = pairs_[number];
+void EdgeSearch::take_parts_of(int number, int interval) {
+  const EdgePair& pair = pairs_.pair(number);
   const EdgeBody& a = bodies_[static_cast<std::size_t>(pair.a)];
   const EdgeBody& b = bodies_[static_cast<std::size_t>(pair.b)];
   if (a.shape_of_node.empty() && b.shape_of_node.empty()) {
-    for (int parts = first_parts_[number]; parts < first_parts_[number + 1]; ++parts)
+    for (int parts = pairs_.first_parts(number); parts < pairs_.first_parts(number + 1); ++parts)
       take_item(parts, interval);
     return;
   }
-  const Interval over = intervals_[static_cast<std::size_t>(interval)];
+  const EdgeInterval over = intervals_[interval];
   const auto parts_b = static_cast<int>(b.body.parts.size());
   nodes_.assign(1, {0, 0});
   while (!nodes_.empty()) {
@@ -273,7 +179,7 @@ void EdgeSearch::take_parts_of(std::size_t number, int interval) {
     nodes_.pop_back();
     const PartNode one = part_node(a.body, nodes.a), other = part_node(b.body, nodes.b);
     if (one.part >= 0 && other.part >= 0) {
-      take_item(first_parts_[number] + one.part * parts_b + other.part, interval);
+      take_item(pairs_.first_parts(number) + one.part * parts_b + other.part, interval);
       continue;
     }
     const std::size_t shape_a = a.shape_of(nodes.a), shape_b = b.shape_of(nodes.b);
@@ -287,24 +193,37 @@ void EdgeSearch::take_parts_of(std::size_t number, int interval) {
   }
 }
 
-void EdgeSearch::take_item(int number, int interval) {
-  const Parts& parts = parts_[static_cast<std::size_t>(number)];
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
-  const Interval over = intervals_[static_cast<std::size_t>(interval)];
+bool EdgeSearch::balls_apart(const EdgeParts& parts, int first, int last) {
   ++result_.ball_tests;
-  if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, over.first, over.last, options_.margin)) return;
-  const int middle = middle_of(static_cast<std::size_t>(interval));
-  add_item({number, interval, tests_.likely_gap(pair, parts.shape_a, parts.shape_b, middle), true});
+  return tests_.balls_apart(pairs_.pair_of(parts), parts.shape_a, parts.shape_b, first, last,
+                            options_.margin);
 }
 
-bool EdgeSearch::is_free_at_once(Parts& parts, int interval) {
+void EdgeSearch::take_item(int number, int interval) {
+  const EdgeParts& parts = pairs_.parts(number);
+  const EdgeInterval over = intervals_[interval];
+  if (balls_apart(parts, over.first, over.last)) return;
+  const int middle = intervals_.middle_of(interval);
+  add_item({number, interval, tests_.likely_gap(pairs_.pair_of(parts), parts.shape_a, parts.shape_b, middle),
+            true});
+}
+
+bool EdgeSearch::is_free_at_once(EdgeParts& parts, int interval) {
   if (parts.is_mesh) return is_free_by_sweep(parts, interval);
-  return is_free_by_kept_plane(parts, intervals_[static_cast<std::size_t>(interval)]);
+  return is_free_by_kept_plane(parts, intervals_[interval]);
 }
 
-bool EdgeSearch::is_free_by_kept_plane(const Parts& parts, const Interval& over) {
+// Surfaces that stay apart are one inside the other all the time or at no time.
+bool EdgeSearch::is_free_by_sweep(EdgeParts& parts, int interval) {
+  const int middle = intervals_.middle_of(interval);
+  const EdgeInterval over = intervals_[interval];
+  if (!looks_.surfaces_apart(parts, over.first, middle, over.last)) return false;
+  return !parts.is_solid || looks_.is_outside(parts, over.first);
+}
+
+bool EdgeSearch::is_free_by_kept_plane(const EdgeParts& parts, const EdgeInterval& over) {
   if (parts.plane.isZero(0)) return false;
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
+  const EdgePair& pair = pairs_.pair_of(parts);
   const auto apart = [&](int moment) {
     return tests_.planes_apart(pair, parts.shape_a, parts.shape_b, moment, parts.plane);
   };
@@ -317,26 +236,26 @@ bool EdgeSearch::is_free_by_kept_plane(const Parts& parts, const Interval& over)
 
 // False: it is the end.
 bool EdgeSearch::handle(const Item& item) {
-  Parts& parts = parts_[static_cast<std::size_t>(item.parts)];
-  const auto number = static_cast<std::size_t>(item.interval);
-  const int middle = middle_of(number);
+  EdgeParts& parts = pairs_.parts(item.parts);
+  const int middle = intervals_.middle_of(item.interval);
   if (item.is_first && is_free_at_once(parts, item.interval)) return true;
   if (result_.looks >= options_.max_looks) {
-    give_up(parts, middle);
+    looks_.give_up(parts, middle);
     return false;
   }
-  if (is_contact(parts, middle)) {
+  if (looks_.is_contact(parts, middle)) {
     hint_ = item.parts;
     return false;
   }
-  const bool moment_only = intervals_[number].first == intervals_[number].last;
-  const double t = stage_.time(middle);
-  const double from = stage_.time(intervals_[number].first), to = stage_.time(intervals_[number].last);
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
+  const EdgeInterval over = intervals_[item.interval];
+  const bool moment_only = over.first == over.last;
+  const double t = stage_.time(middle), from = stage_.time(over.first), to = stage_.time(over.last);
+  const EdgePair& pair = pairs_.pair_of(parts);
   const double slack = tests_.slack(pair, parts.shape_a, parts.shape_b, middle);
-  const bool apart = (parts.is_mesh || answer_.normal.size() == 3) && answer_.lower - slack > options_.margin;
+  const PairAnswer& answer = looks_.answer();
+  const bool apart = (parts.is_mesh || answer.normal.size() == 3) && answer.lower - slack > options_.margin;
   if (moment_only || !(from < t && t < to)) {
-    if (!apart || !moment_only) give_up(parts, middle);
+    if (!apart || !moment_only) looks_.give_up(parts, middle);
     return true;
   }
   if (parts.is_mesh) {
@@ -344,45 +263,46 @@ bool EdgeSearch::handle(const Item& item) {
     return true;
   }
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
-  if (apart) plane = tests_.to_carrier(pair, middle, Eigen::Vector3d(answer_.normal).normalized());
+  if (apart) plane = tests_.to_carrier(pair, middle, Eigen::Vector3d(answer.normal).normalized());
   if (apart) parts.plane = plane;
   go_on(item, plane);
   return true;
 }
 
-// Made where it is not there yet.
-int EdgeSearch::half_of(std::size_t interval, bool is_left) {
-  const Interval over = intervals_[interval];
-  int half = is_left ? over.left : over.right;
-  if (half >= 0) return half;
-  half = is_left ? add_interval(over.first, over.middle) : add_interval(over.middle, over.last);
-  (is_left ? intervals_[interval].left : intervals_[interval].right) = half;
-  return half;
-}
-
 // Both halves of an interval, as the plane of its middle leaves them; 0: there is none.
 void EdgeSearch::go_on(const Item& item, const Eigen::Vector3d& plane) {
-  const Parts& parts = parts_[static_cast<std::size_t>(item.parts)];
-  const EdgePair& pair = pairs_[static_cast<std::size_t>(parts.pair)];
-  const auto number = static_cast<std::size_t>(item.interval);
-  const int middle = intervals_[number].middle;
+  const EdgeParts& parts = pairs_.parts(item.parts);
+  const EdgePair& pair = pairs_.pair_of(parts);
+  const EdgeInterval over = intervals_[item.interval];
   const bool known = !plane.isZero(0);
   const auto apart = [&](int moment) {
     return tests_.planes_apart(pair, parts.shape_a, parts.shape_b, moment, plane);
   };
-  const double now = known ? apart(middle) : 0;
+  const double now = known ? apart(over.middle) : 0;
   for (const bool is_left : {true, false}) {
-    const int first = is_left ? intervals_[number].first : middle;
-    const int last = is_left ? middle : intervals_[number].last;
+    const int first = is_left ? over.first : over.middle;
+    const int last = is_left ? over.middle : over.last;
     double there = 0;
     if (known) {
       there = apart(is_left ? first : last);
       const Sagging sagging = tests_.sagging(pair, parts.shape_a, parts.shape_b, first, last);
       if (least_between(now, there, sagging) > options_.margin) continue;
     }
-    ++result_.ball_tests;
-    if (tests_.balls_apart(pair, parts.shape_a, parts.shape_b, first, last, options_.margin)) continue;
-    add_item({item.parts, half_of(number, is_left), (now + there) / 2});
+    if (balls_apart(parts, first, last)) continue;
+    add_item({item.parts, intervals_.half_of(item.interval, is_left), (now + there) / 2});
+  }
+}
+
+// Both halves of an interval in whose middle they are apart, if that is known.
+void EdgeSearch::go_on_with_mesh(const Item& item, bool known) {
+  const EdgeParts& parts = pairs_.parts(item.parts);
+  const double now = looks_.answer().lower;
+  for (const bool is_left : {true, false}) {
+    const int half = intervals_.half_of(item.interval, is_left);
+    const EdgeInterval over = intervals_[half];
+    if (balls_apart(parts, over.first, over.last)) continue;
+    if (known && looks_.surfaces_apart(parts, over.first, intervals_.middle_of(half), over.last)) continue;
+    add_item({item.parts, half, now});
   }
 }
 

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "raygauge/scene/edge_checker.h"
-#include "scene/planning/edge_pair.h"
-#include "scene/planning/mesh_sweep.h"
-#include "scene/queries/part_solver.h"
+#include "scene/planning/edge_looks.h"
 
 namespace raygauge {
 
@@ -31,22 +29,6 @@ class EdgeSearch {
   const EdgeOptions& options() const noexcept { return options_; }
 
  private:
-  /// Two parts, and what is kept of them from one edge to the next.
-  struct Parts {
-    int pair = 0;
-    std::size_t shape_a = 0, shape_b = 0;
-    bool is_mesh = false;  ///< one of them
-    bool is_solid = false;
-    PartMemory memory;
-    Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< of the carrier; 0: none
-  };
-
-  /// From one moment to a later one; of a configuration both are the same.
-  struct Interval {
-    int first = 0, last = 0;
-    int middle = -1, left = -1, right = -1;  ///< -1: not made yet
-  };
-
   /// Two parts that are not proven apart over an interval.
   struct Item {
     int parts = 0, interval = 0;
@@ -58,57 +40,36 @@ class EdgeSearch {
     int a = 0, b = 0;
   };
 
-  void take_pairs(const RobotModel& robot);
-  void take_parts();
   void check(std::span<const double> q) const;
   void check_times(double from, double to) const;
   void begin();
-  void cut_at_breaks(double from, double to);
-  int add_interval(int first, int last);
   const EdgeResult& search();
-  int middle_of(std::size_t interval);
-  int half_of(std::size_t interval, bool is_left);
   bool look_at_hint();
   static bool later(const Item& x, const Item& y);
   void add_item(const Item& item);
   void take_first_items();
-  void take_parts_of(std::size_t pair, int interval);
+  void take_parts_of(int pair, int interval);
   void take_item(int parts, int interval);
-  bool is_free_at_once(Parts& parts, int interval);
-  bool is_free_by_kept_plane(const Parts& parts, const Interval& over);
   bool handle(const Item& item);
-  void take_kind(Parts& parts) const;
-  bool is_free_by_sweep(Parts& parts, int interval);
-  bool surfaces_apart(const Parts& parts, int interval);
-  void go_on_with_mesh(const Item& item, bool known);
-  static PartNumbers numbers_of(const Parts& parts);
-  void place(const Parts& parts, int moment);
-  void look(Parts& parts, int moment);
-  bool is_contact(Parts& parts, int moment);
-  void take_witness(const Parts& parts);
-  void take_mesh_witness(const Parts& parts);
-  void give_up(const Parts& parts, int moment);
+  bool is_free_at_once(EdgeParts& parts, int interval);
+  bool is_free_by_sweep(EdgeParts& parts, int interval);
+  bool is_free_by_kept_plane(const EdgeParts& parts, const EdgeInterval& over);
+  bool balls_apart(const EdgeParts& parts, int first, int last);
   void go_on(const Item& item, const Eigen::Vector3d& plane);
+  void go_on_with_mesh(const Item& item, bool known);
 
   EdgeOptions options_;
   RobotChain chain_;
   std::vector<EdgeBody> bodies_;
+  EdgePairs pairs_;
   EdgeStage stage_;
+  EdgeIntervals intervals_;
   EdgeTests tests_;
-  std::vector<EdgePair> pairs_;
-  std::vector<int> first_parts_;  ///< of each pair, in parts_; and the end
-  std::vector<Parts> parts_;
-  PlacedPair placed_;
-  PartSolver solver_;
-  MeshSweep sweep_;
-  PairAnswer answer_;
-  SceneCounters counters_;
-  std::vector<Interval> intervals_;
+  EdgeResult result_;
+  EdgeLooks looks_;
   std::vector<Item> items_;      ///< a heap
   std::vector<NodePair> nodes_;  ///< of trees, that are to be looked at
-  ObjectDistanceSolver witness_;
-  EdgeResult result_;
-  int hint_ = -1;  ///< the parts in contact of the last edge that had some
+  int hint_ = -1;                ///< the parts in contact of the last edge that had some
 };
 
 }  // namespace raygauge
