@@ -6,6 +6,8 @@
 
 #if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 #include "engine/kernels/kernel.h"
@@ -161,6 +163,23 @@ inline unsigned lanes_above(Vec<float>::Pack v, float a) {
 }
 inline unsigned lanes_above(Vec<float>::Index v, int a) {
   return bits_of(_mm256_castsi256_ps(_mm256_cmpgt_epi32(reinterpret_cast<__m256i>(v), _mm256_set1_epi32(a))));
+}
+#elif defined(__SSE2__)
+template <class Mask>
+inline unsigned bits_of(Mask mask) {
+  if constexpr (sizeof(mask[0]) == sizeof(double)) {
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+  } else {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+  }
+}
+template <class V, class Real>
+inline unsigned lanes_equal(V v, Real a) {
+  return bits_of(v == a - V{});
+}
+template <class V, class Real>
+inline unsigned lanes_above(V v, Real a) {
+  return bits_of(v > a - V{});
 }
 #else
 template <class V, class Real>
