@@ -16,7 +16,8 @@
 #endif
 
 /// Before the definition of a function with loops over lanes: it is compiled once more for wider vectors. No
-/// sum is contracted. Its source needs -fno-math-errno and -fno-trapping-math.
+/// sum is contracted. Its source needs -fno-math-errno and -fno-trapping-math. Also before one that has more
+/// numbers at hand than there are registers: those machines have twice as many, and move less.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define RAYGAUGE_VECTORS [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]]

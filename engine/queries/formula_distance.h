@@ -9,9 +9,14 @@ namespace raygauge {
 
 /// The whole answer for two bodies of R^3 for which it is a formula (RoundPair), in a ball about the origin:
 /// the distance, or the depth if it is asked for and they meet, and the gradient by pose. In one go, for what
-/// takes less time than a pair to be placed. False where there is no formula, or what it finds is not as
-/// precise as was asked for.
-bool distance_by_formula(const Posed& A1, const Posed& A2, const ConvexSet& metric, double tolerance,
-                         ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
+/// takes less time than a pair to be placed: all calls are the last ones of their functions and have the same
+/// arguments, which stay in registers. Where there is no formula, or what it finds is not as precise as the
+/// ladder's options ask for, the answer is that of distance_by_search().
+const ObjectDistance& distance_by_formula(Ladder& ladder, const Posed& A1, const Posed& A2,
+                                          const ConvexSet& metric, ObjectEffects effects, WarmStart* warm);
+
+/// The answer of the ladder.
+const ObjectDistance& distance_by_search(Ladder& ladder, const Posed& A1, const Posed& A2,
+                                         const ConvexSet& metric, ObjectEffects effects, WarmStart* warm);
 
 }  // namespace raygauge

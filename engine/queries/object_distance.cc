@@ -24,9 +24,10 @@ void add_gradients(ObjectEffects effects, ObjectDistance& result) {
   }
 }
 
-[[gnu::noinline]] const ObjectDistance& solve_by_search(Ladder& ladder, const Posed& A1, const Posed& A2,
-                                                        const ConvexSet& Q, ObjectEffects effects,
-                                                        WarmStart* warm) {
+}  // namespace
+
+const ObjectDistance& distance_by_search(Ladder& ladder, const Posed& A1, const Posed& A2, const ConvexSet& Q,
+                                         ObjectEffects effects, WarmStart* warm) {
   Ask ask(Question::distance, A1, A2, warm);
   ask.metric = &Q;
   ask.object_effects = effects;
@@ -34,8 +35,6 @@ void add_gradients(ObjectEffects effects, ObjectDistance& result) {
   add_gradients(effects, result);
   return result;
 }
-
-}  // namespace
 
 ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
     : ladder_(std::make_unique<Ladder>(options)) {}
@@ -54,13 +53,10 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
                                                   ObjectEffects effects, WarmStart* warm) {
   if (has_effect(effects, ObjectEffects::pose_gradient)) effects = effects | ObjectEffects::closest_points;
-  const DistanceOptions& options = ladder_->options();
   const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
-  if (!by_search && is_open_to_bodies(options) &&
-      distance_by_formula(A1, A2, Q, options.tolerance, effects, warm, ladder_->answer())) {
-    return ladder_->answer();
-  }
-  return solve_by_search(*ladder_, A1, A2, Q, effects, warm);
+  if (by_search || !is_open_to_bodies(ladder_->options()))
+    return distance_by_search(*ladder_, A1, A2, Q, effects, warm);
+  return distance_by_formula(*ladder_, A1, A2, Q, effects, warm);
 }
 
 }  // namespace raygauge

@@ -32,6 +32,7 @@ struct RoundPair {
     point_and_ellipsoid,
     ellipsoid_and_point,
   };
+  static constexpr int kFormulas = 11;
 
   /// Which formula two bodies of R^3 have.
   static Formula formula(const SpatialShape& first, const SpatialShape& second) noexcept;

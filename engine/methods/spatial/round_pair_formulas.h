@@ -209,22 +209,18 @@ template <RoundPair::Formula kFormula>
 
 inline RoundPair::Formula RoundPair::formula(const SpatialShape& first, const SpatialShape& second) noexcept {
   using F = Formula;
-  using Kind = SpatialShape::Kind;
-  if (first.kind == Kind::point) {
-    constexpr F kOther[] = {
-        F::points, F::point_and_segment, F::point_and_box, F::point_and_ellipsoid, F::point_and_frustum,
-        F::none};
-    return second.kind == Kind::ellipsoid && !second.has_right_angles ? F::none
-                                                                      : kOther[static_cast<int>(second.kind)];
-  }
-  if (second.kind == Kind::point) {
-    constexpr F kOther[] = {
-        F::points, F::segment_and_point, F::box_and_point, F::ellipsoid_and_point, F::frustum_and_point,
-        F::none};
-    return first.kind == Kind::ellipsoid && !first.has_right_angles ? F::none
-                                                                    : kOther[static_cast<int>(first.kind)];
-  }
-  return first.kind == Kind::segment && second.kind == Kind::segment ? F::segments : F::none;
+  constexpr F kNone = F::none;
+  static constexpr F kOfKinds[6][6] = {{F::points, F::point_and_segment, F::point_and_box,
+                                        F::point_and_ellipsoid, F::point_and_frustum, kNone},
+                                       {F::segment_and_point, F::segments, kNone, kNone, kNone, kNone},
+                                       {F::box_and_point, kNone, kNone, kNone, kNone, kNone},
+                                       {F::ellipsoid_and_point, kNone, kNone, kNone, kNone, kNone},
+                                       {F::frustum_and_point, kNone, kNone, kNone, kNone, kNone},
+                                       {kNone, kNone, kNone, kNone, kNone, kNone}};
+  const F formula = kOfKinds[static_cast<int>(first.kind)][static_cast<int>(second.kind)];
+  if (formula != F::point_and_ellipsoid && formula != F::ellipsoid_and_point) return formula;
+  const SpatialShape& ellipsoid = formula == F::point_and_ellipsoid ? second : first;
+  return ellipsoid.has_right_angles ? formula : kNone;
 }
 
 template <class Use>
