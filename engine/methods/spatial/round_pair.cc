@@ -8,7 +8,7 @@
 namespace raygauge {
 namespace {
 
-using round_pair::kIdentity, round_pair::Kind, round_pair::Place;
+using round_pair::kIdentity, round_pair::Kind, round_pair::kLonger, round_pair::Place;
 
 // Whether every other way out of a core is more than `longer` longer than the shortest.
 bool has_one_way_out(const BoxCore& core, const Vector3& y, double longer) {
@@ -46,7 +46,7 @@ bool has_one_way_out(const EllipsoidCore& core, const Vector3& y, double /*longe
 // through the side of a core begins well beside its axis.
 bool RoundPair::is_differentiable(double value, const SpatialShape& first, const SpatialShape& second,
                                   const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept {
-  constexpr double kParallel = 1e-6, kLonger = 1e-9;
+  constexpr double kParallel = 1e-6;
   const auto turn = [](const PoseNumbers& pose, const Vector3& x) {
     return Place{pose.R != nullptr ? pose.R : kIdentity, {}}.turn(x);
   };

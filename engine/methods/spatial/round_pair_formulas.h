@@ -16,6 +16,7 @@ using Kind = SpatialShape::Kind;
 
 // As of SpatialPair, whose chain of operations is longer; a quarter more for the sums of the bounds.
 inline constexpr double kRounding = 320 * 0x1p-53;
+inline constexpr double kLonger = 1e-9;  // of the size: a way that much longer is another one
 inline constexpr double kSmallest = 1e-70, kLargest = 1e70;
 
 inline constexpr double kIdentity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -250,6 +251,19 @@ template <class Use>
       return use.template operator()<Formula::ellipsoid_and_point>();
   }
   return false;
+}
+
+template <RoundPair::Formula kFormula>
+[[gnu::always_inline]] inline bool RoundPair::has_one_way(double value, const SpatialShape& first,
+                                                          const SpatialShape& second) noexcept {
+  using F = Formula;
+  if constexpr (kFormula == F::points || kFormula == F::point_and_segment || kFormula == F::segment_and_point)
+    return true;
+  if constexpr (kFormula == F::segments) return false;
+  constexpr bool kAtSecond =
+      kFormula == F::point_and_box || kFormula == F::point_and_frustum || kFormula == F::point_and_ellipsoid;
+  const double size = kAtSecond ? second.extent : first.extent;
+  return value + first.radius + second.radius > round_pair::kLonger * size;
 }
 
 template <RoundPair::Formula kFormula>
