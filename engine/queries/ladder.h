@@ -16,6 +16,7 @@
 #include "engine/queries/half_space_query.h"
 #include "engine/queries/pose_gradients.h"
 #include "engine/queries/spatial_query.h"
+#include "engine/sets/parameters.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/sets/ball.h"
 
@@ -30,8 +31,14 @@ enum class Question : std::uint8_t {
 
 /// A question, and what the rungs have made of it so far.
 struct Ask {
+  /// Throws DimensionMismatchError for a pose that is not of its set's space.
   Ask(Question what, const Posed& one, const Posed& two, WarmStart* start)
-      : question(what), first(one), second(two), warm(start) {}
+      : question(what), first(one), second(two), warm(start) {
+    for (const Posed* body : {&first, &second}) {
+      if (body->pose != nullptr && body->pose->dimension() != body->dimension()) [[unlikely]]
+        check_dimension("pose", "its rotation", body->pose->dimension(), body->dimension());
+    }
+  }
 
   Question question;
   Posed first, second;  ///< A and Q of a gauge; A1 and A2 of all others

@@ -9,8 +9,11 @@
 #include <random>
 #include <vector>
 
+#include "raygauge/exceptions.h"
+#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
+#include "raygauge/queries/pair_batch.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
@@ -157,6 +160,31 @@ TEST(PosedQueries, SeparationFollowsThePoses) {
   GrowthDistanceSolver solver;
   EXPECT_EQ(solver.separation({box, Pose(3)}, {box, straight}).outcome, Separation::separated);
   EXPECT_EQ(solver.separation({box, Pose(3)}, {box, turned}).outcome, Separation::intersecting);
+}
+
+TEST(PosedQueries, PosesOfAnotherSpaceAreRefused) {
+  const Ball ball(Eigen::Vector3d::Zero(), 1), disc(Eigen::Vector2d::Zero(), 1);
+  const Box box(Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1));
+  const Pose plane(2), space(3);
+  const std::vector<Posed> wrong = {{ball, plane}, {box, plane}, {disc, space}};
+  for (const Posed& body : wrong) {
+    const ConvexSet& metric = body.dimension() == 3 ? ball : disc;
+    const Posed other(metric);
+    for (const bool first : {true, false}) {
+      const Posed &one = first ? body : other, &two = first ? other : body;
+      EXPECT_THROW(DistanceSolver().solve(one, two, Effects::none), DimensionMismatchError);
+      EXPECT_THROW(ObjectDistanceSolver().solve(one, two, metric, ObjectEffects::depth),
+                   DimensionMismatchError);
+      EXPECT_THROW(GrowthDistanceSolver().solve(one, two), DimensionMismatchError);
+      EXPECT_THROW(GrowthDistanceSolver().separation(one, two), DimensionMismatchError);
+      EXPECT_THROW(ContactPatchSolver().solve(one, two, 0.1), DimensionMismatchError);
+      std::vector<Separation> outcome(1);
+      SeparationAnswers answers;
+      answers.outcome = outcome;
+      const std::vector<PosedPair> pairs = {{one, two}};
+      EXPECT_THROW(PairBatch(DistanceOptions()).separations(pairs, answers), DimensionMismatchError);
+    }
+  }
 }
 
 }  // namespace
