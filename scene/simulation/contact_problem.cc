@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "raygauge/numerics/vector3.h"
+#include "scene/simulation/friction_jam.h"
 #include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/islands.h"
 
@@ -49,6 +52,32 @@ std::map<int, int> numbers_of(const std::vector<ContactUnknown*>& contacts,
 // Whether friction is, for one of them.
 bool is_named(const std::vector<ContactUnknown*>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const ContactUnknown* c) { return c->mu; });
+}
+
+// False: no offset was below 0.
+bool leave_at_rest(const std::vector<ContactUnknown*>& contacts) {
+  bool any = false;
+  for (ContactUnknown* const contact : contacts) {
+    any = any || contact->offset < 0;
+    contact->offset = std::max(contact->offset, 0.0);
+  }
+  return any;
+}
+
+// What a residual cannot tell from 0: of impulses that have grown without end it is 0.
+double rounding_of(const FrictionIsland& island, const Eigen::VectorXd& r) {
+  const double size = island.size_of_q();
+  return size > 0 ? 0x1p-52 * r.norm() * island.bound_of_W() / size : 0.0;
+}
+
+std::vector<int> pressed_by(const Eigen::VectorXd& r, const std::vector<ContactUnknown*>& contacts) {
+  constexpr double kSlight = 1e-6;
+  std::set<int> bodies;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (!(r[3 * static_cast<Eigen::Index>(c)] > kSlight * r.lpNorm<Eigen::Infinity>())) continue;
+    bodies.insert({contacts[c]->a, contacts[c]->b});
+  }
+  return {bodies.begin(), bodies.end()};
 }
 
 }  // namespace
@@ -95,7 +124,9 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
              });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
   double residual = 0;
+  jammed_.clear();
   for (Solved& one : solved) {
+    if (jammed_.empty()) jammed_ = one.jammed;
     residual = std::max(residual, one.residual);
     if (!one.was_known) known_.push_back(std::move(one));
   }
@@ -159,13 +190,12 @@ ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnk
   if (const Solved* const before = known(one)) {
     one.r = before->r;
     one.residual = before->residual;
+    one.rests = before->rests;
+    one.jammed = before->jammed;
     one.was_known = true;
+    if (one.rests) leave_at_rest(contacts);
   } else {
-    one.r.resize(3 * static_cast<Eigen::Index>(contacts.size()));
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      one.r.segment<3>(3 * static_cast<Eigen::Index>(c)) =
-          frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
-    one.residual = impulses(contacts, one.island, one.r);
+    solve_anew(contacts, bodies, one);
   }
   for (std::size_t c = 0; c < contacts.size(); ++c)
     contacts[c]->impulse =
@@ -173,9 +203,37 @@ ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnk
   return one;
 }
 
+// Overlaps that nothing can push apart are left: bodies that stand jam nobody then.
+void ContactProblem::solve_anew(const std::vector<ContactUnknown*>& contacts,
+                                const std::vector<SimulatedBody>& bodies, Solved& one) const {
+  Eigen::VectorXd guess(3 * static_cast<Eigen::Index>(contacts.size()));
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    guess.segment<3>(3 * static_cast<Eigen::Index>(c)) =
+        frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
+  one.r = guess;
+  one.residual = impulses(contacts, one.island, one.r);
+  std::optional<Eigen::VectorXd> jam;
+  if (one.residual > kUnsolvable) jam = jam_of(one.island);
+  if (!jam) return;
+  FrictionIsland island = one.island;
+  if (leave_at_rest(contacts)) {
+    one.rests = true;
+    island = island_of(contacts, bodies);
+    one.r = guess;
+    one.residual = impulses(contacts, island, one.r);
+    jam = one.residual > kUnsolvable ? jam_of(island) : std::nullopt;
+  }
+  if (jam) one.jammed = pressed_by(*jam, contacts);
+}
+
 double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
                                 Eigen::VectorXd& r) const {
-  if (is_named(contacts)) return solve_friction(island, friction_, r);
+  if (is_named(contacts)) {
+    const double residual = solve_friction(island, friction_, r);
+    if (std::isfinite(residual) && r.allFinite()) return std::max(residual, rounding_of(island, r));
+    r.setZero();
+    return std::numeric_limits<double>::infinity();
+  }
   const FrictionProblem problem = island.dense();
   const auto count = static_cast<Eigen::Index>(contacts.size());
   const Eigen::MatrixXd normals = problem.W(Eigen::seqN(0, count, 3), Eigen::seqN(0, count, 3));

@@ -46,14 +46,21 @@ class ContactProblem {
 
   /// Finds the impulses and pushes the bodies. The largest relative residual. An island that has been solved
   /// since forget() is not solved again.
+  /// Where bodies jam, none of their contacts is asked for more than rest: they lose the offsets below 0.
   double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
+
+  /// Bodies that the last solve() found jammed all the same, and those that jam them; see jam_of(). Then what
+  /// it has found is no solution.
+  const std::vector<int>& jammed() const { return jammed_; }
 
  private:
   struct Solved {
     std::pair<int, int> first;  // bodies of its first contact
-    FrictionIsland island;
+    FrictionIsland island;      // as it was asked
+    bool rests = false;         // offsets below 0 were left out
     Eigen::VectorXd r;
     double residual = 0;
+    std::vector<int> jammed;
     bool was_known = false;
   };
 
@@ -63,6 +70,8 @@ class ContactProblem {
   const Solved* known(const Solved& asked) const;
   FrictionIsland island_of(const std::vector<ContactUnknown*>& contacts,
                            const std::vector<SimulatedBody>& bodies) const;
+  void solve_anew(const std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies,
+                  Solved& one) const;
   double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
                   Eigen::VectorXd& r) const;
 
@@ -71,6 +80,7 @@ class ContactProblem {
   SimulationCounters& counters_;
   ChunkTeam* team_ = nullptr;
   std::vector<Solved> known_;
+  std::vector<int> jammed_;
 };
 
 }  // namespace raygauge

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raygauge {
 namespace {
@@ -18,15 +19,38 @@ using Indices = std::vector<Eigen::Index>;
 
 // W_PP r_P = -q_P.
 Eigen::VectorXd solution_on(const Eigen::MatrixXd& W, const Eigen::VectorXd& q, const Indices& P) {
-  const auto count = static_cast<Eigen::Index>(P.size());
-  Eigen::MatrixXd A(count, count);
-  Eigen::VectorXd b(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    b[i] = -q[P[static_cast<std::size_t>(i)]];
-    for (Eigen::Index j = 0; j < count; ++j)
-      A(i, j) = W(P[static_cast<std::size_t>(i)], P[static_cast<std::size_t>(j)]);
+  return Eigen::MatrixXd(W(P, P)).ldlt().solve(-q(P));
+}
+
+void drop_zeros(Indices& P, Eigen::VectorXd& r) {
+  const double zero = 1e-14 * r.cwiseAbs().maxCoeff();
+  Indices kept;
+  for (const Eigen::Index i : P) {
+    if (r[i] > zero) kept.push_back(i);
+    if (r[i] <= zero) r[i] = 0;
   }
-  return A.ldlt().solve(b);
+  P = kept;
+}
+
+// Takes `next` into P. Where its velocity follows from those of P it grows in exchange for them, until one of
+// them is 0 and leaves P. False: it may grow without end, and there is no solution.
+bool take(Eigen::Index next, const Eigen::MatrixXd& W, Indices& P, Eigen::VectorXd& r) {
+  constexpr double kDependent = 1e-12;
+  const Eigen::VectorXd change = P.empty() ? Eigen::VectorXd() : solution_on(W, W.col(next), P);
+  const double alone = W(next, next) + W(next, P).dot(change);
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < P.size(); ++i) {
+    const double fall = -change[static_cast<Eigen::Index>(i)];
+    if (fall > 0) most = std::min(most, r[P[i]] / fall);
+  }
+  if (alone <= kDependent * W(next, next)) {
+    if (!std::isfinite(most)) return false;
+    for (std::size_t i = 0; i < P.size(); ++i) r[P[i]] += most * change[static_cast<Eigen::Index>(i)];
+    r[next] = most;
+    drop_zeros(P, r);
+  }
+  P.push_back(next);
+  return true;
 }
 
 // The way from r to the solution on P, until a number would be negative; such ones leave P. True: all the
@@ -40,13 +64,7 @@ bool go_to_solution(const Eigen::MatrixXd& W, const Eigen::VectorXd& q, Indices&
   }
   for (std::size_t i = 0; i < P.size(); ++i) r[P[i]] += share * (z[static_cast<Eigen::Index>(i)] - r[P[i]]);
   if (share >= 1) return true;
-  const double zero = 1e-14 * r.cwiseAbs().maxCoeff();
-  Indices kept;
-  for (const Eigen::Index i : P) {
-    if (r[i] > zero) kept.push_back(i);
-    if (r[i] <= zero) r[i] = 0;
-  }
-  P = kept;
+  drop_zeros(P, r);
   return false;
 }
 
@@ -77,7 +95,7 @@ Eigen::VectorXd nonnegative_solution(const Eigen::MatrixXd& W, const Eigen::Vect
     for (const Eigen::Index i : P) u[i] = 0;
     Eigen::Index worst = 0;
     if (!(u.minCoeff(&worst) < -kSmall * q.norm())) break;
-    P.push_back(worst);
+    if (!take(worst, W, P, r)) break;
     while (!P.empty() && !go_to_solution(W, q, P, r)) {
     }
   }

@@ -103,12 +103,26 @@ double GroupStepper::longest_substep(double to) const {
   return dt;
 }
 
-void GroupStepper::refuse_spin(int number) const {
+std::string GroupStepper::name_of(int number) const {
   const auto part = std::find_if(parts_.begin(), parts_.end(),
                                  [number](const SimulatedPart& one) { return one.owner == number; });
-  const std::string name = part == parts_.end() ? std::to_string(number) : "'" + part->body.name + "'";
-  throw Error("simulation: at " + std::to_string(t_) + " s body " + name +
+  return part == parts_.end() ? std::to_string(number) : "'" + part->body.name + "'";
+}
+
+void GroupStepper::refuse_spin(int number) const {
+  throw Error("simulation: at " + std::to_string(t_) + " s body " + name_of(number) +
               " spins too fast for its steps to be proven; take shorter ones");
+}
+
+// Bodies that do not react close in on others, which no impulse gets away.
+void GroupStepper::refuse_jam() const {
+  std::string around, jammed;
+  for (const int b : problem_.jammed()) {
+    std::string& names = body(b).reacts() ? jammed : around;
+    names += (names.empty() ? "" : ", ") + name_of(b);
+  }
+  throw Error("simulation: at " + std::to_string(t_) + " s " + jammed + " is jammed by " + around +
+              ": no impulses keep them apart");
 }
 
 // To where a body that does not react is now, in all copies.
@@ -218,7 +232,13 @@ bool GroupStepper::bounce() {
   ++result_.row.impacts;
   ++counters_.impact_problems;
   save(free_);
-  result_.row.residual = std::max(result_.row.residual, problem_.solve(contacts, bodies_));
+  const double residual = problem_.solve(contacts, bodies_);
+  if (!problem_.jammed().empty()) {  // the substep will tell
+    restore(free_);
+    bounces_ = kMostBounces + 1;
+    return false;
+  }
+  result_.row.residual = std::max(result_.row.residual, residual);
   std::vector<double> energies(free_.size());
   for (const int b : active_)
     energies[static_cast<std::size_t>(b)] = free_[static_cast<std::size_t>(b)].kinetic_energy();
@@ -247,6 +267,8 @@ bool GroupStepper::move(double dt) {
     if (!possible) {
       dt /= 2;
       restore(before_);
+      if (jams() && dt < kShortest * dynamics_.step) refuse_jam();
+      if (jams()) bent_dt_ = dt;
       choose_roles(dt);  // what was asked of the longer one is no longer
       continue;
     }
@@ -264,6 +286,7 @@ bool GroupStepper::move(double dt) {
     restore(before_);
     choose_roles(dt);
   }
+  if (jams()) refuse_jam();
   move_unproven(std::min(asked, kUnproven * dynamics_.step));
   return false;
 }
@@ -272,6 +295,7 @@ void GroupStepper::move_unproven(double dt) {
   bent_dt_ = kInfinity;
   restore(before_);
   for (int trial = 0; !push_and_move(dt); ++trial) {
+    if (trial == kMostTrials && jams()) refuse_jam();
     if (trial == kMostTrials) throw InvalidParameterError("dynamics: a body spins too fast");
     dt /= 2;
     restore(before_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "raygauge/scene/simulation.h"
@@ -55,7 +56,10 @@ class GroupStepper {
   void restore(const std::vector<SimulatedBody>& from) { copy_active(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
+  std::string name_of(int number) const;
   [[noreturn]] void refuse_spin(int number) const;
+  [[noreturn]] void refuse_jam() const;
+  bool jams() const { return !contacts_.empty() && !problem_.jammed().empty(); }
   void follow_motion(int number);
   void choose_roles(double dt);
   double closing_speed(const NearPair& pair) const;

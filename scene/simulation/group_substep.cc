@@ -37,7 +37,8 @@ Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
 
 }  // namespace
 
-// Forces, impulses, then the motions over dt. False where a body turns too far for one.
+// Forces, impulses, then the motions over dt. False where a body turns too far for
+// one, or is jammed.
 bool GroupStepper::push_and_move(double dt) {
   for (const int b : active_) accelerate(body(b), dt);
   save(free_);
@@ -55,6 +56,7 @@ bool GroupStepper::push_and_move(double dt) {
     }
   }
   residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
+  if (jams()) return false;
   remember(contacts_, dt);
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {

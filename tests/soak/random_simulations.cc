@@ -170,7 +170,7 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
       return "the step until " + std::to_string(step.time) + " s is not proven";
   }
   for (int k = 1; k <= kMoments; ++k) {
-    const double t = kTo * (k - 0.37 * (k % 2)) / kMoments;
+    const double t = found.scene.instants.back() * (k - 0.37 * (k % 2)) / kMoments;
     for (const Body& body : found.scene.bodies) {
       if (!is_finite(body, t)) return "a place is not finite";
     }
@@ -178,6 +178,16 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
     if (!wrong.empty()) return wrong;
   }
   return driven ? "" : energy_error(found, dynamics);
+}
+
+std::string RandomSimulations::error_until_jam(Scene scene, const Dynamics& dynamics, double jam) {
+  ++tally_.jammed;
+  const double to = dynamics.step * std::floor((jam - 1e-6) / dynamics.step);
+  if (!(to > 0)) return "";
+  scene.instants.back() = to;
+  const Simulation found = simulate(scene, dynamics, nullptr);
+  tally_.steps += static_cast<std::int64_t>(found.steps.size());
+  return error_of(found, dynamics, true);
 }
 
 std::optional<std::string> RandomSimulations::check(std::int64_t number) {
@@ -191,6 +201,10 @@ std::optional<std::string> RandomSimulations::check(std::int64_t number) {
     wrong = error_of(found, drawn.dynamics, drawn.driven);
   } catch (const Error& error) {
     wrong = error.what();
+    double jam = 0;
+    const bool jams = drawn.driven && std::sscanf(error.what(), "simulation: at %lf s", &jam) == 1 &&
+                      wrong.find(" is jammed by ") != std::string::npos;
+    if (jams) wrong = error_until_jam(drawn.scene, drawn.dynamics, jam);
   }
   ++tally_.scenes;
   tally_.bodies += static_cast<std::int64_t>(drawn.scene.bodies.size());
@@ -201,15 +215,16 @@ std::optional<std::string> RandomSimulations::check(std::int64_t number) {
 
 std::string to_string(const SimulationSoakTally& tally) {
   char text[400];
-  std::snprintf(text, sizeof text,
-                "%lld scenes, %lld bodies, %lld steps, %lld cuts, %lld contacts, %lld impacts, %lld signed "
-                "distances; residual %.2g at most (scene %lld), above 1e-8 in %lld steps; energy rises by "
-                "%.2g at most\n",
-                static_cast<long long>(tally.scenes), static_cast<long long>(tally.bodies),
-                static_cast<long long>(tally.steps), static_cast<long long>(tally.cuts),
-                static_cast<long long>(tally.contacts), static_cast<long long>(tally.impacts),
-                static_cast<long long>(tally.checks), tally.residual,
-                static_cast<long long>(tally.worst_scene), static_cast<long long>(tally.rough), tally.rise);
+  std::snprintf(
+      text, sizeof text,
+      "%lld scenes, %lld bodies, %lld steps, %lld cuts, %lld contacts, %lld impacts, %lld signed "
+      "distances, %lld jammed; residual %.2g at most (scene %lld), above 1e-8 in %lld steps; energy rises by "
+      "%.2g at most\n",
+      static_cast<long long>(tally.scenes), static_cast<long long>(tally.bodies),
+      static_cast<long long>(tally.steps), static_cast<long long>(tally.cuts),
+      static_cast<long long>(tally.contacts), static_cast<long long>(tally.impacts),
+      static_cast<long long>(tally.checks), static_cast<long long>(tally.jammed), tally.residual,
+      static_cast<long long>(tally.worst_scene), static_cast<long long>(tally.rough), tally.rise);
   return text;
 }
 

@@ -272,6 +272,11 @@ TEST(Soak, SimulationsAreProvenAndGainNoEnergy) {
   // A deep pair, asked to be less deep half way, however short the substep was.
   EXPECT_EQ(soak::RandomSimulations(91).check(175), std::nullopt);
   EXPECT_EQ(soak::RandomSimulations(93).check(16), std::nullopt);
+  // A ball between the floor and a body that comes down on it, which friction does not let out.
+  soak::RandomSimulations jammed(241);
+  EXPECT_EQ(jammed.check(651), std::nullopt);
+  EXPECT_EQ(jammed.tally().jammed, 1);
+  EXPECT_LE(jammed.tally().residual, 1e-8);
   // A body that rolls: a millionth of a step was proven each time, a hundredth can be.
   soak::RandomSimulations rolling(97);
   EXPECT_EQ(rolling.check(113), std::nullopt);

@@ -51,5 +51,47 @@ TEST(ContactProblem, an_island_that_is_known_is_not_solved_again) {
   EXPECT_GT(first_foot(problem, across), first + 0.1);
 }
 
+// The cube between two slopes, both of which it overlaps.
+std::vector<ContactUnknown> slopes() {
+  std::vector<ContactUnknown> contacts = feet(Eigen::Vector4d::Zero());
+  contacts.resize(2);
+  for (int side = 0; side < 2; ++side) {
+    ContactUnknown& one = contacts[static_cast<std::size_t>(side)];
+    one.at = {side == 0 ? -0.5 : 0.5, 0, 0};
+    one.normal = Eigen::Vector3d(side == 0 ? 1 : -1, 0, 0.2).normalized();
+    one.offset = -1e-3;
+  }
+  contacts[1].b = 2;
+  return contacts;
+}
+
+// Friction keeps it there: no impulse pushes it out.
+TEST(ContactProblem, overlaps_that_cannot_go_are_left_between_bodies_that_stand) {
+  SimulationCounters counters;
+  ContactProblem problem(3, nullptr, counters);
+  for (int again = 0; again < 2; ++again) {
+    std::vector<SimulatedBody> bodies = cube_and_floor();
+    bodies.emplace_back();
+    std::vector<ContactUnknown> contacts = slopes();
+    EXPECT_LE(problem.solve(contacts, bodies), 1e-9);
+    EXPECT_TRUE(problem.jammed().empty());
+    EXPECT_LE(bodies[0].v.norm(), 1e-8);
+    for (const ContactUnknown& contact : contacts) EXPECT_EQ(contact.offset, 0);
+  }
+}
+
+TEST(ContactProblem, bodies_that_close_in_on_another_jam_it) {
+  SimulationCounters counters;
+  ContactProblem problem(3, nullptr, counters);
+  for (int again = 0; again < 2; ++again) {
+    std::vector<SimulatedBody> bodies = cube_and_floor();
+    bodies.emplace_back();
+    bodies[2].v = {-1, 0, 0};
+    std::vector<ContactUnknown> contacts = slopes();
+    EXPECT_GT(problem.solve(contacts, bodies), 1e-6);
+    EXPECT_EQ(problem.jammed(), (std::vector<int>{0, 1, 2}));
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_contact_problem

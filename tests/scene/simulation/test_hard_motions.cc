@@ -4,8 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <string>
 
+#include "raygauge/exceptions.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/half_space.h"
 #include "scene/simulation/piecewise_motion.h"
@@ -121,6 +124,42 @@ TEST(HardMotions, a_fast_body_that_does_not_rebound_arrives_on_a_half_space_at_t
   const Simulation found = simulate(scene.scene, scene.dynamics, nullptr);
   expect_proven(found);
   EXPECT_LE(substeps_of(found), static_cast<std::int64_t>(found.steps.size()));
+}
+
+// A plate comes down on a ball, leaning by 6 degrees: without friction the ball is squeezed out, and nothing
+// else can be. Without a lean no impulse gets it out.
+Reacting pressed(double lean, std::optional<double> friction) {
+  Reacting scene(0.3);
+  scene.dynamics.contact = ContactLaw{friction, std::nullopt};
+  scene.add(ball(0.1), v(0, 0, 0.1), 1);
+  scene.add(floor(), v(0, 0, 0), 0);
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(lean, v(0, 1, 0)).toRotationMatrix();
+  TwistMotion::Rates rates;
+  rates.velocity = v(0, 0, -0.5);
+  const auto down = std::make_shared<TwistMotion>(make_placement(R, v(0, 0, 0.32)), rates, 0.0);
+  scene.scene.bodies.push_back(make_body("press", {box(1, 1, 0.1)}, down));
+  scene.dynamics.bodies.emplace_back();
+  return scene;
+}
+
+std::string refusal(const Reacting& scene) {
+  try {
+    expect_proven(simulate(scene.scene, scene.dynamics, nullptr));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HardMotions, a_ball_under_a_press_is_squeezed_out_or_the_simulation_ends_in_a_line) {
+  const std::string jammed = " s 'body0' is jammed by 'body1', 'press': no impulses keep them apart";
+  const double lean = 0.1;
+  EXPECT_EQ(refusal(pressed(lean, std::nullopt)), "");
+  EXPECT_EQ(refusal(pressed(lean, 0.02)), "");
+  // The plate is 0.02 above it at first, and 0.2 (1 / cos(lean) - 1) less.
+  EXPECT_EQ(refusal(pressed(lean, 0.5)), "simulation: at 0.037992" + jammed);
+  EXPECT_EQ(refusal(pressed(0, 0.5)), "simulation: at 0.040000" + jammed);
+  EXPECT_EQ(refusal(pressed(0, std::nullopt)), "simulation: at 0.040000" + jammed);
 }
 
 }  // namespace
