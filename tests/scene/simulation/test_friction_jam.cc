@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <cstdint>
 
 #include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/friction_passes.h"
@@ -42,7 +43,7 @@ constexpr Mode kModes[] = {Mode::open, Mode::sticks, Mode::slips, Mode::slips_ba
 bool is_solution(const FrictionIsland& island, const Mode (&modes)[2]) {
   Eigen::Matrix<double, 6, 4> A;
   Eigen::Vector4d q;
-  for (int c = 0; c < 2; ++c) {
+  for (Eigen::Index c = 0; c < 2; ++c) {
     A.middleCols<2>(2 * c) = island.contacts[static_cast<std::size_t>(c)].A_a.leftCols<2>();
     q.segment<2>(2 * c) = island.contacts[static_cast<std::size_t>(c)].q.head<2>();
   }
@@ -50,9 +51,9 @@ bool is_solution(const FrictionIsland& island, const Mode (&modes)[2]) {
   const Eigen::Matrix4d W = A.transpose() * A;
   Eigen::Matrix4d rows = Eigen::Matrix4d::Identity();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (int c = 0; c < 2; ++c) {
-    const int n = 2 * c, t = n + 1;
-    const auto moves_with = [&](int k) {
+  for (Eigen::Index c = 0; c < 2; ++c) {
+    const Eigen::Index n = 2 * c, t = n + 1;
+    const auto moves_with = [&](Eigen::Index k) {
       rows.row(k) = W.row(k);
       right[k] = -q[k];
     };
@@ -64,9 +65,9 @@ bool is_solution(const FrictionIsland& island, const Mode (&modes)[2]) {
   const Eigen::FullPivLU<Eigen::Matrix4d> factors(rows);
   if (!factors.isInvertible()) return false;
   const Eigen::Vector4d r = factors.solve(right), u = W * r + q;
-  for (int c = 0; c < 2; ++c) {
+  for (Eigen::Index c = 0; c < 2; ++c) {
     constexpr double kRounding = 1e-9;
-    const int n = 2 * c, t = n + 1;
+    const Eigen::Index n = 2 * c, t = n + 1;
     if (r[n] < -kRounding || u[n] < -kRounding) return false;
     if (modes[c] == Mode::sticks && std::fabs(r[t]) > mu * r[n] + kRounding) return false;
     if (modes[c] == Mode::slips && u[t] < -kRounding) return false;
