@@ -87,15 +87,15 @@ void find_beyond_n(const FacetWalkPoints& points, std::ptrdiff_t block_count, Fa
 void find_beyond(const FacetWalkPoints* points, std::ptrdiff_t block_count, FacetWalk* const* walks,
                  int count) {
   with_dimension(points->n, [=](auto N) {
-    constexpr int n = decltype(N)::value;
+    constexpr int kN = decltype(N)::value;
     constexpr int kMost = kPacksPerBlock == 1 ? 8 : 2;  // as many as there are registers for
     int i = 0;
-    for (; i + kMost <= count; i += kMost) find_beyond_n<n, kMost>(*points, block_count, walks + i);
+    for (; i + kMost <= count; i += kMost) find_beyond_n<kN, kMost>(*points, block_count, walks + i);
     if constexpr (kMost > 4) {
-      for (; i + 4 <= count; i += 4) find_beyond_n<n, 4>(*points, block_count, walks + i);
+      for (; i + 4 <= count; i += 4) find_beyond_n<kN, 4>(*points, block_count, walks + i);
     }
-    for (; i + 2 <= count; i += 2) find_beyond_n<n, 2>(*points, block_count, walks + i);
-    if (i < count) find_beyond_n<n, 1>(*points, block_count, walks + i);
+    for (; i + 2 <= count; i += 2) find_beyond_n<kN, 2>(*points, block_count, walks + i);
+    if (i < count) find_beyond_n<kN, 1>(*points, block_count, walks + i);
   });
 }
 

@@ -150,7 +150,8 @@ void FacetWalker::fill_rounded(std::ptrdiff_t count) {
     for (std::ptrdiff_t lane = 0; lane < std::min<std::ptrdiff_t>(kSingleLanes, all_->S->size() - first);
          ++lane) {
       const std::int32_t* row =
-          all_->pairs.data() + order_[static_cast<std::size_t>(first + lane)] * (kRow / 2);
+          all_->pairs.data() +
+          static_cast<std::ptrdiff_t>(order_[static_cast<std::size_t>(first + lane)]) * (kRow / 2);
       for (std::ptrdiff_t k = 0; k < pairs; ++k) block[k * kSingleLanes + lane] = row[k];
     }
   }
@@ -185,8 +186,8 @@ std::vector<std::int32_t> FacetWalker::points_in_plane() const {
 // Over points near by.
 void FacetWalker::walk() {
   group_.known = known_.list();
-  group_.listed =
-      static_cast<int>(std::min<std::ptrdiff_t>(kListed * all_->n / kSingleLanes / 2 * 2, block_count_));
+  const int listed = kListed * all_->n / kSingleLanes / 2 * 2;
+  group_.listed = std::min(listed, static_cast<int>(block_count_));
   group_.share_of_highest = share_;
   fill_blocks(group_.listed);
   Raw walks;

@@ -23,8 +23,7 @@ constexpr double kLeastSize = 0.5;  // Σ|y_k| max|p_k|, which is 1 and more, as
 
 PointWalk::PointWalk(const WalkedPoints& points) : all_(&points) {
   const auto n = static_cast<std::size_t>(points.n);
-  constexpr auto kColumns =
-      static_cast<std::size_t>((kRoom + kPasses * kAdded + 2 * kLanes) / 32 * 32 + kLanes);
+  constexpr std::size_t kColumns = (kRoom + kPasses * kAdded + 2 * kLanes) / 32 * 32 + kLanes;
   small_.reserve((n + 3) * kRow);
   doubles_.reserve(std::size_t{4} * kRow);
   numbers_.reserve(std::size_t{2} * kRow + kMostFound);
@@ -85,8 +84,8 @@ void PointWalk::round_normal() {
   const int n = all_->n;
   const Eigen::Map<const Eigen::VectorXd> y(walk_.dual, n);
   const double s = std::ldexp(1.0, 13 - std::ilogb(y.norm()));
-  for (int k = 0; k < kRow / 2; ++k)
-    walk_.rounded[k] = pair_of(s * walk_.dual[2 * k], s * walk_.dual[2 * k + 1]);
+  const double* of_pair = walk_.dual;  // zeros beyond n
+  for (int k = 0; k < kRow / 2; ++k, of_pair += 2) walk_.rounded[k] = pair_of(s * of_pair[0], s * of_pair[1]);
   const double error = 0.51 * (WalkedPoints::kScale * std::sqrt(n) + s * y.lpNorm<1>() + n);
   const double one = s * WalkedPoints::kScale;
   integers_suffice_ = error < kMostLost * one;
@@ -94,8 +93,8 @@ void PointWalk::round_normal() {
 }
 
 void PointWalk::find_in_single(const FacetWalkPoints& group, std::ptrdiff_t block_count) {
-  std::array<std::int64_t, kMostFound> index;
-  std::array<double, kMostFound> value;
+  std::array<std::int64_t, kMostFound> index{};
+  std::array<double, kMostFound> value{};
   const double threshold = 1 - 3 * lost_;
   Collection found{index.data(), value.data(), kMostFound, 0, threshold};
   all_->kernels->collect_single(group.blocks, 0, block_count, all_->n, walk_.y, &found);
