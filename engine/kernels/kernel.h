@@ -136,7 +136,7 @@ struct FacetWalkPoints {
   FacetList known;             ///< at least one
   int listed = 0;              ///< blocks, an even number, of which points are chosen: ...
   float share_of_highest = 0;  ///< ... those with b·p above so much of the highest of the first blocks
-  int room = 0;                ///< columns that are chosen at most, but for 15
+  int room = 0;                ///< columns that are chosen at most, but for 31
   int pivot_limit = 0;         ///< of a walk
 };
 

@@ -58,7 +58,7 @@ struct Sixteen {
 };
 
 // Chosen lanes of a pair of blocks, fewer than 17 of them, become the columns after the last one. There is
-// room for 16 more than `room`.
+// room for 48 more than `room`.
 inline void keep_lanes(const FacetWalkPoints& points, std::ptrdiff_t pair, unsigned lanes, int n,
                        FacetWalk* walk) {
   constexpr int kPoints = Vec<float>::kPoints;

@@ -216,7 +216,8 @@ std::vector<GaugeBounds> gauges(const ConvexSet& S, const Points& X, const Point
   std::vector<GaugeBounds> bounds(count, {0, kInfinity});
   PointGauges solver(S, options);
   Vector normal(S.dimension());
-  if (normals != nullptr) normals->setZero(S.dimension(), X.cols());
+  if (normals != nullptr)
+    normals->setConstant(S.dimension(), X.cols(), std::numeric_limits<double>::quiet_NaN());
   Blocks blocks(count, kFirstGauges);
   for (Indices which; blocks.next(which);) {
     if (options.stop && options.stop()) break;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,29 +33,43 @@ using py::literals::operator""_a;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Whether the problems are points, and one set of which gauges() walks from facet to facet.
-bool walks(const BatchSide& A, const BatchSide& Q, std::ptrdiff_t count) {
+/// The points of A, one a column.
+auto points_of(const BatchSide& A) {
+  return Eigen::MatrixXd::Map(A.operand.single_points(), A.operand.dimension(), A.operand.count());
+}
+
+/// Whether the problems are points, and one set of which gauges() walks from facet to facet. Numbers that are
+/// not finite are left to the queries that name the problem.
+bool walks(const BatchSide& A, const BatchSide& Q) {
   return A.operand.single_points() != nullptr && Q.operand.is_shared() &&
-         gauges_walk(*Q.operand.set(0), count);
+         gauges_walk(*Q.operand.set(0), A.operand.count()) && points_of(A).allFinite();
+}
+
+/// How a distance within these bounds has ended; nothing if they leave it open.
+std::optional<DistanceStatus> status_of(const GaugeBounds& b, double tolerance) {
+  if (b.lower == kUnlimited) return DistanceStatus::unreachable;
+  if (b.upper == 0) return DistanceStatus::contains_origin;
+  if (b.lower > 0 && b.upper - b.lower <= tolerance * b.upper) return DistanceStatus::optimal;
+  return std::nullopt;
 }
 
 /// What gauges() answers within the tolerance, without pivots. Returns the other problems.
 std::vector<std::size_t> walk_over_facets(const BatchSide& A, const BatchSide& Q,
                                           const PointsOptions& options, const BatchAnswers& answers) {
-  const int n = A.operand.dimension();
-  const auto X = Eigen::MatrixXd::Map(A.operand.single_points(), n, A.operand.count());
   Eigen::MatrixXd normals;
-  const std::vector<GaugeBounds> bounds = gauges(*Q.operand.set(0), X, options, &normals);
+  const std::vector<GaugeBounds> bounds = gauges(*Q.operand.set(0), points_of(A), options, &normals);
   std::copy_n(normals.data(), normals.size(), answers.normal.data());
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const GaugeBounds& b = bounds[i];
     answers.lower[i] = b.lower;
     answers.distance[i] = answers.upper[i] = b.upper;
-    answers.status[i] = DistanceStatus::optimal;
     answers.pivots[i] = 0;
-    if (!(b.lower > 0 && b.upper - b.lower <= options.tolerance * b.upper && b.upper < kUnlimited))
+    if (const auto status = status_of(b, options.tolerance)) {
+      answers.status[i] = *status;
+    } else {
       open.push_back(i);
+    }
   }
   return open;
 }
@@ -104,7 +119,7 @@ DistanceBatch distances(const SetsLike& A, const SetsLike& Q, double tolerance, 
   const bool plain = !witness && !along_path && !a.poses.given() && !q.poses.given() &&
                      options.method == DistanceMethod::automatic && options.time_limit == kUnlimited;
   run_interruptibly(stop, [&] {
-    if (plain && walks(a, q, count)) {
+    if (plain && walks(a, q)) {
       const auto open = walk_over_facets(a, q, {tolerance, team, stopped}, answers);
       solve_open(open, solvers, pairs.source(), n, answers);
     } else {

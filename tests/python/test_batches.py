@@ -61,6 +61,20 @@ class Batches(unittest.TestCase):
         for name in ("distance", "lower", "upper", "normal"):
             np.testing.assert_array_equal(getattr(batch, name), getattr(again, name))
 
+    def test_many_points_that_cannot_be_reached_are_told_and_one_that_is_no_number_is_named(self):
+        generator = np.random.default_rng(5)
+        S = np.abs(generator.normal(size=(400, 4)))
+        X = generator.normal(size=(2000, 4))
+        X[1] = -1
+        batch = rg.distances(X[:, None, :], S)
+        self.assertEqual([batch.status[1], batch.distance[1], batch.lower[1]], ["unreachable", np.inf, np.inf])
+        w = batch.normal[1]
+        self.assertTrue(w @ X[1] < 0 and (S @ -w <= 0).all())
+        self.assertEqual(list(batch.status[:40]), [rg.distance(x, S).status for x in X[:40]])
+        X[1500, 2] = np.nan
+        with self.assertRaisesRegex(rg.NonFiniteError, "1500"):
+            rg.distances(X[:, None, :], S)
+
     def test_a_problem_is_indexed_and_problems_are_gone_through(self):
         batch = rg.distances(self.A, self.Q, witness=True)
         for k in (0, 7, -1):

@@ -13,12 +13,9 @@
 namespace raygauge {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-constexpr double kParallel = 1e-6;                    // sine of an angle
-constexpr double kTurned = 32 * kUnit;                // of n, relative to |e_1||e_2|/|e_1 × e_2|
-constexpr double kHeight = 64 * kUnit;                // of h_D(n), relative to the size
-constexpr double kNearby = 1e-8;                      // of the size: more than all of that
-constexpr double kSmallest = 1e-60, kLargest = 1e60;  // of sizes whose products are squared
+constexpr double kParallel = 1e-6;        // sine of an angle
+constexpr double kTurned = 32 * 0x1p-53;  // of n, relative to |e_1||e_2|/|e_1 × e_2|
+constexpr double kNearby = 1e-8;          // of the size: more than what is lost
 
 }  // namespace
 

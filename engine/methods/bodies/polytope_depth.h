@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/methods/bodies/facet_depth.h"
 #include "engine/sets/polytope_faces.h"
 
 namespace raygauge {
@@ -10,19 +11,13 @@ namespace raygauge {
 /// facet of D is across a facet of P1 or P2, or across an edge of each whose arcs on the sphere of normals,
 /// from that of one facet beside the edge to that of the other, cross. Where rounding hides whether they do,
 /// the edges count: a direction too many does not make the bound wrong.
-class PolytopeDepth {
+class PolytopeDepth : public FacetDepth {
  public:
   /// P2 is turned by R, whose RᵀR is 1 but for `defect`, and moved by t. `size`: at least |x| for every x of
   /// D, and for all that it comes from. False where nothing is proven: the origin is outside, or edges are
   /// parallel but for rounding.
   bool solve(const PolytopeFaces& first, const PolytopeFaces& second, const Matrix3& R, const Vector3& t,
              double defect, double size) noexcept;
-
-  /// Proven of D, with the numbers as they were given.
-  double lower() const noexcept { return lower_; }
-  double upper() const noexcept { return upper_; }
-  /// Outward, of length 1, of the nearest facet.
-  const Vector3& normal() const noexcept { return normal_; }
 
   /// The point of P1 where it is in contact with P2, moved out along normal(). False where that is not known:
   /// more than one corner is as high.
@@ -58,8 +53,7 @@ class PolytopeDepth {
 
   const PolytopeFaces* first_ = nullptr;
   PolytopeFaces second_;  // -P2, where it is
-  double lower_ = 0, upper_ = 0, height_ = 0, size_ = 0;
-  Vector3 normal_;
+  double height_ = 0, size_ = 0;
   int edge_[2] = {-1, -1};
   int count_ = 0;
   Near near_[kNear];

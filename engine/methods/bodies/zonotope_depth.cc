@@ -11,11 +11,8 @@
 namespace raygauge {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-constexpr double kParallel = 1e-8;                    // sine of an angle
-constexpr double kTurned = 17 * kUnit;                // of n, relative to |g_i||g_j|/|g_i × g_j|
-constexpr double kHeight = 64 * kUnit;                // of h_D(n), relative to the size
-constexpr double kSmallest = 1e-60, kLargest = 1e60;  // of lengths whose products are squared
+constexpr double kParallel = 1e-8;        // sine of an angle
+constexpr double kTurned = 17 * 0x1p-53;  // of n, relative to |g_i||g_j|/|g_i × g_j|
 
 }  // namespace
 

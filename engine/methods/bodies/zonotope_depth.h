@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/numerics/vector3.h"
+#include "engine/methods/bodies/facet_depth.h"
 
 namespace raygauge {
 
@@ -15,7 +15,7 @@ namespace raygauge {
 /// is the depth, and what a rounded n loses is bounded. Where two of the g_k are parallel but for rounding,
 /// one of them is replaced by one that is parallel: D changes by no more than their distance, and a facet
 /// across both is across a third one, too.
-class ZonotopeDepth {
+class ZonotopeDepth : public FacetDepth {
  public:
   static constexpr int kMost = 6;
 
@@ -33,12 +33,6 @@ class ZonotopeDepth {
   /// `size`: at least |x| for every x of D. False where nothing is proven: D is flat, the origin is outside,
   /// or numbers are out of range.
   bool solve(double size) noexcept;
-
-  /// Proven of D, with the numbers as they were given.
-  double lower() const noexcept { return lower_; }
-  double upper() const noexcept { return upper_; }
-  /// Outward, of length 1, of the nearest facet.
-  const Vector3& normal() const noexcept { return normal_; }
 
   /// Of the point  c + Σ s_k g_k  of the nearest facet that is upper() normal(), to rounding, the sum for the
   /// first body. False where faces are parallel and this is not known.
@@ -65,8 +59,7 @@ class ZonotopeDepth {
   static void measure(const ZonotopeDepth& of, double size, Lanes& lanes) noexcept;
   Vector3 outward(int lane) const noexcept;
 
-  Vector3 center_, half_[kMost], normal_;
-  double lower_ = 0, upper_ = 0;
+  Vector3 center_, half_[kMost];
   int count_ = 0, first_count_ = 0, lanes_count_ = 0, nearest_ = 0;
   Lanes lanes_;
 };

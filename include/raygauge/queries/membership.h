@@ -47,7 +47,7 @@ struct PointsOptions {
 /// gauge() of each column of X; [0, inf] of one that `stop` left out. Where X has 1024 columns and more, a
 /// hull of 60 n to 65 536 points, n <= 16, is walked from facet to facet: the dual simplex starts from what
 /// was found for a point near by. `normals`, if given, becomes n × K: of each point the normal of its
-/// distance (DistanceResult::normal), of any length, 0 where there is none. Throws as gauge(), for a column
+/// distance (DistanceResult::normal), of any length, NaN where there is none. Throws as gauge(), for a column
 /// of X in the words of PairBatch.
 std::vector<GaugeBounds> gauges(const ConvexSet& S, const Eigen::Ref<const Eigen::MatrixXd>& X,
                                 const PointsOptions& options = {}, Eigen::MatrixXd* normals = nullptr);
